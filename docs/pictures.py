@@ -3,9 +3,11 @@
 Run: python docs/pictures.py states FOLDER [NAME ...]   every state at four sizes, to be looked at
      python docs/pictures.py docs                       the pictures in docs/, and the moving one
 
-Needs Xvfb, xterm and xdotool, which are Debian packages of these names.
+Needs Xvfb, xterm and xdotool, which are Debian packages of these names; without them `states` writes what
+the application exports itself.
 """
 
+import asyncio
 import os
 import shutil
 import subprocess
@@ -18,6 +20,15 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from PIL import Image, ImageGrab
+
+from fleet_tui.app import FleetApp
+from fleet_tui.backend import LiveBackend
+from fleet_tui.config.load import load, shipped
+from fleet_tui.config.start import initial_state
+from fleet_tui.demo import demo_config, simulated
+from fleet_tui.state.store import Store
+from fleet_tui.themes import load_themes
+from fleet_tui.view.map.drawing import Drawing
 
 SIZES = ((60, 15), (80, 24), (120, 40), (200, 60))
 CONSOLE = str(Path(sys.executable).with_name("fleet-tui"))
@@ -174,7 +185,6 @@ def photograph() -> Image.Image:
 
 def states(folder: Path, names: list[str]) -> None:
     """Make the pictures of the named consoles, or of all, in each state and size."""
-    folder.mkdir(parents=True, exist_ok=True)
     for name in names or CONSOLES:
         console = CONSOLES[name]
         for width, height in SIZES:
@@ -219,11 +229,34 @@ def film(path: Path) -> None:
     first.save(path, save_all=True, append_images=more, duration=int(FRAME * 1000), loop=0, optimize=True)
 
 
+async def export(folder: Path) -> None:
+    """Write what the application itself can draw, as SVG: the calm state at each size."""
+    with simulated(12, 2) as (url,), TemporaryDirectory() as home:
+        config = demo_config(load(shipped()), url, 12, 2, folder=Path(home))
+        for width, height in SIZES:
+            store = Store(initial_state(config, time.monotonic()))
+            app = FleetApp(
+                config, store, load_themes(None)[0], Drawing.BRAILLE, backend=LiveBackend(config, store)
+            )
+            async with app.run_test(size=(width, height)):
+                await asyncio.sleep(ARRIVED)
+                picture = app.export_screenshot(title="fleet-tui demo")
+            (folder / f"fleet-calm-{width}x{height}.svg").write_text(picture)
+
+
 def main(what: str, arguments: list[str]) -> None:
     """Make pictures of all states, or those of the documentation."""
     missing = [tool for tool in ("Xvfb", "xterm", "xdotool") if shutil.which(tool) is None]
-    if missing:
+    if missing and what == "docs":
         sys.exit(f"not installed: {', '.join(missing)} (Debian: apt install xvfb xterm xdotool)")
+    if arguments:
+        Path(arguments[0]).mkdir(parents=True, exist_ok=True)
+    if missing:
+        sys.stderr.write(
+            f"without {', '.join(missing)}: only the calm state, as the application exports it\n"
+        )
+        asyncio.run(export(Path(arguments[0])))
+        return
     with screen():
         if what == "docs":
             pictures_of_docs()

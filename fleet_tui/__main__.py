@@ -49,8 +49,8 @@ def _run_command() -> None:
     except click.exceptions.Abort:
         _end(130)
     except click.ClickException as problem:
-        words = f"fleet-tui: {problem.format_message()}".splitlines()
-        _end(2, *words, "Run fleet-tui --help for usage.")
+        message = f"fleet-tui: {problem.format_message()}".splitlines()
+        _end(2, *message, "Run fleet-tui --help for usage.")
 
 
 def _open_closed_streams() -> None:
@@ -73,12 +73,12 @@ def _never_fail_to_encode() -> None:
         sys.stdout.reconfigure(errors="ascii_fallback")
 
 
-def _words(problem: Exception, log: "Path | None") -> str:
+def _message(problem: Exception, log: "Path | None") -> str:
     if isinstance(problem, OSError) and problem.errno in FULL and problem.filename is None:
         return f"cannot write the output: {problem.strerror}"
     where = "with --debug" if log is None else f"in {log}, or with --debug"
-    words = truncate(str(problem)) or type(problem.__cause__ or problem).__name__
-    return f"internal error: {words} (details {where})"
+    message = truncate(str(problem)) or type(problem.__cause__ or problem).__name__
+    return f"internal error: {message} (details {where})"
 
 
 def _run() -> None:
@@ -104,7 +104,7 @@ def _run() -> None:
 
         path = log_to_file(debug)
         logging.getLogger(__name__).exception("fatal")
-        _end(1, f"fleet-tui: {_words(problem, path)}")
+        _end(1, f"fleet-tui: {_message(problem, path)}")
 
 
 def main() -> None:

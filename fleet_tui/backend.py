@@ -80,7 +80,7 @@ Connect = Callable[[Config, Store, Callable[[OpenLinks], None]], None]
 def connect_live(
     config: Config,
     store: Store,
-    stands: Callable[[OpenLinks], None],
+    on_ready: Callable[[OpenLinks], None],
     tap: "Tap | None" = None,
     folder: Path | None = None,
     owner: str = "",
@@ -92,7 +92,7 @@ def connect_live(
 
     link = FleetLink(config, store, tap, None if config.operator.read_only else QueueFile(folder, owner))
     link.open()
-    stands(link)
+    on_ready(link)
     from fleet_tui.maps.floor_files import load_floors
 
     for loaded in load_floors(config):

@@ -95,11 +95,11 @@ def _connect(
     folder: Path | None,
     config: Config,
     store: Store,
-    stands: Callable[[OpenLinks], None],
+    on_ready: Callable[[OpenLinks], None],
 ) -> None:
     """Connect to the fleet once the files are open."""
     assert files.recordings is not None
-    recorded(files.recordings, folder, config, store, stands)
+    recorded(files.recordings, folder, config, store, on_ready)
 
 
 def ask_first(site: "DiscoveredSite | None", drawing: str | None) -> "DiscoveredSite | None":
@@ -123,12 +123,12 @@ def recorded(
     folder: Path | None,
     config: Config,
     store: Store,
-    stands: Callable[[OpenLinks], None],
+    on_ready: Callable[[OpenLinks], None],
 ) -> None:
     """Connect to the fleet and record its traffic. `folder` keeps the orders."""
 
     def keep(links: OpenLinks) -> None:
-        stands(links)
+        on_ready(links)
         recordings.keep_recent()
 
     from fleet_tui.audit.log import operator_name

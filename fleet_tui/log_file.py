@@ -95,8 +95,8 @@ class _LogQueue(logging.handlers.QueueHandler):
         """Queue it, if possible. Under the handler's lock."""
         try:
             if self.lost:
-                words = f"{self.lost} messages before this one lost: disk not responding"
-                about = {"name": __name__, "levelno": logging.WARNING, "levelname": "WARNING", "msg": words}
+                message = f"{self.lost} messages before this one lost: disk not responding"
+                about = {"name": __name__, "levelno": logging.WARNING, "levelname": "WARNING", "msg": message}
                 super().enqueue(self.prepare(logging.makeLogRecord(about)))
                 self.lost = 0
             super().enqueue(record)

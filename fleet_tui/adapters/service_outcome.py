@@ -47,10 +47,10 @@ def judge(
         refused = _NEVER_ARRIVED.search(text) and not _THREW.search(text)
         return (Stage.REFUSED if refused else Stage.UNKNOWN), text
     fields = values if isinstance(values, dict) else {}
-    success, words = fields.get("success"), fields.get("status", fields.get("message"))
-    if not isinstance(success, bool) and not ("success" not in fields and isinstance(words, str)):
+    success, detail = fields.get("success"), fields.get("status", fields.get("message"))
+    if not isinstance(success, bool) and not ("success" not in fields and isinstance(detail, str)):
         return Stage.UNKNOWN, f"unrecognised reply: {truncate(said(values))}"
-    text = words if isinstance(words, str) else ""
+    text = detail if isinstance(detail, str) else ""
     already = _ALREADY.get(type(command))
     if already is not None and already.search(text, 0, LONGEST_JUDGED):
         return Stage.ACCEPTED, truncate(text)

@@ -89,7 +89,7 @@ def closing_records(origin: Origin, state: FleetState, wall: float) -> Iterator[
 def _of_step(
     origin: Origin, state: FleetState, record: commands.CommandRecord, step: commands.Step, wall: float
 ) -> AuditRecord:
-    return origin.record(wall, change=step.stage.value, words=step.words, **_about(state, record))
+    return origin.record(wall, change=step.stage.value, words=step.detail, **_about(state, record))
 
 
 def _about(state: FleetState, record: commands.CommandRecord) -> dict[str, Any]:

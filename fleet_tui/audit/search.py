@@ -37,7 +37,7 @@ class Search:
             and record.change.startswith(self.outcome)
             and self.request in ("", str(record.id))
             and self._is_in_time(record)
-            and self._is_in_words(record)
+            and self._matches_text(record)
         )
 
     def _is_in_time(self, record: AuditRecord) -> bool:
@@ -49,7 +49,7 @@ class Search:
             return False
         return (self.since is None or at >= self.since) and (self.until is None or at <= self.until)
 
-    def _is_in_words(self, record: AuditRecord) -> bool:
+    def _matches_text(self, record: AuditRecord) -> bool:
         if not self.words:
             return True
         line = line_text(record).casefold()

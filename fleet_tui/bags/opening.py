@@ -54,7 +54,7 @@ class Bag:
     def messages(self, connections: list[Any]) -> Iterator[tuple[Any, int, bytes]]:
         """Yield the messages of these connections: connection, nanoseconds since 1970, raw message. Raises
         BagError at unreadable data."""
-        with _in_words(self.path):
+        with _as_message(self.path):
             yield from self._reader.messages(connections)
 
 
@@ -73,7 +73,7 @@ def open_bag(path: Path) -> Iterator[Bag]:
 
 @contextmanager
 def _closing(path: Path, kind: Any) -> Iterator[Any]:
-    with _in_words(path):
+    with _as_message(path):
         reader = kind(path)
         reader.open()
     try:
@@ -113,7 +113,7 @@ def _of_folder(path: Path) -> list[Path]:
 
 
 @contextmanager
-def _in_words(path: Path) -> Iterator[None]:
+def _as_message(path: Path) -> Iterator[None]:
     try:
         yield
     except BagError:
@@ -123,14 +123,14 @@ def _in_words(path: Path) -> Iterator[None]:
     except PermissionError:
         raise BagError(f"{path}: unreadable: Permission denied") from None
     except Exception as problem:  # noqa: BLE001  # a damaged bag leads rosbags into errors of every kind
-        raise BagError(f"{path}: {_words(path, problem)}") from None
+        raise BagError(f"{path}: {_message(path, problem)}") from None
 
 
-def _words(path: Path, problem: Exception) -> str:
+def _message(path: Path, problem: Exception) -> str:
     said = " ".join(str(problem).replace(str(path), path.name).split())
-    for part, words in _WORDS.items():
+    for part, message in _WORDS.items():
         if part in said:
-            return words.format(name=path.name)
+            return message.format(name=path.name)
     return f"unreadable: {truncate(said or type(problem).__name__)}"
 
 

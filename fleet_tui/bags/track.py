@@ -4,7 +4,7 @@ import math
 
 from fleet_tui.audit.entries import Origin, alarm_records
 from fleet_tui.config.schema import Config
-from fleet_tui.model.events import Event, LinkHeard, TimePassed
+from fleet_tui.model.events import Event, MessageArrived, TimePassed
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.recording.part_file import PartFile
 from fleet_tui.recording.play.frames import Frames
@@ -72,7 +72,7 @@ class Track:
             self._keyframe()
         received, self._received = self._received, {}
         for link, at in received.items():
-            self.on_event(LinkHeard(link, at))
+            self.on_event(MessageArrived(link, at))
         self.on_event(TimePassed(self.at, self.wall))
         self._ticks += 1
 

@@ -72,10 +72,10 @@ class _Watch:
         self.had_link = self.had_link or has_link(state)
         for link in state.links.values():
             up = link.phase is Phase.UP
-            words = "up" if up else f"no link{': ' if link.reason else ''}{link.reason}"
-            if self._links.get(link.name) != words and (up or link.reason):
-                self._links[link.name] = words
-                self._line(f"{link.url}: {words}")
+            message = "up" if up else f"no link{': ' if link.reason else ''}{link.reason}"
+            if self._links.get(link.name) != message and (up or link.reason):
+                self._links[link.name] = message
+                self._line(f"{link.url}: {message}")
         problem = self._recorder.problem
         if problem != self._problem:
             self._problem = problem
@@ -117,7 +117,7 @@ def _load_maps(config: Config, link: FleetLink) -> None:
 
 
 def _has_no_map(state: FleetState, robot: str, floor: str) -> bool:
-    return state.robots[robot].charts[floor].grid is None and state.floors[floor].live is None
+    return state.robots[robot].maps[floor].grid is None and state.floors[floor].live is None
 
 
 def _live_maps(config: Config, store: WaitingStore, link: FleetLink) -> Iterator[None]:

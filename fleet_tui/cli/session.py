@@ -56,11 +56,11 @@ def missing(robot: Robot) -> list[str]:
     """Return the missing values of a robot, of those its kind always reports."""
     expected = filter(robot.kind.expects, ("pose", "battery", "cargo", "obstacle", "queue"))
     values = {name: getattr(robot, name) for name in expected}
-    for floor, chart in robot.charts.items():
+    for floor, robot_map in robot.maps.items():
         if robot.kind.expects("graph"):
-            values[f"graph of {floor}"] = chart.graph
+            values[f"graph of {floor}"] = robot_map.graph
         if robot.kind.expects("labels"):
-            values[f"labels of {floor}"] = chart.labels or None
+            values[f"labels of {floor}"] = robot_map.labels or None
     return [name for name, value in values.items() if value is None and name not in robot.unmeasured]
 
 

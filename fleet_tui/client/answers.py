@@ -65,19 +65,19 @@ class Answers:
                 response = await self._answer(command_id, call)
                 self._learn(command, outgoing, response, sent_at)
                 ends.append(adapter.outcome(command, response.values, response.result))
-            stage, words = max(ends, key=lambda end: WORST.index(end[0]))
+            stage, detail = max(ends, key=lambda end: WORST.index(end[0]))
         except NoAnswerError:
             return
         except LinkLostError as problem:
-            stage, words = Stage.UNKNOWN, str(problem)
+            stage, detail = Stage.UNKNOWN, str(problem)
         except Exception as problem:
             # Whatever fails here, the operator must see that the result of this command is unknown.
             LOG.exception("command %d", command_id)
-            stage, words = Stage.UNKNOWN, f"internal error: {problem}"
+            stage, detail = Stage.UNKNOWN, f"internal error: {problem}"
         finally:
             for _, call in calls:
                 self._calls.forget(call)
-        self._advance(command_id, stage, words)
+        self._advance(command_id, stage, detail)
 
     def _learn(
         self, command: Command, outgoing: ServiceCall, response: ServiceResponse, sent_at: float

@@ -186,12 +186,12 @@ class CommandChannel:
         return calls
 
     def _advance(
-        self, command_id: int, stage: Stage, words: str = "", at: float | None = None, name: str = ""
+        self, command_id: int, stage: Stage, detail: str = "", at: float | None = None, name: str = ""
     ) -> None:
         level = logging.INFO if stage in (Stage.SENT, Stage.ACCEPTED) else logging.WARNING
-        LOG.log(level, "command %d: %s %s", command_id, stage.value, truncate(words))
+        LOG.log(level, "command %d: %s %s", command_id, stage.value, truncate(detail))
         at = time.monotonic() if at is None else at
-        self._writer.apply(CommandAdvanced(command_id, stage, at, words, name))
+        self._writer.apply(CommandAdvanced(command_id, stage, at, detail, name))
 
     def close(self) -> None:
         """Close permanently; open commands end as unknown."""

@@ -129,11 +129,11 @@ class Goals:
         """Take the end of a goal: a refusal ends its command, all else is reported beside its state."""
         command = self._commands.pop(command_id)
         adapter = self._adapters[command.robot]
-        stage, words = adapter.outcome(command, result.values, result.result, result.status)
+        stage, detail = adapter.outcome(command, result.values, result.result, result.status)
         if stage is Stage.REFUSED:
-            self._advance(command_id, stage, words)
+            self._advance(command_id, stage, detail)
         else:
-            self._writer.apply(GoalAnswered(command_id, stage, time.monotonic(), words))
+            self._writer.apply(GoalAnswered(command_id, stage, time.monotonic(), detail))
 
     def close(self) -> None:
         """Close all connections permanently; goals go on."""

@@ -68,8 +68,8 @@ class Heartbeat:
     def take(self, response: ServiceResponse) -> None:
         """Take an answer to any call: any answer shows that the bridge is alive."""
         self._answered_at = time.monotonic()
-        words = response.values if isinstance(response.values, str) else ""
-        if "unable to communicate with master" in words.lower():
+        message = response.values if isinstance(response.values, str) else ""
+        if "unable to communicate with master" in message.lower():
             self._services.on_master_lost()
             self._set(CommandPath.DEAD, "no ROS master")
             return

@@ -5,8 +5,8 @@ import asyncio
 from collections.abc import Awaitable, Callable, Mapping
 
 from fleet_tui.adapters.ros import operations
+from fleet_tui.adapters.ros.logs import HEALTH_TYPES, LOG_TYPES
 from fleet_tui.adapters.ros.reading import DIAGNOSTICS, ROSOUT
-from fleet_tui.adapters.ros.robot_words import HEALTH_TYPES, LOG_TYPES
 from fleet_tui.errors import LinkError
 from fleet_tui.transports.rosbridge.connection import Connection
 

@@ -79,7 +79,7 @@ class Telemetry:
     def _tick(self, now: float) -> None:
         if self._received_at > self._reported_at:
             self._reported_at = self._received_at
-            self._writer.apply(events.LinkHeard(self._link, self._received_at))
+            self._writer.apply(events.MessageArrived(self._link, self._received_at))
         if now > self._next_check:
             self._next_check = now + CHECK_EVERY
             self._subscriber.check(now, self._last_messages)

@@ -89,8 +89,8 @@ class WaitingOrders:
         if not robot.kind.keeps_goals:
             return False
         if isinstance(command, PlaceOrder) and is_busy(state, robot, command_id):
-            stage, words = self._enqueue(robot)
-            self._apply(CommandAdvanced(command_id, stage, given_at, words))
+            stage, detail = self._enqueue(robot)
+            self._apply(CommandAdvanced(command_id, stage, given_at, detail))
             return True
         if isinstance(command, CancelOrder):
             for record in waiting(state, robot):
@@ -109,8 +109,8 @@ class WaitingOrders:
             return Stage.NOT_SENT, f"{robot.name} has {MOST_WAITING} orders waiting here, the maximum"
         busy = "is paused" if robot.paused_by_us else "has an order"
         if self._file is None:
-            words = f"{robot.name} {busy} and has no queue: order from a console, or wait"
-            return Stage.NOT_SENT, words
+            detail = f"{robot.name} {busy} and has no queue: order from a console, or wait"
+            return Stage.NOT_SENT, detail
         if not self._claim(self._file):
             return Stage.NOT_SENT, f"{robot.name} {busy}, and {self._file.owner} keeps the queue"
         return Stage.WAITING, f"in the queue of this console ({self._file.owner})"

@@ -142,8 +142,8 @@ def _read(struct: type[Any], table: object, where: str, problems: list[str]) -> 
             problems.append(f"{where}{name}: missing")
     # Every required field is a name. The entry gets a unique one, so that the
     # entries after it keep their numbers.
-    stand_in = "".join(letter if letter.isalnum() else "_" for letter in where)
-    missing = {name: stand_in for name, field in fields.items() if field.required and name not in values}
+    placeholder = "".join(letter if letter.isalnum() else "_" for letter in where)
+    missing = {name: placeholder for name, field in fields.items() if field.required and name not in values}
     return struct(**missing, **values)
 
 
@@ -176,7 +176,7 @@ def _read_value(kind: Any, value: Any, where: str, problems: list[str]) -> Any |
     try:
         return msgspec.convert(value, kind)
     except msgspec.ValidationError as problem:
-        problems.append(f"{where}: {_in_words(kind, value, str(problem))}")
+        problems.append(f"{where}: {_as_message(kind, value, str(problem))}")
         return None
 
 
@@ -187,11 +187,11 @@ def _with_settings(table: Mapping[str, object]) -> dict[str, object]:
     return {**rest, "settings": own} if own else rest
 
 
-def _in_words(kind: Any, value: object, problem: str) -> str:
+def _as_message(kind: Any, value: object, problem: str) -> str:
     """Return msgspec's message in plain words."""
     if typing.get_origin(kind) is Literal and isinstance(value, str):
         choices = typing.get_args(kind)
         return f"{value!r} is not one of {', '.join(choices)}{did_you_mean(value, choices)}"
-    for name, words in _WORDS.items():
-        problem = problem.replace(f"`{name}`", words)
+    for name, message in _WORDS.items():
+        problem = problem.replace(f"`{name}`", message)
     return problem[0].lower() + problem[1:]

@@ -49,9 +49,9 @@ class Offers:
 
     def _vertices(self) -> Iterator[Entry]:
         robot = self._store.state.robots[self._navigation.robot]
-        for floor, chart in robot.charts.items():
-            for id_, label in chart.labels.items():
-                vertex = chart.graph.vertices.get(id_) if chart.graph else None
+        for floor, robot_map in robot.maps.items():
+            for id_, label in robot_map.labels.items():
+                vertex = robot_map.graph.vertices.get(id_) if robot_map.graph else None
                 if vertex is not None:
                     find = partial(self._navigation.find_vertex, floor, vertex.x, vertex.y)
                     yield f"Go to vertex {sanitize(label)}", find

@@ -57,8 +57,8 @@ class OrderRequests:
         if not self.may_order():
             return
         robot = self._robot
-        chart = robot.charts.get(floor)
-        name = chart.name_of(vertex) if chart else None
+        robot_map = robot.maps.get(floor)
+        name = robot_map.name_of(vertex) if robot_map else None
         if name is None:
             self._notices.say(f"{robot.name} has no vertex {sanitize(vertex)} on {floor}")
         else:

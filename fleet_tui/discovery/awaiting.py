@@ -40,8 +40,8 @@ class Discovering:
     def _show(self) -> None:
         if sys.stderr.isatty() and os.environ.get("TERM") != "dumb":
             count = f" {self._done} of {self._total}" if self._total else ""
-            words = f"{self._bridge.shown}: {self._doing}{count}"
-            sys.stderr.write(f"\r\x1b[K{words[: os.get_terminal_size(2).columns - 1]}")
+            message = f"{self._bridge.shown}: {self._doing}{count}"
+            sys.stderr.write(f"\r\x1b[K{message[: os.get_terminal_size(2).columns - 1]}")
             sys.stderr.flush()
             self._shown = True
 

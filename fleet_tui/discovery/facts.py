@@ -39,8 +39,8 @@ class RosapiFacts:
     def is_silent(self) -> bool:
         """Tell whether its node exists and does not answer: the wait was long enough, here or at the
         bridge."""
-        words = ("no reply from rosapi", "Unable to communicate with service", "Timeout exceeded")
-        return any(word in self.problem for word in words)
+        message = ("no reply from rosapi", "Unable to communicate with service", "Timeout exceeded")
+        return any(word in self.problem for word in message)
 
     def lists_action_of(self, topic: str) -> bool:
         """Tell whether a hidden topic's action server is listed."""

@@ -22,7 +22,7 @@ MOST, BATCH = 100, 20
 each."""
 
 
-async def hear_frames(
+async def collect_frames(
     wire: BridgeConnection, found: Found, types: Mapping[str, str], until: float
 ) -> dict[str, str]:
     """Return the frame_id of each robot's poses, of those that are online and whose frames mean floors.

@@ -15,7 +15,7 @@ from fleet_tui.discovery.choices import Answers, Choice, choices_of, decided, la
 from fleet_tui.discovery.config_text import render
 from fleet_tui.discovery.facts import RosapiFacts
 from fleet_tui.discovery.finding import Verdict
-from fleet_tui.discovery.frames import hear_frames
+from fleet_tui.discovery.frames import collect_frames
 from fleet_tui.discovery.questions import Watch, listed_by
 from fleet_tui.discovery.recognition import Found, assigned, claimed
 from fleet_tui.discovery.rosapi import look_around
@@ -125,7 +125,7 @@ async def _discover(bridge: Link, until: float, watch: Watch) -> DiscoveredSite:
         listed, rosapi = await listed_by(wire, rosapi, until, watch)
         claims = claimed(listed)
         watch(0, 0, "waiting for poses")
-        frames = await hear_frames(wire, assigned(claims, {}), rosapi.topics, until)
+        frames = await collect_frames(wire, assigned(claims, {}), rosapi.topics, until)
     finally:
         wire.close()
     return DiscoveredSite(bridge, claims, frames, len(rosapi.topics))

@@ -11,9 +11,9 @@ from types import MappingProxyType
 
 from fleet_tui.adapters.adapter import Adapter, Feed
 from fleet_tui.adapters.ros import operations
+from fleet_tui.adapters.ros.logs import complaint, log_line
 from fleet_tui.adapters.ros.operations import Subscription
 from fleet_tui.adapters.ros.reading import ROSOUT
-from fleet_tui.adapters.ros.robot_words import complaint, log_line
 from fleet_tui.client.calls import Calls
 from fleet_tui.client.heartbeat import SERVICE as HEARTBEAT
 from fleet_tui.config.schema import Link
@@ -222,8 +222,8 @@ class BridgeConnection:
     def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
         """Record at its topic that a message over the limit of the config was dropped."""
         plain = head.replace(rb"\/", b"/")
-        for topic, heard in self.listening.items():
+        for topic, received in self.listening.items():
             if topic.encode() in plain:
-                heard.count += 1
-                heard.faults += 1
-                heard.problem = f"a message of {size / 1e6:.1f} MB exceeds the limit: raise max_message_mb"
+                received.count += 1
+                received.faults += 1
+                received.problem = f"a message of {size / 1e6:.1f} MB exceeds the limit: raise max_message_mb"

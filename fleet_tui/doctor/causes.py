@@ -49,8 +49,8 @@ def _unregistered(config: Config, facts: BridgeFacts) -> Iterator[Cause]:
     connected."""
     if facts.rosapi.problem:
         return
-    heard = {one.wanted.robot for one in facts.topics if one.count}
-    robots = [robot.name for robot in config.robots if robot.name in heard]
+    received = {one.wanted.robot for one in facts.topics if one.count}
+    robots = [robot.name for robot in config.robots if robot.name in received]
     robots = [robot for robot in robots if not _has_services(facts.adapters[robot], robot, facts.rosapi)]
     if not robots:
         return

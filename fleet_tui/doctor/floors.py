@@ -6,8 +6,8 @@ from typing import NamedTuple
 from fleet_tui.config.schema import Config, FloorEntry, RobotEntry
 from fleet_tui.discovery.facts import TopicFacts
 from fleet_tui.discovery.finding import Finding, Verdict, listed, nearest
-from fleet_tui.doctor.charts import OFF_MAP, FloorSurvey, charts_of, class_at, live_grid
 from fleet_tui.doctor.graphs import connection_finding, graph_file_finding, label_finding
+from fleet_tui.doctor.surveys import OFF_MAP, FloorSurvey, class_at, live_grid, surveys_of
 from fleet_tui.model.events import FloorGraphLoaded, FloorMapLoaded, PoseReported
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.graph import RouteGraph
@@ -30,32 +30,32 @@ def floor_findings(
     loaded, file = files
     grid = loaded.grid if loaded else live_grid(floor.name, topics)
     yield _map(floor, loaded, grid)
-    charts = charts_of(floor.name, topics)
+    surveys = surveys_of(floor.name, topics)
     needing = [robot for robot in mute if floor.name in config.floors_of(robot)]
     if file is not None or needing:
         yield graph_file_finding(floor, file, len(needing))
         if file is not None and file.graph is not None:
-            charts.append((FloorSurvey(file.graph, file.labels), [floor.graph]))
-    for chart, robots in charts:
-        by = f" by {listed(robots)}" if len(charts) > 1 else ""
-        if grid is not None and chart.frame is not None:
-            yield _sizes(floor, by, grid.frame, chart.frame, loaded is None or loaded.tied)
-        placed = placed_grid(loaded, topics, floor.name, chart)
-        if chart.graph is not None:
-            yield _vertices(floor, by, chart, chart.graph, placed)
-            yield connection_finding(floor, by, chart, chart.graph, len(config.floors) > 1)
-        if chart.graph is not None and chart.labels is not None:
-            yield label_finding(floor, by, chart.labels, chart.graph)
+            surveys.append((FloorSurvey(file.graph, file.labels), [floor.graph]))
+    for survey, robots in surveys:
+        by = f" by {listed(robots)}" if len(surveys) > 1 else ""
+        if grid is not None and survey.frame is not None:
+            yield _sizes(floor, by, grid.frame, survey.frame, loaded is None or loaded.tied)
+        placed = placed_grid(loaded, topics, floor.name, survey)
+        if survey.graph is not None:
+            yield _vertices(floor, by, survey, survey.graph, placed)
+            yield connection_finding(floor, by, survey, survey.graph, len(config.floors) > 1)
+        if survey.graph is not None and survey.labels is not None:
+            yield label_finding(floor, by, survey.labels, survey.graph)
 
 
 def placed_grid(
-    loaded: FloorMapLoaded | None, topics: list[TopicFacts], floor: str, chart: FloorSurvey
+    loaded: FloorMapLoaded | None, topics: list[TopicFacts], floor: str, survey: FloorSurvey
 ) -> OccupancyGrid | None:
     """Return a floor's map at its place in the world: a plain image is placed by a report's map_metadata."""
     grid = loaded.grid if loaded else live_grid(floor, topics)
     if grid is None or loaded is None or loaded.tied:
         return grid
-    return OccupancyGrid(chart.frame, grid.levels) if chart.frame else None
+    return OccupancyGrid(survey.frame, grid.levels) if survey.frame else None
 
 
 def _map(floor: FloorEntry, loaded: FloorMapLoaded | None, grid: OccupancyGrid | None) -> Finding:
@@ -102,7 +102,7 @@ def _place(frame: MapFrame) -> str:
 
 
 def _vertices(
-    floor: FloorEntry, by: str, chart: FloorSurvey, graph: RouteGraph, grid: OccupancyGrid | None
+    floor: FloorEntry, by: str, survey: FloorSurvey, graph: RouteGraph, grid: OccupancyGrid | None
 ) -> Finding:
     count = f"{len(graph.vertices)} vertices{by}"
     if not graph.vertices:
@@ -112,7 +112,7 @@ def _vertices(
     found: dict[int, list[str]] = {FREE: [], OCCUPIED: [], UNKNOWN: [], OFF_MAP: []}
     for vertex in graph.vertices.values():
         type_ = f", type {vertex.type}," if vertex.type else ""
-        place = f"{chart.name_of(vertex.id)}{type_} at ({vertex.x:.2f}, {vertex.y:.2f})"
+        place = f"{survey.name_of(vertex.id)}{type_} at ({vertex.x:.2f}, {vertex.y:.2f})"
         found[class_at(grid, vertex.x, vertex.y)].append(place)
     remedy = 'check that map and graph match, and [profile] origin ("ros" or "added")'
     if found[OFF_MAP]:

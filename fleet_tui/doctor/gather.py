@@ -112,8 +112,8 @@ async def gather(config: Config, name: str, wire: BridgeConnection, until: float
         rosapi = await _look_up(wanted, adapters, wire, rosapi, until)
     answers = await _ask_robots(wanted, adapters, wire, rosapi, until)
     busy = () if listening.done() else await measure_calls(wire, until, BETWEEN)
-    heard = await listening
-    lost = wire.lost or heard.lost
+    received = await listening
+    lost = wire.lost or received.lost
     return BridgeFacts(
-        name, rosapi, tuple(heard.topics), trips, ahead, lost, busy, heard.behind, adapters, answers
+        name, rosapi, tuple(received.topics), trips, ahead, lost, busy, received.behind, adapters, answers
     )

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 from fleet_tui.config.schema import FloorEntry
 from fleet_tui.discovery.finding import Finding, Verdict, listed
-from fleet_tui.doctor.charts import FloorSurvey
+from fleet_tui.doctor.surveys import FloorSurvey
 from fleet_tui.model.events import FloorGraphLoaded
 from fleet_tui.model.graph import Role, RouteGraph
 from fleet_tui.model.order import natural
@@ -31,14 +31,14 @@ def graph_file_finding(floor: FloorEntry, file: FloorGraphLoaded | None, needing
 
 
 def connection_finding(
-    floor: FloorEntry, by: str, chart: FloorSurvey, graph: RouteGraph, has_others: bool
+    floor: FloorEntry, by: str, survey: FloorSurvey, graph: RouteGraph, has_others: bool
 ) -> Finding:
     """Judge whether all vertices can be reached from every other."""
     lost = _cut_off(graph, has_others)
     count = f"{len(graph.edges)} edges{by}"
     if not lost:
         return Finding(floor.name, "graph", Verdict.OK, f"{count}, all vertices reachable")
-    names = listed([chart.name_of(vertex) for vertex in sorted(lost, key=natural)])
+    names = listed([survey.name_of(vertex) for vertex in sorted(lost, key=natural)])
     return Finding(
         floor.name,
         "graph",

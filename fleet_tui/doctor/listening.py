@@ -56,13 +56,13 @@ async def listen(
     try:
         await asyncio.gather(*(_listen(wire, asked[n::count], rosapi, until) for n, wire in enumerate(wires)))
         now = time.monotonic()
-        heard = {topic: one.facts(now) for wire in wires for topic, one in wire.listening.items()}
-        complaints = {topic: words for wire in wires for topic, words in wire.complaints.items()}
+        received = {topic: one.facts(now) for wire in wires for topic, one in wire.listening.items()}
+        complaints = {topic: message for wire in wires for topic, message in wire.complaints.items()}
         lost = next((wire.lost for wire in wires if wire.lost), "")
     finally:
         for wire in wires:
             wire.close()
-    found = (heard.get(one.address) or TopicFacts(one) for one in wanted)
+    found = (received.get(one.address) or TopicFacts(one) for one in wanted)
     topics = [replace(one, complaint=complaints.get(one.topic, "")) for one in found]
     return ListeningResult(topics, lost, max((wire.behind for wire in wires), default=0.0))
 
@@ -153,8 +153,8 @@ async def _retry_silent(wire: BridgeConnection, topics: Asked, rosapi: RosapiFac
 
 
 def _is_silent(wire: BridgeConnection, wanted: Feed) -> bool:
-    heard = wire.listening[wanted.address]
-    return not heard.count and not heard.fragmented
+    received = wire.listening[wanted.address]
+    return not received.count and not received.fragmented
 
 
 def _may_wait(wanted: Feed) -> bool:

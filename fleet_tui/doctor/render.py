@@ -18,16 +18,16 @@ _INDENT = " " * 10
 def line(finding: Finding, plain: bool, colour: bool, width: int = 0) -> str:
     """Return one finding: verdict, glyph, subject, measurement, remedy. `width` 0: all on one line."""
     verdict = f"{finding.verdict.value:>7} {(PLAIN if plain else GLYPHS)[finding.verdict]}"
-    words = f"{finding.subject} {finding.check}: {finding.measured}"
-    words = sanitize(f"{words} -> {finding.remedy}" if finding.remedy else words)
+    message = f"{finding.subject} {finding.check}: {finding.measured}"
+    message = sanitize(f"{message} -> {finding.remedy}" if finding.remedy else message)
     if plain:
-        words = words.encode("ascii", "replace").decode()
+        message = message.encode("ascii", "replace").decode()
     if width:
-        wrapped = textwrap.wrap(words, max(width - len(_INDENT), 20), break_on_hyphens=False)
-        words = f"\n{_INDENT}".join(wrapped)
+        wrapped = textwrap.wrap(message, max(width - len(_INDENT), 20), break_on_hyphens=False)
+        message = f"\n{_INDENT}".join(wrapped)
     if colour:
         verdict = f"\x1b[{COLOURS[finding.verdict]}m{verdict}\x1b[m"
-    return f"{verdict} {words}"
+    return f"{verdict} {message}"
 
 
 def summary(findings: Sequence[Finding], width: int = 0) -> str:

@@ -21,7 +21,6 @@ from fleet_tui.discovery.facts import BridgeFacts, TopicFacts
 from fleet_tui.discovery.finding import Finding, Verdict
 from fleet_tui.discovery.wire import BridgeConnection
 from fleet_tui.doctor.causes import causes_of, rosapi_finding
-from fleet_tui.doctor.charts import FloorSurvey, charts_of
 from fleet_tui.doctor.clocks import clock_findings, load_finding, round_trip_finding
 from fleet_tui.doctor.floors import FloorFiles, floor_findings, place_finding, placed_grid
 from fleet_tui.doctor.gather import gather
@@ -29,6 +28,7 @@ from fleet_tui.doctor.names import spelling_finding
 from fleet_tui.doctor.probing import bridge_probes, probe_findings
 from fleet_tui.doctor.render import as_values, line, summary
 from fleet_tui.doctor.services import service_findings
+from fleet_tui.doctor.surveys import FloorSurvey, surveys_of
 from fleet_tui.doctor.terminal import terminal_findings
 from fleet_tui.doctor.topics import robot_findings
 from fleet_tui.errors import ConfigError, did_you_mean
@@ -103,8 +103,8 @@ def building_findings(
     for floor in part.floors:
         files = loaded.get(floor.name, FloorFiles())
         yield from floor_findings(config, floor, files, mute, topics)
-        charts = [chart for chart, _ in charts_of(floor.name, topics) if chart.frame] or [FloorSurvey()]
-        grids[floor.name] = placed_grid(files.map, topics, floor.name, charts[0])
+        surveys = [survey for survey, _ in surveys_of(floor.name, topics) if survey.frame] or [FloorSurvey()]
+        grids[floor.name] = placed_grid(files.map, topics, floor.name, surveys[0])
     yield from _places(config, grids, topics)
 
 

@@ -52,14 +52,14 @@ def _robot(
     # Latched messages describe the past.
     live = [one for one in topics if not one.wanted.floor and not one.wanted.latched]
     live.sort(key=lambda one: one.wanted.silent)
-    heard, asked = [one for one in live if one.count], [one for one in live if one.subscribed]
+    received, asked = [one for one in live if one.count], [one for one in live if one.subscribed]
     explained = [cause for one in asked for cause in causes if one.topic in cause.topics]
-    if not heard and explained and len(explained) >= len(asked):
+    if not received and explained and len(explained) >= len(asked):
         return Finding(robot.name, "robot", Verdict.SKIPPED, f"{explained[0].short}: see above")
-    if not heard and any(one.is_silent for one in asked):
+    if not received and any(one.is_silent for one in asked):
         return _silent(robot, asked, facts)
-    measured = f"messages on {len(heard)} of {len(live)} live topics"
-    return Finding(robot.name, "robot", Verdict.OK if heard else Verdict.SKIPPED, measured)
+    measured = f"messages on {len(received)} of {len(live)} live topics"
+    return Finding(robot.name, "robot", Verdict.OK if received else Verdict.SKIPPED, measured)
 
 
 def _silent(robot: RobotEntry, asked: list[TopicFacts], facts: BridgeFacts) -> Finding:

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from enum import Enum
 
-from msgspec import Struct
+from msgspec import Struct, field
 from msgspec.structs import replace
 
 from fleet_tui.model.kind import Kind
@@ -146,11 +146,11 @@ UNANSWERED = "no reply expected"
 
 
 class Step(Struct, frozen=True):
-    """The stage that a command reached at `at` (monotonic). `words` are the robot's own, or the reason."""
+    """The stage that a command reached at `at` (monotonic). `detail` are the robot's own, or the reason."""
 
     stage: Stage
     at: float
-    words: str = ""
+    detail: str = field(default="", name="words")  # as recordings have it
 
 
 class Baseline(Struct, frozen=True):
@@ -193,9 +193,9 @@ class CommandRecord(Struct, frozen=True):
         return self.steps[-1].stage
 
     @property
-    def words(self) -> str:
+    def detail(self) -> str:
         """Return the text of the current stage."""
-        return self.steps[-1].words
+        return self.steps[-1].detail
 
     @property
     def at(self) -> float:

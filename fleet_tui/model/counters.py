@@ -133,7 +133,7 @@ class TopicCounter(Flow):
         self.not_subscribed = ""
         """The reason that it is not subscribed, empty if it is."""
 
-    def heard(self, payload: bytes, is_binary: bool, at: float) -> None:
+    def count_frame(self, payload: bytes, is_binary: bool, at: float) -> None:
         """Count a frame."""
         size = len(payload)
         self.take(size, at)

@@ -3,7 +3,7 @@ event reached this console; `wall` is Unix time."""
 
 from collections.abc import Mapping
 
-from msgspec import Struct
+from msgspec import Struct, field
 
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.geometry import MapFrame, Pose
@@ -106,7 +106,7 @@ class GridReceived(Struct, frozen=True, eq=False, tag=True):
     grid: OccupancyGrid
 
 
-ChartReceived = FrameReceived | GraphReceived | LabelsReceived | GridReceived
+MapFactReceived = FrameReceived | GraphReceived | LabelsReceived | GridReceived
 
 
 class MessageRejected(Struct, frozen=True, tag=True):
@@ -153,8 +153,8 @@ class LinkChanged(Struct, frozen=True, tag=True):
     next_try: float | None = None
 
 
-class LinkHeard(Struct, frozen=True, tag=True):
-    """Any message arrived from the bridge."""
+class MessageArrived(Struct, frozen=True, tag="LinkHeard"):
+    """Any message arrived from the bridge. The tag is that of recordings."""
 
     link: str
     at: float
@@ -193,7 +193,7 @@ class CommandAdvanced(Struct, frozen=True, tag=True):
     id: int
     stage: Stage
     at: float
-    words: str = ""
+    detail: str = field(default="", name="words")  # as recordings have it
     name: str = ""
 
 
@@ -230,13 +230,13 @@ class TimePassed(Struct, frozen=True, tag=True):
 Event = (
     Telemetry
     | Navigation
-    | ChartReceived
+    | MapFactReceived
     | MessageRejected
     | FrameRejected
     | FloorMapLoaded
     | FloorGraphLoaded
     | LinkChanged
-    | LinkHeard
+    | MessageArrived
     | CommandPathChanged
     | MessagesUnsourced
     | CommandIssued

@@ -76,7 +76,7 @@ class FleetState(Struct, frozen=True, eq=False):
 
     def is_online(self, robot: Robot) -> bool:
         """Tell whether its last message is within the limit."""
-        return robot.heard is not None and self.now - robot.heard <= self.patience
+        return robot.last_received is not None and self.now - robot.last_received <= self.patience
 
     def was_obstructed(self, robot: Robot) -> bool:
         """Tell whether its last report was a lasting contact with an obstacle."""

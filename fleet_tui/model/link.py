@@ -2,7 +2,7 @@
 
 from enum import Enum
 
-from msgspec import Struct
+from msgspec import Struct, field
 
 
 class Phase(Enum):
@@ -43,7 +43,7 @@ class LinkState(Struct, frozen=True):
     since: float = 0.0
     reason: str = ""
     next_try: float | None = None
-    heard: float | None = None
+    last_received: float | None = field(default=None, name="heard")  # as recordings have it
     command_path: CommandPath = CommandPath.UNTRIED
     command_reason: str = ""
     commands_connected: bool = False

@@ -1,7 +1,7 @@
 """Events of navigating robots and the orders that wait for them. `at` is the monotonic second at which the
 event reached this console."""
 
-from msgspec import Struct
+from msgspec import Struct, field
 
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.geometry import Pose
@@ -109,7 +109,7 @@ class GoalAnswered(Struct, frozen=True, tag=True):
     id: int
     stage: Stage
     at: float
-    words: str = ""
+    detail: str = field(default="", name="words")  # as recordings have it
 
 
 class QueueHeld(Struct, frozen=True, tag=True):

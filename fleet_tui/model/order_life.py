@@ -40,10 +40,12 @@ class OrderTrace(Struct, frozen=True):
     arrived_at: float | None = None
     request_id: int = 0
 
-    def was_driven(self, heard: float | None) -> bool:
-        """Tell whether the robot was at its end when it left the queue; `heard` is when a queue last showed
-        it."""
-        return self.arrived_at is not None and (heard is None or self.arrived_at >= heard - LEFT_WITHIN)
+    def was_driven(self, last_listed: float | None) -> bool:
+        """Tell whether the robot was at its end when it left the queue; `last_listed`: when a queue last
+        showed it."""
+        return self.arrived_at is not None and (
+            last_listed is None or self.arrived_at >= last_listed - LEFT_WITHIN
+        )
 
 
 class GoneOrder(Struct, frozen=True):
@@ -85,12 +87,12 @@ def trace_queue(
     Returns the orders that are open now, and those that have ended.
     """
     listed = {order.id: order for order in queue.orders}
-    heard = before[0] if before else None
+    last_listed = before[0] if before else None
     starts_over = before is not None and queue.last_serial < before[1]
     gone = [
         GoneOrder(trace.order, at, Stage.LOST, NOT_LISTED)
         if tells_ends and id_ not in listed
-        else _end_of(trace, listed.get(id_), heard, at, starts_over, away)
+        else _end_of(trace, listed.get(id_), last_listed, at, starts_over, away)
         for id_, trace in traces.items()
         if _is_over(trace, listed.get(id_))
     ]
@@ -119,7 +121,7 @@ def _is_over(trace: OrderTrace, listed: Order | None) -> bool:
 def _end_of(
     trace: OrderTrace,
     listed: Order | None,
-    heard: float | None,
+    last_listed: float | None,
     at: float,
     starts_over: bool,
     away: Away,
@@ -128,15 +130,15 @@ def _end_of(
         return listed_end(listed, at)
     if listed is not None or starts_over:
         return GoneOrder(trace.order, at, Stage.LOST, STARTED_OVER)
-    stage, reason = _unlisted_end(trace, heard, at, away)
+    stage, reason = _unlisted_end(trace, last_listed, at, away)
     return GoneOrder(trace.order, at, stage, reason)
 
 
-def _unlisted_end(trace: OrderTrace, heard: float | None, at: float, away: Away) -> tuple[Stage, str]:
-    if trace.was_driven(heard):
+def _unlisted_end(trace: OrderTrace, last_listed: float | None, at: float, away: Away) -> tuple[Stage, str]:
+    if trace.was_driven(last_listed):
         return Stage.DONE, "driven to the end"
-    if heard is not None and at - heard > BLIND_AFTER:
-        blind = f"left the queue while no queue was received for {at - heard:.0f} s"
+    if last_listed is not None and at - last_listed > BLIND_AFTER:
+        blind = f"left the queue while no queue was received for {at - last_listed:.0f} s"
         return Stage.LOST, f"{blind}: may have been completed"
     if not trace.begun:
         return Stage.LOST, "left the queue before it started"

@@ -51,25 +51,25 @@ class RobotMap(Struct, frozen=True, eq=False):
 
 
 class Robot(Struct, frozen=True, eq=False):
-    """`number` counts from 1 in the order of the config; `heard` is the effective time of the last telemetry;
-    `floor` is the one named by the frame of its pose; `paused_at` is its pose when it accepted our own
-    pause; `standing` is the pose it has not left, and since when; `place` is coarser: its place of last
+    """`number` counts from 1 in the order of the config; `last_received` is the effective time of the last
+    telemetry; `floor` is the one named by the frame of its pose; `paused_at` is its pose when it accepted our
+    own pause; `standing` is the pose it has not left, and since when; `place` is coarser: its place of last
     progress, and since when; `jumps` are the metres of recent impossible jumps of its pose, each with its
     time; `fault_at` is the time of its last bad data; `says_paused`: it has a topic for that, received or
-    not; `traces` are the orders in its queue by id, `gone` those that left it, newest last;
-    `pause_lost_at` is when a restart ended our own pause; `goals` are those that its action servers list,
-    by action; `odometry` is its newest pose by its wheels, `located` its last localised pose on the map,
-    `anchor` the origin of its wheel frame on the map; `variance` that of its position in square metres;
-    `own_floor` the floor it reports; `held` is the reason that this console sends it no waiting order,
-    empty while it does, and `released_at` when the operator last released them; `named` is a goal that
-    this console named and that is not listed yet; `target` the last reported target of a goal it had just
-    begun; `unmeasured` are values that it reports as not measured; `counts_percent`: its battery was seen
-    to count to 100; `size` is its length and width in metres, None if not configured."""
+    not; `traces` are the orders in its queue by id, `gone` those that left it, newest last; `pause_lost_at`
+    is when a restart ended our own pause; `goals` are those that its action servers list, by action;
+    `odometry` is its newest pose by its wheels, `located` its last localised pose on the map, `anchor` the
+    origin of its wheel frame on the map; `variance` that of its position in square metres; `own_floor` the
+    floor it reports; `held` is the reason that this console sends it no waiting order, empty while it does,
+    and `released_at` when the operator last released them; `named` is a goal that this console named and that
+    is not listed yet; `target` the last reported target of a goal it had just begun; `unmeasured` are values
+    that it reports as not measured; `counts_percent`: its battery was seen to count to 100; `size` is its
+    length and width in metres, None if not configured."""
 
     name: str
     number: int
     link: str
-    charts: Mapping[str, RobotMap]
+    maps: Mapping[str, RobotMap] = field(name="charts")  # as recordings have it
     pose: Reading[Pose] | None = None
     standing: Reading[Pose] | None = None
     place: Reading[Pose] | None = None
@@ -102,7 +102,7 @@ class Robot(Struct, frozen=True, eq=False):
     paused_by_us: bool = False
     paused_at: Pose | None = None
     pause_lost_at: float | None = None
-    heard: float | None = None
+    last_received: float | None = field(default=None, name="heard")  # as recordings have it
     clock: StampClock | None = None
     faults: int = 0
     last_fault: str = ""
@@ -129,14 +129,14 @@ class Robot(Struct, frozen=True, eq=False):
 
         Ids of different floors may be the same: the floor it is on comes first.
         """
-        here = self.charts.get(self.floor or "")
-        charts = [here, *self.charts.values()] if here else self.charts.values()
-        names = (chart.name_of(vertex) for chart in charts)
+        here = self.maps.get(self.floor or "")
+        maps = [here, *self.maps.values()] if here else self.maps.values()
+        names = (robot_map.name_of(vertex) for robot_map in maps)
         return next((name for name in names if name is not None), None)
 
     def knows_all_graphs(self) -> bool:
         """Tell whether every floor's graph has arrived, so that a vertex in none of them does not exist."""
-        return bool(self.charts) and all(chart.graph is not None for chart in self.charts.values())
+        return bool(self.maps) and all(robot_map.graph is not None for robot_map in self.maps.values())
 
 
 def with_fault(robot: Robot, text: str, count: int = 1) -> Robot:

@@ -89,9 +89,9 @@ class Incident:
         """Write the archive of mode 600, whole or not at all. Raises OSError."""
         now = time.localtime()
         path = folder / f"incident-{time.strftime('%Y%m%d-%H%M%S', now)}.zip"
-        words = {"version": __version__, "host": platform.node(), "time": time.strftime("%F %T %z", now)}
+        message = {"version": __version__, "host": platform.node(), "time": time.strftime("%F %T %z", now)}
         made = max(now[:6], EARLIEST)
-        text = README.format(contents=self._contents(), **words)
+        text = README.format(contents=self._contents(), **message)
         folder.mkdir(parents=True, exist_ok=True, mode=0o700)
         fd, part = tempfile.mkstemp(dir=folder, prefix=".incident-")
         try:

@@ -111,8 +111,8 @@ def _look_through(recording: Recording, part: Path) -> Iterator[int]:
             if lines.note:
                 recording.notes.append(f"{part.name}: {lines.note}")
     except RecordingError as problem:
-        words = str(problem).removeprefix(f"{part}: ")
-        recording.notes.append(f"{part.name}: {words}: the rest is left out")
+        message = str(problem).removeprefix(f"{part}: ")
+        recording.notes.append(f"{part.name}: {message}: the rest is left out")
 
 
 def _take_lines(recording: Recording, part: Path, lines: Lines) -> Iterator[int]:

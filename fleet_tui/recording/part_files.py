@@ -46,8 +46,8 @@ class PartFiles:
         try:
             self._open(time.monotonic())
         except (OSError, ValueError) as problem:
-            words = getattr(problem, "strerror", "") or problem
-            raise RecordingError(f"{first}: not writable: {words}") from None
+            message = getattr(problem, "strerror", "") or problem
+            raise RecordingError(f"{first}: not writable: {message}") from None
 
     @property
     def is_open(self) -> bool:
@@ -133,10 +133,10 @@ class PartFiles:
             file.close()
 
     def _fail(self, problem: OSError) -> bool:
-        words = problem.strerror or str(problem)
-        if words != self.problem:
-            LOG.error("recording: not written: %s: %s", self._first, words)
-        self.problem = words
+        message = problem.strerror or str(problem)
+        if message != self.problem:
+            LOG.error("recording: not written: %s: %s", self._first, message)
+        self.problem = message
         self._retry_at = time.monotonic() + RETRY
         self._let_go()
         return False

@@ -166,12 +166,12 @@ class _Names(NamedTuple):
 
     def _has(self, event: events.Event) -> bool:
         """Tell whether all names of an event exist. Reports of other robots are skipped."""
-        if isinstance(event, events.Telemetry | Navigation | events.ChartReceived):
+        if isinstance(event, events.Telemetry | Navigation | events.MapFactReceived):
             return True
         match event:
             case (
                 events.LinkChanged(link=link)
-                | events.LinkHeard(link=link)
+                | events.MessageArrived(link=link)
                 | events.CommandPathChanged(link=link)
                 | events.MessagesUnsourced(link=link)
                 | events.FrameRejected(link=link)

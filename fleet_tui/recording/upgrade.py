@@ -75,7 +75,7 @@ def _vertex(vertex: Fields) -> Fields:
     return vertex | {"id": text_id(vertex["id"])}
 
 
-def _chart(chart: Fields) -> Fields:
+def _robot_map(chart: Fields) -> Fields:
     graph = _graph(chart["graph"]) if chart["graph"] is not None else None
     return chart | {"graph": graph, "labels": _by_id(chart["labels"])}
 
@@ -83,7 +83,7 @@ def _chart(chart: Fields) -> Fields:
 def _robot(robot: Fields) -> Fields:
     queue = robot["queue"]
     return robot | {
-        "charts": {floor: _chart(chart) for floor, chart in robot["charts"].items()},
+        "charts": {floor: _robot_map(chart) for floor, chart in robot["charts"].items()},
         "queue": queue and queue | {"value": _queue(queue["value"])},
         "traces": _by_id(robot["traces"], _with_order),
         "gone": [_with_order(one) for one in robot["gone"]],

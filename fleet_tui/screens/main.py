@@ -158,13 +158,13 @@ class MainScreen(Screen[None]):
         self.fleet.listing.cursor = robot
 
     def _show_floor(self, state: FleetState) -> None:
-        from fleet_tui.view.map.floor_scene import chart_robot, floor_scene
+        from fleet_tui.view.map.floor_scene import floor_scene, map_owner
 
         selection = self.navigation.settle(state, self.rest.map.picture.viewport.follow)
         draft = self.rest.draft()
         if draft is not None and draft.marked is not None:
             selection = replace(selection, floor=draft.marked.floor)
-        owner = chart_robot(state, selection)
+        owner = map_owner(state, selection)
         # The live map of the shown floor, unless a file has it.
         has_file = state.floors[selection.floor].grid is not None
         wanted = (owner.name, "" if has_file else selection.floor) if owner else None

@@ -77,7 +77,7 @@ async def _converse(tab: Tab, websocket: web.WebSocketResponse, request: web.Req
         async for message in websocket:
             if message.type is WSMsgType.TEXT:
                 with suppress(JSONDecodeError):
-                    await tab.hear(message.json())
+                    await tab.on_message(message.json())
     finally:
         await tab.stop()
 

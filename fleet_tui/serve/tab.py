@@ -84,7 +84,7 @@ class Tab(AppService):
         with suppress(TimeoutError):
             await asyncio.wait_for(process.wait(), PATIENCE)
 
-    async def hear(self, message: object) -> None:
+    async def on_message(self, message: object) -> None:
         """Handle a message of the page; others are ignored."""
         match message:
             case ["stdin", str(keys)]:

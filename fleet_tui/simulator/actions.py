@@ -121,11 +121,11 @@ class ActionDesk:
     def _request(self, type_: str, args: object) -> Message:
         return fill(self._dialect, f"{type_}_Goal", ACTIONS[type_][0], args, time.time())
 
-    def _fail(self, session: "Session", operation: "Operation", words: str, delay: float = 0.0) -> Ended:
+    def _fail(self, session: "Session", operation: "Operation", message: str, delay: float = 0.0) -> Ended:
         ended = Ended()
 
         def tell() -> None:
-            self._tell_result(session, operation, words, 0, False)
+            self._tell_result(session, operation, message, 0, False)
             ended.set_result(None)
 
         if delay == 0.0:

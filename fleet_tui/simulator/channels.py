@@ -35,7 +35,7 @@ class Channel:
     demanding: bool = False
     sessions: set["Session"] = field(default_factory=set)
 
-    def hears(self, topic: Topic, dialect: Dialect) -> bool:
+    def receives(self, topic: Topic, dialect: Dialect) -> bool:
         """Tell whether this subscription receives what is published on a topic."""
         return self.type == dialect.short(topic.type) and (topic.latched or not self.demanding)
 
@@ -98,9 +98,9 @@ class Channels:
             return 0.0
         return FIRST + (LAST - FIRST) * (zlib.crc32(topic.name.encode()) % 100) / 100
 
-    def hears(self, name: str, topic: Topic) -> bool:
+    def receives(self, name: str, topic: Topic) -> bool:
         """Tell whether clients that subscribed under this name receive what is published on a topic."""
-        return self._channels[name].hears(topic, self._dialect)
+        return self._channels[name].receives(topic, self._dialect)
 
     def durable(self, name: str) -> bool:
         """Tell whether the subscription receives latched values."""

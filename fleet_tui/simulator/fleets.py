@@ -47,7 +47,7 @@ class Fleet(Protocol):
     def topics(self, loaded_at: float, dialect: Dialect) -> Iterable[Topic]:
         """Every topic; the maps were loaded at this wall time."""
 
-    def heard(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
+    def subscriptions(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
         """The topics to which robots subscribe: name -> type, and the function that receives a message."""
 
     def feedback(self, server: ActionServer, goal: ServedGoal, dialect: Dialect) -> Message | None:

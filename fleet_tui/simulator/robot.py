@@ -109,14 +109,14 @@ class SimRobot(Obstructed):
         self.request_id = request_id
         self.orders.append(SimOrder(self.last_order_id, start, end, loaded))
         if self.current_order_id == -1:
-            self._start_anew()
+            self._restart()
 
     def drop(self, ids: set[int]) -> int:
         """Remove these orders and return their number. Cargo stays on board."""
         gone = [order for order in self.orders if order.id in ids]
         self.orders = [order for order in self.orders if order.id not in ids]
         if any(order.status == "W" for order in gone):
-            self._start_anew()
+            self._restart()
         return len(gone)
 
     def step(self) -> None:
@@ -127,7 +127,7 @@ class SimRobot(Obstructed):
         if not self._blocked(not (self._quiet or self.paused) and self._driving) and not held:
             next(self._work)
 
-    def _start_anew(self) -> None:
+    def _restart(self) -> None:
         self._driving = False
         self._work = self._live()
 

@@ -14,6 +14,7 @@ from fleet_tui.errors import FleetError
 from fleet_tui.simulator.channels import resolve
 from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.frames import Payload
+from fleet_tui.simulator.logs import DIAGNOSTICS, ROSOUT, Talk, log_topics
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.oh_ressources.world import World
@@ -21,7 +22,6 @@ from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.sessions.session import Session
 from fleet_tui.simulator.topics import TopicDesk
-from fleet_tui.simulator.words import DIAGNOSTICS, ROSOUT, Talk, word_topics
 
 LARGEST = 128 * 2**20  # bytes of a message from a client
 SLOW_RATE = 2.0  # Hz of everything but the poses
@@ -58,9 +58,9 @@ class RosbridgeServer:
         fleets = fleets if isinstance(fleets, Sequence) else (fleets,)
         now = time.time()
         topics = [topic for fleet in fleets for topic in fleet.topics(now, dialect)]
-        words = word_topics(fleets, dialect, self._talk)
+        message = log_topics(fleets, dialect, self._talk)
         own = self._own_topics(dialect)
-        self.bridge = TopicDesk(fleets, dialect, (*topics, *words, *own), self._talk, subscribe_delay)
+        self.bridge = TopicDesk(fleets, dialect, (*topics, *message, *own), self._talk, subscribe_delay)
         self.fleets, self.speed = fleets, speed
         self._host, self._port, self._rate = host, port, rate
         self._slow_ticks = max(1, round(rate / SLOW_RATE))

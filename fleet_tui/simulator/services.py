@@ -69,10 +69,10 @@ class ServiceDesk:
 
     def _connect(self, subscribed: Callable[[], Mapping[str, str]]) -> None:
         dialect = self.dialect
-        heard = {name: what for fleet in self.fleets for name, what in fleet.heard().items()}
-        self.heard = {name: take for name, (_, take) in heard.items()}
+        subscriptions = {name: what for fleet in self.fleets for name, what in fleet.subscriptions().items()}
+        self.subscriptions = {name: take for name, (_, take) in subscriptions.items()}
         """The listeners to messages that clients publish to robots, by topic."""
-        listened = {name: dialect.message_type(type_) for name, (type_, _) in heard.items()}
+        listened = {name: dialect.message_type(type_) for name, (type_, _) in subscriptions.items()}
         self.guests = Guests(dialect, self.topics, self.types, self.offered, listened, self.unsourced)
 
         def action_servers() -> list[str]:

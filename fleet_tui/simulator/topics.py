@@ -10,12 +10,12 @@ from typing import Any
 from fleet_tui.simulator.channels import Channels, resolve
 from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.frames import OutgoingFrame, Payload
+from fleet_tui.simulator.logs import ERROR, INFO, ROSOUT, Talk
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.services import REMEMBERED, ServiceDesk
 from fleet_tui.simulator.sessions.operations import Operation
 from fleet_tui.simulator.sessions.session import Session
-from fleet_tui.simulator.words import ERROR, INFO, ROSOUT, Talk
 
 
 class TopicDesk:
@@ -88,8 +88,8 @@ class TopicDesk:
         if not self.services.guests.connected(session, name):
             return
         self.publish(name, payload)
-        if name in self.services.heard:
-            self.services.heard[name](payload.msg)
+        if name in self.services.subscriptions:
+            self.services.subscriptions[name](payload.msg)
             self.spread()
 
     def spread(self) -> None:
@@ -148,13 +148,13 @@ class TopicDesk:
     def _flows(self, asked: str, topic: Topic) -> bool:
         if topic.name in self.muted or topic.name in self.orphaned:
             return False
-        return self.channels.hears(asked, topic) and self._age >= self.channels.delay(topic)
+        return self.channels.receives(asked, topic) and self._age >= self.channels.delay(topic)
 
     def _tell(self, session: Session, asked: str, channels: Channels) -> None:
         topic = self.topics.get(resolve(asked))
         if topic is None or channels is not self.channels or session not in channels.sessions(asked):
             return
-        if channels.durable(asked) and channels.hears(asked, topic) and topic.name not in self.muted:
+        if channels.durable(asked) and channels.receives(asked, topic) and topic.name not in self.muted:
             now = time.time()
             for payload in topic.history() if topic.history else (topic.payload(now),):
                 session.offer(asked, OutgoingFrame(asked, payload))

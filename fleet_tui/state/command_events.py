@@ -57,8 +57,8 @@ def _after_step(state: FleetState, record: CommandRecord) -> FleetState:
         return state
     match record.command:
         case PauseRobot():
-            stands_at = robot.pose.value if robot.pose else None
-            return with_robot(state, replace(robot, paused_by_us=True, paused_at=stands_at))
+            pose = robot.pose.value if robot.pose else None
+            return with_robot(state, replace(robot, paused_by_us=True, paused_at=pose))
         case ResumeRobot():
             released = replace(robot, paused_by_us=False, paused_at=None, held="", released_at=state.now)
             return with_robot(state, released)
@@ -75,7 +75,7 @@ def advance_command(state: FleetState, event: events.CommandAdvanced) -> FleetSt
     found = next((record for record in state.commands if record.id == event.id), None)
     if found is None or (event.stage is Stage.WAITING and not isinstance(found.command, PlaceOrder)):
         return state
-    record = found.advanced(Step(_late_or(event.stage, state, found), event.at, truncate(event.words)))
+    record = found.advanced(Step(_late_or(event.stage, state, found), event.at, truncate(event.detail)))
     if record is found:
         return state
     robot = state.robots.get(record.command.robot)
@@ -96,7 +96,7 @@ def take_answer(state: FleetState, event: navigation_events.GoalAnswered) -> Fle
     found = next((record for record in state.commands if record.id == event.id), None)
     if found is None:
         return state
-    answer = Step(event.stage, event.at, truncate(event.words))
+    answer = Step(event.stage, event.at, truncate(event.detail))
     return _with_record(state, replace(found, answer=answer))
 
 

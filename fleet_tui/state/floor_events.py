@@ -27,8 +27,8 @@ def apply_to_floor(state: FleetState, event: events.FloorMapLoaded | events.Floo
 def _given(robot: Robot, event: events.FloorGraphLoaded) -> Robot:
     """Return the robot with the graph, if it is on the floor and publishes none itself. All share one
     object."""
-    chart = robot.charts.get(event.floor)
-    if chart is None or event.graph is None or "graph" in robot.kind.reports:
+    robot_map = robot.maps.get(event.floor)
+    if robot_map is None or event.graph is None or "graph" in robot.kind.reports:
         return robot
-    chart = replace(chart, graph=event.graph, labels=event.labels)
-    return replace(robot, charts={**robot.charts, event.floor: chart})
+    robot_map = replace(robot_map, graph=event.graph, labels=event.labels)
+    return replace(robot, maps={**robot.maps, event.floor: robot_map})

@@ -36,7 +36,7 @@ def apply_goals(robot: Robot, event: navigation_events.GoalFact) -> Robot:
 
 def with_sign_of_life(robot: Robot, at: float) -> Robot:
     """Take a sign of life."""
-    return replace(robot, heard=max(robot.heard or at, at))
+    return replace(robot, last_received=max(robot.last_received or at, at))
 
 
 def _take_goals(robot: Robot, event: navigation_events.GoalsReported) -> Robot:
@@ -69,8 +69,8 @@ def _with_queue(robot: Robot, at: float, fault: str = "") -> Robot:
     """Compare the goals with the earlier ones like a queue; the message is latched, so no sign of life."""
     offset, last = robot.clock.offset if robot.clock else None, robot.orders.last_serial
     queue = queue_of(robot.goals, at, offset, last)
-    heard = robot.heard
-    return replace(apply_report(robot, events.QueueReported(robot.name, at, queue, fault)), heard=heard)
+    report = events.QueueReported(robot.name, at, queue, fault)
+    return replace(apply_report(robot, report), last_received=robot.last_received)
 
 
 def _without_goals(robot: Robot, uuids: Collection[str], at: float) -> Robot:
@@ -81,8 +81,8 @@ def _without_goals(robot: Robot, uuids: Collection[str], at: float) -> Robot:
 def without_unlisted(robot: Robot, since: float, now: float) -> Robot:
     """Drop the goals not reported since the link came up, at `since`: lists are latched, so an action server
     that lists none was restarted, and its goals are gone."""
-    heard = robot.progress.value.goal if robot.progress and robot.progress.at >= since else ""
-    gone = [goal.uuid for goal in active(robot.goals) if goal.listed_at < since and goal.id != heard]
+    driven = robot.progress.value.goal if robot.progress and robot.progress.at >= since else ""
+    gone = [goal.uuid for goal in active(robot.goals) if goal.listed_at < since and goal.id != driven]
     return _without_goals(robot, gone, now) if gone else robot
 
 
@@ -123,8 +123,8 @@ def _take_plan(robot: Robot, event: navigation_events.PlanReported) -> Robot:
 
 
 def _stop_at(robot: Robot, pose: Pose) -> Stop:
-    chart = robot.charts.get(robot.floor or "")
-    vertices = chart.graph.vertices.values() if chart and chart.graph else ()
+    robot_map = robot.maps.get(robot.floor or "")
+    vertices = robot_map.graph.vertices.values() if robot_map and robot_map.graph else ()
     near = [(math.dist((one.x, one.y), (pose.x, pose.y)), one.id) for one in vertices]
     metres, vertex = min(near, default=(math.inf, ""))
     return Stop(vertex) if metres <= AT_VERTEX else Stop(pose=pose)

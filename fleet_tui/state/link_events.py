@@ -11,7 +11,7 @@ from fleet_tui.text.limits import truncate
 
 LinkEvent = (
     events.LinkChanged
-    | events.LinkHeard
+    | events.MessageArrived
     | events.CommandPathChanged
     | events.MessagesUnsourced
     | events.FrameRejected
@@ -46,8 +46,8 @@ def apply_to_link(state: FleetState, event: LinkEvent) -> FleetState:
         return _change_link(state, event)
     link = state.links[event.link]
     match event:
-        case events.LinkHeard():
-            return _with_link(state, replace(link, heard=event.at))
+        case events.MessageArrived():
+            return _with_link(state, replace(link, last_received=event.at))
         case events.CommandPathChanged():
             changed = replace(link, command_path=event.path, command_reason=truncate(event.reason))
             return _with_link(state, replace(changed, commands_connected=event.connected))

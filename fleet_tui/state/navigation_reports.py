@@ -79,4 +79,4 @@ def _take_localisation(robot: Robot, event: navigation_events.LocalisationReport
         robot = replace(robot, anchor=event.pose.after(robot.odometry.inverse))
         return replace(robot, pose=Reading(event.pose, robot.pose.at)) if robot.pose else robot
     placed = events.PoseReported(robot.name, event.at, event.pose, frame_id, None)
-    return replace(apply_report(robot, placed), heard=robot.heard)
+    return replace(apply_report(robot, placed), last_received=robot.last_received)

@@ -25,7 +25,7 @@ from fleet_tui.state.floor_events import apply_to_floor
 from fleet_tui.state.goal_reports import without_ended, without_unlisted
 from fleet_tui.state.link_events import apply_to_link
 from fleet_tui.state.navigation_reports import apply_navigation
-from fleet_tui.state.reports import apply_chart, apply_report
+from fleet_tui.state.reports import apply_map_fact, apply_report
 
 RELISTED_WITHIN = 10.0, 15.0
 """Seconds after a link came up within which an active robot has listed its goals."""
@@ -66,13 +66,14 @@ def _left(state: FleetState, robot: Robot) -> Robot:
 
 def _forget_grids(state: FleetState, event: events.GridReceived) -> FleetState:
     """Drop all other live maps if they would be too large together."""
-    grids = [chart.grid for robot in state.robots.values() for chart in robot.charts.values() if chart.grid]
+    maps = [one for robot in state.robots.values() for one in robot.maps.values()]
+    grids = [one.grid for one in maps if one.grid]
     cells = sum(grid.frame.width * grid.frame.height for grid in [event.grid, *grids])
     if cells <= LIVE_CELLS_KEPT and len(grids) < LIVE_MAPS_KEPT:
         return state
     robots = {
         name: replace(
-            robot, charts={floor: replace(chart, grid=None) for floor, chart in robot.charts.items()}
+            robot, maps={floor: replace(robot_map, grid=None) for floor, robot_map in robot.maps.items()}
         )
         for name, robot in state.robots.items()
     }
@@ -81,7 +82,7 @@ def _forget_grids(state: FleetState, event: events.GridReceived) -> FleetState:
 
 def _with_robots_map(state: FleetState, event: events.GridReceived) -> FleetState:
     state = _forget_grids(state, event)
-    return with_robot(state, apply_chart(state.robots[event.robot], event))
+    return with_robot(state, apply_map_fact(state.robots[event.robot], event))
 
 
 def _with_live_map(state: FleetState, event: events.GridReceived) -> FleetState:
@@ -100,15 +101,15 @@ def _shared(state: FleetState, event: events.GraphReceived) -> events.GraphRecei
     """Return the event with the equal graph of another robot, if any: one object, and one drawing of it,
     serve all."""
     for robot in state.robots.values():
-        chart = robot.charts.get(event.floor)
-        if chart is not None and chart.graph == event.graph:
-            return replace(event, graph=chart.graph)
+        robot_map = robot.maps.get(event.floor)
+        if robot_map is not None and robot_map.graph == event.graph:
+            return replace(event, graph=robot_map.graph)
     return event
 
 
 def _apply_to_robot(
     state: FleetState,
-    event: events.Telemetry | Navigation | events.ChartReceived | events.MessageRejected,
+    event: events.Telemetry | Navigation | events.MapFactReceived | events.MessageRejected,
 ) -> FleetState:
     if (robot := state.robots.get(event.robot)) is None:
         return _with_live_map(state, event) if isinstance(event, events.GridReceived) else state
@@ -118,9 +119,9 @@ def _apply_to_robot(
         case events.MessageRejected():
             return with_robot(state, with_fault(robot, event.text))
         case events.GraphReceived():
-            return with_robot(state, apply_chart(robot, _shared(state, event)))
+            return with_robot(state, apply_map_fact(robot, _shared(state, event)))
         case events.FrameReceived() | events.LabelsReceived():
-            return with_robot(state, apply_chart(robot, event))
+            return with_robot(state, apply_map_fact(robot, event))
         case events.GridReceived():
             return _with_robots_map(state, event)
         case events.PoseReported():
@@ -148,7 +149,7 @@ def _floor_of(state: FleetState, robot: Robot) -> str | None:
         return next(named, None)
     if robot.own_floor:
         return robot.own_floor if robot.own_floor in state.floors else None
-    return next(iter(robot.charts)) if len(robot.charts) == 1 else None
+    return next(iter(robot.maps)) if len(robot.maps) == 1 else None
 
 
 def _after_operator(
@@ -167,14 +168,14 @@ def _after_operator(
 
 def apply(state: FleetState, event: events.Event) -> FleetState:
     """Return the state after one event."""
-    if isinstance(event, events.Telemetry | Navigation | events.ChartReceived | events.MessageRejected):
+    if isinstance(event, events.Telemetry | Navigation | events.MapFactReceived | events.MessageRejected):
         return _apply_to_robot(state, event)
     match event:
         case events.TimePassed():
             return _pass_time(state, event)
         case (
             events.LinkChanged()
-            | events.LinkHeard()
+            | events.MessageArrived()
             | events.CommandPathChanged()
             | events.MessagesUnsourced()
             | events.FrameRejected()

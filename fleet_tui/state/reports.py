@@ -83,7 +83,7 @@ def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
         jumps=_jumps(robot, event.pose, frame_id, true_at),
         frame_id=frame_id,
         clock=clock,
-        heard=max(robot.heard if robot.heard is not None else true_at, true_at),
+        last_received=max(robot.last_received if robot.last_received is not None else true_at, true_at),
         paused_by_us=robot.paused_by_us and not driving,
         paused_at=None if driving else stood_at,
     )
@@ -105,12 +105,13 @@ def lost_vertices(robot: Robot, queue: OrderQueue) -> list[str]:
 
 
 def _metres_to_end(robot: Robot, order: Order) -> tuple[float, float] | None:
-    chart, end = robot.charts.get(robot.floor or ""), order.end
-    if robot.pose is None or end is None or (end.pose is None and (chart is None or chart.graph is None)):
+    robot_map, end = robot.maps.get(robot.floor or ""), order.end
+    graph = robot_map.graph if robot_map else None
+    if robot.pose is None or end is None or (end.pose is None and graph is None):
         return None
     # Like the queue's, the arrival time: a bridge may be late with both.
     at = max(robot.pose.at, robot.clock.at if robot.clock else robot.pose.at)
-    place = end.pose or (chart.graph.vertices.get(end.vertex) if chart and chart.graph else None)
+    place = end.pose or (graph.vertices.get(end.vertex) if graph else None)
     if place is None:
         return math.inf, at
     return math.dist((robot.pose.value.x, robot.pose.value.y), (place.x, place.y)), at
@@ -172,25 +173,25 @@ def apply_report(robot: Robot, event: events.Telemetry) -> Robot:
             robot = replace(robot, paused=Reading(event.paused, event.at))
         case _:
             assert_never(event)
-    return replace(robot, heard=max(robot.heard or event.at, event.at))
+    return replace(robot, last_received=max(robot.last_received or event.at, event.at))
 
 
-def apply_chart(robot: Robot, event: events.ChartReceived) -> Robot:
+def apply_map_fact(robot: Robot, event: events.MapFactReceived) -> Robot:
     """Apply a robot's report about a floor to it."""
-    chart = robot.charts.get(event.floor, RobotMap())
+    robot_map = robot.maps.get(event.floor, RobotMap())
     match event:
         case events.FrameReceived():
-            chart = replace(chart, frame=event.frame)
+            robot_map = replace(robot_map, frame=event.frame)
         case events.GraphReceived():
-            chart = replace(chart, graph=event.graph)
+            robot_map = replace(robot_map, graph=event.graph)
         case events.LabelsReceived():
-            chart = replace(chart, labels=dict(event.labels))
+            robot_map = replace(robot_map, labels=dict(event.labels))
         case events.GridReceived():
-            chart = replace(chart, grid=event.grid)
+            robot_map = replace(robot_map, grid=event.grid)
         case _:
             assert_never(event)
     before = set(lost_vertices(robot, robot.orders))
-    robot = replace(robot, charts={**robot.charts, event.floor: chart})
+    robot = replace(robot, maps={**robot.maps, event.floor: robot_map})
     if isinstance(event, events.GraphReceived | events.LabelsReceived) and event.faults:
         robot = with_fault(robot, event.fault, event.faults)
     for line in lost_vertices(robot, robot.orders):

@@ -51,5 +51,5 @@ class FaultGuard:
 
     def _tell(self, problem: BaseException) -> None:
         # The text of an exception may contain anything, or be empty.
-        words = sanitize(truncate(str(problem))) or type(problem).__name__
-        self._note(f"internal error: {words} (see the log file)")
+        message = sanitize(truncate(str(problem))) or type(problem).__name__
+        self._note(f"internal error: {message} (see the log file)")

@@ -38,4 +38,4 @@ class Selection(Struct, frozen=True):
 def first_selection(state: FleetState) -> Selection:
     """Return the first robot of the config and its first possible floor."""
     robot = next(iter(state.robots.values()))
-    return Selection(robot.name, next(iter(robot.charts)))
+    return Selection(robot.name, next(iter(robot.maps)))

@@ -28,7 +28,7 @@ UNREACHED = "Unable to communicate with service [/r1/x], address [rosrpc://host:
 
 
 @pytest.mark.parametrize(
-    ("values", "result", "outcome", "words"),
+    ("values", "result", "outcome", "detail"),
     [
         ({"request_id": 1, "status": "ACCEPTED"}, True, Stage.ACCEPTED, "ACCEPTED"),
         ({"request_id": 1, "status": "executed"}, True, Stage.ACCEPTED, "executed"),
@@ -56,8 +56,8 @@ UNREACHED = "Unable to communicate with service [/r1/x], address [rosrpc://host:
         ({"status": "executed without error"}, True, Stage.ACCEPTED, "executed without error"),
     ],
 )
-def test_an_answer_is_judged_by_its_words(values: object, result: bool, outcome: Stage, words: str) -> None:
-    assert adapter_of(Profile()).outcome(ORDER, values, result) == (outcome, words)
+def test_an_answer_is_judged_by_its_words(values: object, result: bool, outcome: Stage, detail: str) -> None:
+    assert adapter_of(Profile()).outcome(ORDER, values, result) == (outcome, detail)
 
 
 @pytest.mark.parametrize(
@@ -95,9 +95,9 @@ def test_each_recorded_failure_of_a_call_is_told_apart(name: str) -> None:
     ]
     for frame in frames:
         if frame["op"] == "service_response" and not frame["result"]:
-            stage, words = adapter_of(Profile()).outcome(ORDER, frame["values"], False)
-            refused = any(part in words for part in REACHED_NOBODY)
-            assert stage is (Stage.REFUSED if refused else Stage.UNKNOWN), words
+            stage, detail = adapter_of(Profile()).outcome(ORDER, frame["values"], False)
+            refused = any(part in detail for part in REACHED_NOBODY)
+            assert stage is (Stage.REFUSED if refused else Stage.UNKNOWN), detail
 
 
 @pytest.mark.parametrize(

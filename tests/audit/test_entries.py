@@ -62,7 +62,7 @@ def test_a_command_from_the_key_to_its_end(tmp_path: Path) -> None:
 def test_the_order_that_was_recognised_and_the_robots_words_are_in_it(tmp_path: Path) -> None:
     store, _ = watched(tmp_path)
     store.apply(queue(T0))
-    give(store, 7, ORDER, Stage.SENT, Stage.ACCEPTED, words="ACCEPTED")
+    give(store, 7, ORDER, Stage.SENT, Stage.ACCEPTED, detail="ACCEPTED")
     store.apply(queue(T0 + 1, (12, 1, 2, "Q")))
     store.apply(tick(T0 + 2))
     last = read(tmp_path)[-1]
@@ -84,7 +84,7 @@ def test_every_kind_of_command(
     tmp_path: Path, command: Command, what: str, arguments: dict[str, object]
 ) -> None:
     store, _ = watched(tmp_path)
-    give(store, 1, command, Stage.NOT_SENT, words="no link")
+    give(store, 1, command, Stage.NOT_SENT, detail="no link")
     line = json.loads((tmp_path / FILE_NAME).read_bytes().splitlines()[-1])
     known = {name: line.get(name) for name in ("start", "start_label", "end", "end_label", "order")}
     assert {name: value for name, value in known.items() if value is not None} == arguments

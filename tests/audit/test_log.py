@@ -280,7 +280,7 @@ HOSTILE = "\x1b[2J\x9b31m\u202eevil\x07\r\n\ud800\x00[red]" + "é" * 2000
 
 def test_hostile_words_stay_what_they_are_and_act_on_nobody(tmp_path: Path) -> None:
     store, _ = watched(tmp_path, Origin(HOSTILE, HOSTILE, "run"))
-    give(store, 1, ORDER, Stage.SENT, Stage.REFUSED, words=HOSTILE)
+    give(store, 1, ORDER, Stage.SENT, Stage.REFUSED, detail=HOSTILE)
     raw = (tmp_path / FILE_NAME).read_bytes()
     assert len(raw.splitlines()) == 3 and len(raw) < 3 * 40 * TEXT_KEPT
     assert all(0x20 <= byte < 0x7F or byte == 0x0A for byte in raw)

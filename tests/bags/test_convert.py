@@ -60,16 +60,16 @@ def live(config: Config, told: Iterable[tuple[float, events.Event]], bag: str) -
     state = initial_state(config, 1.0)
     links = {name: replace(link, url=f"rosbag://{bag}", phase=Phase.UP) for name, link in state.links.items()}
     state = replace(state, links=links, wall=float(WALL))
-    ticks, heard = 0, None
+    ticks, received = 0, None
     for at, event in told:
         while ticks / 10 <= at:
-            if heard is not None:
-                state = apply(state, events.LinkHeard(LINK, heard))
-                heard = None
+            if received is not None:
+                state = apply(state, events.MessageArrived(LINK, received))
+                received = None
             state = apply(state, events.TimePassed(1.0 + ticks / 10, WALL + (1.0 + ticks / 10) - 1.0))
             ticks += 1
         state = apply(state, event)
-        heard = 1.0 + at
+        received = 1.0 + at
     return state
 
 
@@ -157,7 +157,7 @@ def test_a_large_map_needs_no_process_of_its_own(tmp_path: Path, monkeypatch: py
     frame = {"resolution": 0.05, "width": 2500, "height": 2000, "origin": {"orientation": {"w": 1.0}}}
     said = [Said(0, f"/{R0}/{F0}/map", MAP, {"info": frame, "data": np.full(5_000_000, 100, np.int8)})]
     _, recording = made_of(written(tmp_path, "ros1", said), bag_config("ros1"), tmp_path / "r.jsonl.gz")
-    grid = played(recording).robots[R0].charts[F0].grid
+    grid = played(recording).robots[R0].maps[F0].grid
     assert grid is not None and grid.frame.width == 2500
 
 
@@ -177,10 +177,12 @@ def test_each_link_hears_its_own_robots(tmp_path: Path) -> None:
     )
     said = [pose(0), pose(1, 4.0, "robot_1"), pose(3)]
     _, recording = made_of(written(tmp_path, "ros1", said), config, tmp_path / "r.jsonl.gz")
-    heard = [(record.link, record.at) for record in recording.records() if isinstance(record, ReceivedFrame)]
-    assert heard == [(LINK, 1.0), ("north", 2.0), (LINK, 4.0)]
+    received = [
+        (record.link, record.at) for record in recording.records() if isinstance(record, ReceivedFrame)
+    ]
+    assert received == [(LINK, 1.0), ("north", 2.0), (LINK, 4.0)]
     state = played(recording)
-    assert state.links["north"].heard == 2.0 and state.robots["robot_1"].pose is not None
+    assert state.links["north"].last_received == 2.0 and state.robots["robot_1"].pose is not None
 
 
 def test_a_file_that_is_there_stays(tmp_path: Path) -> None:

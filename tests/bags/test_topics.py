@@ -56,7 +56,5 @@ def test_of_many_live_maps_the_first_robots_stay(tmp_path: Path) -> None:
     config = bag_config("mcap", robots=6)
     report, recording = made_of(written(tmp_path, "mcap", said), config, tmp_path / "r.jsonl.gz")
     robots = played(recording).robots
-    assert [name for name, robot in robots.items() if robot.charts[F0].grid] == [
-        f"robot_{n}" for n in range(4)
-    ]
+    assert [name for name, robot in robots.items() if robot.maps[F0].grid] == [f"robot_{n}" for n in range(4)]
     assert f"4 of 6 live maps read, not /robot_4/{F0}/map, /robot_5/{F0}/map" in report.notes

@@ -70,8 +70,15 @@ def main() -> list[Row]:
             urls.append(url)
             servers.append(server)
             first += count
-        heard = Path(name) / "heard.json"
-        command = ["tests.bench.probe", str(heard), "counts", "--", "--config", str(config(Path(name), urls))]
+        received = Path(name) / "heard.json"
+        command = [
+            "tests.bench.probe",
+            str(received),
+            "counts",
+            "--",
+            "--config",
+            str(config(Path(name), urls)),
+        ]
         terminal = Terminal([sys.executable, "-m", *command], Path(name))
         try:
             terminal.wait_for(f"{first} of {first} online", 60.0)
@@ -80,7 +87,7 @@ def main() -> list[Row]:
             terminal.wait_for(f"0 of {first} online", 60.0)
         finally:
             terminal.close()
-        (applied, passed_over), *_ = json.loads(heard.read_text())["count"]
+        (applied, passed_over), *_ = json.loads(received.read_text())["count"]
     what = f"{first} robots over 3 links: "
     return [
         row("L12", what + "messages sent", sent, "messages"),

@@ -63,5 +63,5 @@ class DrivenFleet:
                 orders = (order(one.id, one.start, one.end, one.status) for one in robot.orders)
                 queue = order_queue(robot.last_order_id, robot.current_order_id, *orders)
                 yield events.QueueReported(name, now, queue)
-        yield events.LinkHeard("rosbridge", now)
+        yield events.MessageArrived("rosbridge", now)
         yield events.TimePassed(now, wall)

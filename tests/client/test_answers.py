@@ -66,8 +66,8 @@ async def test_the_worst_of_several_answers_is_the_end(waiting: Waiting) -> None
     for call, success in zip(pending, (True, False, True), strict=True):
         waiting.answer(call, success, "key switch is off" if not success else "")
     await task
-    ((id_, stage, words),) = waiting.told
-    assert (id_, stage) == (7, Stage.REFUSED) and "key switch is off" in words
+    ((id_, stage, detail),) = waiting.told
+    assert (id_, stage) == (7, Stage.REFUSED) and "key switch is off" in detail
 
 
 async def test_an_answer_after_its_deadline_is_told_after_all(waiting: Waiting) -> None:
@@ -100,9 +100,9 @@ async def test_a_lost_link_and_a_fault_of_our_own_leave_the_end_unknown(
     (call,), broken = waiting.wait(1)
     waiting.answer(call, True, "")
     await broken
-    (_, first, words), (_, second, error) = waiting.told
+    (_, first, detail), (_, second, error) = waiting.told
     assert (first, second) == (Stage.UNKNOWN, Stage.UNKNOWN)
-    assert "link lost" in words and error.startswith("internal error: division")
+    assert "link lost" in detail and error.startswith("internal error: division")
 
 
 def test_frames_are_recorded_whatever_is_in_them() -> None:

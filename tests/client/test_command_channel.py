@@ -23,7 +23,7 @@ async def test_a_refusal_in_an_answer_that_went_well(server: RosbridgeServer) ->
         await store.until(ready)
         record = await finished(link, store, place_order("robot_0", 0, 9999))
     assert record.stage is Stage.REFUSED
-    assert "no vertex 9999" in record.words
+    assert "no vertex 9999" in record.detail
 
 
 @pytest.mark.parametrize("order_id", [0, -1])
@@ -66,7 +66,7 @@ async def test_a_command_under_way_ends_when_the_link_goes(server: RosbridgeServ
         record = state.commands[-1]
         steps = [event for event in store.events if isinstance(event, CommandAdvanced)]
     assert (record.id, record.stage) == (command_id, Stage.NOT_CONFIRMED)
-    assert "outcome unknown" in record.words and "the robot reported no pause" in record.words
+    assert "outcome unknown" in record.detail and "the robot reported no pause" in record.detail
     assert [step.stage for step in steps] == [Stage.SENT, Stage.UNKNOWN]
     assert len(server.bridge.services.calls) == 1
 
@@ -79,7 +79,7 @@ async def test_a_call_never_answered_is_no_answer_and_then_not_confirmed(server:
         await store.until(ready)
         record = await finished(link, store, PauseRobot("robot_0"))
     assert [step.stage for step in record.steps[-2:]] == [Stage.NO_ANSWER, Stage.NOT_CONFIRMED]
-    assert "no answer" in record.words and "0.3 s" in record.words
+    assert "no answer" in record.detail and "0.3 s" in record.detail
 
 
 async def test_commands_do_not_wait_behind_subscriptions() -> None:

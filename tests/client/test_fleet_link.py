@@ -25,18 +25,18 @@ async def test_everything_is_heard(server: RosbridgeServer) -> None:
     async with linked(config_of(server.url, 2, 2)) as (_, store):
         state = await store.until(ready)
         robot = state.robots["robot_0"]
-        assert set(robot.charts) == {"floor_0", "floor_1"}
-        assert "Base" in robot.charts["floor_0"].labels.values()
+        assert set(robot.maps) == {"floor_0", "floor_1"}
+        assert "Base" in robot.maps["floor_0"].labels.values()
         assert state.is_online(robot)
 
 
 async def test_a_map_arrives_as_binary_when_its_floor_is_shown(server: RosbridgeServer) -> None:
     async with linked(config_of(server.url, 1, 2)) as (link, store):
         await store.until(ready)
-        assert store.state.robots["robot_0"].charts["floor_1"].grid is None
+        assert store.state.robots["robot_0"].maps["floor_1"].grid is None
         link.show_map("robot_0", "floor_1")
-        state = await store.until(lambda state: state.robots["robot_0"].charts["floor_1"].grid)
-    grid = state.robots["robot_0"].charts["floor_1"].grid
+        state = await store.until(lambda state: state.robots["robot_0"].maps["floor_1"].grid)
+    grid = state.robots["robot_0"].maps["floor_1"].grid
     assert grid is not None
     assert grid.levels[0].shape == (grid.frame.height, grid.frame.width)
     assert set(grid.levels[0].ravel().tolist()) == {0, 1, 2}
@@ -45,7 +45,7 @@ async def test_a_map_arrives_as_binary_when_its_floor_is_shown(server: Rosbridge
 async def test_an_order_is_accepted_cancelled_and_cleared(server: RosbridgeServer) -> None:
     async with linked(config_of(server.url, 1)) as (link, store):
         state = await store.until(ready)
-        ids = {label: id_ for id_, label in state.robots["robot_0"].charts["floor_0"].labels.items()}
+        ids = {label: id_ for id_, label in state.robots["robot_0"].maps["floor_0"].labels.items()}
         order = place_order("robot_0", ids["Base"], ids["Consumidores"])
         assert (await finished(link, store, order)).stage is Stage.CONFIRMED
         state = store.state
@@ -79,7 +79,7 @@ async def test_telemetry_alive_and_commands_dead_is_a_state_of_its_own(server: R
         assert state.links["rosbridge"].phase is Phase.UP
         record = await finished(link, store, ResumeRobot("robot_0"))
         assert record.stage is Stage.NOT_SENT
-        assert "no ROS master" in record.words
+        assert "no ROS master" in record.detail
 
 
 async def test_a_bridge_without_rosapi_is_alive(server: RosbridgeServer) -> None:
@@ -99,8 +99,8 @@ async def test_bad_data_is_counted_on_the_robot_and_the_rest_goes_on(server: Ros
         )
         assert "/robot_0/pose" in state.robots["robot_0"].last_fault
         assert "position.x" in state.robots["robot_0"].last_fault
-        heard = state.robots["robot_0"].heard or 0.0
-        await store.until(lambda state: (state.robots["robot_0"].heard or 0.0) > heard)
+        received = state.robots["robot_0"].last_received or 0.0
+        await store.until(lambda state: (state.robots["robot_0"].last_received or 0.0) > received)
 
 
 async def test_read_only_lets_nothing_leave_but_subscriptions_and_rosapi(server: RosbridgeServer) -> None:
@@ -111,7 +111,7 @@ async def test_read_only_lets_nothing_leave_but_subscriptions_and_rosapi(server:
         record = await finished(link, store, PauseRobot("robot_0"))
         operations = list(server.bridge.received)
     assert record.stage is Stage.NOT_SENT
-    assert "read-only" in record.words
+    assert "read-only" in record.detail
     assert {operation["op"] for operation in operations} == {"subscribe", "call_service"}
     services = [operation["service"] for operation in operations if operation["op"] == "call_service"]
     assert all(service.startswith("/rosapi/") for service in services)
@@ -140,14 +140,16 @@ async def test_nothing_is_put_into_a_connection_that_fell_silent(server: Rosbrid
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(ready)
         server.bridge.muted.update(topic for topic in store_topics(server))
-        heard = store.state.links["rosbridge"].heard or 0.0
-        await store.until(lambda state: state.now - max(heard, state.links["rosbridge"].heard or 0.0) > 2.5)
+        received = store.state.links["rosbridge"].last_received or 0.0
+        await store.until(
+            lambda state: state.now - max(received, state.links["rosbridge"].last_received or 0.0) > 2.5
+        )
         record = await finished(link, store, ResumeRobot("robot_0"))
         assert record.stage is Stage.NOT_SENT
-        assert "no message from the bridge" in record.words
+        assert "no message from the bridge" in record.detail
         # A pause is tried all the same; as nothing is heard, nothing can confirm it.
         record = await finished(link, store, PauseRobot("robot_0"))
-        assert record.stage is Stage.NOT_CONFIRMED and record.words.startswith("accepted")
+        assert record.stage is Stage.NOT_CONFIRMED and record.detail.startswith("accepted")
 
 
 def store_topics(server: RosbridgeServer) -> set[str]:

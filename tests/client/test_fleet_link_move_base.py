@@ -64,7 +64,7 @@ async def test_an_order_is_a_goal_of_ours_confirmed_by_its_id_and_driven(site: M
     assert goal["goal_id"]["id"] == record.name and record.name.startswith("fleet-tui-")
     assert record.order_id == record.name[10:18]
     assert goal["goal_id"]["stamp"] == NEVER
-    assert ended.words == f"order {record.order_id}: Goal reached."
+    assert ended.detail == f"order {record.order_id}: Goal reached."
     pose = site.navigation().robot.pose
     assert abs(pose.x) < 0.1 and abs(pose.y) < 0.1
 
@@ -92,7 +92,7 @@ async def test_orders_wait_here_and_a_pause_keeps_what_is_driven(site: MoveBaseS
         second = link.submit(site.to("Receiving"))
         await reached(store, second, Stage.WAITING)
         paused = await finished(link, store, PauseRobot(R0))
-        assert (paused.stage, paused.words) == (Stage.CONFIRMED, "stopped, goal kept here")
+        assert (paused.stage, paused.detail) == (Stage.CONFIRMED, "stopped, goal kept here")
         state = await store.until(lambda state: len(waiting(state, robot(state))) == 2)
         assert waiting(state, robot(state))[0].id == first.id
         resumed = await finished(link, store, ResumeRobot(R0))
@@ -144,10 +144,10 @@ async def test_its_status_is_a_heartbeat_of_a_robot_without_wheels(site: MoveBas
         site.fleet.robots[name].odometry = False
     profile = msgspec.structs.replace(site.config.profile, topics={"odometry": "", "battery": ""})
     async with linked(msgspec.structs.replace(site.config, profile=profile)) as (_, store):
-        state = await store.until(lambda state: robot(state).heard is not None)
-        before = robot(state).heard
+        state = await store.until(lambda state: robot(state).last_received is not None)
+        before = robot(state).last_received
         assert before is not None
-        await store.until(lambda state: (robot(state).heard or 0.0) > before + 1.0)
+        await store.until(lambda state: (robot(state).last_received or 0.0) > before + 1.0)
         assert store.state.is_online(robot(store.state))
 
 
@@ -195,7 +195,7 @@ async def test_a_goal_that_waits_for_a_new_connection_is_overtaken_by_a_pause(
         await reached(store, link.submit(PauseRobot(R0)), Stage.ACCEPTED, Stage.CONFIRMED)
         network_loop().call_soon_threadsafe(told.set)
         ended = await reached(store, order, Stage.NOT_SENT, Stage.CONFIRMED)
-    assert (ended.stage, ended.words) == (Stage.NOT_SENT, "robot paused before it was sent")
+    assert (ended.stage, ended.detail) == (Stage.NOT_SENT, "robot paused before it was sent")
     assert not site.published("/goal")
 
 
@@ -204,7 +204,7 @@ async def test_a_goal_that_nobody_hears_is_not_confirmed(site: MoveBaseSite) -> 
     async with linked(site.config) as (link, store):
         await store.until(known)
         record = await finished(link, store, site.to("Base"))
-        assert (record.stage, record.words) == (Stage.NOT_CONFIRMED, "no answer; no new goal seen")
+        assert (record.stage, record.detail) == (Stage.NOT_CONFIRMED, "no answer; no new goal seen")
 
 
 async def test_what_a_robot_gives_up_is_said_in_its_words(site: MoveBaseSite) -> None:
@@ -213,7 +213,7 @@ async def test_what_a_robot_gives_up_is_said_in_its_words(site: MoveBaseSite) ->
         await store.until(known)
         record = await finished(link, store, site.to("Base"))
         ended = await reached(store, record.id, Stage.FAILED)
-        assert ended.words.endswith("Failed to find a valid plan. Even after executing recovery behaviors.")
+        assert ended.detail.endswith("Failed to find a valid plan. Even after executing recovery behaviors.")
 
 
 async def test_a_vertex_that_no_graph_has_is_not_sent(site: MoveBaseSite) -> None:
@@ -221,7 +221,7 @@ async def test_a_vertex_that_no_graph_has_is_not_sent(site: MoveBaseSite) -> Non
         await store.until(known)
         order = msgspec.structs.replace(site.to("Base"), stops=at_vertices("999"))
         record = await finished(link, store, order)
-        assert record.stage is Stage.NOT_SENT and "999" in record.words
+        assert record.stage is Stage.NOT_SENT and "999" in record.detail
 
 
 async def test_a_goal_that_is_listed_only_after_a_pause_is_stopped_too(site: MoveBaseSite) -> None:

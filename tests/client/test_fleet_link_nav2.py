@@ -31,12 +31,12 @@ async def test_an_order_from_a_to_b_is_confirmed_and_driven_to_its_end(site: Sit
         await store.until(nav2_ready)
         record = await finished(link, store, site.to("Receiving", "Base"))
         assert record.stage is Stage.CONFIRMED
-        assert record.words == f"seen in the queue as order {record.order_id}"
+        assert record.detail == f"seen in the queue as order {record.order_id}"
         (order,) = store.state.robots[R0].orders.open
         assert order.stops == at_vertices(site.vertex("Receiving"), site.vertex("Base"))
         await store.until(lambda state: state.robots[R0].orders.orders[0].state is OrderState.IN_PROCESS)
         ended = await reached(store, record.id, Stage.DONE)
-        assert ended.words == f"order {record.order_id}: as reported by the robot"
+        assert ended.detail == f"order {record.order_id}: as reported by the robot"
     stages = [step.stage for step in ended.steps]
     assert stages == [Stage.CHECKED, Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED, Stage.DONE]
     pose = site.navigation().robot.pose
@@ -77,9 +77,9 @@ async def test_our_order_is_cancelled_by_its_id(site: Site) -> None:
         order = await finished(link, store, site.to("Consumidores"))
         assert order.order_id is not None
         cancel = await finished(link, store, CancelOrder(R0, order.order_id))
-        assert (cancel.stage, cancel.words) == (Stage.CONFIRMED, "no longer in the queue")
+        assert (cancel.stage, cancel.detail) == (Stage.CONFIRMED, "no longer in the queue")
         ended = await reached(store, order.id, Stage.CANCELLED)
-        assert ended.words == f"order {order.order_id}: by this console"
+        assert ended.detail == f"order {order.order_id}: by this console"
         ((action, uuid),) = site.cancels()
     assert action == "/robot_0/navigate_to_pose" and uuid != "AAAAAAAAAAAAAAAAAAAAAA=="
     assert [goal.status for goal in site.navigation().servers[TO_POSE].goals.values()] == [CANCELED]
@@ -114,7 +114,7 @@ async def test_a_goal_that_was_there_before_is_never_taken_for_ours(site: Site) 
         record_id = link.submit(site.to("Receiving"))
         # It would replace theirs: it waits here until somebody decides.
         record = await reached(store, record_id, Stage.WAITING, Stage.NOT_SENT)
-        assert record.stage is Stage.NOT_SENT and "has no queue" in record.words
+        assert record.stage is Stage.NOT_SENT and "has no queue" in record.detail
         assert [one.id for one in foreign(store.state, store.state.robots[R0])] == [theirs.id]
     assert len(site.navigation().received) == 1
 
@@ -136,8 +136,8 @@ async def test_an_order_that_is_aborted_failed_with_the_robots_words(site: Site)
         order = await finished(link, store, site.to("Consumidores"))
         site.navigation().abort(106, "Failed to find valid control")
         ended = await reached(store, order.id, Stage.FAILED)
-        words = "error 106 (no valid control): Failed to find valid control"
-        assert ended.words == f"order {order.order_id}: {words}"
+        detail = "error 106 (no valid control): Failed to find valid control"
+        assert ended.detail == f"order {order.order_id}: {detail}"
 
 
 async def test_an_order_of_which_a_stop_was_missed_is_not_done(site: Site) -> None:
@@ -147,7 +147,7 @@ async def test_an_order_of_which_a_stop_was_missed_is_not_done(site: Site) -> No
         await store.until(lambda _: site.navigation().robot.driving)
         site.navigation().abort(208, "no path")
         ended = await reached(store, order.id, Stage.FAILED, Stage.DONE)
-        assert (ended.stage, ended.words) == (
+        assert (ended.stage, ended.detail) == (
             Stage.FAILED,
             f"order {order.order_id}: 1 stops missed",
         )
@@ -158,7 +158,7 @@ async def test_an_order_that_is_rejected_is_refused_at_once(site: Site) -> None:
         await store.until(nav2_ready)
         site.navigation().reject = 1
         record = await finished(link, store, site.to("Receiving"))
-        assert (record.stage, record.words) == (Stage.REFUSED, "Action goal was rejected")
+        assert (record.stage, record.detail) == (Stage.REFUSED, "Action goal was rejected")
 
 
 async def test_without_an_action_server_an_order_is_refused(site: Site) -> None:
@@ -166,14 +166,14 @@ async def test_without_an_action_server_an_order_is_refused(site: Site) -> None:
         await store.until(nav2_ready)
         site.navigation().servers[TO_POSE].die()
         record = await finished(link, store, site.to("Receiving"))
-        assert (record.stage, record.words) == (Stage.REFUSED, "No action server available")
+        assert (record.stage, record.detail) == (Stage.REFUSED, "No action server available")
 
 
 async def test_to_a_place_that_no_graph_has_nothing_leaves(site: Site) -> None:
     async with linked(site.config) as (link, store):
         await store.until(nav2_ready)
         record = await finished(link, store, PlaceOrder(R0, at_vertices("99")))
-        assert record.stage is Stage.NOT_SENT and "99" in record.words
+        assert record.stage is Stage.NOT_SENT and "99" in record.detail
     assert not site.navigation().received
 
 

@@ -52,7 +52,7 @@ async def test_inactive_and_reject_orders_are_refused(site: Site) -> None:
         await store.until(nav2_ready)
         for robot in (R0, "robot_1"):
             record = await finished(link, store, site.to("Receiving", robot=robot))
-            assert (record.stage, record.words) == (Stage.REFUSED, "Action goal was rejected")
+            assert (record.stage, record.detail) == (Stage.REFUSED, "Action goal was rejected")
 
 
 async def test_a_rejection_that_nobody_tells_ends_as_not_confirmed(site: Site) -> None:
@@ -61,7 +61,7 @@ async def test_a_rejection_that_nobody_tells_ends_as_not_confirmed(site: Site) -
         await store.until(nav2_ready)
         record = await finished(link, store, site.to("Receiving"))
         assert record.stage is Stage.NOT_CONFIRMED
-        assert record.words == "no answer; no new goal seen"
+        assert record.detail == "no answer; no new goal seen"
 
 
 async def test_aborts_end_the_order_as_failed_with_the_code(site: Site) -> None:
@@ -70,8 +70,8 @@ async def test_aborts_end_the_order_as_failed_with_the_code(site: Site) -> None:
         await store.until(nav2_ready)
         record = await finished(link, store, site.to("Consumidores"))
         ended = await reached(store, record.id, Stage.FAILED)
-        words = "error 105 (no progress): Failed to make progress"
-        assert ended.words == f"order {record.order_id}: {words}"
+        detail = "error 105 (no progress): Failed to make progress"
+        assert ended.detail == f"order {record.order_id}: {detail}"
 
 
 async def test_a_goal_of_another_client_replaces_ours(site: Site) -> None:
@@ -81,7 +81,7 @@ async def test_a_goal_of_another_client_replaces_ours(site: Site) -> None:
         record = await finished(link, store, site.to("Consumidores"))
         site.navigation().give(8.0, 0.0)
         ended = await reached(store, record.id, Stage.REPLACED)
-        assert "as reported by the robot" in ended.words
+        assert "as reported by the robot" in ended.detail
 
 
 async def test_foreign_cancel_is_cancelled_elsewhere(site: Site) -> None:
@@ -101,7 +101,7 @@ async def test_a_cancel_that_is_refused_says_so_and_the_order_goes_on(site: Site
         order = await finished(link, store, site.to("Consumidores"))
         assert order.order_id is not None
         cancel = await finished(link, store, CancelOrder(R0, order.order_id))
-        assert (cancel.stage, cancel.words) == (Stage.REFUSED, "rejected by the robot")
+        assert (cancel.stage, cancel.detail) == (Stage.REFUSED, "rejected by the robot")
         assert store.state.robots[R0].orders.open
 
 
@@ -113,7 +113,7 @@ async def test_a_pause_that_no_server_carries_out_is_not_confirmed(site: Site) -
         await finished(link, store, site.to("Consumidores"))
         await store.until(lambda _: site.navigation().robot.driving)
         pause = await finished(link, store, PauseRobot(R0))
-        assert pause.stage in (Stage.REFUSED, Stage.NOT_CONFIRMED), pause.words
+        assert pause.stage in (Stage.REFUSED, Stage.NOT_CONFIRMED), pause.detail
 
 
 async def test_dead_servers_leave_the_order_open_and_cancels_unanswered(site: Site) -> None:
@@ -125,7 +125,7 @@ async def test_dead_servers_leave_the_order_open_and_cancels_unanswered(site: Si
         plant(site, f"dead-server:{R0}")
         await store.until(lambda _: not site.navigation().servers["navigate_to_pose"].alive)
         cancel = await finished(link, store, CancelOrder(R0, order.order_id))
-        assert cancel.stage is Stage.NOT_CONFIRMED and "is in process" in cancel.words
+        assert cancel.stage is Stage.NOT_CONFIRMED and "is in process" in cancel.detail
 
 
 async def test_an_action_server_that_was_started_anew_knows_no_goal_any_more(site: Site) -> None:
@@ -138,7 +138,7 @@ async def test_an_action_server_that_was_started_anew_knows_no_goal_any_more(sit
         server.alive = True
         assert order.order_id is not None
         cancel = await finished(link, store, CancelOrder(R0, order.order_id))
-        assert (cancel.stage, cancel.words) == (Stage.REFUSED, "goal unknown to the robot")
+        assert (cancel.stage, cancel.detail) == (Stage.REFUSED, "goal unknown to the robot")
         await reached(store, order.id, Stage.LOST)
         await store.until(lambda state: state.robots[R0].held)
         assert record_of(store.state, waits).stage is Stage.WAITING
@@ -152,7 +152,7 @@ async def test_a_pause_finds_out_that_the_goals_are_gone(site: Site) -> None:
         server.die()
         server.alive = True
         pause = await finished(link, store, PauseRobot(R0))
-        assert (pause.stage, pause.words) == (Stage.CONFIRMED, "stopped, no goal to keep")
+        assert (pause.stage, pause.detail) == (Stage.CONFIRMED, "stopped, no goal to keep")
         await reached(store, order.id, Stage.LOST)
 
 
@@ -258,7 +258,7 @@ async def test_a_bridge_without_nav2_msgs_refuses_orders_and_names_the_package(s
     async with linked(site.config) as (link, store):
         await store.until(nav2_ready)
         record = await finished(link, store, site.to("Receiving"))
-        assert record.stage is Stage.REFUSED and "nav2_msgs" in record.words
+        assert record.stage is Stage.REFUSED and "nav2_msgs" in record.detail
 
 
 async def test_services_that_never_answer_leave_a_pause_to_telemetry(site: Site) -> None:
@@ -269,4 +269,4 @@ async def test_services_that_never_answer_leave_a_pause_to_telemetry(site: Site)
         await store.until(nav2_ready)
         await finished(link, store, site.to("Consumidores"))
         pause = await finished(link, store, PauseRobot(R0))
-        assert pause.stage is Stage.NOT_CONFIRMED and "is in process" in pause.words
+        assert pause.stage is Stage.NOT_CONFIRMED and "is in process" in pause.detail

@@ -45,14 +45,14 @@ async def test_of_two_orders_given_at_once_the_second_waits_for_the_first(site: 
 
 
 @pytest.mark.parametrize(
-    ("overtaking", "words"),
+    ("overtaking", "detail"),
     [
         (PauseRobot(R0), "robot paused before it was sent"),
         (ClearOrders(R0), "robot's orders cleared before it was sent"),
     ],
 )
 async def test_what_overtakes_an_order_that_has_not_left_keeps_it_from_leaving(
-    site: Site, slow: asyncio.Event, overtaking: Command, words: str
+    site: Site, slow: asyncio.Event, overtaking: Command, detail: str
 ) -> None:
     async with linked(site.config, queue=keeping()) as (link, store):
         await store.until(nav2_ready)
@@ -60,7 +60,7 @@ async def test_what_overtakes_an_order_that_has_not_left_keeps_it_from_leaving(
         await reached(store, link.submit(overtaking), Stage.ACCEPTED, Stage.CONFIRMED)
         slow.set()
         ended = await reached(store, order, Stage.NOT_SENT, Stage.SENT, Stage.CONFIRMED)
-        assert (ended.stage, ended.words) == (Stage.NOT_SENT, words)
+        assert (ended.stage, ended.detail) == (Stage.NOT_SENT, detail)
         assert not site.navigation().received
 
 

@@ -69,8 +69,8 @@ async def test_a_volatile_publisher_is_asked_without_qos_and_that_is_remembered(
     play(server, [("volatile-maps", "robot_0")])
 
     def known(state: FleetState) -> bool:
-        chart = state.robots["robot_0"].charts["floor_0"]
-        return bool(chart.graph and chart.labels and chart.frame)
+        robot_map = state.robots["robot_0"].maps["floor_0"]
+        return bool(robot_map.graph and robot_map.labels and robot_map.frame)
 
     async with linked(config_of(server.url, 1)) as (_, store):
         await store.until(known, within=30)
@@ -123,7 +123,7 @@ async def test_a_map_larger_than_the_bridge_sends_at_once_comes_as_json_in_piece
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(ready)
         link.show_map("robot_0", "floor_0")
-        state = await store.until(lambda state: state.robots["robot_0"].charts["floor_0"].grid)
+        state = await store.until(lambda state: state.robots["robot_0"].maps["floor_0"].grid)
         asked = [
             one["compression"]
             for one in server.bridge.received

@@ -23,7 +23,7 @@ async def test_a_robot_whose_services_have_gone_is_named_when_it_is_called(serve
             if "robot_0" in name:
                 del server.bridge.services.offered[name]
         record = await finished(link, store, PauseRobot("robot_0"))
-        assert record.stage is Stage.REFUSED and record.words.endswith("does not exist")
+        assert record.stage is Stage.REFUSED and record.detail.endswith("does not exist")
         state = await store.until(path(CommandPath.UNREGISTERED))
         assert "nodes of robot_0 not" in state.links["rosbridge"].command_reason
 
@@ -44,7 +44,7 @@ async def test_a_service_of_another_type_is_not_called(server: RosbridgeServer) 
         await finished(link, store, PauseRobot("robot_0"))
         record = await finished(link, store, ResumeRobot("robot_0"))
         assert record.stage is Stage.NOT_SENT
-        assert f"{RESUME} has type nav2_msgs/srv/ManageLifecycleNodes, not std_srvs/Trigger" in record.words
+        assert f"{RESUME} has type nav2_msgs/srv/ManageLifecycleNodes, not std_srvs/Trigger" in record.detail
         server.bridge.services.silent_services.add("/rosapi/service_type")
         await server.restart_bridge()
         await store.until(lambda state: not phase(Phase.UP)(state))

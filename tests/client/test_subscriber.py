@@ -12,7 +12,7 @@ async def test_poses_are_subscribed_first_and_always_with_a_queue(server: Rosbri
     async with linked(config_of(server.url, 2, 2)) as (link, store):
         await store.until(ready)
         link.show_map("robot_0", "floor_0")
-        await store.until(lambda state: state.robots["robot_0"].charts["floor_0"].grid)
+        await store.until(lambda state: state.robots["robot_0"].maps["floor_0"].grid)
         asked = [operation for operation in server.bridge.received if operation["op"] == "subscribe"]
     assert [operation["topic"] for operation in asked[:2]] == ["/robot_0/pose", "/robot_1/pose"]
     assert all(operation["queue_length"] >= 1 for operation in asked)
@@ -25,16 +25,16 @@ async def test_a_drop_is_shown_and_heals_with_every_subscription(server: Rosbrid
     async with linked(config_of(server.url, 2, 2)) as (link, store):
         await store.until(ready)
         link.show_map("robot_0", "floor_0")
-        await store.until(lambda state: state.robots["robot_0"].charts["floor_0"].grid)
+        await store.until(lambda state: state.robots["robot_0"].maps["floor_0"].grid)
         topics = {
             operation["topic"] for operation in server.bridge.received if operation["op"] == "subscribe"
         }
         await server.drop_clients()
         await store.until(phase(Phase.WAITING))
         server.bridge.received.clear()
-        heard = store.state.robots["robot_0"].heard or 0.0
+        received = store.state.robots["robot_0"].last_received or 0.0
         await store.until(
-            lambda state: phase(Phase.UP)(state) and (state.robots["robot_0"].heard or 0) > heard
+            lambda state: phase(Phase.UP)(state) and (state.robots["robot_0"].last_received or 0) > received
         )
         await store.until(lambda _: server.bridge.subscribers("/robot_0/floor_0/map") == 1)
         again = {operation["topic"] for operation in server.bridge.received if operation["op"] == "subscribe"}

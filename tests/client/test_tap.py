@@ -34,7 +34,7 @@ async def test_what_frames_bring_is_not_told_twice(server: RosbridgeServer) -> N
         topics = [json.loads(payload) for _, channel, payload, _ in ear.heard_frames if channel == "topics"]
         brought = [event for event in store.events if event not in ear.facts]
     assert brought
-    assert not [fact for fact in ear.facts if isinstance(fact, events.Telemetry | events.ChartReceived)]
+    assert not [fact for fact in ear.facts if isinstance(fact, events.Telemetry | events.MapFactReceived)]
     published = {frame["topic"] for frame in topics if frame["op"] == "publish"}
     keys = {feed.key for feed in adapter_of(config.profile).feeds("robot_0", ["floor_0"]) if not feed.large}
     assert {topic.rsplit("/", 1)[-1] for topic in published} >= keys - {"graph", "labels", "map_metadata"}

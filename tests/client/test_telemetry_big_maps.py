@@ -37,7 +37,7 @@ async def store(server: RosbridgeServer) -> AsyncIterator[WatchedStore]:
     link.open()
     await store.until(lambda state: state.robots["robot_0"].pose)
     link.show_map("robot_0", "floor_0")
-    await store.until(lambda state: state.robots["robot_0"].charts["floor_0"].grid)
+    await store.until(lambda state: state.robots["robot_0"].maps["floor_0"].grid)
     yield store
     link.close()
 
@@ -48,11 +48,11 @@ async def test_a_large_json_map_arrives(server: RosbridgeServer, store: WatchedS
     server.bridge.publish_raw("/robot_0/floor_0/map", text)
 
     def has_come(_: object) -> bool:
-        grid = store.state.robots["robot_0"].charts["floor_0"].grid
+        grid = store.state.robots["robot_0"].maps["floor_0"].grid
         return grid is not None and grid.frame.width == WIDTH
 
     await store.until(has_come)
-    grid = store.state.robots["robot_0"].charts["floor_0"].grid
+    grid = store.state.robots["robot_0"].maps["floor_0"].grid
     assert grid is not None
     level = grid.levels[0]
     assert (level[0] == 0).all()
@@ -93,7 +93,7 @@ async def test_what_comes_faster_than_it_can_be_read_is_passed_over_and_that_is_
     assert state.links["rosbridge"].last_fault.endswith(f"dropped: {size} still being decoded")
 
     def shows(width: int, resolution: float) -> bool:
-        grid = store.state.robots["robot_0"].charts["floor_0"].grid
+        grid = store.state.robots["robot_0"].maps["floor_0"].grid
         return grid is not None and (grid.frame.width, grid.frame.resolution) == (width, resolution)
 
     await store.until(lambda _: shows(WIDTH, 0.05))

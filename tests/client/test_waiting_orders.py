@@ -52,7 +52,7 @@ async def test_a_second_order_waits_here_and_leaves_when_the_first_is_done(
         await reached(store, third, Stage.WAITING)
         state = await store.until(lambda state: len(waiting(state, state.robots[R0])) == 2)
         assert [one.id for one in waiting_orders_of(state, state.robots[R0])] == ["k1", "k2"]
-        assert record_of(state, second).words.startswith("in the queue of this console (ana@")
+        assert record_of(state, second).detail.startswith("in the queue of this console (ana@")
         await store.until(lambda _: len(kept(tmp_path)) == 2)
         state = await store.until(lambda state: record_of(state, second).stage is Stage.CONFIRMED)
         assert record_of(state, first.id).stage is Stage.DONE
@@ -70,7 +70,7 @@ async def test_only_so_many_orders_wait_for_a_robot(site: Site, monkeypatch: pyt
         await finished(link, store, site.to("Consumidores"))
         await reached(store, link.submit(site.to("Base")), Stage.WAITING)
         surplus = await finished(link, store, site.to("Base"))
-        assert (surplus.stage, surplus.words) == (
+        assert (surplus.stage, surplus.detail) == (
             Stage.NOT_SENT,
             "robot_0 has 1 orders waiting here, the maximum",
         )
@@ -83,7 +83,7 @@ async def test_one_that_waits_here_is_cancelled_here(site: Site) -> None:
         second, third = link.submit(site.to("Base")), link.submit(site.to("Receiving"))
         await reached(store, third, Stage.WAITING)
         cancel = await finished(link, store, CancelOrder(R0, "k1"))
-        assert (cancel.stage, cancel.words) == (Stage.CONFIRMED, "was waiting here")
+        assert (cancel.stage, cancel.detail) == (Stage.CONFIRMED, "was waiting here")
         assert record_of(store.state, second).stage is Stage.CANCELLED
         assert not site.cancels()
         clear = await finished(link, store, ClearOrders(R0))
@@ -104,7 +104,7 @@ async def test_after_a_failure_nothing_leaves_until_the_operator_resumes(site: S
         alarm = await store.until(lambda state: [one for one in state.alarms if one.key[1] == "held"])
         assert len(site.navigation().received) == 1
         resume = await finished(link, store, ResumeRobot(R0))
-        assert (resume.stage, resume.words) == (Stage.CONFIRMED, "waiting orders continue")
+        assert (resume.stage, resume.detail) == (Stage.CONFIRMED, "waiting orders continue")
         await reached(store, second, Stage.DONE)
     (text,) = [one.condition.text for one in alarm.alarms if one.key[1] == "held"]
     assert text == f"order {first.order_id}: failed: 1 order waiting here, resume to continue"
@@ -132,7 +132,7 @@ async def test_who_starts_anew_holds_what_was_kept(site: Site, tmp_path: Path) -
     async with linked(site.config, queue=keeping(tmp_path)) as (link, store):
         state = await store.until(held(RESTARTED))
         (waits,) = waiting(state, state.robots[R0])
-        assert waits.command == site.to("Base") and waits.words == RESTARTED
+        assert waits.command == site.to("Base") and waits.detail == RESTARTED
         await store.until(
             lambda state: nav2_ready(state) and state.robots[R0].goals and not state.robots[R0].orders.open
         )
@@ -206,8 +206,8 @@ async def test_a_second_console_of_the_same_folder_keeps_nothing(site: Site, tmp
             assert not waiting(their_store.state, their_store.state.robots[R0])
             record = await finished(other, their_store, site.to("Base"))
             assert record.stage is Stage.NOT_SENT
-            assert record.words.startswith("robot_0 has an order, and ana@")
-            assert record.words.endswith(" keeps the queue")
+            assert record.detail.startswith("robot_0 has an order, and ana@")
+            assert record.detail.endswith(" keeps the queue")
             (goal,) = their_store.state.robots[R0].orders.open
             assert goal.id == first.order_id
         await store.until(lambda _: len(kept(tmp_path)) == 1)
@@ -219,7 +219,7 @@ async def test_a_pause_stops_the_robot_and_keeps_its_goal_here(site: Site) -> No
         order = await finished(link, store, site.to("Consumidores", "Receiving"))
         await store.until(lambda _: site.navigation().robot.driving)
         pause = await finished(link, store, PauseRobot(R0))
-        assert (pause.stage, pause.words) == (Stage.CONFIRMED, "stopped, goal kept here")
+        assert (pause.stage, pause.detail) == (Stage.CONFIRMED, "stopped, goal kept here")
         waits = await reached(store, order.id, Stage.WAITING)
         assert waits.order_id == "k1" and not site.navigation().robot.driving
         assert [action for action, _ in site.cancels()] == [
@@ -241,7 +241,7 @@ async def test_what_was_paused_comes_before_what_waits(site: Site) -> None:
         second = link.submit(site.to("Base"))
         await reached(store, second, Stage.WAITING)
         pause = await finished(link, store, PauseRobot(R0))
-        assert pause.words == "stopped, goal kept here"
+        assert pause.detail == "stopped, goal kept here"
         state = await store.until(lambda state: len(waiting(state, state.robots[R0])) == 2)
         assert [one.id for one in waiting(state, state.robots[R0])] == [first.id, second]
         await finished(link, store, ResumeRobot(R0))
@@ -255,7 +255,7 @@ async def test_a_goal_of_another_client_is_stopped_by_a_pause_and_cannot_be_resu
         await store.until(lambda state: nav2_ready(state) and state.robots[R0].orders.open)
         (goal,) = site.navigation().servers[TO_POSE].goals.values()
         pause = await finished(link, store, PauseRobot(R0))
-        assert (pause.stage, pause.words) == (Stage.CONFIRMED, FOREIGN_STOPPED)
+        assert (pause.stage, pause.detail) == (Stage.CONFIRMED, FOREIGN_STOPPED)
     assert goal.status == CANCELED
 
 

@@ -129,8 +129,8 @@ def test_every_table_is_taken(write: Write) -> None:
     assert (config.ui.drawing, config.ui.ticks_per_second) == ("half-block", 5.0)
     assert names_of(config.profile).topic("pose", "robot_1") == "/robot_1/amcl_pose"
     state = initial_state(config, 7.0)
-    assert list(state.robots["robot_0"].charts) == ["floor_0"]
-    assert list(state.robots["robot_1"].charts) == ["floor_0", "floor_1"]
+    assert list(state.robots["robot_0"].maps) == ["floor_0"]
+    assert list(state.robots["robot_1"].maps) == ["floor_0", "floor_1"]
     assert (state.limits.offline_after, state.limits.battery_low, state.limits.link_after) == (
         10.0,
         30.0,

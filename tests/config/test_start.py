@@ -13,7 +13,7 @@ def test_every_floor_robot_and_link_is_there_and_nothing_is_known() -> None:
         5.0,
     )
     assert [robot.number for robot in state.robots.values()] == [1, 2]
-    assert all(robot.pose is None and robot.heard is None for robot in state.robots.values())
+    assert all(robot.pose is None and robot.last_received is None for robot in state.robots.values())
     (link,) = state.links.values()
     assert link.phase is Phase.CONNECTING and "hush" not in link.url
 

@@ -64,10 +64,10 @@ async def test_nothing_listens_or_the_name_is_unknown() -> None:
 
     async with peer(hang_up) as port:
         pass
-    step, words = failed(await walked(f"ws://127.0.0.1:{port}"))
-    assert step == "tcp" and "refused" in words and "start rosbridge on it" in words
-    step, words = failed(await walked(f"ws://{'a' * 64}.invalid:{port}"))
-    assert step == "name" and "correct rosbridge.url, or the name in DNS" in words
+    step, detail = failed(await walked(f"ws://127.0.0.1:{port}"))
+    assert step == "tcp" and "refused" in detail and "start rosbridge on it" in detail
+    step, detail = failed(await walked(f"ws://{'a' * 64}.invalid:{port}"))
+    assert step == "name" and "correct rosbridge.url, or the name in DNS" in detail
 
 
 async def test_a_web_server_is_no_bridge() -> None:
@@ -77,8 +77,8 @@ async def test_a_web_server_is_no_bridge() -> None:
         writer.close()
 
     async with peer(page) as port:
-        step, words = failed(await walked(f"ws://127.0.0.1:{port}"))
-    assert step == "websocket" and "correct host, port and path in rosbridge.url" in words
+        step, detail = failed(await walked(f"ws://127.0.0.1:{port}"))
+    assert step == "websocket" and "correct host, port and path in rosbridge.url" in detail
 
 
 async def test_a_port_that_accepts_and_stays_silent_is_frozen(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -90,13 +90,13 @@ async def test_a_port_that_accepts_and_stays_silent_is_frozen(monkeypatch: pytes
         writer.close()
 
     async with peer(silent) as port:
-        step, words = failed(await walked(f"ws://127.0.0.1:{port}"))
-    assert step == "websocket" and "does not respond" in words and "if it is not rosbridge" in words
+        step, detail = failed(await walked(f"ws://127.0.0.1:{port}"))
+    assert step == "websocket" and "does not respond" in detail and "if it is not rosbridge" in detail
 
 
 async def test_a_bridge_whose_master_is_gone_or_that_answers_no_call(
     server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     server.bridge.services.master_alive = False
-    step, words = failed(await walked(server.url))
-    assert step == "rosbridge" and "start roscore, then the robot nodes" in words
+    step, detail = failed(await walked(server.url))
+    assert step == "rosbridge" and "start roscore, then the robot nodes" in detail

@@ -8,7 +8,7 @@ import pytest
 from fleet_tui.adapters.discovery import Discovery
 from fleet_tui.config.schema import Link
 from fleet_tui.discovery import frames
-from fleet_tui.discovery.frames import hear_frames
+from fleet_tui.discovery.frames import collect_frames
 from fleet_tui.discovery.recognition import Found
 from fleet_tui.discovery.wire import BridgeConnection
 from fleet_tui.simulator.server import RosbridgeServer
@@ -18,12 +18,12 @@ POSE = "geometry_msgs/PoseStamped"
 FOUND = {"oh_ressources": Discovery({f"robot_{n}": [] for n in range(3)})}
 
 
-async def heard(server: RosbridgeServer, types: dict[str, str], found: Found = FOUND) -> dict[str, str]:
+async def received(server: RosbridgeServer, types: dict[str, str], found: Found = FOUND) -> dict[str, str]:
     async def hear() -> dict[str, str]:
         wire = BridgeConnection(Link(server.url))
         try:
             assert not await wire.connect(5.0)
-            return await hear_frames(wire, found, types, time.monotonic() + 5)
+            return await collect_frames(wire, found, types, time.monotonic() + 5)
         finally:
             wire.close()
 
@@ -32,7 +32,7 @@ async def heard(server: RosbridgeServer, types: dict[str, str], found: Found = F
 
 async def test_each_robot_that_is_online_has_the_frame_of_its_poses(server: RosbridgeServer) -> None:
     types = {f"/robot_{n}/pose": POSE for n in range(2)}
-    assert await heard(server, types) == {"robot_0": "floor_0", "robot_1": "floor_1"}
+    assert await received(server, types) == {"robot_0": "floor_0", "robot_1": "floor_1"}
 
 
 async def test_a_silent_robot_has_none_and_one_of_another_type_is_not_listened_to(
@@ -41,5 +41,5 @@ async def test_a_silent_robot_has_none_and_one_of_another_type_is_not_listened_t
     monkeypatch.setattr(frames, "WITHIN", 0.5)
     server.bridge.muted.add("/robot_0/pose")
     types = {"/robot_0/pose": POSE, "/robot_1/pose": "std_msgs/String"}
-    assert await heard(server, types) == {}
+    assert await received(server, types) == {}
     assert {one["topic"] for one in server.bridge.received if one["op"] == "subscribe"} == {"/robot_0/pose"}

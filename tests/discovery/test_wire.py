@@ -10,10 +10,10 @@ def test_a_message_that_is_being_read_is_not_one_that_can_not_be_read() -> None:
     seen = []
 
     def read(_feed: Feed, _msg: object, at: float) -> list[Event]:
-        seen.append(heard.facts(at).count)
+        seen.append(received.facts(at).count)
         return [TimePassed(at, at)]
 
-    heard = TopicListening(Feed("map", ("robot_0",), "floor_0", "/map", ""), 0.0, read)
-    heard.take({}, 1.0)
-    facts = heard.facts(2.0)
+    received = TopicListening(Feed("map", ("robot_0",), "floor_0", "/map", ""), 0.0, read)
+    received.take({}, 1.0)
+    facts = received.facts(2.0)
     assert seen == [0] and (facts.count, facts.event) == (1, TimePassed(1.0, 1.0))

@@ -8,8 +8,8 @@ from fleet_tui.adapters.adapter import Feed
 from fleet_tui.config.schema import FloorEntry
 from fleet_tui.discovery.facts import TopicFacts
 from fleet_tui.discovery.finding import Finding, Verdict
-from fleet_tui.doctor.charts import FloorSurvey
 from fleet_tui.doctor.floors import FloorFiles, floor_findings, place_finding, placed_grid
+from fleet_tui.doctor.surveys import FloorSurvey
 from fleet_tui.model.events import Event, FloorMapLoaded, FrameReceived
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.navigation_events import LocalisationReported
@@ -23,12 +23,12 @@ GRID = build_grid(FRAME, np.array([[FREE, FREE, OCCUPIED, UNKNOWN]], np.uint8))
 FLOOR = FloorEntry(F0, "hall.yaml")
 
 
-def heard(*events: Event) -> list[TopicFacts]:
+def received(*events: Event) -> list[TopicFacts]:
     return [TopicFacts(Feed("", (R0,), F0, "", ""), event=event) for event in events]
 
 
 def judged(loaded: FloorMapLoaded | None, *events: Event) -> dict[str, Finding]:
-    found = floor_findings(CONFIG, FLOOR, FloorFiles(loaded), [], heard(*events))
+    found = floor_findings(CONFIG, FLOOR, FloorFiles(loaded), [], received(*events))
     return {finding.check: finding for finding in found}
 
 

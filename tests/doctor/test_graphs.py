@@ -5,8 +5,8 @@ from hypothesis import strategies as st
 
 from fleet_tui.config.schema import FloorEntry
 from fleet_tui.discovery.finding import Verdict
-from fleet_tui.doctor.charts import FloorSurvey
 from fleet_tui.doctor.graphs import connection_finding, label_finding
+from fleet_tui.doctor.surveys import FloorSurvey
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 
 FLOOR = FloorEntry("floor_0")

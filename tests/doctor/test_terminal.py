@@ -42,11 +42,11 @@ def test_a_terminal_that_answers_is_measured(wide: int, verdict: Verdict) -> Non
 
     def answer() -> None:
         """A terminal: asked four times, it says where its cursor is; braille may take two cells each."""
-        heard, asked = b"", 0
+        received, asked = b"", 0
         while asked < 4:
-            heard += os.read(theirs, 65536)
-            while b"\x1b[6n" in heard and asked < 4:
-                before, _, heard = heard.partition(b"\x1b[6n")
+            received += os.read(theirs, 65536)
+            while b"\x1b[6n" in received and asked < 4:
+                before, _, received = received.partition(b"\x1b[6n")
                 column = 1 + wide * before.decode().count(BRAILLE[0])
                 os.write(theirs, f"\x1b[1;{column}R".encode())
                 asked += 1

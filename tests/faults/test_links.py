@@ -53,7 +53,7 @@ async def test_a_dead_bridge_hurts_no_other(server: RosbridgeServer, other: Rosb
         assert {alarm.condition.source for alarm in store.state.alarms} <= {"b", "robot_1"}
         assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
         refused = await finished(link, store, PauseRobot("robot_1"))
-        assert refused.stage is Stage.NOT_SENT and "no link" in refused.words
+        assert refused.stage is Stage.NOT_SENT and "no link" in refused.detail
         assert store.state.is_online(store.state.robots["robot_0"])
         up_since = store.state.links["rosbridge"].since
         proxy.attend = proxy.relay

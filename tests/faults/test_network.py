@@ -129,7 +129,7 @@ async def test_a_goodbye_without_hanging_up(server: RosbridgeServer) -> None:
         for _ in ("commands", "topics"):
             await agreed.acquire()
         record = await finished(link, store, PauseRobot("robot_0"))
-        assert (record.stage, record.words) == (Stage.NOT_SENT, "no link")
+        assert (record.stage, record.detail) == (Stage.NOT_SENT, "no link")
         noticed = await watch.until(lost("server not responding"))
         proxy.attend = proxy.relay
         watch.start()
@@ -151,7 +151,7 @@ async def test_a_half_open_connection(server: RosbridgeServer) -> None:
         proxy.swallows = True
         is_lost = lost("server not responding")
         await watch.until(
-            lambda state: is_lost(state) or state.now - (state.links["rosbridge"].heard or 0) > 2.1
+            lambda state: is_lost(state) or state.now - (state.links["rosbridge"].last_received or 0) > 2.1
         )
         assert (await finished(link, store, ResumeRobot("robot_0"))).stage is Stage.NOT_SENT
         noticed = await watch.until(is_lost)
@@ -290,7 +290,7 @@ async def test_a_command_path_of_its_own_fault(server: RosbridgeServer) -> None:
         noticed = await watch.until(
             lambda state: state.links["rosbridge"].command_path is CommandPath.DEAD, within=15
         )
-        assert "no reply from the bridge" in (await finished(link, store, ResumeRobot("robot_0"))).words
+        assert "no reply from the bridge" in (await finished(link, store, ResumeRobot("robot_0"))).detail
         server.bridge.services.silent_services.clear()
         watch.start()
         healed = await watch.until(fresh(), within=15)

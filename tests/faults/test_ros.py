@@ -109,7 +109,7 @@ async def test_a_robots_node_restarted(server: RosbridgeServer) -> None:
         watch.start()
         server.bridge.publish_raw("/robot_0/floor_0/labeled_vertices", labels)
         healed = await watch.until(
-            lambda state: state.robots["robot_0"].charts["floor_0"].labels == {"0": "New gate"}
+            lambda state: state.robots["robot_0"].maps["floor_0"].labels == {"0": "New gate"}
         )
     report("a robot's node restarted", "its latched topics are sent again", "the new map", None, healed)
 

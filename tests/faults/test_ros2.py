@@ -95,7 +95,7 @@ async def test_a_map_is_larger_than_the_bridges_messages(server: RosbridgeServer
         await store.until(ready)
         watch = Stopwatch(store)
         link.show_map("robot_0", "floor_0")
-        healed = await watch.until(lambda state: state.robots["robot_0"].charts["floor_0"].grid)
+        healed = await watch.until(lambda state: state.robots["robot_0"].maps["floor_0"].grid)
         assert not store.state.links["rosbridge"].faults
         assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
     seen = "no map yet; then the map, from JSON fragments"

@@ -78,9 +78,9 @@ def test_a_burst_at_one_instant_is_no_division_by_zero() -> None:
 
 def test_of_a_large_message_only_the_head_is_kept() -> None:
     topic = TopicCounter("/map")
-    topic.heard(b"x" * LARGEST_KEPT, False, T0)
+    topic.count_frame(b"x" * LARGEST_KEPT, False, T0)
     assert topic.last is not None and topic.last.is_whole
-    topic.heard(b"x" * (LARGEST_KEPT + 1), False, T0)
+    topic.count_frame(b"x" * (LARGEST_KEPT + 1), False, T0)
     assert not topic.last.is_whole
     assert (len(topic.last.payload), topic.last.size) == (HEAD, LARGEST_KEPT + 1)
     topic.failed("too long")
@@ -90,7 +90,7 @@ def test_of_a_large_message_only_the_head_is_kept() -> None:
 def test_the_payload_is_kept_without_copying_it() -> None:
     payload = b'{"op":"publish"}'
     topic = TopicCounter("/pose")
-    topic.heard(payload, False, T0)
+    topic.count_frame(payload, False, T0)
     assert topic.last is not None and topic.last.payload is payload
 
 

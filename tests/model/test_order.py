@@ -120,7 +120,7 @@ def test_numbers_stand_as_numbers_do(numbers: list[int]) -> None:
 def test_an_order_with_ids_of_text_is_recognised_and_told() -> None:
     record = only(confirmed())
     assert (record.stage, record.order_id, record.order_serial) == (Stage.CONFIRMED, GOAL, 1)
-    assert record.words == f"seen in the queue as order {GOAL}"
+    assert record.detail == f"seen in the queue as order {GOAL}"
 
 
 @pytest.mark.parametrize(
@@ -182,7 +182,7 @@ def test_an_order_to_a_pose_is_done_where_the_robot_was_there() -> None:
     state = told(fleet(), *begun, *asked, driving[0], tick(T0 + 1), pose(T0 + 2, 3.0), driving[1])
     assert only(told(state, reported(T0 + 2.5, last=1), tick(T0 + 3))).stage is Stage.DONE
     left = told(fleet(), *begun, *asked, driving[0], tick(T0 + 1), pose(T0 + 2, 30.0), driving[1])
-    assert only(told(left, reported(T0 + 2.5, last=1), tick(T0 + 3))).words.endswith("27 m from its end")
+    assert only(told(left, reported(T0 + 2.5, last=1), tick(T0 + 3))).detail.endswith("27 m from its end")
 
 
 def test_no_queue_current_and_an_empty_id_is_none() -> None:

@@ -40,10 +40,10 @@ def unplaced(_order: Order) -> None:
 
 
 def end(
-    trace: OrderTrace, now: OrderQueue, where: Away = unplaced, at: float = 12.0, heard: float = 11.0
+    trace: OrderTrace, now: OrderQueue, where: Away = unplaced, at: float = 12.0, received: float = 11.0
 ) -> tuple[Stage, str]:
-    """The end of an order in a queue that comes at a second, the one before at `heard`."""
-    _, (gone,) = trace_queue({"5": trace}, now, at, (heard, 5), where)
+    """The end of an order in a queue that comes at a second, the one before at `received`."""
+    _, (gone,) = trace_queue({"5": trace}, now, at, (received, 5), where)
     return gone.stage, gone.reason
 
 

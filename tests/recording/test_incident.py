@@ -25,7 +25,7 @@ def opened(path: Path) -> dict[str, str]:
 
 def test_everything_of_the_last_minutes_is_in_it(tmp_path: Path) -> None:
     audit = Audit(AuditFile(tmp_path / FILE_NAME), Origin("ana", "host:1", "run"))
-    old = audit.origin.record(1000.0, kind="console", what="console", change="opened", words="long ago")
+    old = audit.origin.record(1000.0, kind="console", what="console", change="opened", detail="long ago")
     audit.file.append(b'{"torn')
     audit.file.append(encode(old))
     audit.log_console("opened", "now")

@@ -118,7 +118,7 @@ async def test_a_replay_is_at_every_instant_what_the_run_was(
     running = taps.attach(Recorder(path, config, store, ORIGIN, PartLimits(part_seconds=1.5)))
     await store.until(lambda _: running.records > 5)
     link.show_map("robot_0", "floor_0")
-    await store.until(lambda state: state.robots["robot_0"].charts["floor_0"].grid)
+    await store.until(lambda state: state.robots["robot_0"].maps["floor_0"].grid)
     await finished(link, store, PauseRobot("robot_0"))
     link.post(events.FloorMapLoaded("floor_1", None, "no such file"))
     server.bridge.publish_raw("/robot_0/battery", {"data": 5.0})

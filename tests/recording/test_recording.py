@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from fleet_tui.errors import FleetError
-from fleet_tui.model.events import LinkHeard, TimePassed
+from fleet_tui.model.events import MessageArrived, TimePassed
 from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.records import EventRecord, Keyframe, ReceivedFrame, Record, RecordingError
 from tests.support.fleets import LINK, T0, WALL, fleet, told
@@ -46,7 +46,7 @@ def test_several_keyframes_of_one_member(tmp_path: Path) -> None:
         tick(T0 - 1),
         tick(1e300),
         EventRecord(T0, 1e300, TimePassed(T0, 1e300)),
-        EventRecord(T0, WALL, LinkHeard("elsewhere", T0)),
+        EventRecord(T0, WALL, MessageArrived("elsewhere", T0)),
         ReceivedFrame(T0, WALL, "elsewhere", "topics"),
     ],
 )

@@ -41,7 +41,7 @@ def shown(state: FleetState) -> dict[str, Any]:
     rows = [text_of(row.runs) for row in queue_table(state, "robot_0", True, 100).rows]
     rows = [" ".join(row.replace(",", "").split()) for row in rows]
     commands = [
-        [written(one.command, state), one.stage.value, one.words, one.order_id] for one in state.commands
+        [written(one.command, state), one.stage.value, one.detail, one.order_id] for one in state.commands
     ]
     return {"queue": rows, "commands": commands, "alarms": [alarm.text for alarm in state.alarms]}
 

@@ -11,7 +11,7 @@ from fleet_tui.config.schema import DEFAULT_LINK, Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.demo import demo_config
 from fleet_tui.model.alarm import AlarmStage, Key, transitions
-from fleet_tui.model.events import LinkChanged, LinkHeard, TimePassed
+from fleet_tui.model.events import LinkChanged, MessageArrived, TimePassed
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
 from fleet_tui.simulator.frames import OutgoingFrame
@@ -55,7 +55,7 @@ def raised(world: World, minutes: float, folder: Path) -> tuple[Counter[Key], St
             for robot in feed.robots:
                 for event in adapters[robot].read(feed._replace(robots=(robot,)), said.msg, now):
                     store.apply(event)
-        store.apply(LinkHeard(DEFAULT_LINK, now))
+        store.apply(MessageArrived(DEFAULT_LINK, now))
         store.apply(TimePassed(now, now))
     return found, store
 

@@ -28,7 +28,7 @@ async def test_refused(server: RosbridgeServer) -> None:
         await place(it)
         record = await ended(it)
         assert stages(record) == [*SENT, Stage.REFUSED]
-        assert record.words == "REJECTED: the simulator was asked to refuse"
+        assert record.detail == "REJECTED: the simulator was asked to refuse"
         await it.shows(
             "Base -> Consumidores: refused (REJECTED: the simulator was asked to refuse)", "message"
         )
@@ -87,13 +87,13 @@ async def test_never(server: RosbridgeServer) -> None:
         await it.shows("Base -> Consumidores: no answer", "message")
         record = await ended(it)
         assert stages(record) == [*SENT, Stage.NO_ANSWER, Stage.NOT_CONFIRMED]
-        assert record.words.endswith("order not in the queue")
+        assert record.detail.endswith("order not in the queue")
         await it.shows("Base -> Consumidores: not confirmed (no answer: ", "message")
         await it.press("p")
         pause = await ended(it, 2)
         assert stages(pause) == [*SENT, Stage.NO_ANSWER, Stage.NOT_CONFIRMED]
         # On the screen a robot is only paused where it is.
-        assert pause.words.endswith("the robot reported no pause")
+        assert pause.detail.endswith("the robot reported no pause")
         assert calls(server) == ["Execute_order", "Pause"]
 
 

@@ -15,7 +15,7 @@ def is_lost(state: FleetState) -> bool:
     return not any(link.phase.value == "up" for link in state.links.values())
 
 
-def stands_at(stage: Stage, state: FleetState) -> bool:
+def pose(stage: Stage, state: FleetState) -> bool:
     return bool(state.commands) and state.commands[-1].stage is stage
 
 
@@ -41,7 +41,7 @@ async def test_neither_carried_out_nor_answered(server: RosbridgeServer) -> None
         await it.shows("outcome unknown", "message")
         record = await ended(it)
         assert stages(record) == [*SENT, Stage.UNKNOWN, Stage.NOT_CONFIRMED]
-        assert record.words.endswith("order not in the queue")
+        assert record.detail.endswith("order not in the queue")
         await it.shows("Base -> Consumidores: not confirmed (outcome unknown", "message")
         await heard_anew(it)
         assert calls(server) == ["Execute_order"]
@@ -82,7 +82,7 @@ async def test_the_server_comes_back_with_nothing_in_its_memory() -> None:
         await ended(it)
         record = it.store.state.commands[0]
         assert stages(record) == [*SENT, Stage.UNKNOWN, Stage.NOT_CONFIRMED]
-        assert record.words.endswith("order not in the queue")
+        assert record.detail.endswith("order not in the queue")
         await heard_anew(it)
         await it.shows("no orders", "queue")
         assert calls(first) == ["Execute_order"]

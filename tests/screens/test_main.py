@@ -120,7 +120,7 @@ async def test_an_alarm_is_new_until_it_is_seen(server: RosbridgeServer) -> None
 async def test_hostile_text_from_the_wire_stays_text(server: RosbridgeServer) -> None:
     evil = "\x1b[31m[bold]x[/bold]\x07‮\u200b"
     async with console(config_of(server.url, 1)) as it:
-        vertices = it.store.state.robots["robot_0"].charts["floor_0"].labels
+        vertices = it.store.state.robots["robot_0"].maps["floor_0"].labels
         labels = [{"label": label + evil, "vertex_id": int(id_)} for id_, label in vertices.items()]
         server.bridge.publish_raw("/robot_0/floor_0/labeled_vertices", {"vertices": labels})
         orders = [{"id": 1, "start": 0, "end": 1, "status": evil}]

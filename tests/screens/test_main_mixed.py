@@ -123,8 +123,8 @@ async def test_all_are_on_one_map_and_in_one_queue(site: MixedSite) -> None:
         for name in KINDS:
             await it.shows(name, "queue")
         labels = {
-            frozenset(chart.labels.items())
+            frozenset(robot_map.labels.items())
             for robot in state.robots.values()
-            for chart in robot.charts.values()
+            for robot_map in robot.maps.values()
         }
         assert len(labels) == 1

@@ -21,9 +21,9 @@ def gate(monkeypatch: pytest.MonkeyPatch) -> Iterator[threading.Event]:
     """The console connects when this is set."""
     opened = threading.Event()
 
-    def opening(config: Config, store: Store, stands: Callable[[OpenLinks], None]) -> None:
+    def opening(config: Config, store: Store, on_ready: Callable[[OpenLinks], None]) -> None:
         opened.wait(20)
-        connect_live(config, store, stands)
+        connect_live(config, store, on_ready)
 
     monkeypatch.setattr(console_pilot, "connect_live", opening)
     yield opened

@@ -61,7 +61,7 @@ async def test_a_console_gets_the_keys_and_a_terminal_of_the_pages_size(
     process = await it._open_app_process(WIDEST + 1, 0)
     assert process.stdout is not None
     assert await process.stdout.readline() == f"{WIDEST} 1 xterm-256color None\n".encode()
-    await it.hear(["stdin", "héllo"])
+    await it.on_message(["stdin", "héllo"])
     assert await process.stdout.readexactly(11) == b"D" + (6).to_bytes(4, "big") + "héllo".encode()
     process.kill()
     await process.wait()
@@ -94,7 +94,7 @@ async def test_a_ping_is_answered_and_nonsense_ignored() -> None:
         {},
     ]
     for message in messages:
-        await it.hear(message)
+        await it.on_message(message)
     assert page.sent == [["pong", "17"]]
     await it._close()
     assert page.reason == b"The console has ended."

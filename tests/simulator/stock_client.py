@@ -60,9 +60,9 @@ def echo(ros: roslibpy.Ros, type_: str) -> Any:
     talker = roslibpy.Topic(ros, "/chatter", type_, latch=True)
     talker.advertise()
     talker.publish(roslibpy.Message({"data": "hello"}))
-    heard = first_message(ros, "/chatter", type_)
+    subscriptions = first_message(ros, "/chatter", type_)
     talker.unadvertise()
-    return heard
+    return subscriptions
 
 
 def served(ros: roslibpy.Ros, type_: str) -> Any:

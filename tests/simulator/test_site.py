@@ -78,8 +78,8 @@ def test_fleets_behind_one_bridge_share_no_topic_service_or_listener(floors: int
     both = fleets(8, floors)
     topics = Counter(topic.name for fleet in both for topic in fleet.topics(0.0, ROS1))
     services = Counter(name for fleet in both for name in fleet.services(ROS1))
-    heard = Counter(name for fleet in both for name in fleet.heard())
-    assert {count for names in (topics, services, heard) for count in names.values()} == {1}
+    subscriptions = Counter(name for fleet in both for name in fleet.subscriptions())
+    assert {count for names in (topics, services, subscriptions) for count in names.values()} == {1}
     assert len(RosbridgeServer(both).bridge.services.robots) == 6
 
 

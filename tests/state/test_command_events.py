@@ -25,7 +25,7 @@ def test_a_command_ends_exactly_once_whatever_comes() -> None:
     assert told(state, *commanded(7, ResumeRobot(R0))).commands == state.commands
     state = told(state, events.CommandAdvanced(7, Stage.NOT_SENT, T0, "no link"))
     assert told(state, events.CommandAdvanced(7, Stage.ACCEPTED, T0, "paused")) is state
-    assert (state.commands[0].stage, state.commands[0].words) == (Stage.NOT_SENT, "no link")
+    assert (state.commands[0].stage, state.commands[0].detail) == (Stage.NOT_SENT, "no link")
     assert not state.robots[R0].paused_by_us
 
 

@@ -18,31 +18,31 @@ def mute(state: FleetState, *robots: str) -> FleetState:
 
 def test_robots_that_publish_no_graph_share_that_of_the_file() -> None:
     state = told(mute(fleet(3), "robot_0", "robot_2"), FILE)
-    charts = [robot.charts[F0] for robot in state.robots.values()]
-    assert charts[0].graph is charts[2].graph is FILE.graph
-    assert charts[0].labels == {"1": "Base"} and charts[0].name_of("1") == "Base"
-    assert charts[0].name_of("2") == "2" and charts[0].name_of("3") is None
-    assert charts[1].graph is None and charts[1].labels == {}
+    maps = [robot.maps[F0] for robot in state.robots.values()]
+    assert maps[0].graph is maps[2].graph is FILE.graph
+    assert maps[0].labels == {"1": "Base"} and maps[0].name_of("1") == "Base"
+    assert maps[0].name_of("2") == "2" and maps[0].name_of("3") is None
+    assert maps[1].graph is None and maps[1].labels == {}
     assert state.floors[F0].graph_problem == "graph g.json: vertex 1 duplicated"
 
 
 def test_a_robots_own_graph_stays() -> None:
     state = told(mute(fleet(2), "robot_1"), graph(7, 8), labels({7: "Own"}), FILE)
-    own = state.robots["robot_0"].charts[F0]
+    own = state.robots["robot_0"].maps[F0]
     assert own.graph is not None and set(own.graph.vertices) == {"7", "8"} and own.labels == {"7": "Own"}
 
 
 def test_only_robots_of_the_floor_get_it() -> None:
     state = mute(fleet(2, 2), "robot_0", "robot_1")
     upstairs = state.robots["robot_1"]
-    upstairs = replace(upstairs, charts={"floor_1": upstairs.charts["floor_1"]})
+    upstairs = replace(upstairs, maps={"floor_1": upstairs.maps["floor_1"]})
     state = told(replace(state, robots={**state.robots, "robot_1": upstairs}), FILE)
-    assert state.robots["robot_0"].charts["floor_1"].graph is None
+    assert state.robots["robot_0"].maps["floor_1"].graph is None
     assert state.robots["robot_1"] is upstairs
 
 
 def test_a_file_that_cannot_be_read_costs_no_graph_and_is_said() -> None:
     state = told(mute(fleet(), "robot_0"), FILE, FloorGraphLoaded(F0, None, {}, "graph g.json: no such file"))
     assert state.floors[F0].graph_problem == "graph g.json: no such file"
-    assert state.robots["robot_0"].charts[F0].graph is FILE.graph
+    assert state.robots["robot_0"].maps[F0].graph is FILE.graph
     assert state.floors[F0].problem == ""

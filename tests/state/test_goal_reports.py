@@ -124,7 +124,7 @@ class TestWhose:
         assert record(state).stage is Stage.SENT
         state = told(state, tick(T0 + 6))
         assert record(state).stage is Stage.NOT_CONFIRMED
-        assert record(state).words == "no answer; ambiguous: several new goals"
+        assert record(state).detail == "no answer; ambiguous: several new goals"
         assert {one.id for one in foreign(state, robot(state))} == {"a", "b"}
 
     def test_one_that_was_there_but_comes_late_is_not_ours_by_its_stamp(self) -> None:
@@ -157,19 +157,22 @@ class TestEnds:
         state = told(self.ours(), goals(T0 + 5, goal("a", FAILED)), tick(T0 + 5.1))
         assert record(state).stage is Stage.CONFIRMED
         state = told(state, GoalAnswered(7, Stage.FAILED, T0 + 5.2, "error 208"), tick(T0 + 5.3))
-        assert (record(state).stage, record(state).words) == (Stage.FAILED, "order a: error 208")
+        assert (record(state).stage, record(state).detail) == (Stage.FAILED, "order a: error 208")
 
     def test_result_then_status(self) -> None:
         state = told(self.ours(), GoalAnswered(7, Stage.FAILED, T0 + 5, "error 208"), tick(T0 + 5.1))
         assert record(state).stage is Stage.CONFIRMED
         state = told(state, goals(T0 + 5.2, goal("a", FAILED)), tick(T0 + 5.3))
-        assert (record(state).stage, record(state).words) == (Stage.FAILED, "order a: error 208")
+        assert (record(state).stage, record(state).detail) == (Stage.FAILED, "order a: error 208")
 
     def test_without_a_result_the_status_decides_soon(self) -> None:
         state = told(self.ours(), goals(T0 + 5, goal("a", DONE)), tick(T0 + 5.5))
         assert record(state).stage is Stage.CONFIRMED
         state = told(state, tick(T0 + 6.1))
-        assert (record(state).stage, record(state).words) == (Stage.DONE, "order a: as reported by the robot")
+        assert (record(state).stage, record(state).detail) == (
+            Stage.DONE,
+            "order a: as reported by the robot",
+        )
 
     def test_stops_that_were_missed_make_it_failed(self) -> None:
         state = told(self.ours(), GoalAnswered(7, Stage.FAILED, T0 + 5, "1 stops missed"))

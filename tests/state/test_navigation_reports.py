@@ -90,4 +90,4 @@ class TestProgress:
 
 def test_what_is_not_measured_is_listed_once_and_is_a_sign_of_life() -> None:
     state = told(unheard(), *(Unmeasured(R0, T0 + n, value) for n, value in enumerate("bcb")))
-    assert (robot(state).unmeasured, robot(state).heard) == (("b", "c"), T0 + 2)
+    assert (robot(state).unmeasured, robot(state).last_received) == (("b", "c"), T0 + 2)

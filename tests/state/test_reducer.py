@@ -35,11 +35,14 @@ def test_live_maps_of_many_robots_do_not_add_up(monkeypatch: pytest.MonkeyPatch)
     monkeypatch.setattr("fleet_tui.state.reducer.LIVE_CELLS_KEPT", 4)
     names = ["robot_0", "robot_1", "robot_2"]
     state = told(fleet(3, 2), *(events.GridReceived(name, F0, GRID) for name in names[:2]))
-    held = [name for name in names if state.robots[name].charts[F0].grid]
+    held = [name for name in names if state.robots[name].maps[F0].grid]
     assert held == ["robot_0", "robot_1"]
     state = told(state, events.GridReceived("robot_1", "floor_1", GRID))
     kept = {
-        (name, floor) for name in names for floor, chart in state.robots[name].charts.items() if chart.grid
+        (name, floor)
+        for name in names
+        for floor, robot_map in state.robots[name].maps.items()
+        if robot_map.grid
     }
     assert kept == {("robot_1", "floor_1")}
 
@@ -60,17 +63,17 @@ def test_every_value_lands_in_its_place_with_its_time() -> None:
     assert robot.pose is not None and robot.pose.value == Pose(3.0, 4.0)
     assert (robot.battery and robot.battery.value, robot.obstacle and robot.obstacle.value) == (55.0, 2.5)
     assert robot.has_cargo and robot.orders.current is not None and robot.orders.current.id == "1"
-    assert robot.heard == T0 + 6
+    assert robot.last_received == T0 + 6
 
 
 def test_what_is_latched_is_kept_but_is_no_sign_of_life() -> None:
     """A bridge delivers latched maps again: a dead robot must not look alive."""
-    charts = (graph(1), labels({1: "Base"}), events.FrameReceived(R0, F0, FRAME))
-    state = told(fleet(), *charts, events.GridReceived(R0, F0, GRID), events.MessageRejected(R0, "bad"))
-    chart = state.robots[R0].charts[F0]
-    assert chart.frame == FRAME and chart.grid is GRID
-    assert chart.graph is not None and chart.name_of("1") == "Base"
-    assert state.robots[R0].heard is None
+    maps = (graph(1), labels({1: "Base"}), events.FrameReceived(R0, F0, FRAME))
+    state = told(fleet(), *maps, events.GridReceived(R0, F0, GRID), events.MessageRejected(R0, "bad"))
+    robot_map = state.robots[R0].maps[F0]
+    assert robot_map.frame == FRAME and robot_map.grid is GRID
+    assert robot_map.graph is not None and robot_map.name_of("1") == "Base"
+    assert state.robots[R0].last_received is None
     assert not told(state, tick(T0 + 0.1)).is_online(state.robots[R0])
 
 
@@ -119,8 +122,8 @@ def test_since_stays_the_moment_of_the_loss_while_it_is_tried_again() -> None:
 
 
 def test_a_link_that_is_heard_and_commands_that_are_dead() -> None:
-    state = told(fleet(), link_up(T0), events.LinkHeard(LINK, T0 + 3.0))
-    assert state.links[LINK].heard == T0 + 3.0
+    state = told(fleet(), link_up(T0), events.MessageArrived(LINK, T0 + 3.0))
+    assert state.links[LINK].last_received == T0 + 3.0
     state = told(state, events.CommandPathChanged(LINK, CommandPath.DEAD, "no ROS master"), tick(T0 + 4))
     assert alarms(state)[LINK, "commands"].text == "no command path: no ROS master"
     state = told(state, events.CommandPathChanged(LINK, CommandPath.ALIVE), tick(T0 + 5))
@@ -189,18 +192,18 @@ def test_robots_that_know_the_same_graph_share_one() -> None:
 
     told_again = events.GraphReceived(R0, F0, routes(2.0))
     state = told(fleet(3), *(events.GraphReceived(f"robot_{n}", F0, routes(float(n // 2))) for n in range(3)))
-    first, second, other = (robot.charts[F0].graph for robot in state.robots.values())
+    first, second, other = (robot.maps[F0].graph for robot in state.robots.values())
     assert first is second and first == routes(0.0)
     assert other is not first and other == routes(1.0)
     changed = told(state, told_again)
-    assert changed.robots[R0].charts[F0].graph == routes(2.0)
-    assert changed.robots["robot_1"].charts[F0].graph is second
+    assert changed.robots[R0].maps[F0].graph == routes(2.0)
+    assert changed.robots["robot_1"].maps[F0].graph is second
 
 
 def test_a_map_that_all_robots_share_is_their_floors() -> None:
     grid = grid_from_ros(MapFrame(1.0, 2, 1), b"\0d")
     state = told(fleet(2, 2), events.GridReceived("", F0, grid))
-    assert state.floors[F0].live is grid and state.robots[R0].charts[F0].grid is None
+    assert state.floors[F0].live is grid and state.robots[R0].maps[F0].grid is None
     other = grid_from_ros(MapFrame(1.0, 1, 1), b"\0")
     state = told(state, events.GridReceived("", "floor_1", other), events.GridReceived("", "attic", grid))
     assert (state.floors[F0].live, state.floors["floor_1"].live) == (None, other)

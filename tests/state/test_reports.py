@@ -80,7 +80,7 @@ def test_no_pose_is_ever_from_the_future(steps: list[tuple[float, float]]) -> No
         at, stamp = at + wait, stamp + sent_after
         state = told(state, pose(at, stamp=stamp))
         assert age_of_pose(state, at) >= -1e-6
-        assert (robot(state).heard or 0.0) <= at + 1e-6
+        assert (robot(state).last_received or 0.0) <= at + 1e-6
 
 
 def test_a_stamp_beyond_all_measure_makes_nothing_new() -> None:
@@ -88,18 +88,18 @@ def test_a_stamp_beyond_all_measure_makes_nothing_new() -> None:
     for at in range(int(T0), int(T0) + 2000, 100):
         state = told(fleet(), pose(float(at), stamp=2.0**63))
         assert age_of_pose(state, float(at)) >= 0.0
-        assert (robot(state).heard or 0.0) <= at
+        assert (robot(state).last_received or 0.0) <= at
 
 
 def test_without_a_stamp_arrival_counts() -> None:
     state = told(fleet(), pose(T0 + 1.0), battery(T0 + 4.0))
     assert age_of_pose(state, T0 + 4.0) == 3.0
-    assert robot(state).heard == T0 + 4.0
+    assert robot(state).last_received == T0 + 4.0
 
 
 def test_a_late_pose_does_not_take_back_what_was_heard() -> None:
     state = told(fleet(), battery(T0 + 10.0), *live(T0, 0.0))
-    assert robot(state).heard == T0 + 10.0
+    assert robot(state).last_received == T0 + 10.0
 
 
 def test_a_leading_slash_of_a_frame_is_nothing() -> None:

@@ -13,18 +13,18 @@ from fleet_tui.state.reducer import apply
 def test_labels_are_those_of_the_floor_it_is_on_where_ids_are_the_same() -> None:
     """The floor's frame has another name than the floor."""
     floors = {name: Floor(name, frame) for name, frame in (("floor_0", "map_0"), ("floor_1", "map_1"))}
-    charts = {
+    maps = {
         name: RobotMap(labels={"1": label}, graph=RouteGraph({"1": Vertex("1", 0.0, 0.0)}))
         for name, label in (("floor_0", "Base"), ("floor_1", "Attic"))
     }
-    state = FleetState(floors, {"r": Robot("r", 1, "l", charts)}, {"l": LinkState("l", "ws://x")})
+    state = FleetState(floors, {"r": Robot("r", 1, "l", maps)}, {"l": LinkState("l", "ws://x")})
     state = apply(state, events.PoseReported("r", 1.0, Pose(0.0, 0.0), "map_1", None))
     assert state.robots["r"].name_of("1") == "Attic"
     assert [place.name for place in places(state.robots["r"])] == ["Attic", "Base"]
 
 
 def test_an_offline_alarm_does_not_end_because_the_link_goes_too() -> None:
-    robots = {"r": Robot("r", 1, "l", {}, heard=0.0)}
+    robots = {"r": Robot("r", 1, "l", {}, last_received=0.0)}
     state = FleetState({}, robots, {"l": LinkState("l", "ws://x", Phase.UP)})
     state = apply(state, events.TimePassed(10.0, 0.0))
     state = apply(state, events.LinkChanged("l", 11.0, Phase.WAITING, "gone"))

@@ -152,7 +152,7 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
     events.LinkChanged: st.builds(
         events.LinkChanged, st.just(LINK), AT, st.sampled_from(Phase), st.text(max_size=9), st.none() | AT
     ),
-    events.LinkHeard: st.builds(events.LinkHeard, st.just(LINK), AT),
+    events.MessageArrived: st.builds(events.MessageArrived, st.just(LINK), AT),
     events.MessagesUnsourced: st.builds(events.MessagesUnsourced, st.just(LINK), st.text(max_size=9)),
     events.CommandPathChanged: st.builds(
         events.CommandPathChanged, st.just(LINK), st.sampled_from(CommandPath), st.text(max_size=9)

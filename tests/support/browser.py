@@ -94,11 +94,11 @@ class Browser:
         bar = "document.getElementById('notice')"
         return str(await self.evaluate(f"{bar}.hidden ? '' : {bar}.innerText"))
 
-    async def shows(self, words: str) -> str:
-        return await self._until(self.text, lambda text: words in text)
+    async def shows(self, detail: str) -> str:
+        return await self._until(self.text, lambda text: detail in text)
 
-    async def shows_no_longer(self, words: str) -> None:
-        await self._until(self.text, lambda text: words not in text)
+    async def shows_no_longer(self, detail: str) -> None:
+        await self._until(self.text, lambda text: detail not in text)
 
     async def has_rows(self, low: int, high: int) -> list[str]:
         """What it shows as soon as it is painted in so many rows."""
@@ -107,8 +107,8 @@ class Browser:
         )
         return text.split("\n")
 
-    async def says(self, words: str) -> str:
-        return await self._until(self.notice, lambda text: words in text)
+    async def says(self, detail: str) -> str:
+        return await self._until(self.notice, lambda text: detail in text)
 
     async def says_nothing(self) -> None:
         await self._until(self.notice, lambda text: not text)

@@ -41,4 +41,4 @@ def row(table: Table, word: str) -> str:
 
 def steady(topic: TopicCounter, until: float = NOW, rate: float = 10.0) -> None:
     for n in range(100):
-        topic.heard(b"x" * 200, False, until - (99 - n) / rate)
+        topic.count_frame(b"x" * 200, False, until - (99 - n) / rate)

@@ -10,8 +10,8 @@ def pane(it: Console) -> str:
     return it.pane("diagnostics-rows")
 
 
-def say(server: RosbridgeServer, level: int, words: str, node: str = "/robot_0/drive") -> None:
-    server.bridge.publish_raw("/rosout", {"level": level, "name": node, "msg": words})
+def say(server: RosbridgeServer, level: int, detail: str, node: str = "/robot_0/drive") -> None:
+    server.bridge.publish_raw("/rosout", {"level": level, "name": node, "msg": detail})
 
 
 async def open_page(it: Console, number: int, title: str) -> None:

@@ -71,20 +71,20 @@ class FaultProxy:
             self._writers.discard(to_server)
             to_server.transport.abort()
 
-    async def _pass(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter, heard: bool) -> None:
+    async def _pass(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter, received: bool) -> None:
         with suppress(OSError):
-            while data := await reader.read((heard and self.bytes_per_second) or 65536):
+            while data := await reader.read((received and self.bytes_per_second) or 65536):
                 if self.swallows:
                     continue
-                if heard and self.cut_after is not None:
+                if received and self.cut_after is not None:
                     data = data[: self.cut_after]
                     self.cut_after -= len(data)
                 writer.write(data)
                 await writer.drain()
-                if heard and self.cut_after == 0:
+                if received and self.cut_after == 0:
                     self.cut_after = None
                     self.cut()
-                if heard and self.bytes_per_second:
+                if received and self.bytes_per_second:
                     await asyncio.sleep(1.0)
 
 

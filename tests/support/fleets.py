@@ -110,10 +110,10 @@ def link_lost(at: float, reason: str = "connection refused", next_try: float | N
 
 
 def commanded(
-    id_: int, command: Command, *stages: Stage, at: float = T0, words: str = ""
+    id_: int, command: Command, *stages: Stage, at: float = T0, detail: str = ""
 ) -> tuple[CommandIssued | CommandAdvanced, ...]:
-    """A command, and how the link brought it on; `words` come with every stage."""
-    return CommandIssued(id_, command, at, WALL), *(CommandAdvanced(id_, one, at, words) for one in stages)
+    """A command, and how the link brought it on; `detail` come with every stage."""
+    return CommandIssued(id_, command, at, WALL), *(CommandAdvanced(id_, one, at, detail) for one in stages)
 
 
 def recording(name: str) -> list[dict[str, Any]]:

@@ -27,7 +27,7 @@ LATE = Kind("late", ("pose", "battery", "queue"), (ORDER, CANCEL), {"queue": mat
 KEYS, _ = keymap({})
 
 
-def heard(*kinds: Kind) -> FleetState:
+def received(*kinds: Kind) -> FleetState:
     """Robots of these kinds, of which the first one alone knows a graph."""
     state = of_kinds(fleet(len(kinds)), *kinds)
     poses = [pose(T0, robot=name) for name in state.robots]

@@ -45,10 +45,10 @@ def ready(state: FleetState) -> bool:
         (robot.pose, robot.queue, robot.battery, robot.cargo, robot.obstacle, robot.paused)
         for robot in state.robots.values()
     ]
-    charts = [chart for robot in state.robots.values() for chart in robot.charts.values()]
-    heard = all(None not in reading for reading in readings)
-    known = all(chart.graph and chart.frame and chart.labels for chart in charts)
-    return heard and known and path(CommandPath.ALIVE)(state)
+    maps = [robot_map for robot in state.robots.values() for robot_map in robot.maps.values()]
+    received = all(None not in reading for reading in readings)
+    known = all(robot_map.graph and robot_map.frame and robot_map.labels for robot_map in maps)
+    return received and known and path(CommandPath.ALIVE)(state)
 
 
 async def finished(link: FleetLink, store: WatchedStore, command: Command) -> CommandRecord:

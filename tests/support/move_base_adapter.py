@@ -59,10 +59,10 @@ def listed(*goals: tuple[str, int, str]) -> tuple[Goal, ...]:
     return reported.goals
 
 
-def robot(*goals: Goal, heard: bool = True, named: str = "") -> Robot:
-    chart = RobotMap(graph=graph(1, 2, 3).graph)
-    known = {"move_base": goals} if heard else {}
-    return Robot("r1", 1, "rosbridge", {"hall": chart}, floor="hall", goals=known, named=named)
+def robot(*goals: Goal, received: bool = True, named: str = "") -> Robot:
+    robot_map = RobotMap(graph=graph(1, 2, 3).graph)
+    known = {"move_base": goals} if received else {}
+    return Robot("r1", 1, "rosbridge", {"hall": robot_map}, floor="hall", goals=known, named=named)
 
 
 def sent(command: Command, known: Robot, **profile: Any) -> list[Publication]:

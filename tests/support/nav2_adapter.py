@@ -38,9 +38,9 @@ def read(it: Nav2, key: str, frame: str | dict[str, Any], robot: str = "tb2") ->
 
 
 def robot(*goals: KnownGoal, pose: Pose | None = None) -> Robot:
-    chart = RobotMap(graph=graph(1, 2, 3).graph)
+    robot_map = RobotMap(graph=graph(1, 2, 3).graph)
     return Robot(
-        *("tb2", 1, "rosbridge", {"hall": chart}),
+        *("tb2", 1, "rosbridge", {"hall": robot_map}),
         pose=Reading(pose, 1.0) if pose else None,
         floor="hall",
         goals={goal.action: (goal,) for goal in goals},

@@ -20,8 +20,8 @@ def sent(server: RosbridgeServer) -> list[tuple[str, dict[str, Any]]]:
 
 def vertex(it: Console, label: str, robot: str = "robot_0") -> int:
     """The id of a vertex as it is on the wire."""
-    charts = it.store.state.robots[robot].charts.values()
-    return next(int(id_) for chart in charts for id_, name in chart.labels.items() if name == label)
+    maps = it.store.state.robots[robot].maps.values()
+    return next(int(id_) for robot_map in maps for id_, name in robot_map.labels.items() if name == label)
 
 
 async def place(it: Console) -> None:

@@ -92,8 +92,8 @@ class Planted:
         )
         if frame is not None:
             answer = json.loads(frame)
-            stage, words = adapter.outcome(command, answer["values"], answer["result"])
-            self.tell(CommandAdvanced(id_, stage, self.now, words))
+            stage, detail = adapter.outcome(command, answer["values"], answer["result"])
+            self.tell(CommandAdvanced(id_, stage, self.now, detail))
         return self
 
     def _listen(self, topic: str, payload: str) -> None:

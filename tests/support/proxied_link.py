@@ -74,7 +74,7 @@ def fresh(robots: int = 2) -> Holds:
 
     def holds(state: FleetState) -> bool:
         link = state.links["rosbridge"]
-        spoke = sum((robot.heard or 0.0) > link.since for robot in state.robots.values())
+        spoke = sum((robot.last_received or 0.0) > link.since for robot in state.robots.values())
         return ready(state) and link.phase is Phase.UP and spoke >= robots
 
     return holds

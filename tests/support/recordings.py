@@ -54,6 +54,6 @@ def written(path: Path, *members: Iterable[Record]) -> Path:
     return path
 
 
-def words(text: str) -> str:
+def detail(text: str) -> str:
     """A message in one line."""
     return re.sub(r"\s+", " ", text)

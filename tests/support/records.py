@@ -30,8 +30,8 @@ from tests.support.fleets import (
 ANA = Origin("ana", "host:1", "run1")
 
 
-def record(words: str = "", **more: object) -> AuditRecord:
-    fields = {"kind": "command", "what": "pause", "change": "sent", "robot": R0, "words": words, **more}
+def record(detail: str = "", **more: object) -> AuditRecord:
+    fields = {"kind": "command", "what": "pause", "change": "sent", "robot": R0, "words": detail, **more}
     return ANA.record(WALL, **fields)
 
 
@@ -58,6 +58,6 @@ def read(folder: Path) -> list[AuditRecord]:
 ORDER = place_order(R0, 1, 2)
 
 
-def give(store: Store, id_: int, command: Command, *stages: Stage, words: str = "") -> None:
-    for fact in commanded(id_, command, *stages, words=words):
+def give(store: Store, id_: int, command: Command, *stages: Stage, detail: str = "") -> None:
+    for fact in commanded(id_, command, *stages, detail=detail):
         store.apply(fact)

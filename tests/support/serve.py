@@ -75,8 +75,8 @@ class Page:
     def text(self) -> str:
         return "\n".join(self.screen.display)
 
-    async def shows(self, words: str) -> None:
-        await until(lambda: words in self.text(), lambda: f"{words!r} in\n{self.text()}")
+    async def shows(self, detail: str) -> None:
+        await until(lambda: detail in self.text(), lambda: f"{detail!r} in\n{self.text()}")
 
     async def closed(self) -> str:
         """Wait until the server has closed it; the reason."""

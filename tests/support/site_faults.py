@@ -162,8 +162,8 @@ def _frozen_rosapi(server: RosbridgeServer) -> None:
 
 def _failing_rosapi(server: RosbridgeServer) -> None:
     def fail(_args: Message) -> Message:
-        words = "service [/rosapi/topics] responded with an error: b'error processing request: boom'"
-        raise ServiceError(words)
+        detail = "service [/rosapi/topics] responded with an error: b'error processing request: boom'"
+        raise ServiceError(detail)
 
     server.bridge.services.answers["/rosapi/topics"] = fail
 

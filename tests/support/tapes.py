@@ -8,7 +8,7 @@ from fleet_tui.audit.entries import Origin, alarm_records, command_records
 from fleet_tui.config.schema import Alarms, Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.model.commands import PauseRobot, Stage
-from fleet_tui.model.events import CommandPathChanged, Event, LinkHeard, TimePassed
+from fleet_tui.model.events import CommandPathChanged, Event, MessageArrived, TimePassed
 from fleet_tui.model.link import CommandPath
 from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.recording import Recording
@@ -79,7 +79,9 @@ def shift(path: Path, seconds: int = 300) -> Recording:
     for second in range(seconds):
         at = T0 + second
         if not 100 <= second < 130:
-            made.tell(second, LinkHeard(LINK, at), pose(at, x=float(second)), battery(at, 90.0), queue(at))
+            made.tell(
+                second, MessageArrived(LINK, at), pose(at, x=float(second)), battery(at, 90.0), queue(at)
+            )
         if second == 200:
             made.tell(
                 second, *commanded(7, PauseRobot(R0), Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED, at=at)

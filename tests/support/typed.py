@@ -12,5 +12,5 @@ R1 = "robot_1"
 def known(named: dict[int, str] | None = None) -> FleetState:
     ids = sorted({*range(1, 10), *(named or ())})
     facts = (graph(*ids, robot=name) for name in (R0, R1))
-    words = (labels(named or NAMED, robot=name) for name in (R0, R1))
-    return told(fleet(2), *facts, *words, queue(1000.0, (12, 1, 2, "W"), (13, 2, 1, "Q")))
+    detail = (labels(named or NAMED, robot=name) for name in (R0, R1))
+    return told(fleet(2), *facts, *detail, queue(1000.0, (12, 1, 2, "W"), (13, 2, 1, "Q")))

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from fleet_tui.adapters.nav2.codes import in_words
+from fleet_tui.adapters.nav2.codes import error_text
 from fleet_tui.adapters.service_outcome import judge, said
 from fleet_tui.model.commands import Command, PauseRobot, Stage
 from fleet_tui.text.limits import truncate
@@ -21,17 +21,17 @@ def judge_cancel(command: Command, values: object, result: bool) -> tuple[Stage,
     """Judge the answer to a cancellation. One of all goals succeeds if there are none."""
     all_meant = isinstance(command, PauseRobot)
     if not result:
-        stage, words = judge(command, values, result, ())
-        absent = stage is Stage.REFUSED and any(text in words for text in NO_SERVER)
-        return (Stage.ACCEPTED, "no action server") if all_meant and absent else (stage, words)
+        stage, detail = judge(command, values, result, ())
+        absent = stage is Stage.REFUSED and any(text in detail for text in NO_SERVER)
+        return (Stage.ACCEPTED, "no action server") if all_meant and absent else (stage, detail)
     code = values.get("return_code") if isinstance(values, Mapping) else None
     if not isinstance(code, int):
         return Stage.UNKNOWN, f"unrecognised reply: {truncate(said(values))}"
     if code == 0:
         return Stage.ACCEPTED, ""
-    words = RETURN_CODES.get(code, f"return code {code}")
+    detail = RETURN_CODES.get(code, f"return code {code}")
     well = code == 3 or (all_meant and code in (1, 2))
-    return (Stage.ACCEPTED, "no goal active") if well else (Stage.REFUSED, words)
+    return (Stage.ACCEPTED, "no goal active") if well else (Stage.REFUSED, detail)
 
 
 def judge_goal(values: object, status: int, result: bool) -> tuple[Stage, str]:
@@ -40,8 +40,8 @@ def judge_goal(values: object, status: int, result: bool) -> tuple[Stage, str]:
         return Stage.REFUSED, truncate(said(values))
     fields: Mapping[str, Any] = values if isinstance(values, Mapping) else {}
     code, message = fields.get("error_code"), fields.get("error_msg")
-    words = in_words(code, truncate(message) if isinstance(message, str) else "") if code else ""
+    detail = error_text(code, truncate(message) if isinstance(message, str) else "") if code else ""
     missed = fields.get("missed_waypoints")
     if isinstance(missed, list) and missed:
-        return Stage.FAILED, f"{len(missed)} stops missed{f': {words}' if words else ''}"
-    return (Stage.DONE if status == 4 else Stage.FAILED), words
+        return Stage.FAILED, f"{len(missed)} stops missed{f': {detail}' if detail else ''}"
+    return (Stage.DONE if status == 4 else Stage.FAILED), detail

@@ -36,7 +36,7 @@ _GROUPS: Mapping[int, str] = {
 }
 
 
-def in_words(code: int, message: str = "") -> str:
+def error_text(code: int, message: str = "") -> str:
     """Return an error code with its meaning, and the robot's own message."""
     known = CODES.get(code) or _GROUPS.get(code // 100, "")
     if code >= 9000:

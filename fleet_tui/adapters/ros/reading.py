@@ -8,7 +8,7 @@ from msgspec.structs import replace
 
 from fleet_tui.adapters.adapter import Adapter, Feed, Limit
 from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.ros import operations, robot_words
+from fleet_tui.adapters.ros import logs, operations
 from fleet_tui.adapters.ros.operations import topic_of
 from fleet_tui.errors import WireError
 from fleet_tui.model import events
@@ -76,7 +76,7 @@ class FrameReader:
                 counter = self.counter.topics.get(topic)
                 if counter is None:
                     return ()
-                counter.heard(payload, is_binary, at)
+                counter.count_frame(payload, is_binary, at)
                 return self._translate(counter, msg, at)
             case operations.Status(level, text):
                 self._warn(f"bridge ({truncate(level)}): {truncate(text)}")
@@ -87,7 +87,7 @@ class FrameReader:
 
     def _read_apart(self, feed: Feed, payload: bytes, at: float) -> Sequence[events.Event]:
         counter = self.counter.topics[feed.address]
-        counter.heard(payload, False, at)
+        counter.count_frame(payload, False, at)
         profile = self._adapters[feed.robot].names.profile
         try:
             event = self._decode_apart(profile, feed, payload)
@@ -101,7 +101,7 @@ class FrameReader:
         feed = self._feeds.get(counter.topic)
         try:
             if feed is None:
-                self._overhear(counter.topic, msg, at)
+                self._read_log(counter.topic, msg, at)
                 return ()
             found = tuple(self._adapters[feed.robot].read(feed, msg, at))
         except WireError as problem:
@@ -115,16 +115,16 @@ class FrameReader:
             self.maps_received.add(feed.address)
         return found if not feed.is_shared else _of_none(found)
 
-    def _overhear(self, topic: str, msg: object, at: float) -> None:
+    def _read_log(self, topic: str, msg: object, at: float) -> None:
         """Take messages that don't affect the fleet state."""
         if topic == ROSOUT:
-            line = robot_words.log_line(msg, at)
+            line = logs.log_line(msg, at)
             self.counter.take_log(line)
-            if (about := robot_words.complaint(line)) and about[0] in self.counter.topics:
+            if (about := logs.complaint(line)) and about[0] in self.counter.topics:
                 self._warn(f"bridge did not subscribe {truncate(about[0])}: {about[1]}")
                 self.counter.topics[about[0]].not_subscribed = f"bridge: {about[1]}"
         else:
-            self.counter.take_health(robot_words.diagnoses(msg, at))
+            self.counter.take_health(logs.diagnoses(msg, at))
 
     def too_large(self, head: bytes, is_binary: bool, size: int, at: float) -> Sequence[events.Event]:
         """Name a message that was dropped, with its size and the config key of the limit."""

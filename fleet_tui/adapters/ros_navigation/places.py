@@ -14,10 +14,10 @@ def pose_of_stop(robot: Robot, stop: Stop, before: Pose | None) -> Pose:
     CommandError."""
     if stop.pose is not None:
         return stop.pose
-    chart = robot.charts.get(robot.floor or "")
-    if chart is None or chart.graph is None or stop.vertex not in chart.graph.vertices:
+    robot_map = robot.maps.get(robot.floor or "")
+    if robot_map is None or robot_map.graph is None or stop.vertex not in robot_map.graph.vertices:
         raise CommandError(f"position of vertex {stop.vertex} unknown: no graph of its floor contains it")
-    vertex = chart.graph.vertices[stop.vertex]
+    vertex = robot_map.graph.vertices[stop.vertex]
     if before is None:
         return Pose(vertex.x, vertex.y)
     dx, dy = vertex.x - before.x, vertex.y - before.y

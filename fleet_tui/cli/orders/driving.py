@@ -24,7 +24,7 @@ def follow_order(
     return replace(
         queued,
         outcome="done" if done else "not done",
-        words=record.words if done else f"{record.stage.value}: {record.words}",
+        words=record.detail if done else f"{record.stage.value}: {record.detail}",
         code=DONE if done else NOT_DONE,
         seconds=round(record.at - record.issued_at, 3),
     )

@@ -125,7 +125,7 @@ def await_reports(given: Sending, robots: Sequence[str], reports: bool) -> None:
     if not reports:
         comes(reaches, LINK_WITHIN)
         return
-    comes(lambda state, robot: reaches(state, robot) and _is_heard(robot), LINK_WITHIN)
+    comes(lambda state, robot: reaches(state, robot) and _is_received(robot), LINK_WITHIN)
     if all(reaches(given.state, given.state.robots[name]) for name in robots):
         comes(
             lambda _, robot: _has_labels(robot) and _tells_pause(robot) and _tells_goals(robot), LABELS_WITHIN
@@ -138,14 +138,14 @@ def unreachable(state: FleetState, robots: Iterable[str]) -> str:
     return next((problem.text for found in asked for problem in found), "")
 
 
-def _is_heard(robot: Robot) -> bool:
+def _is_received(robot: Robot) -> bool:
     """Tell whether it is online, and all reports needed for checks have arrived."""
-    return robot.heard is not None and not unreported(robot)
+    return robot.last_received is not None and not unreported(robot)
 
 
 def _has_labels(robot: Robot) -> bool:
     """Tell whether the labels of every floor have arrived."""
-    return not robot.kind.expects("labels") or all(chart.labels for chart in robot.charts.values())
+    return not robot.kind.expects("labels") or all(robot_map.labels for robot_map in robot.maps.values())
 
 
 def _tells_pause(robot: Robot) -> bool:

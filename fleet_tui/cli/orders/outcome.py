@@ -45,7 +45,7 @@ def ended(state: FleetState, record: CommandRecord, waited: float) -> Outcome:
     """Return the outcome of a command that was sent; `waited`: for how many seconds, if it has not ended."""
     # An order may have advanced already: the step that decided the command counts.
     step = record.outcome or record.steps[-1]
-    words, code, outcome = step.words, NOT_DONE, step.stage.value
+    words, code, outcome = step.detail, NOT_DONE, step.stage.value
     if step.stage in SUCCESSES:
         code = DONE
     elif not record.is_decided:

@@ -55,7 +55,7 @@ def unreported(robot: Robot) -> list[str]:
     if kind.keeps_goals:  # after its first sign of life its goals are known
         values["pose"] = robot.pose
     if kind.expects("graph"):
-        values |= {f"graph of {floor}": chart.graph for floor, chart in robot.charts.items()}
+        values |= {f"graph of {floor}": robot_map.graph for floor, robot_map in robot.maps.items()}
     return [name for name, value in values.items() if value is None]
 
 

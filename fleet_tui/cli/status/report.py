@@ -28,7 +28,7 @@ def _link(state: FleetState, link: LinkState) -> Values:
         "state": link.phase.value,
         "reason": link.reason or None,
         "since_s": _age(state, link.since),
-        "last_message_s": _age(state, link.heard),
+        "last_message_s": _age(state, link.last_received),
         "commands": link.command_path.value,
         "commands_reason": link.command_reason or None,
         "late_s": round(link.late, 1),
@@ -84,7 +84,7 @@ def _robot(state: FleetState, robot: Robot) -> Values:
         "kind": kind.name,
         "link": robot.link,
         "online": state.is_online(robot),
-        "heard_s": _age(state, robot.heard),
+        "heard_s": _age(state, robot.last_received),
     }
     if "pose" in kind.reports:
         values |= {
@@ -125,7 +125,7 @@ def attention(state: FleetState) -> list[str]:
             continue
         lines.append(
             f"{robot.name}: never seen"
-            if robot.heard is None
+            if robot.last_received is None
             else f"{robot.name}: missing: {', '.join(absent)}"
         )
     # An alarm may have reported it already.

@@ -35,20 +35,20 @@ class Player:
         self._changed = threading.Condition()
         self._closing = False
         self._target: float | None = None
-        self._deck = Playback(recording, speed)
-        self.frames = self._deck.head.frames
+        self._playback = Playback(recording, speed)
+        self.frames = self._playback.head.frames
         """Reads what is played, and counts it."""
 
     def start(self, store: Store) -> None:
         """Start to play into a store."""
         sys.setswitchinterval(SWITCH_INTERVAL)
-        self._deck.go_on()
+        self._playback.go_on()
         threading.Thread(target=self._run, args=(store,), name="fleet-tui-player", daemon=True).start()
 
     def enter(self, at: float) -> None:
         """Go to the first position, before it is started."""
-        self._deck.seek(at, lambda: True)
-        self._deck.show()
+        self._playback.seek(at, lambda: True)
+        self._playback.show()
 
     def close(self) -> None:
         """Stop permanently."""
@@ -59,28 +59,28 @@ class Player:
     @property
     def state(self) -> FleetState:
         """Return the current state."""
-        return self._deck.shown[0]
+        return self._playback.shown[0]
 
     @property
     def moment(self) -> ReplayPosition:
         """Return the current position in the recording."""
-        return self._deck.shown[1]
+        return self._playback.shown[1]
 
     def toggle(self) -> None:
         """Play, or stop."""
-        self._ask(self._deck.toggle)
+        self._ask(self._playback.toggle)
 
     def change_speed(self, step: int) -> None:
         """Set the next faster (1) or slower (-1) speed; 0 is the original one."""
-        self._ask(partial(self._deck.change_speed, step))
+        self._ask(partial(self._playback.change_speed, step))
 
     def step(self, ticks: int) -> None:
         """Move one tick of the recorded clock forward (1) or back (-1), and stop there."""
-        self._ask(partial(self._deck.step, self._deck.head.step_tick, ticks))
+        self._ask(partial(self._playback.step, self._playback.head.step_tick, ticks))
 
     def step_record(self, records: int) -> None:
         """Move one record forward (1) or back (-1), and stop there."""
-        self._ask(partial(self._deck.step, self._deck.head.step_record, records))
+        self._ask(partial(self._playback.step, self._playback.head.step_record, records))
 
     def seek(self, at: float) -> None:
         """Go to a monotonic second of the recording, replacing any pending request."""
@@ -101,7 +101,7 @@ class Player:
 
     def to_mark(self, step: int) -> str:
         """Go to the next (1) or previous (-1) mark; return a notice if no such mark exists."""
-        here, marks = self._going_to, self._deck.marks
+        here, marks = self._going_to, self._playback.marks
         if step > 0:
             found = [mark for mark in marks if mark.at > here][:1]
         else:
@@ -124,12 +124,12 @@ class Player:
             self._changed.notify()
 
     def _play(self) -> None:
-        self._deck.play(lambda: not self._jobs and not self._closing)
+        self._playback.play(lambda: not self._jobs and not self._closing)
 
     def _seek(self, at: float) -> None:
         try:
             if self._target == at:
-                self._deck.seek(at, lambda: self._target == at and not self._closing)
+                self._playback.seek(at, lambda: self._target == at and not self._closing)
         finally:
             if self._target == at:
                 self._target = None
@@ -138,16 +138,16 @@ class Player:
         while True:
             with self._changed:
                 if not self._jobs and not self._closing:
-                    self._changed.wait(None if self._deck.paused else STEADY)
+                    self._changed.wait(None if self._playback.paused else STEADY)
                 if self._closing:
                     return
                 job = self._jobs.popleft() if self._jobs else self._play
             try:
                 job()
             except FleetError as problem:
-                self._deck.fail(str(problem))
+                self._playback.fail(str(problem))
             except Exception as problem:
                 LOG.exception("replay")
-                self._deck.fail(f"playback stopped: {problem} (see the log file)")
-            self._deck.show()
+                self._playback.fail(f"playback stopped: {problem} (see the log file)")
+            self._playback.show()
             store.put(self.state)

@@ -125,14 +125,14 @@ def offline(state: FleetState, robot: Robot, active: ActiveConditions) -> Condit
     silence of all robots.
     """
     limit = state.patience
-    if robot.heard is not None and state.now - robot.heard <= limit / 2:
+    if robot.last_received is not None and state.now - robot.last_received <= limit / 2:
         return None
     link = state.links[robot.link]
     raised = was_active(active, robot.name, robot.link, "offline")
     if state.is_online(robot) if raised else link.phase is not Phase.UP:
         return None
-    due = limit + (robot.heard or 0.0 if raised else max(robot.heard or 0.0, link.since))
-    text = "never seen" if robot.heard is None else f"offline {age(state.now - robot.heard)}"
+    due = limit + (robot.last_received or 0.0 if raised else max(robot.last_received or 0.0, link.since))
+    text = "never seen" if robot.last_received is None else f"offline {age(state.now - robot.last_received)}"
     return Condition(robot.name, "offline", Priority.MEDIUM, text, "back online", due)
 
 

@@ -67,7 +67,7 @@ def summary(state: FleetState, batch: Sequence[CommandRecord]) -> tuple[str, str
         found[_WORDS.get(record.stage, "open")].append(record)
     words = dict.fromkeys([*_WELL, *_WORDS.values(), "open"])
     parts = [_part(word, found[word]) for word in words if word in found]
-    foreign = [record.command.robot for record in batch if record.words in FOREIGN_STOPS]
+    foreign = [record.command.robot for record in batch if record.detail in FOREIGN_STOPS]
     if foreign:
         parts.append(f"goals of other clients stopped, not resumable from here ({some(foreign)})")
     return batch_name(state, [record.command for record in batch]), ", ".join(parts)
@@ -77,6 +77,6 @@ def _part(word: str, records: Sequence[CommandRecord]) -> str:
     if word in _WELL:
         return f"{len(records)} {word}"
     robots = list(dict.fromkeys(record.command.robot for record in records))
-    reasons = {record.words for record in records}
+    reasons = {record.detail for record in records}
     reason = f": {reasons.pop()}" if len(reasons) == 1 and word != "open" else ""
     return f"{len(records)} {word} ({some(robots)}){reason.rstrip(': ')}"

@@ -91,10 +91,11 @@ def silent(state: FleetState, robot: Robot, command: Command) -> Iterator[Proble
     """Check that the robot is online."""
     if isinstance(command, ResumeRobot):
         return
-    if robot.heard is None:
+    if robot.last_received is None:
         yield Problem("never seen", f"{robot.name} was never seen", blocks=False)
     elif not state.is_online(robot):
-        yield Problem("offline", f"{robot.name} is offline {age(state.now - robot.heard)}", blocks=False)
+        silence = age(state.now - robot.last_received)
+        yield Problem("offline", f"{robot.name} is offline {silence}", blocks=False)
 
 
 def paused(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
@@ -106,7 +107,7 @@ def paused(state: FleetState, robot: Robot, command: Command) -> Iterator[Proble
 
 def unconfirmable_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """Check that the progress of an order can be seen."""
-    if not isinstance(command, PlaceOrder) or robot.heard is None or not state.is_online(robot):
+    if not isinstance(command, PlaceOrder) or robot.last_received is None or not state.is_online(robot):
         return
     if robot.kind.expects("queue") and not state.is_fresh(robot, "queue"):
         since = "was not received" if robot.queue is None else f"is {age(state.now - robot.queue.at)} old"

@@ -241,8 +241,8 @@ def confirm(state: FleetState, record: CommandRecord) -> CommandRecord:
         return looked
     if record.stage is Stage.SENT:
         record = record.advanced(Step(Stage.NO_ANSWER, state.now))
-    said = UNANSWERED if record.words == UNANSWERED else record.stage.value
-    if record.words and record.stage is not Stage.ACCEPTED:
-        said += f": {record.words}"
-    words = f"{said}; {_instead(state, robot, record)}"
-    return record.advanced(Step(Stage.NOT_CONFIRMED, state.now, words))
+    said = UNANSWERED if record.detail == UNANSWERED else record.stage.value
+    if record.detail and record.stage is not Stage.ACCEPTED:
+        said += f": {record.detail}"
+    detail = f"{said}; {_instead(state, robot, record)}"
+    return record.advanced(Step(Stage.NOT_CONFIRMED, state.now, detail))

@@ -75,7 +75,7 @@ def _failed(state: FleetState, key: Key, records: Sequence[commands.CommandRecor
         *key,
         Priority.HIGH if high else Priority.MEDIUM,
         # The failure is first: it must not be cut at the right end.
-        f"{last.stage.value}: {request}{detail_text(last.words)}",
+        f"{last.stage.value}: {request}{detail_text(last.detail)}",
         f"{_OVER.get(last.stage, 'failed')}: {request}",
         # A failure that changes into another one is news.
         parts=frozenset(f"{record.id} {record.stage.value}" for record in records),

@@ -87,7 +87,7 @@ def _ended(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRec
     answer = record.answer
     if answer is not None and (stage in (Stage.DONE, Stage.FAILED) or (stage, answer.stage) == _UNSEEN):
         # Skipped stops are only in its answer.
-        stage, reason = answer.stage, answer.words or reason
+        stage, reason = answer.stage, answer.detail or reason
     elif answers and stage is Stage.DONE and _is_of_several_stops(record):
         reason = "succeeded, result missing: stops may have been missed"
     return record.advanced(Step(stage, state.now, f"order {record.order_id}: {reason}"))

@@ -77,8 +77,8 @@ def _held(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) 
             (one.time_of(Stage.SENT) or 0.0) >= record.issued_at for one in orders_of(state, robot)
         )
         goes_on = has_left or waiting(state, robot)
-        words = "waiting orders continue" if goes_on else "no orders waiting here"
-        return Step(Stage.CONFIRMED, state.now, words)
+        detail = "waiting orders continue" if goes_on else "no orders waiting here"
+        return Step(Stage.CONFIRMED, state.now, detail)
     if record.stage is not Stage.ACCEPTED and not any(
         one.stage is Stage.CANCELLED and one.at >= record.issued_at for one in robot.gone
     ):
@@ -88,12 +88,12 @@ def _held(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) 
     if not state.is_online(robot) or (record.before.moving and not _stopped(state, robot, record)):
         return None  # another client may drive it on
     kept = any(one.order_id for one in waiting(state, robot))
-    words = "stopped, goal kept here" if kept else "stopped, no goal to keep"
+    detail = "stopped, goal kept here" if kept else "stopped, no goal to keep"
     ours = own_ids(robot.goals) | {one.order_id for one in orders_of(state, robot)}
     stopped = [gone for gone in robot.gone if gone.at >= record.issued_at and gone.stage is Stage.CANCELLED]
     if any(gone.order.id not in ours for gone in stopped):
-        words = FOREIGN_STOPPED
-    return Step(Stage.CONFIRMED, state.now, words)
+        detail = FOREIGN_STOPPED
+    return Step(Stage.CONFIRMED, state.now, detail)
 
 
 def late_goals(state: FleetState, record: CommandRecord) -> list[Goal]:

@@ -38,7 +38,7 @@ def _legs(command: commands.Command) -> Iterator[tuple[str, str]]:
 
 def unknown_vertex(state: FleetState, robot: Robot, command: commands.Command) -> Iterator[Problem]:
     """Check that the robot's graphs have the vertices. A missing graph proves nothing."""
-    missing = [floor for floor, chart in robot.charts.items() if chart.graph is None]
+    missing = [floor for floor, robot_map in robot.maps.items() if robot_map.graph is None]
     for vertex in ends_of(command):
         if robot.name_of(vertex) is not None:
             continue
@@ -62,7 +62,7 @@ def same_place(state: FleetState, robot: Robot, command: commands.Command) -> It
 
 
 def _graphs(robot: Robot) -> Mapping[str, RouteGraph]:
-    return {floor: chart.graph for floor, chart in robot.charts.items() if chart.graph is not None}
+    return {floor: robot_map.graph for floor, robot_map in robot.maps.items() if robot_map.graph is not None}
 
 
 def _floors(robot: Robot, vertex: str) -> set[str]:
@@ -134,11 +134,11 @@ def floor_mismatch(state: FleetState, robot: Robot, command: commands.Command) -
 def mistakable(robot: Robot, floors: Mapping[str, str]) -> Iterator[Problem]:
     """Check for ambiguous ids: the wire has only ids, and a place chosen on another floor may be another one
     on this floor."""
-    here = robot.charts.get(robot.floor or "")
+    here = robot.maps.get(robot.floor or "")
     for vertex, floor in floors.items():
-        if here is None or floor not in robot.charts or floor == robot.floor:
+        if here is None or floor not in robot.maps or floor == robot.floor:
             continue
-        meant, taken = robot.charts[floor].name_of(vertex), here.name_of(vertex)
+        meant, taken = robot.maps[floor].name_of(vertex), here.name_of(vertex)
         if meant is not None and taken is not None and meant != taken:
             text = f"{meant} on {floor} has the same id as {taken} on {robot.floor}, where {robot.name} is"
             yield Problem("floor mismatch", text, blocks=False)

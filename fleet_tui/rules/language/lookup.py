@@ -26,16 +26,16 @@ def places(robot: Robot) -> list[Place]:
     """Return every labelled vertex of a robot's graphs, the floor it is on first, by label."""
     found = [
         Place(vertex, label, floor)
-        for floor, chart in robot.charts.items()
-        for vertex, label in chart.labels.items()
-        if chart.graph is None or vertex in chart.graph.vertices
+        for floor, robot_map in robot.maps.items()
+        for vertex, label in robot_map.labels.items()
+        if robot_map.graph is None or vertex in robot_map.graph.vertices
     ]
     return sorted(found, key=lambda place: (place.floor != robot.floor, place.name.casefold()))
 
 
 def no_graphs(robot: Robot) -> str:
     """Return the floors of which a robot has no graph, as the rest of a sentence; empty if it has all."""
-    missing = [floor for floor, chart in robot.charts.items() if chart.graph is None]
+    missing = [floor for floor, robot_map in robot.maps.items() if robot_map.graph is None]
     if not missing:
         return ""
     publishes = "graph" in robot.kind.reports or not robot.kind.name
@@ -76,10 +76,10 @@ def plain_id(word: str) -> str:
 
 def _by_id(robot: Robot, typed: str) -> list[Place]:
     return [
-        Place(vertex, chart.labels.get(vertex, vertex), floor)
-        for floor, chart in robot.charts.items()
+        Place(vertex, robot_map.labels.get(vertex, vertex), floor)
+        for floor, robot_map in robot.maps.items()
         for vertex in dict.fromkeys((typed, plain_id(typed)))
-        if chart.graph is not None and vertex in chart.graph.vertices
+        if robot_map.graph is not None and vertex in robot_map.graph.vertices
     ]
 
 

@@ -53,7 +53,7 @@ def draft_route(robot: Robot, draft: Draft) -> DraftRoute | None:
     metres: float | None = 0.0
     for one, other in pairwise(stops):
         for floor, starts, ends in _on_each_floor(robot, one, other):
-            routes = routes_of(robot.charts[floor]) if floor in robot.charts else None
+            routes = routes_of(robot.maps[floor]) if floor in robot.maps else None
             way = routes.shortest(starts, ends) if routes is not None else None
             if way is None or (way.start is None and starts != ends):
                 metres = None
@@ -67,7 +67,7 @@ def draft_route(robot: Robot, draft: Draft) -> DraftRoute | None:
 def _start(robot: Robot, draft: Draft) -> Iterator[Stop]:
     """Yield the place of the robot if the draft starts there."""
     floor = robot.floor
-    routes = routes_of(robot.charts[floor]) if floor is not None and floor in robot.charts else None
+    routes = routes_of(robot.maps[floor]) if floor is not None and floor in robot.maps else None
     if draft.starts_here and routes is not None and robot.pose is not None and floor is not None:
         yield floor, routes.near(robot.pose.value)
 
@@ -81,6 +81,6 @@ def _on_each_floor(
         yield floor, starts, ends
         return
     for name, start, end in ((floor, starts, None), (to_floor, None, ends)):
-        routes = routes_of(robot.charts[name]) if name in robot.charts else None
+        routes = routes_of(robot.maps[name]) if name in robot.maps else None
         lifts = routes.elevators if routes is not None else ()
         yield name, lifts if start is None else start, lifts if end is None else end

@@ -79,6 +79,6 @@ class Routes:
 
 
 @lru_cache(maxsize=2)
-def routes_of(chart: RobotMap) -> Routes | None:
+def routes_of(robot_map: RobotMap) -> Routes | None:
     """Return the routes of a map, None without a graph."""
-    return Routes(chart.graph) if chart.graph is not None else None
+    return Routes(robot_map.graph) if robot_map.graph is not None else None

@@ -54,7 +54,7 @@ def held(state: FleetState, robot: Robot) -> Reason | None:
     return Reason(f"held: {robot.held}", evidence, Strength.CERTAIN, keys=("resume",))
 
 
-def somebody_else(state: FleetState, robot: Robot) -> Reason | None:
+def another_client(state: FleetState, robot: Robot) -> Reason | None:
     """Report that another client's goal is active."""
     if not robot.kind.keeps_goals:
         return None
@@ -65,4 +65,4 @@ def somebody_else(state: FleetState, robot: Robot) -> Reason | None:
     return Reason("driven by another client", evidence, Strength.POSSIBLE, keys=("cancel",))
 
 
-NAVIGATION_REASONS = (blocked, held, not_sure_where, recovering, somebody_else)
+NAVIGATION_REASONS = (blocked, held, not_sure_where, recovering, another_client)

@@ -14,7 +14,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.local_queue import waiting
 from fleet_tui.rules.commands.newest import last_command
-from fleet_tui.rules.why.reason import RECENT, Reason, Strength, mission, name_of, stands_since
+from fleet_tui.rules.why.reason import RECENT, Reason, Strength, mission, name_of, stationary_since
 from fleet_tui.rules.why.traffic import in_the_way, next_stop, vertex_here
 from fleet_tui.text.durations import age
 
@@ -28,7 +28,7 @@ def command(state: FleetState, robot: Robot) -> Reason | None:
     if record.is_decided and not failed:
         return None
     verb = "resume" if isinstance(record.command, ResumeRobot) else "order"
-    evidence = record.words or f"issued {age(state.now - record.issued_at)} ago"
+    evidence = record.detail or f"issued {age(state.now - record.issued_at)} ago"
     strength = Strength.LIKELY if robot.orders.open else Strength.CERTAIN
     keys = (verb,) if failed else ()
     return Reason(f"{verb}: {record.stage.value}", evidence, strength, since=record.at, keys=keys)
@@ -64,7 +64,7 @@ def no_orders(state: FleetState, robot: Robot) -> Reason | None:
 
 def at_stop(state: FleetState, robot: Robot) -> Reason | None:
     """Report a stop: loading and unloading take a moment."""
-    order, here, since = robot.orders.current, vertex_here(robot), stands_since(robot)
+    order, here, since = robot.orders.current, vertex_here(robot), stationary_since(robot)
     if order is None or since is None or here is None or here != next_stop(robot):
         return None
     does = "stops" if "cargo" not in robot.kind.reports else "unloading" if robot.has_cargo else "loading"
@@ -84,7 +84,7 @@ def waits_behind(state: FleetState, robot: Robot) -> Reason | None:
         f"waiting behind {other.name}",
         f"{other.name} is {found.ahead:.1f} m ahead on the way to {name_of(robot, found.vertex)}{mutual}",
         Strength.LIKELY,
-        since=stands_since(other),
+        since=stationary_since(other),
         seen=other.pose.at if other.pose else None,
         keys=(f"robot_{other.number}" if other.number <= 9 else "next_robot",),
     )
@@ -107,13 +107,13 @@ def _ruled_out(state: FleetState, robot: Robot) -> Iterator[str]:
         yield "no obstacle"
     if robot.paused is not None and not state.is_paused(robot):
         yield "no pause"
-    since = stands_since(robot)
+    since = stationary_since(robot)
     yield "no cause reported" if since is None else f"no movement for {age(state.now - since)}"
 
 
 def unexplained(state: FleetState, robot: Robot) -> Reason | None:
     """Report an active order without an explanation for standing."""
-    order, since = robot.orders.current, stands_since(robot)
+    order, since = robot.orders.current, stationary_since(robot)
     if order is None and not robot.kind.lists_orders:
         return Reason(
             "cause unknown", "this kind of robot does not report its orders", Strength.POSSIBLE, since

@@ -37,7 +37,7 @@ class Reason(Struct, frozen=True):
 Rule = Callable[[FleetState, Robot], Reason | None]
 
 
-def stands_since(robot: Robot) -> float | None:
+def stationary_since(robot: Robot) -> float | None:
     """Return the time since which its pose is the same."""
     return robot.standing.at if robot.standing else None
 

@@ -8,7 +8,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import STANDS_AFTER, own_pause_text
 from fleet_tui.rules.movement import JUMPS_WITHIN
-from fleet_tui.rules.why.reason import Reason, Strength, name_of, stands_since
+from fleet_tui.rules.why.reason import Reason, Strength, name_of, stationary_since
 from fleet_tui.rules.why.traffic import graph_here, vertex_here
 from fleet_tui.text.durations import age
 
@@ -27,7 +27,7 @@ _UNRESOLVED = frozenset(
 
 def moves(state: FleetState, robot: Robot) -> Reason | None:
     """Report that the robot is moving."""
-    since = stands_since(robot)
+    since = stationary_since(robot)
     if robot.pose is None or since is None or state.is_old(robot, "pose"):
         return None
     if state.now - since >= STANDS_AFTER:
@@ -49,10 +49,10 @@ def silent_robot(state: FleetState, robot: Robot) -> Reason | None:
     """Report that it is offline while the link is up."""
     if state.links[robot.link].phase is not Phase.UP or state.is_online(robot):
         return None
-    if robot.heard is None:
+    if robot.last_received is None:
         return Reason("never seen", "link up, no message received")
-    name = f"offline {age(state.now - robot.heard)}"
-    return Reason(name, "link up, no messages", since=robot.heard)
+    name = f"offline {age(state.now - robot.last_received)}"
+    return Reason(name, "link up, no messages", since=robot.last_received)
 
 
 def paused(state: FleetState, robot: Robot) -> Reason | None:
@@ -79,7 +79,7 @@ def own_late_pause(state: FleetState, robot: Robot) -> Reason | None:
         return None
     return Reason(
         f"pause from this console: {record.stage.value}",
-        record.words or f"issued {age(state.now - record.issued_at)} ago",
+        record.detail or f"issued {age(state.now - record.issued_at)} ago",
         Strength.LIKELY,
         since=record.issued_at,
         keys=("resume",),
@@ -134,7 +134,7 @@ def charges(state: FleetState, robot: Robot) -> Reason | None:
     if graph.vertices[here].role is not Role.DOCKING or battery.value >= FULL:
         return None
     evidence = f"at the charger, battery {int(battery.value)} %, no order active"
-    since = stands_since(robot)
+    since = stationary_since(robot)
     return Reason(f"charging at {name_of(robot, here)}", evidence, Strength.LIKELY, since, battery.at)
 
 

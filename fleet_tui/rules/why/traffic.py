@@ -67,7 +67,7 @@ def next_stop(robot: Robot) -> str | None:
 
 def graph_here(robot: Robot) -> RouteGraph | None:
     """Return the robot's own graph of its floor."""
-    return robot.charts.get(robot.floor or "", RobotMap()).graph
+    return robot.maps.get(robot.floor or "", RobotMap()).graph
 
 
 def vertex_here(robot: Robot) -> str | None:
@@ -117,7 +117,7 @@ def _same_frame(state: FleetState, one: Robot, other: Robot) -> bool:
     world."""
     if other.floor is None or other.floor != one.floor or not state.is_fresh(other, "pose"):
         return False
-    frames = [robot.charts.get(one.floor, RobotMap()).frame for robot in (one, other)]
+    frames = [robot.maps.get(one.floor, RobotMap()).frame for robot in (one, other)]
     return None in frames or frames[0] == frames[1]
 
 

@@ -59,14 +59,16 @@ def _restarts(server: "RosbridgeServer", robot: str) -> None:
     often(change)(server, robot)
 
 
-def _heard(change: "Callable[[RosbridgeServer, Take, dict[str, Any]], None]", parts: str = "") -> wire.Play:
+def _intercepted(
+    change: "Callable[[RosbridgeServer, Take, dict[str, Any]], None]", parts: str = ""
+) -> wire.Play:
     """Return a fault in the delivery of goals and cancellations: `change` replaces the function that receives
     the message."""
 
     def play(server: "RosbridgeServer", robot: str) -> None:
-        for name, take in server.bridge.services.heard.items():
+        for name, take in server.bridge.services.subscriptions.items():
             if name.startswith(f"/{robot}/") and name.endswith(parts):
-                server.bridge.services.heard[name] = partial(change, server, take)
+                server.bridge.services.subscriptions[name] = partial(change, server, take)
 
     return play
 
@@ -108,10 +110,10 @@ FAULTS: Faults = {
     ),
     "no-feedback": ("no feedback while driving", at_once(_no_feedback)),
     "unlocalised": ("no pose from amcl", _unlocalised),
-    "never": ("goals and cancellations are ignored", _heard(_lost)),
-    "refuse-cancel": ("cancellations are ignored", _heard(_lost, "/cancel")),
-    "late": (f"goals and cancellations are taken after {wire.LATE:g} s", _heard(_late)),
-    "drop": ("a goal or cancellation is taken, then all connections drop", _heard(_drop)),
+    "never": ("goals and cancellations are ignored", _intercepted(_lost)),
+    "refuse-cancel": ("cancellations are ignored", _intercepted(_lost, "/cancel")),
+    "late": (f"goals and cancellations are taken after {wire.LATE:g} s", _intercepted(_late)),
+    "drop": ("a goal or cancellation is taken, then all connections drop", _intercepted(_drop)),
     "first-lost": (
         f"what a client publishes is lost for {CONNECTS:g} s after it has advertised the topic",
         _first_lost,

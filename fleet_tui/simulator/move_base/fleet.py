@@ -11,8 +11,8 @@ from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.move_base.faults import FAULTS
 from fleet_tui.simulator.move_base.topics import CANCEL, GOAL, NODE, POSE, TYPES, MoveBaseNews, steady_topics
 from fleet_tui.simulator.move_base.world import MoveBaseWorld
+from fleet_tui.simulator.navigating.diagnostics import health
 from fleet_tui.simulator.navigating.topics import map_topics
-from fleet_tui.simulator.navigating.words import health
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
 from fleet_tui.simulator.ros_types import ServiceType, service_type
@@ -38,15 +38,15 @@ class MoveBaseFleet(MoveBaseWorld):
         yield from chain.from_iterable(steady_topics(each, dialect) for each in self.navigation.values())
         yield from self._news.topics(dialect)
 
-    def heard(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
+    def subscriptions(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
         """The goals, poses and cancellations for each robot."""
         return {
             f"/{name}/{part}": (TYPES[part], take)
             for name, navigation in self.navigation.items()
             for part, take in (
-                (GOAL, navigation.hear_goal),
-                (POSE, navigation.hear_pose),
-                (CANCEL, navigation.hear_cancel),
+                (GOAL, navigation.receive_goal),
+                (POSE, navigation.receive_pose),
+                (CANCEL, navigation.receive_cancel),
             )
         }
 
@@ -76,7 +76,7 @@ class MoveBaseFleet(MoveBaseWorld):
             lines = list(navigation.lines)
             navigation.lines.clear()
             if not navigation.robot.silence:
-                yield from ((level, f"/{name}/{NODE}", words) for level, words in lines)
+                yield from ((level, f"/{name}/{NODE}", message) for level, message in lines)
 
     def health(self) -> Iterable[Message]:
         """Return battery and localisation of every robot that is not silent."""

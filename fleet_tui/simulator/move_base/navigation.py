@@ -5,6 +5,7 @@ from collections import deque
 from typing import Any
 
 from fleet_tui.model.geometry import Pose
+from fleet_tui.simulator.logs import ERROR, WARN
 from fleet_tui.simulator.navigating.poses import FRAME, flat, solid
 from fleet_tui.simulator.navigating.robot import NO_PROGRESS, NavigatingRobot
 from fleet_tui.simulator.navigating.world import Clock
@@ -16,7 +17,6 @@ from fleet_tui.simulator.ros.actionlib import (
     ActionlibGoal,
     SimpleActionServer,
 )
-from fleet_tui.simulator.words import ERROR, WARN
 
 Message = dict[str, Any]
 
@@ -60,7 +60,7 @@ class SimMoveBase:
         """Tell whether it has a goal."""
         return bool(self.server.running)
 
-    def hear_goal(self, message: Message) -> None:
+    def receive_goal(self, message: Message) -> None:
         """Take a move_base_msgs/MoveBaseActionGoal."""
         if self.alive:
             self.received.append(message)
@@ -68,7 +68,7 @@ class SimMoveBase:
             id_ = message["goal_id"]
             self.server.take(id_["id"], _nanoseconds(id_["stamp"]), message["goal"], self.rejects)
 
-    def hear_pose(self, message: Message) -> None:
+    def receive_pose(self, message: Message) -> None:
         """Take a geometry_msgs/PoseStamped, and forward it as a goal without an id."""
         if self.alive:
             now = _time(self._clock())
@@ -76,9 +76,9 @@ class SimMoveBase:
             id_ = {"stamp": _time(0), "id": ""}
             goal = {"header": header, "goal_id": id_, "goal": {"target_pose": message}}
             self.forwarded.append(goal)
-            self.hear_goal(goal)
+            self.receive_goal(goal)
 
-    def hear_cancel(self, message: Message) -> None:
+    def receive_cancel(self, message: Message) -> None:
         """Take an actionlib_msgs/GoalID."""
         if self.alive:
             self.server.cancel(message["id"], _nanoseconds(message["stamp"]))
@@ -86,11 +86,11 @@ class SimMoveBase:
     def give(self, x: float, y: float, yaw: float = 0.0) -> None:
         """Send a pose as a goal, as another client would."""
         header = {"seq": 0, "stamp": _time(self._clock()), "frame_id": FRAME}
-        self.hear_pose({"header": header, "pose": solid(Pose(x, y, yaw))})
+        self.receive_pose({"header": header, "pose": solid(Pose(x, y, yaw))})
 
     def cancel_all(self) -> None:
         """Cancel its goals as another client would."""
-        self.hear_cancel({"stamp": _time(0), "id": ""})
+        self.receive_cancel({"stamp": _time(0), "id": ""})
 
     def abort(self) -> None:
         """Abort the current drive."""

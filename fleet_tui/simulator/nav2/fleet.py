@@ -11,13 +11,13 @@ from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.nav2 import messages
 from fleet_tui.simulator.nav2.faults import FAULTS
+from fleet_tui.simulator.nav2.logs import Nav2Changes
 from fleet_tui.simulator.nav2.navigation import TO_POSE, SimNavigation
 from fleet_tui.simulator.nav2.topics import Nav2News, steady_topics
-from fleet_tui.simulator.nav2.words import Nav2Changes
 from fleet_tui.simulator.nav2.world import Nav2World
+from fleet_tui.simulator.navigating.diagnostics import health
 from fleet_tui.simulator.navigating.poses import FRAME
 from fleet_tui.simulator.navigating.topics import map_topics
-from fleet_tui.simulator.navigating.words import health
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
 from fleet_tui.simulator.ros_types import ServiceType, service_type
@@ -57,7 +57,7 @@ class Nav2Fleet(Nav2World):
         yield from chain.from_iterable(steady_topics(each, dialect) for each in self.navigation.values())
         yield from self._news.topics(dialect)
 
-    def heard(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
+    def subscriptions(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
         """The goal_pose of each robot: a pose there becomes a goal."""
         return {
             f"/{name}/goal_pose": ("geometry_msgs/PoseStamped", partial(_take_pose, navigation))

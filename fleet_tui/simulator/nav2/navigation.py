@@ -80,10 +80,10 @@ class SimNavigation:
         """An id for a goal."""
         return self._rng.randbytes(16)
 
-    def abort(self, code: int = 105, words: str = "Failed to make progress") -> None:
+    def abort(self, code: int = 105, message: str = "Failed to make progress") -> None:
         """Abort the current drive."""
         if self._current is not None:
-            self.robot.fail(code, words)
+            self.robot.fail(code, message)
 
     def step(self, dt: float) -> None:
         """Bring the goals on, after the robot has lived for dt seconds."""
@@ -191,5 +191,5 @@ class SimNavigation:
         return {"missed_waypoints": tour.missed, **_result()}
 
 
-def _result(code: int = 0, words: str = "") -> Message:
-    return {"error_code": code, "error_msg": words}
+def _result(code: int = 0, message: str = "") -> Message:
+    return {"error_code": code, "error_msg": message}

@@ -17,29 +17,29 @@ OFF_THE_MAP, OCCUPIED, NO_PATH = 204, 206, 208  # error codes of Nav2's planner
 class NoPathError(Exception):
     """No path to a goal; `code` is Nav2's number for the reason."""
 
-    def __init__(self, code: int, words: str) -> None:
-        super().__init__(words)
+    def __init__(self, code: int, message: str) -> None:
+        super().__init__(message)
         self.code = code
 
 
 def plan(floor: SimFloor, start: Pose, goal: Pose) -> list[Spot]:
     """Return the corners of a path, both ends included. Raises NoPathError."""
     here, there = (start.x, start.y), (goal.x, goal.y)
-    words = (
+    message = (
         f"GridBased plugin failed to plan from ({start.x:.2f}, {start.y:.2f}) to ({goal.x:.2f}, {goal.y:.2f})"
     )
     if not _on_map(there):
         raise NoPathError(
-            OFF_THE_MAP, f"{words}: Goal Coordinates of({goal.x:f}, {goal.y:f}) was outside bounds"
+            OFF_THE_MAP, f"{message}: Goal Coordinates of({goal.x:f}, {goal.y:f}) was outside bounds"
         )
     if _cell(floor, there) != FREE:
-        raise NoPathError(OCCUPIED, f"{words}: Goal occupied")
+        raise NoPathError(OCCUPIED, f"{message}: Goal occupied")
     if _clear(floor, here, there):
         return [here, there]
     first, last = _nearest(floor, here), _nearest(floor, there)
     way = floor.graph.path(first, last) if first is not None and last is not None else ()
     if not way:
-        raise NoPathError(NO_PATH, f"{words}: no valid path found")
+        raise NoPathError(NO_PATH, f"{message}: no valid path found")
     vertices = [floor.graph.vertices[id_] for id_ in way]
     return [here, *((vertex.x, vertex.y) for vertex in vertices), there]
 

@@ -81,10 +81,10 @@ class NavigatingRobot(Obstructed):
         self.way, self.stops, self.recoveries, self.failure, self._stood = [], 0, 0, None, 0.0
         self._work = iter(())
 
-    def fail(self, code: int, words: str) -> None:
+    def fail(self, code: int, message: str) -> None:
         """Abort the drive."""
         self.halt()
-        self.failure = code, words
+        self.failure = code, message
 
     def lose(self) -> None:
         """Make its localisation unsure, and wrong by as much."""

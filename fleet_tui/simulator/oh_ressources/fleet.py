@@ -7,7 +7,7 @@ from fleet_tui.simulator.faults import FAULTS
 from fleet_tui.simulator.fleets import Line
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Message, Topic, topics_of
-from fleet_tui.simulator.oh_ressources.words import Changes, health
+from fleet_tui.simulator.oh_ressources.logs import Changes, health
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.robot import SimRobot
 from fleet_tui.simulator.ros.dialect import Dialect
@@ -40,7 +40,7 @@ class OhFleet:
         """Every topic of the world."""
         return topics_of(self.world, loaded_at, dialect)
 
-    def heard(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
+    def subscriptions(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
         """Nothing."""
         return {}
 

@@ -70,8 +70,8 @@ def _group_runs(
         text += f" +{len(records) - 1} more"
     role = StyleRole.ALARM if first.stage in TROUBLE else _ROLES.get(first.stage, StyleRole.DIM)
     # A robot's answer on accepting ("paused") is true only at that moment.
-    words = "" if first.stage is commands.Stage.ACCEPTED else detail_text(sanitize(first.words))
-    return (text, StyleRole.TEXT), (f": {stage_text(first, state.now)}", role), (words, StyleRole.DIM)
+    detail = "" if first.stage is commands.Stage.ACCEPTED else detail_text(sanitize(first.detail))
+    return (text, StyleRole.TEXT), (f": {stage_text(first, state.now)}", role), (detail, StyleRole.DIM)
 
 
 def _worth_saying(state: FleetState) -> list[commands.CommandRecord]:
@@ -105,7 +105,7 @@ def _parts(state: FleetState) -> Iterator[tuple[bool, float, Part, Part]]:
             yield not _is_trouble(batch), batch[-1].issued_at, part, part
     groups: dict[object, list[commands.CommandRecord]] = {}
     for record in sorted(worth.values(), key=lambda record: -record.issued_at):
-        group = (type(record.command), record.stage, record.words)
+        group = (type(record.command), record.stage, record.detail)
         groups.setdefault(group if len(worth) > FEW else record.id, []).append(record)
     for together in groups.values():
         brief = _group_runs(state, together, brief=True)[:2]
@@ -117,12 +117,12 @@ def _is_trouble(records: Sequence[commands.CommandRecord]) -> bool:
 
 
 def _batch_runs(state: FleetState, batch: Sequence[commands.CommandRecord]) -> Part:
-    what, words = summary(state, batch)
+    what, detail = summary(state, batch)
     if _is_trouble(batch):
         role = StyleRole.ALARM
     else:
         role = StyleRole.GOOD if all(record.is_decided for record in batch) else StyleRole.DIM
-    return (what, StyleRole.TEXT), (f": {words}", role)
+    return (what, StyleRole.TEXT), (f": {detail}", role)
 
 
 def message_line(state: FleetState, said: str, said_at: float, width: int) -> Part:

@@ -43,8 +43,8 @@ def _no_link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
         yield "connecting", StyleRole.TEXT
     else:
         yield f"retry in {max(0.0, link.next_try - now):.0f} s", StyleRole.TEXT
-    heard = "" if link.heard is None else f", last message {age(now - link.heard)} ago"
-    yield f"{heard} {address}", StyleRole.DIM
+    last = "" if link.last_received is None else f", last message {age(now - link.last_received)} ago"
+    yield f"{last} {address}", StyleRole.DIM
 
 
 def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
@@ -53,10 +53,10 @@ def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
         return
     yield "● ", StyleRole.GOOD
     yield f"{address} ", StyleRole.TEXT
-    if link.heard is None:
+    if link.last_received is None:
         yield "nothing received yet", StyleRole.DIM
     else:
-        silent = max(0.0, now - link.heard)
+        silent = max(0.0, now - link.last_received)
         yield f"{silent:.1f} s", StyleRole.DIM if silent < SILENT_AFTER else StyleRole.WARN
     if link.command_path is CommandPath.DEAD:
         yield f" commands dead: {sanitize(link.command_reason)}", StyleRole.ALARM
@@ -79,7 +79,7 @@ def _worst(state: FleetState) -> LinkState:
             link.command_path not in NO_WAY,
             not link.unsourced,
             link.late < BEHIND,
-            link.heard or 0.0,
+            link.last_received or 0.0,
         ),
     )
 

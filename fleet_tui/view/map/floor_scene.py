@@ -31,9 +31,9 @@ Drawn = tuple[tuple[SceneVertex, ...], tuple[Line, ...], tuple[Line, ...]]
 
 
 @lru_cache(maxsize=2)
-def _drawn(chart: RobotMap) -> Drawn:
+def _drawn(robot_map: RobotMap) -> Drawn:
     """Return vertices, edges and one-way edges; the same objects as long as the map is the same."""
-    graph, labels = chart.graph or RouteGraph(), chart.labels
+    graph, labels = robot_map.graph or RouteGraph(), robot_map.labels
     vertices = tuple(
         SceneVertex(vertex.id, vertex.x, vertex.y, vertex.role, sanitize(labels.get(vertex.id, "")))
         for vertex in graph.vertices.values()
@@ -47,13 +47,13 @@ def _drawn(chart: RobotMap) -> Drawn:
     return vertices, tuple(line for line, _ in lines), one_way
 
 
-def chart_robot(state: FleetState, selection: Selection) -> Robot | None:
+def map_owner(state: FleetState, selection: Selection) -> Robot | None:
     """Return the robot whose map and graph are shown for the floor: the selected one, else the first with
     them."""
     selected = state.robots[selection.robot]
-    if selection.floor in selected.charts:
+    if selection.floor in selected.maps:
         return selected
-    return next((robot for robot in state.robots.values() if selection.floor in robot.charts), None)
+    return next((robot for robot in state.robots.values() if selection.floor in robot.maps), None)
 
 
 def _ground(state: FleetState, floor: str, vertices: tuple[SceneVertex, ...]) -> MapFrame:
@@ -74,10 +74,10 @@ def _ground(state: FleetState, floor: str, vertices: tuple[SceneVertex, ...]) ->
     return MapFrame(EMPTY_RESOLUTION, *pixels, Pose(left, low))
 
 
-def _with_map(floor: Floor, chart: RobotMap, scene: Scene) -> Scene:
+def _with_map(floor: Floor, robot_map: RobotMap, scene: Scene) -> Scene:
     """Return the floor's configured file first, then the live map, then empty ground with a note on the
     missing map."""
-    grid, frame = floor.grid, chart.frame
+    grid, frame = floor.grid, robot_map.frame
     if grid is not None and floor.tied:
         note = ""
         if frame is not None and not _same_size(frame, grid.frame):
@@ -92,10 +92,10 @@ def _with_map(floor: Floor, chart: RobotMap, scene: Scene) -> Scene:
         return replace(scene, note=floor.problem)
     if grid is not None:
         return replace(scene, note="map image waiting for map_metadata")
-    live = chart.grid or floor.live
+    live = robot_map.grid or floor.live
     if live is not None:
         return replace(scene, grid=live, frame=live.frame)
-    missing = "no map yet" if chart.graph is not None else "no map and no graph yet"
+    missing = "no map yet" if robot_map.graph is not None else "no map and no graph yet"
     return replace(scene, frame=frame or scene.frame, note=missing)
 
 
@@ -120,8 +120,8 @@ def _robot(
 ) -> SceneRobot | None:
     if robot.pose is None or robot.floor != selection.floor:
         return None
-    chart = None if tied else robot.charts.get(selection.floor)
-    pose, other_map = _placed(robot.pose.value, chart.frame if chart else None, picture)
+    robot_map = None if tied else robot.maps.get(selection.floor)
+    pose, other_map = _placed(robot.pose.value, robot_map.frame if robot_map else None, picture)
     return SceneRobot(
         name=robot.name,
         number=robot.number,
@@ -164,13 +164,13 @@ def _draft_way(state: FleetState, draft: Draft, floor: str) -> Mission | None:
 
 def floor_scene(state: FleetState, selection: Selection, draft: Draft | None = None) -> Scene:
     """Return the scene of the selected floor; while an order is typed its way is in place of the mission."""
-    owner = chart_robot(state, selection)
-    chart = owner.charts[selection.floor] if owner else RobotMap()
-    vertices, edges, one_way = _drawn(chart)
+    owner = map_owner(state, selection)
+    robot_map = owner.maps[selection.floor] if owner else RobotMap()
+    vertices, edges, one_way = _drawn(robot_map)
     floor = state.floors[selection.floor]
     ground = _ground(state, floor.name, vertices)
     scene = Scene(floor.name, ground, vertices=vertices, edges=edges, one_way=one_way, at=state.now)
-    scene = _with_map(floor, chart, scene)
+    scene = _with_map(floor, robot_map, scene)
     tied = floor.grid is not None and floor.tied
     marks = marks_of(tuple(state.robots))
     robots = (

@@ -13,8 +13,8 @@ ORDERS_SHOWN = 8
 
 def floor_of(robot: Robot, vertex: str) -> str | None:
     """Return the floor of a vertex of the robot's orders; if ids repeat, the robot's own."""
-    floors = sorted(robot.charts, key=lambda name: name != robot.floor)
-    graphs = ((name, robot.charts[name].graph) for name in floors)
+    floors = sorted(robot.maps, key=lambda name: name != robot.floor)
+    graphs = ((name, robot.maps[name].graph) for name in floors)
     return next((name for name, graph in graphs if graph is not None and vertex in graph.vertices), None)
 
 
@@ -31,7 +31,7 @@ def mission(robot: Robot, floor: str) -> Mission | None:
     Cheap enough for every tick: nothing is searched again while robot and orders stay on the same edges.
     """
     orders = list(robot.orders.open[:ORDERS_SHOWN])
-    routes = routes_of(robot.charts[floor]) if floor in robot.charts and orders else None
+    routes = routes_of(robot.maps[floor]) if floor in robot.maps and orders else None
     if routes is None:
         return None
     at = _whereabouts(robot, floor, routes)

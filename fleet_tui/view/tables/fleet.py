@@ -76,10 +76,10 @@ def _paused(state: FleetState, robot: Robot) -> str:
 def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     """Return the news of a robot, the most urgent first."""
     online = state.is_online(robot)
-    if robot.heard is None:
+    if robot.last_received is None:
         yield "never seen", StyleRole.DIM
     elif not online:
-        yield f"offline {age(state.now - robot.heard)}", StyleRole.ALARM
+        yield f"offline {age(state.now - robot.last_received)}", StyleRole.ALARM
     contact = robot.obstacle if state.was_obstructed(robot) else None
     is_old = state.is_old(robot, "obstacle")
     if contact is not None and not is_old:
@@ -117,7 +117,7 @@ def _head(state: FleetState, robot: Robot, selected: bool, columns: Columns) -> 
     dot: Run = (
         ("● ", StyleRole.GOOD)
         if online
-        else ("○ ", StyleRole.DIM if robot.heard is None else StyleRole.ALARM)
+        else ("○ ", StyleRole.DIM if robot.last_received is None else StyleRole.ALARM)
     )
     runs: list[Run] = [
         dot,
@@ -144,7 +144,7 @@ def _waiting(state: FleetState, robot: Robot) -> int:
 
 def _seen(state: FleetState, robot: Robot) -> str:
     """Return the age of a robot's last message, empty while it is young."""
-    seconds = 0.0 if robot.heard is None else state.now - robot.heard
+    seconds = 0.0 if robot.last_received is None else state.now - robot.last_received
     return age(seconds) if seconds >= SEEN_FROM else ""
 
 

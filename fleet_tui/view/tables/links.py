@@ -44,9 +44,9 @@ def _fields(link: LinkState, counter: LinkCounter, now: float) -> Iterator[tuple
     messages, size = counter.all.rates(now) or (0.0, 0.0)
     total = f", {counter.all.count:,} and {size_text(counter.all.bytes)} in total"
     yield "messages", ((f"{messages:.1f} /s, {size_text(size)}/s", StyleRole.TEXT), (total, StyleRole.DIM))
-    heard = counter.all.at
-    silent = heard is None or now - heard > 2.0
-    yield "last message", ((ago(heard, now), StyleRole.WARN if silent else StyleRole.TEXT),)
+    at = counter.all.at
+    silent = at is None or now - at > 2.0
+    yield "last message", ((ago(at, now), StyleRole.WARN if silent else StyleRole.TEXT),)
     yield "connections", tuple(_connections(counter, now))
     yield "dropped", (_count(counter.dropped, "frames: too large, or queue full"),)
     yield (

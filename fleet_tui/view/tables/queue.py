@@ -18,6 +18,8 @@ from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import Button, LateRows, Row, Run, Table, column, cut, width_of
 
 CANCEL, CLEAR = "[Cancel]", "[Clear all]"
+LEAST_TITLE = 16
+"""Cells that the title must keep beside its button."""
 
 Listed = tuple[Robot, int, Order]
 
@@ -149,12 +151,11 @@ def queue_table(state: FleetState, selected: str, all_robots: bool, width: int) 
     buttons: tuple[Button, ...] = ()
     if not all_robots and rows and robot.kind.can(kind.CLEAR):
         start = width - len(CLEAR) - 1
-        title = (
-            [*cut(title, max(0, start - 1)), (" " + CLEAR, StyleRole.KEY)]
-            if start > width_of(title)
-            else title
-        )
-        buttons = (Button(start, start + len(CLEAR), "clear"),) if title[-1][0].endswith(CLEAR) else ()
+        if width_of(title) >= start:
+            title = [run for run in title if run[1] is not StyleRole.DIM]  # the number of orders goes first
+        if start > LEAST_TITLE:
+            title = [*cut(title, start - 1), (" " + CLEAR, StyleRole.KEY)]
+            buttons = (Button(start, start + len(CLEAR), "clear"),)
     return Table(tuple(title), rows, "no orders" if all_robots and listing else _empty(robot), buttons)
 
 

@@ -72,7 +72,7 @@ class TestSent:
         assert sent(ResumeRobot("r1"), robot(*goals)) == []
 
     def test_a_pause_of_a_robot_that_never_listed_its_goals_means_all_at_once(self) -> None:
-        (cancel,) = sent(PauseRobot("r1"), robot(heard=False))
+        (cancel,) = sent(PauseRobot("r1"), robot(received=False))
         assert cancel.message == {"stamp": NEVER, "id": ""}
 
     def test_a_lock_is_published(self) -> None:

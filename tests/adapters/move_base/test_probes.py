@@ -13,8 +13,8 @@ def test_a_bridge_of_ros_2_is_the_wrong_one() -> None:
 
 
 def test_its_localisation_and_its_battery_are_looked_at_where_it_has_them() -> None:
-    def heard(**topics: str) -> list[str]:
+    def received(**topics: str) -> list[str]:
         return [one.key for one in adapter(topics=topics).probes("r1") if isinstance(one, MessageProbe)]
 
-    assert heard() == ["pose", "battery"]
-    assert heard(battery="") == ["pose"]
+    assert received() == ["pose", "battery"]
+    assert received(battery="") == ["pose"]

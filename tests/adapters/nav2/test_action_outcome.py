@@ -40,7 +40,7 @@ class TestAnswers:
         assert adapter().outcome(PauseRobot("tb2"), values, result)[0] is stage
 
     @pytest.mark.parametrize(
-        ("values", "status", "stage", "words"),
+        ("values", "status", "stage", "detail"),
         [
             ({}, 4, Stage.DONE, ""),
             ({"missed_waypoints": []}, 4, Stage.DONE, ""),
@@ -51,6 +51,6 @@ class TestAnswers:
             ("broken", 6, Stage.FAILED, ""),
         ],
     )
-    def test_of_a_goal(self, values: object, status: int, stage: Stage, words: str) -> None:
+    def test_of_a_goal(self, values: object, status: int, stage: Stage, detail: str) -> None:
         order = PlaceOrder("tb2", at_vertices("1"))
-        assert adapter().outcome(order, values, True, status) == (stage, words)
+        assert adapter().outcome(order, values, True, status) == (stage, detail)

@@ -2,11 +2,11 @@
 
 import pytest
 
-from fleet_tui.adapters.nav2.codes import CODES, in_words
+from fleet_tui.adapters.nav2.codes import CODES, error_text
 
 
 @pytest.mark.parametrize(
-    ("code", "message", "words"),
+    ("code", "message", "detail"),
     [
         (208, "", "error 208 (no path to the goal)"),
         (208, "robot stuck", "error 208 (no path to the goal): robot stuck"),
@@ -17,9 +17,9 @@ from fleet_tui.adapters.nav2.codes import CODES, in_words
         (-1, "", "error -1"),
     ],
 )
-def test_a_code_is_said_with_what_is_known_of_it(code: int, message: str, words: str) -> None:
-    assert in_words(code, message) == words
+def test_a_code_is_said_with_what_is_known_of_it(code: int, message: str, detail: str) -> None:
+    assert error_text(code, message) == detail
 
 
 def test_every_known_code_has_words() -> None:
-    assert all(words and words in in_words(code) for code, words in CODES.items())
+    assert all(detail and detail in error_text(code) for code, detail in CODES.items())

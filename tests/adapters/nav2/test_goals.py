@@ -78,11 +78,11 @@ class TestOutgoing:
         assert isinstance(call, ServiceCall) and UUID in str(call.args)
 
     def test_what_can_not_be_said_is_refused_with_a_reason(self) -> None:
-        for command, words in [
+        for command, detail in [
             (PlaceOrder("tb2", at_vertices("9")), "vertex 9"),
             (PlaceOrder("tb2", ()), "a destination"),
         ]:
-            with pytest.raises(CommandError, match=words):
+            with pytest.raises(CommandError, match=detail):
                 adapter().outgoing(command, 1, robot())
         lacking = adapter(actions={"follow_waypoints": ""})
         with pytest.raises(CommandError, match=r"\[profile.actions\] follow_waypoints is empty"):

@@ -8,7 +8,7 @@ from tests.support.nav2_adapter import adapter
 
 
 @pytest.mark.parametrize(
-    ("ros", "distro", "level", "words"),
+    ("ros", "distro", "level", "detail"),
     [
         (1, "noetic", "fail", "ROS 1 bridge"),
         (2, "humble", "warn", "a goal blocks its connection"),
@@ -16,13 +16,13 @@ from tests.support.nav2_adapter import adapter
         (2, "", "ok", "not reported by the bridge"),
     ],
 )
-def test_a_bridge_by_its_distribution(ros: int, distro: str, level: str, words: str) -> None:
+def test_a_bridge_by_its_distribution(ros: int, distro: str, level: str, detail: str) -> None:
     found = judge_bridge(ros, distro)
-    assert (found.level, bool(found.remedy)) == (level, level != "ok") and words in found.measured
+    assert (found.level, bool(found.remedy)) == (level, level != "ok") and detail in found.measured
 
 
 @pytest.mark.parametrize(
-    ("answer", "level", "words"),
+    ("answer", "level", "detail"),
     [
         ({"success": True}, "ok", "Nav2 is active"),
         ({"success": False}, "fail", "rejects every goal"),
@@ -31,9 +31,9 @@ def test_a_bridge_by_its_distribution(ros: int, distro: str, level: str, words: 
         ({"success": 1}, "fail", "no status from the lifecycle manager"),
     ],
 )
-def test_a_lifecycle_manager_by_its_answer(answer: object, level: str, words: str) -> None:
+def test_a_lifecycle_manager_by_its_answer(answer: object, level: str, detail: str) -> None:
     found = judge_lifecycle(answer)
-    assert found.level == level and words in found.measured
+    assert found.level == level and detail in found.measured
 
 
 def test_only_what_the_site_has_is_looked_at() -> None:

@@ -86,21 +86,21 @@ def test_the_recording_ends_in_the_state_it_tells() -> None:
 
 
 def test_the_recording_brings_both_floors() -> None:
-    charts = replay(recording("telemetry-and-orders.jsonl")).robots[ROBOT].charts
-    assert {floor: len(chart.labels) for floor, chart in charts.items()} == {"ground": 7, "first": 7}
-    ground = charts["ground"]
+    maps = replay(recording("telemetry-and-orders.jsonl")).robots[ROBOT].maps
+    assert {floor: len(robot_map.labels) for floor, robot_map in maps.items()} == {"ground": 7, "first": 7}
+    ground = maps["ground"]
     assert ground.graph is not None and ground.frame is not None
     assert (len(ground.graph.vertices), ground.graph.vertices["4"].role) == (15, Role.ELEVATOR)
     assert ground.graph.vertices["10"].role is Role.DOCKING
     assert ground.graph.vertices["0"].role is ground.graph.vertices["1"].role is Role.PLAIN
     assert ground.graph.path("0", "7") in (tuple("0127"), tuple("0567"))
     assert (ground.frame.width, ground.frame.height, ground.frame.origin) == (400, 300, Pose(-1.0, -2.0))
-    assert charts["first"].frame is None
+    assert maps["first"].frame is None
 
 
 def test_a_map_looks_the_same_however_it_came() -> None:
     text, binary = (
-        replay(recording(name)).robots[ROBOT].charts["ground"].grid
+        replay(recording(name)).robots[ROBOT].maps["ground"].grid
         for name in ("map-json.jsonl.gz", "map-cbor.jsonl.gz")
     )
     assert text is not None and binary is not None and text.frame == binary.frame
@@ -118,7 +118,7 @@ def test_the_recorded_answers_are_judged_by_their_words() -> None:
             answers[operation.id] = adapter_of().outcome(
                 place_order(ROBOT, 0, 7), operation.values, operation.result
             )
-    refused = {id_: words for id_, (outcome, words) in answers.items() if outcome is Stage.REFUSED}
+    refused = {id_: detail for id_, (outcome, detail) in answers.items() if outcome is Stage.REFUSED}
     assert refused.keys() == {"c6", "c7", "c8", "c9"}
     assert refused["c6"] == "REJECTED: no vertex 9999"
     assert "requires a int32" in refused["c7"] and "does not exist" in refused["c9"]

@@ -32,7 +32,7 @@ SOON = 1.0
 """Seconds: a hang, on a machine that others use as well."""
 
 
-def heard(key: str, msg: object) -> events.Event:
+def received(key: str, msg: object) -> events.Event:
     """What a message means, read within the time there is for it."""
     payload = msgspec.Raw(json.dumps(msg).encode())
     began = time.process_time()
@@ -68,14 +68,14 @@ def graph(count: int) -> dict[str, Any]:
 
 
 def test_a_label_of_a_megabyte() -> None:
-    event = heard("labels", {"vertices": [{"label": MEGABYTE, "vertex_id": 1}]})
+    event = received("labels", {"vertices": [{"label": MEGABYTE, "vertex_id": 1}]})
     assert isinstance(event, events.LabelsReceived)
     assert event.labels["1"] == f"{MEGABYTE[: bounds.LONGEST_NAME]}… (1,000,000 characters)"
     assert not event.faults
 
 
 def test_a_hundred_thousand_labels() -> None:
-    event = heard("labels", labels(100_000))
+    event = received("labels", labels(100_000))
     assert isinstance(event, events.LabelsReceived)
     assert (len(event.labels), event.faults) == (bounds.MOST_LABELS, 1)
     assert event.fault == "labels of floor_0: 100,000 labels: only the first 20,000 used"
@@ -84,45 +84,45 @@ def test_a_hundred_thousand_labels() -> None:
 
 
 def test_as_many_labels_as_are_taken_are_no_fault() -> None:
-    event = heard("labels", labels(bounds.MOST_LABELS))
+    event = received("labels", labels(bounds.MOST_LABELS))
     assert isinstance(event, events.LabelsReceived)
     assert (len(event.labels), event.faults, event.fault) == (bounds.MOST_LABELS, 0, "")
 
 
 def test_a_queue_of_a_hundred_thousand_orders_keeps_the_current_one_wherever_it_is() -> None:
-    event = heard("queue", orders(100_000, current=77_777))
+    event = received("queue", orders(100_000, current=77_777))
     assert isinstance(event, events.QueueReported)
     assert len(event.queue.orders) == bounds.MOST_ORDERS + 1
     assert event.queue.current is not None and event.queue.current.id == "77777"
     assert (event.queue.last_serial, event.queue.orders[0].id) == (100_000, "1")
     state = told(
-        fleet(2), link_up(T0), pose(T0), heard("graph", graph(20_000)), event, tick(T0), tick(T0 + 5)
+        fleet(2), link_up(T0), pose(T0), received("graph", graph(20_000)), event, tick(T0), tick(T0 + 5)
     )
     rows = shown(state)
     assert any("100,000 orders: only the first 500 used" in row for row in rows)
 
 
 def test_a_queue_that_fits_is_no_fault() -> None:
-    event = heard("queue", orders(bounds.MOST_ORDERS, current=3))
+    event = received("queue", orders(bounds.MOST_ORDERS, current=3))
     assert isinstance(event, events.QueueReported)
     assert (len(event.queue.orders), event.fault) == (bounds.MOST_ORDERS, "")
 
 
 def test_a_graph_beyond_the_bound() -> None:
-    event = heard("graph", graph(60_000))
+    event = received("graph", graph(60_000))
     assert isinstance(event, events.GraphReceived)
     assert len(event.graph.vertices) == bounds.MOST_VERTICES
     assert event.fault == "graph of floor_0: 60,000 vertices: only the first 20,000 used"
-    shown(told(fleet(), link_up(T0), event, heard("labels", labels(20_000)), pose(T0), tick(T0)))
+    shown(told(fleet(), link_up(T0), event, received("labels", labels(20_000)), pose(T0), tick(T0)))
 
 
 def test_a_million_vertices_are_more_than_is_read_at_all() -> None:
     with pytest.raises(WireError, match=r"bytes: the limit is 8,388,608"):
-        heard("graph", graph(1_000_000))
+        received("graph", graph(1_000_000))
 
 
 def test_a_status_and_a_frame_id_of_a_megabyte() -> None:
-    event = heard("queue", {**orders(0), "orders": [{"id": 1, "start": 1, "end": 1, "status": MEGABYTE}]})
+    event = received("queue", {**orders(0), "orders": [{"id": 1, "start": 1, "end": 1, "status": MEGABYTE}]})
     assert isinstance(event, events.QueueReported)
     assert len(event.queue.orders[0].word) < bounds.LONGEST_NAME + 30
     state = told(fleet(), link_up(T0), event, pose(T0, frame=MEGABYTE), tick(T0))
@@ -171,8 +171,8 @@ def test_no_text_from_outside_is_kept_longer_than_its_bound() -> None:
 )
 @pytest.mark.parametrize("result", [True, False])
 def test_what_is_kept_of_an_answer_is_short(values: object, result: bool) -> None:
-    _, words = ADAPTER.outcome(PauseRobot("robot_0"), values, result)
-    assert len(words) < 2 * bounds.LONGEST_WORDS
+    _, detail = ADAPTER.outcome(PauseRobot("robot_0"), values, result)
+    assert len(detail) < 2 * bounds.LONGEST_WORDS
 
 
 def test_an_answer_as_long_as_it_may_be_is_judged_soon() -> None:
@@ -187,16 +187,16 @@ def test_an_answer_nested_too_deep_is_none() -> None:
     nested: list[Any] = []
     for _ in range(100_000):
         nested = [nested]
-    stage, words = ADAPTER.outcome(PauseRobot("robot_0"), nested, True)
-    assert (stage, words) == (Stage.UNKNOWN, "unrecognised reply: nested too deep")
+    stage, detail = ADAPTER.outcome(PauseRobot("robot_0"), nested, True)
+    assert (stage, detail) == (Stage.UNKNOWN, "unrecognised reply: nested too deep")
 
 
 def test_an_answer_beyond_the_bound_is_not_read() -> None:
     frame = {"op": "service_response", "id": "1", "values": {"a": "x" * operations.LARGEST_ANSWER}}
     answer = operations.decode(json.dumps(frame).encode())
     assert isinstance(answer, operations.ServiceResponse)
-    stage, words = ADAPTER.outcome(PauseRobot("robot_0"), answer.values, True)
-    assert stage is Stage.UNKNOWN and "4,194,313 bytes, too large to read" in words
+    stage, detail = ADAPTER.outcome(PauseRobot("robot_0"), answer.values, True)
+    assert stage is Stage.UNKNOWN and "4,194,313 bytes, too large to read" in detail
 
 
 def test_what_a_bridge_says_beyond_the_bound_is_not_read() -> None:
@@ -242,4 +242,4 @@ def test_who_is_not_in_the_config_adds_nothing() -> None:
     assert state.robots == before.robots
     for n in range(1000):
         state = apply(state, pose(T0 + n, frame=f"floor_{n}"))
-    assert set(state.robots[R0].charts) == set(before.robots[R0].charts) and set(state.floors) == {F0}
+    assert set(state.robots[R0].maps) == set(before.robots[R0].maps) and set(state.floors) == {F0}

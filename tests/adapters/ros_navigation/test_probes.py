@@ -13,7 +13,7 @@ def located(variance: float | None) -> LocalisationReported:
 
 
 @pytest.mark.parametrize(
-    ("count", "event", "level", "words"),
+    ("count", "event", "level", "detail"),
     [
         (0, None, "fail", "no pose on the map received"),
         (1, None, "fail", "no pose on the map received"),
@@ -22,14 +22,14 @@ def located(variance: float | None) -> LocalisationReported:
         (1, located(4.0), "warn", "localisation uncertain: within 2.00 m"),
     ],
 )
-def test_how_sure_a_robot_is_of_where_it_is(count: int, event: Event | None, level: str, words: str) -> None:
+def test_how_sure_a_robot_is_of_where_it_is(count: int, event: Event | None, level: str, detail: str) -> None:
     found = judge_localisation(count, event)
-    assert found.level == level and words in found.measured
+    assert found.level == level and detail in found.measured
     assert bool(found.remedy) == (level != "ok")
 
 
 @pytest.mark.parametrize(
-    ("event", "level", "words"),
+    ("event", "level", "detail"),
     [
         (BatteryReported("r1", 1.0, 0.5, is_raw=True), "ok", "50 %"),
         (BatteryReported("r1", 1.0, 50.0, is_raw=False), "ok", "50 %"),
@@ -37,9 +37,9 @@ def test_how_sure_a_robot_is_of_where_it_is(count: int, event: Event | None, lev
         (Unmeasured("r1", 1.0, "battery"), "warn", "percentage is NaN"),
     ],
 )
-def test_on_which_scale_a_battery_counts(event: Event, level: str, words: str) -> None:
+def test_on_which_scale_a_battery_counts(event: Event, level: str, detail: str) -> None:
     found = judge_battery("[profile.scales]", 3, event)
-    assert found is not None and found.level == level and words in found.measured
+    assert found is not None and found.level == level and detail in found.measured
 
 
 def test_of_a_battery_that_says_nothing_its_topic_tells() -> None:

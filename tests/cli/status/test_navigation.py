@@ -60,7 +60,7 @@ def test_orders_that_wait_here_and_orders_of_others() -> None:
 def test_progress_is_that_of_an_order_and_fresh() -> None:
     driving = told(site(), queue(T0, (7, 1, 2, "W"), current=7))
     progress = Progress("7", 4.0, 9.0, 12.0, 1, 2)
-    found = values(driving, progress=Reading(progress, T0), heard=T0)["progress"]
+    found = values(driving, progress=Reading(progress, T0), last_received=T0)["progress"]
     assert found == {"metres": 4.0, "seconds": 9.0, "elapsed_s": 12.0, "recoveries": 1, "stop": 2}
-    assert values(driving, progress=Reading(progress, T0 - 60), heard=T0)["progress"] is None
-    assert values(site(), progress=Reading(progress, T0), heard=T0)["progress"] is None
+    assert values(driving, progress=Reading(progress, T0 - 60), last_received=T0)["progress"] is None
+    assert values(site(), progress=Reading(progress, T0), last_received=T0)["progress"] is None

@@ -6,11 +6,11 @@ from tests.support.fleets import (
     T0,
     told,
 )
-from tests.support.kinds import BARE, FULL, LATE, heard
+from tests.support.kinds import BARE, FULL, LATE, received
 
 
 def test_json_has_no_key_for_what_a_kind_never_tells_and_null_for_what_has_not_come() -> None:
-    state = told(heard(BARE, LATE, FULL), ObstacleReported("robot_2", T0, 0.0))
+    state = told(received(BARE, LATE, FULL), ObstacleReported("robot_2", T0, 0.0))
     bare, late, full = report(state)["robots"]
     assert {"battery_percent", "cargo", "obstacle_s", "paused", "orders"}.isdisjoint(bare)
     assert (late["battery_percent"], late["orders"]) == (None, None) and "cargo" not in late

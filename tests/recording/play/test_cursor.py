@@ -37,12 +37,12 @@ async def eventful(link: FleetLink, store: WatchedStore, server: RosbridgeServer
     link.show_map("robot_0", "floor_0")
     link.post(load_floor_map("floor_1", image, added=False))
     link.post(FloorGraphLoaded("floor_1", RouteGraph(), {"1": "Base"}, "a fault"))
-    graph = store.state.robots["robot_0"].charts["floor_0"].graph
+    graph = store.state.robots["robot_0"].maps["floor_0"].graph
     assert graph is not None
     start, end, *_ = graph.vertices
     link.submit(place_order("robot_0", start, end))
     await finished(link, store, PauseRobot("robot_1"))
-    await store.until(lambda state: state.robots["robot_0"].charts["floor_0"].grid)
+    await store.until(lambda state: state.robots["robot_0"].maps["floor_0"].grid)
     await server.drop_clients()
     await store.until(phase(Phase.WAITING))
     await store.until(phase(Phase.UP))
@@ -56,8 +56,8 @@ async def eventful(link: FleetLink, store: WatchedStore, server: RosbridgeServer
     other = RosbridgeServer(World(robots=2, floors=2, seed=2), port=port)
     await other.start()
     await store.until(phase(Phase.UP))
-    heard = store.state.now
-    await store.until(lambda state: (state.robots["robot_1"].heard or 0.0) > heard)
+    received = store.state.now
+    await store.until(lambda state: (state.robots["robot_1"].last_received or 0.0) > received)
     await other.stop()
 
 

@@ -37,7 +37,7 @@ def large_map() -> OutgoingFrame:
 
 
 def _width(state: FleetState) -> int:
-    grid = state.robots["robot_0"].charts["floor_0"].grid
+    grid = state.robots["robot_0"].maps["floor_0"].grid
     return grid.frame.width if grid else 0
 
 
@@ -54,7 +54,7 @@ async def test_two_bridges_and_a_large_map(tmp_path: Path, server: RosbridgeServ
     try:
         await store.until(lambda state: all(robot.pose for robot in state.robots.values()))
         link.show_map("robot_0", "floor_0")
-        await store.until(lambda state: state.robots["robot_0"].charts["floor_0"].grid)
+        await store.until(lambda state: state.robots["robot_0"].maps["floor_0"].grid)
         server.bridge.publish_raw(TOPIC, large_map().frame("cbor"))
         await store.until(lambda state: _width(state) == SIDE)
         await other.stop()

@@ -6,12 +6,12 @@ from fleet_tui.rules.commands.batches import TOGETHER, batches, pauses, summary
 from tests.support.fleets import T0, commanded, fleet, told
 
 
-def paused(*stages: Stage, words: str = "") -> FleetState:
+def paused(*stages: Stage, detail: str = "") -> FleetState:
     """A pause of all, each robot at its own stage."""
     facts = [
         fact
         for n, stage in enumerate(stages)
-        for fact in commanded(n, PauseRobot(f"robot_{n}"), Stage.SENT, stage, words=words)
+        for fact in commanded(n, PauseRobot(f"robot_{n}"), Stage.SENT, stage, detail=detail)
     ]
     return told(fleet(len(stages)), *facts)
 
@@ -34,7 +34,7 @@ def test_what_is_given_at_once_to_different_robots_is_one_wish() -> None:
 
 
 def test_a_summary_counts_what_went_well_and_names_what_did_not() -> None:
-    state = paused(Stage.REFUSED, Stage.ACCEPTED, Stage.ACCEPTED, words="no")
+    state = paused(Stage.REFUSED, Stage.ACCEPTED, Stage.ACCEPTED, detail="no")
     assert summary(state, state.commands) == (
         "pause all",
         "1 refused (robot_0): no, 2 open (robot_1, robot_2)",

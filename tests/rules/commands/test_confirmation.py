@@ -35,7 +35,7 @@ def test_an_order_that_appears_in_the_queue_is_confirmed_whatever_was_answered(a
     assert only(state).stage is answer
     state = told(state, queue(T0 + 2, (4, 8, 9, "W"), (5, 1, 2, "Q"), current=4), tick(T0 + 2))
     assert (only(state).stage, only(state).order_id) == (Stage.CONFIRMED, "5")
-    assert only(state).words == "seen in the queue as order 5"
+    assert only(state).detail == "seen in the queue as order 5"
 
 
 @pytest.mark.parametrize(
@@ -54,7 +54,7 @@ def test_what_is_not_seen_is_not_confirmed_and_says_what_is(
     assert only(waiting).stage is ACCEPTED
     ended = told(waiting, tick(T0 + PATIENCE + 0.1))
     assert only(ended).stage is Stage.NOT_CONFIRMED
-    assert only(ended).words.startswith("accepted; ") and instead in only(ended).words
+    assert only(ended).detail.startswith("accepted; ") and instead in only(ended).detail
 
 
 def test_a_queue_older_than_the_command_proves_nothing() -> None:
@@ -67,7 +67,7 @@ def test_an_order_of_a_robot_whose_queue_was_never_seen_is_not_known() -> None:
         fleet(), link_up(T0 - 9), *commanded(1, ORDER, SENT, ACCEPTED), queue(T0 + 1, (9, 1, 2, "Q"))
     )
     record = only(told(state, tick(T0 + PATIENCE + 1)))
-    assert record.stage is Stage.NOT_CONFIRMED and "queue unknown before" in record.words
+    assert record.stage is Stage.NOT_CONFIRMED and "queue unknown before" in record.detail
 
 
 def test_two_same_orders_are_two_in_the_queue() -> None:
@@ -95,13 +95,13 @@ def test_without_a_link_nothing_is_decided_and_after_it_the_queue_decides() -> N
     assert only(placed).stage is Stage.CONFIRMED
     restarted = told(back, queue(T0 + 504), tick(T0 + 500 + PATIENCE))
     assert only(restarted).stage is Stage.NOT_CONFIRMED
-    assert only(restarted).words == "outcome unknown: link lost; order not in the queue"
+    assert only(restarted).detail == "outcome unknown: link lost; order not in the queue"
 
 
 def test_a_late_answer_still_counts() -> None:
     late = [CommandAdvanced(1, NO_ANSWER, T0 + 5), CommandAdvanced(1, Stage.REFUSED, T0 + 8, "REJECTED")]
     record = only(up(*commanded(1, ORDER, SENT), *late))
-    assert (record.stage, record.words) == (Stage.REFUSED, "REJECTED")
+    assert (record.stage, record.detail) == (Stage.REFUSED, "REJECTED")
 
 
 @pytest.mark.parametrize(
@@ -121,7 +121,7 @@ def test_what_was_to_go_is_gone_or_is_named(
 ) -> None:
     state = up(*commanded(1, command, SENT, ACCEPTED), queue(T0 + 1, *queue_then), tick(T0 + PATIENCE))
     assert only(state).stage is stage
-    assert ("order 4 is" in only(state).words) is (stage is Stage.NOT_CONFIRMED)
+    assert ("order 4 is" in only(state).detail) is (stage is Stage.NOT_CONFIRMED)
 
 
 COMMANDS = [

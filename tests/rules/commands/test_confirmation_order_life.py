@@ -92,7 +92,7 @@ def alarm_texts(state: FleetState) -> list[str]:
 def test_the_end_of_an_order_is_told(facts: list[Event], stage: Stage, reason: str) -> None:
     state = given(*facts, tick(T0 + 45))
     record = first(state)
-    assert record.stage is stage and reason in record.words
+    assert record.stage is stage and reason in record.detail
     needs_somebody = stage in (Stage.LOST, Stage.CANCELLED_ELSEWHERE)
     found = [text for text in alarm_texts(state) if text.startswith(f"{stage.value}: order 0 -> 7")]
     assert len(found) == needs_somebody
@@ -103,7 +103,7 @@ def test_an_order_that_begins_at_its_end_is_not_done_until_the_robot_is_back() -
     away = [pose(T0 + 3 + n, 3.0 + 4 * n) for n in range(10)]
     begun: list[Event] = [pose(T0 + 1.5, 3.0), driving(T0 + 2), *away, driving(T0 + 13)]
     lost = first(given(*begun, gone(T0 + 14), tick(T0 + 14)))
-    assert lost.stage is Stage.LOST and "with the robot 36 m from its end" in lost.words
+    assert lost.stage is Stage.LOST and "with the robot 36 m from its end" in lost.detail
     back: list[Event] = [pose(T0 + 20, 3.0), pose(T0 + 21, 3.0), gone(T0 + 21.5), tick(T0 + 22)]
     assert first(given(*begun, driving(T0 + 20), *back)).stage is Stage.DONE
 
@@ -167,7 +167,7 @@ def test_a_queue_that_was_cut_short_ends_no_order() -> None:
 def test_what_this_console_took_away_is_cancelled_and_no_alarm(removal: Command, left: QueueReported) -> None:
     state = given(*commanded(2, removal, SENT, ACCEPTED, at=T0 + 2), left, tick(T0 + 3))
     assert [record.stage for record in state.commands] == [Stage.CANCELLED, Stage.CONFIRMED]
-    assert not alarm_texts(state) and first(state).words == "order 5: by this console"
+    assert not alarm_texts(state) and first(state).detail == "order 5: by this console"
 
 
 def test_a_cancel_that_was_refused_took_nothing_away() -> None:
@@ -309,7 +309,7 @@ def test_a_pause_that_a_restart_of_the_robot_ended_is_told(says: bool) -> None:
     assert first(state).stage is (Stage.CONFIRMED if says else Stage.UNVERIFIABLE)
     state = told(state, gone(T0 + 2, 0), tick(T0 + 2))
     record = first(state)
-    assert record.stage is Stage.LOST and record.words.endswith("no longer paused")
+    assert record.stage is Stage.LOST and record.detail.endswith("no longer paused")
     assert alarm_texts(state)[0].startswith("lost: pause (the robot's order ids started over")
     assert not state.robots[R0].paused_by_us
 

@@ -21,16 +21,16 @@ from tests.support.fleets import (
 )
 
 
-def ended(id_: int, at: float, *stages: Stage, words: str = "") -> list[events.Event]:
+def ended(id_: int, at: float, *stages: Stage, detail: str = "") -> list[events.Event]:
     return [
         events.CommandAdvanced(id_, Stage.SENT, at),
-        *(events.CommandAdvanced(id_, stage, at, words) for stage in stages),
+        *(events.CommandAdvanced(id_, stage, at, detail) for stage in stages),
     ]
 
 
-def failed(state: FleetState, id_: int, at: float, *stages: Stage, words: str = "queue full") -> FleetState:
+def failed(state: FleetState, id_: int, at: float, *stages: Stage, detail: str = "queue full") -> FleetState:
     issued = events.CommandIssued(id_, place_order(R0, 1, 2), at, WALL)
-    ends = ended(id_, at, *(stages or (Stage.REFUSED,)), words=words)
+    ends = ended(id_, at, *(stages or (Stage.REFUSED,)), detail=detail)
     return told(state, battery(at), tick(at), issued, *ends, tick(at))
 
 
@@ -42,7 +42,7 @@ def test_a_refused_command_is_an_alarm_in_the_robots_words() -> None:
 
 
 def test_not_confirmed_is_an_alarm_that_returns_after_a_while_and_stays_until_it_is_seen() -> None:
-    state = failed(up(), 7, T0, Stage.ACCEPTED, words="")
+    state = failed(up(), 7, T0, Stage.ACCEPTED, detail="")
     assert alarms(state) == {}
     state = told(state, battery(T0 + 6), tick(T0 + 6))
     text = "not confirmed: order 1 -> 2 (accepted; no queue received since)"

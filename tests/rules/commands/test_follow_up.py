@@ -39,12 +39,12 @@ def test_no_other_new_goal_is_taken_for_it() -> None:
     state = lived(sent(site(), T0 + 1, "our-name"), T0 + 1.2, goal("another1"))
     state = lived(state, T0 + 20, goal("another1"))
     assert record(state).stage is Stage.NOT_CONFIRMED
-    assert record(state).words == "no answer; no new goal seen"
+    assert record(state).detail == "no answer; no new goal seen"
 
 
 def test_its_rejection_ends_it_with_the_robots_words() -> None:
     state = lived(sent(site(), T0 + 1, "our-name"), T0 + 1.2, goal("our-name", REFUSED, "not now"))
-    assert (record(state).stage, record(state).words) == (Stage.REFUSED, "not now")
+    assert (record(state).stage, record(state).detail) == (Stage.REFUSED, "not now")
 
 
 def test_its_failure_is_told_in_the_robots_words() -> None:
@@ -52,7 +52,7 @@ def test_its_failure_is_told_in_the_robots_words() -> None:
     state = lived(state, T0 + 1.2, goal("our-name"))
     state = lived(state, T0 + 2.0, goal("our-name", FAILED, "Failed to find a valid plan"))
     assert record(state).stage is Stage.FAILED
-    assert record(state).words == "order our-name: Failed to find a valid plan"
+    assert record(state).detail == "order our-name: Failed to find a valid plan"
 
 
 def test_each_stop_is_a_goal_of_its_own() -> None:
@@ -133,7 +133,7 @@ def test_a_target_is_that_of_the_goal_that_begins() -> None:
 
 
 def _near(state: FleetState, pose: Pose) -> tuple[Stop, ...]:
-    vertices = state.robots[R0].charts[F0].graph
+    vertices = state.robots[R0].maps[F0].graph
     assert vertices is not None
     found = [one.id for one in vertices.vertices.values() if abs(one.x - pose.x) + abs(one.y - pose.y) < 0.5]
     return (Stop(found[0]),) if found else (Stop(pose=pose),)

@@ -111,9 +111,9 @@ def test_a_robot_that_moves_on_without_a_goal_has_not_stopped() -> None:
     standing = [fact for at in times for fact in (pose(at), tick(at))]
     state = ours(pose(T0 + 0.25, 1.0), *pause, stopped, *moving)
     assert record(state, 3).stage is Stage.NOT_CONFIRMED
-    assert record(state, 3).words == "accepted; the robot was not seen to stop"
+    assert record(state, 3).detail == "accepted; the robot was not seen to stop"
     state = ours(pose(T0 + 0.25, 1.0), *pause, stopped, *standing)
-    assert (record(state, 3).stage, record(state, 3).words) == (Stage.CONFIRMED, "stopped, goal kept here")
+    assert (record(state, 3).stage, record(state, 3).detail) == (Stage.CONFIRMED, "stopped, goal kept here")
 
 
 def test_one_of_several_stops_is_done_without_its_answer_and_says_what_is_not_known() -> None:
@@ -125,7 +125,7 @@ def test_one_of_several_stops_is_done_without_its_answer_and_says_what_is_not_kn
     ended: list[Event] = [GoalsReported(R0, T0 + 1, several.action, (done,)), pose(T0 + 3), tick(T0 + 3)]
     state = after(of_kinds(fleet(), KIND), *begun, driving, pose(T0 + 0.2), tick(T0 + 0.2), *ended)
     assert record(state, 1).stage is Stage.DONE
-    assert "stops may have been missed" in record(state, 1).words
+    assert "stops may have been missed" in record(state, 1).detail
 
 
 def test_a_question_names_the_orders_that_wait_here_too() -> None:
@@ -152,9 +152,9 @@ def test_orders_that_wait_here_are_orders_and_a_resume_says_whether_there_are_an
     assert "1 waiting" in text_of(fleet_table(state, "", 80).rows[0].runs)
     assert state.robots[R0].held and "no orders" not in [one.name for one in reasons(state, state.robots[R0])]
     resume = commanded(3, ResumeRobot(R0), Stage.SENT, Stage.ACCEPTED, at=T0 + 3)
-    assert record(after(state, *resume, tick(T0 + 3.1)), 3).words == "waiting orders continue"
+    assert record(after(state, *resume, tick(T0 + 3.1)), 3).detail == "waiting orders continue"
     emptied = after(state, CommandAdvanced(2, Stage.CANCELLED, T0 + 3))
-    assert record(after(emptied, *resume, tick(T0 + 3.1)), 3).words == "no orders waiting here"
+    assert record(after(emptied, *resume, tick(T0 + 3.1)), 3).detail == "no orders waiting here"
 
 
 def test_orders_that_wait_for_a_robot_that_left_its_floor_are_held() -> None:
@@ -180,9 +180,9 @@ def test_a_queue_in_which_nothing_waits_any_more_is_not_held() -> None:
 
 
 def test_a_robot_that_is_not_heard_is_not_said_to_have_stopped() -> None:
-    pause = commanded(1, PauseRobot(R0), Stage.SENT, Stage.ACCEPTED, words="no action server")
+    pause = commanded(1, PauseRobot(R0), Stage.SENT, Stage.ACCEPTED, detail="no action server")
     offline = after(of_kinds(fleet(), KIND), *KNOWN, link_up(T0), *pause)
     assert record(after(offline, tick(T0 + 0.1)), 1).stage is Stage.ACCEPTED
     ended = record(after(offline, *map(tick, (T0 + 0.1, T0 + 60))), 1)
-    assert (ended.stage, ended.words) == (Stage.NOT_CONFIRMED, "accepted; the robot is offline")
+    assert (ended.stage, ended.detail) == (Stage.NOT_CONFIRMED, "accepted; the robot is offline")
     assert record(after(offline, pose(T0 + 0.2), tick(T0 + 0.2)), 1).stage is Stage.CONFIRMED

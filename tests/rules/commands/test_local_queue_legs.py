@@ -91,14 +91,14 @@ def test_a_pause_that_stops_a_goal_of_others_says_so_though_orders_wait_here() -
     state = told(lived(state, T0 + 1.1, goal("another1")), CommandAdvanced(7, Stage.WAITING, T0 + 1.2))
     state = asked(lived(state, T0 + 1.3, goal("another1")), T0 + 2, PauseRobot(R0))
     state = lived(lived(state, T0 + 2.2, goal("another1", OFF)), T0 + 2.4, goal("another1", OFF))
-    assert (record(state, 8).stage, record(state, 8).words) == (Stage.CONFIRMED, FOREIGN_STOPPED)
+    assert (record(state, 8).stage, record(state, 8).detail) == (Stage.CONFIRMED, FOREIGN_STOPPED)
 
 
 def test_a_resume_after_which_an_order_left_says_so() -> None:
     state = asked(on_its_first_leg(), T0 + 2, PauseRobot(R0))
     state = lived(lived(state, T0 + 2.2, goal(FIRST, OFF)), T0 + 4, goal(FIRST, OFF))
-    assert (record(state, 8).words, record(state).stage) == ("stopped, goal kept here", Stage.WAITING)
+    assert (record(state, 8).detail, record(state).stage) == ("stopped, goal kept here", Stage.WAITING)
     resume = [CommandAdvanced(9, stage, T0 + 5) for stage in (Stage.SENT, Stage.ACCEPTED)]
     state = sent(told(state, CommandIssued(9, ResumeRobot(R0), T0 + 5, T0), *resume), T0 + 5, "goal---2")
     state = lived(state, T0 + 5.1, goal(FIRST, OFF))
-    assert record(state, 9).words == "waiting orders continue"
+    assert record(state, 9).detail == "waiting orders continue"

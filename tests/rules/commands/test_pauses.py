@@ -27,7 +27,7 @@ def test_the_robots_own_word_confirms_a_pause(command: Command, says: bool) -> N
     assert only(told(state, tick(T0 + 1))).stage is ACCEPTED
     assert only(told(state, PausedReported(R0, T0 + 1, says), tick(T0 + 1))).stage is Stage.CONFIRMED
     against = told(state, PausedReported(R0, T0 + 1, not says), tick(T0 + PATIENCE))
-    assert only(against).stage is Stage.NOT_CONFIRMED and "reported" in only(against).words
+    assert only(against).stage is Stage.NOT_CONFIRMED and "reported" in only(against).detail
 
 
 @pytest.mark.parametrize("command", [PauseRobot(R0), ResumeRobot(R0)])
@@ -45,7 +45,7 @@ def test_a_pause_that_a_topic_is_to_show_waits_for_it() -> None:
     assert only(state).stage is ACCEPTED
     assert only(told(state, PausedReported(R0, T0 + 1, True), tick(T0 + 1))).stage is Stage.CONFIRMED
     silent = only(told(state, tick(T0 + PATIENCE)))
-    assert (silent.stage, silent.words) == (
+    assert (silent.stage, silent.detail) == (
         Stage.NOT_CONFIRMED,
         "accepted; no message on the pause topic",
     )
@@ -55,17 +55,17 @@ def test_a_robot_that_was_driving_and_stands_still_is_seen_to_have_paused() -> N
     driving = up(pose(T0 - 0.1), pose(T0, 0.2), *commanded(1, PauseRobot(R0), SENT, ACCEPTED), tick(T0))
     assert only(driving).stage is ACCEPTED
     stopped = told(driving, pose(T0 + 0.1, 0.3), pose(T0 + 1.2, 0.31), tick(T0 + 1.2))
-    assert (only(stopped).stage, only(stopped).words) == (Stage.CONFIRMED, "the robot stopped")
+    assert (only(stopped).stage, only(stopped).detail) == (Stage.CONFIRMED, "the robot stopped")
     rolling = [pose(T0 + n / 2, 0.2 + n) for n in range(1, 12)]
     on = told(driving, *rolling, tick(T0 + PATIENCE))
-    assert only(on).stage is Stage.NOT_CONFIRMED and "kept moving" in only(on).words
+    assert only(on).stage is Stage.NOT_CONFIRMED and "kept moving" in only(on).detail
 
 
 def test_a_robot_that_stops_at_once_and_reports_no_further_place_has_paused() -> None:
     driving = up(pose(T0 - 0.1), pose(T0 - 0.05, 0.2), *commanded(1, PauseRobot(R0), SENT, ACCEPTED))
     assert only(told(driving, pose(T0 + 0.5, 0.2), tick(T0 + 3))).stage is ACCEPTED  # silence is no standing
     stopped = told(driving, pose(T0 + 0.5, 0.2), pose(T0 + 1.1, 0.2), tick(T0 + 1.2))
-    assert (only(stopped).stage, only(stopped).words) == (Stage.CONFIRMED, "the robot stopped")
+    assert (only(stopped).stage, only(stopped).detail) == (Stage.CONFIRMED, "the robot stopped")
 
 
 def test_what_is_seen_after_the_opposite_took_effect_is_not_the_doing_of_a_pause() -> None:
@@ -83,7 +83,7 @@ def test_what_is_seen_after_the_opposite_took_effect_is_not_the_doing_of_a_pause
 def test_a_robot_that_stood_all_the_time_is_not_said_to_move() -> None:
     parked = up(pose(T0 - 50), pose(T0), *commanded(1, PauseRobot(R0), SENT, NO_ANSWER), pose(T0 + 4))
     end = only(told(parked, tick(T0 + PATIENCE)))
-    assert (end.stage, end.words.rpartition("; ")[2]) == (Stage.NOT_CONFIRMED, "no evidence in telemetry")
+    assert (end.stage, end.detail.rpartition("; ")[2]) == (Stage.NOT_CONFIRMED, "no evidence in telemetry")
 
 
 @pytest.mark.parametrize("command", [PauseRobot(R0), ResumeRobot(R0)])
@@ -91,4 +91,4 @@ def test_a_robot_that_stood_all_the_time_is_not_said_to_move() -> None:
 def test_the_end_of_a_pause_does_not_read_as_if_it_were_paused(command: Command, says: bool) -> None:
     asked = up(PausedReported(R0, T0, not says), *commanded(1, command, SENT, ACCEPTED))
     end = only(told(asked, PausedReported(R0, T0 + 1, says), tick(T0 + PATIENCE)))
-    assert end.is_decided and "paused" not in end.words
+    assert end.is_decided and "paused" not in end.detail

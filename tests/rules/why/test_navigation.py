@@ -9,7 +9,7 @@ from fleet_tui.model.kind import Kind
 from fleet_tui.model.navigation import Blocked, Progress
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
-from fleet_tui.rules.why.navigation import blocked, held, not_sure_where, recovering, somebody_else
+from fleet_tui.rules.why.navigation import another_client, blocked, held, not_sure_where, recovering
 from fleet_tui.rules.why.reason import Strength
 from tests.support.fleets import R0, T0, commanded, fleet, of_kinds, place_order, queue, tick, told
 
@@ -31,7 +31,7 @@ def test_a_fresh_stop_of_the_collision_monitor_is_certain(
     action: str, age: float, strength: Strength
 ) -> None:
     report = Reading(Blocked(action, "front", T0 - age - 3), T0 - age)
-    found = blocked(*known(blocked=report, heard=T0))
+    found = blocked(*known(blocked=report, last_received=T0))
     assert found is not None and found.strength is strength
     assert (found.since, found.seen) == (T0 - age - 3, T0 - age)
     assert found.evidence == "collision monitor triggered in front: clear the path at the robot"
@@ -49,9 +49,9 @@ def test_an_uncertain_localisation_is_given_in_metres() -> None:
 
 def test_recoveries_are_counted_while_an_order_is_driven() -> None:
     driving = told(fleet(), queue(T0, (7, 1, 2, "W"), current=7))
-    for count, words in ((1, "1 recovery during order 7"), (3, "3 recoveries during order 7")):
+    for count, detail in ((1, "1 recovery during order 7"), (3, "3 recoveries during order 7")):
         found = recovering(*known(driving, progress=Reading(Progress("7", recoveries=count), T0)))
-        assert found is not None and found.evidence.startswith(words)
+        assert found is not None and found.evidence.startswith(detail)
     assert recovering(*known(progress=Reading(Progress("7", recoveries=1), T0))) is None
     assert recovering(*known(driving, progress=Reading(Progress("7"), T0))) is None
 
@@ -67,6 +67,6 @@ def test_orders_held_here_are_released_by_resume() -> None:
 def test_a_goal_of_another_client_is_named_for_robots_without_a_queue_of_their_own() -> None:
     state = told(fleet(), queue(T0, (7, 1, 2, "W"), current=7))
     goals = of_kinds(state, Kind("goals", ("queue",), keeps_goals=True))
-    found = somebody_else(*known(goals))
+    found = another_client(*known(goals))
     assert found is not None and found.evidence == "order 7, 1? -> 2? was not sent by this console"
-    assert somebody_else(*known(state)) is None
+    assert another_client(*known(state)) is None

@@ -2,16 +2,16 @@
 
 from msgspec.structs import replace
 
-from fleet_tui.rules.why.reason import mission, name_of, stands_since
+from fleet_tui.rules.why.reason import mission, name_of, stationary_since
 from tests.support.fleets import R0, T0, fleet, graph, labels, order, pose, told
 
 STATE = told(fleet(), graph(1, 2), labels({1: "Base"}), pose(T0, 1.0), pose(T0 + 5, 1.0))
 
 
 def test_it_stands_since_its_pose_is_the_same() -> None:
-    assert stands_since(STATE.robots[R0]) == T0
-    assert stands_since(told(STATE, pose(T0 + 6, 4.0)).robots[R0]) == T0 + 6
-    assert stands_since(fleet().robots[R0]) is None
+    assert stationary_since(STATE.robots[R0]) == T0
+    assert stationary_since(told(STATE, pose(T0 + 6, 4.0)).robots[R0]) == T0 + 6
+    assert stationary_since(fleet().robots[R0]) is None
 
 
 def test_an_order_is_named_by_its_label_or_its_stops_and_an_unknown_vertex_is_marked() -> None:

@@ -42,7 +42,7 @@ def test_a_pause_names_where_it_came_from_and_the_key() -> None:
 
 
 def test_a_refused_resume_is_named_beside_the_pause() -> None:
-    facts = commanded(1, ResumeRobot(R0), Stage.SENT, Stage.REFUSED, words="key switch is off")
+    facts = commanded(1, ResumeRobot(R0), Stage.SENT, Stage.REFUSED, detail="key switch is off")
     state = told(fleet(), link_up(T0), PausedReported(R0, T0, True), pose(T0), *facts, tick(T0 + 2))
     found = reasons(state, state.robots[R0])
     assert [reason.name for reason in found][:2] == ["paused", "resume: refused"]

@@ -37,7 +37,7 @@ def test_two_robots_in_each_others_way_are_said_to_be() -> None:
 def test_robots_in_different_frames_are_not_compared() -> None:
     """The other's map lies elsewhere: its numbers mean another place."""
     planted = behind_another()
-    frame = planted.state.robots["robot_1"].charts["floor_0"].frame
+    frame = planted.state.robots["robot_1"].maps["floor_0"].frame
     assert frame is not None
     moved = structs.replace(frame, origin=Pose(frame.origin.x + 5.0, frame.origin.y))
     planted.run(3)

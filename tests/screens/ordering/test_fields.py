@@ -43,12 +43,10 @@ async def test_the_same_label_on_two_floors_stays_what_was_picked(server: Rosbri
     server.world.robots["robot_0"].cargo = True
     async with console(config_of(server.url, 1, 2)) as it:
         await it.until(lambda state: state.robots["robot_0"].has_cargo)
-        charts = it.store.state.robots["robot_0"].charts
-        labels = [{"label": "Lift", "vertex_id": int(id_)} for id_ in charts["floor_1"].labels]
+        maps = it.store.state.robots["robot_0"].maps
+        labels = [{"label": "Lift", "vertex_id": int(id_)} for id_ in maps["floor_1"].labels]
         server.bridge.publish_raw("/robot_0/floor_1/labeled_vertices", {"vertices": labels})
-        await it.until(
-            lambda state: set(state.robots["robot_0"].charts["floor_1"].labels.values()) == {"Lift"}
-        )
+        await it.until(lambda state: set(state.robots["robot_0"].maps["floor_1"].labels.values()) == {"Lift"})
         wanted = labels[3]["vertex_id"]
         assert isinstance(wanted, int)
         it.app.main.rest.orders.start_at(str(wanted), "floor_1")

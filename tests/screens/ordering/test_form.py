@@ -119,8 +119,8 @@ async def test_loss_and_return_of_the_server_are_shown_and_heal() -> None:
         await second.start()
         await it.until(lambda state: state.links["rosbridge"].phase is Phase.UP)
         await it.hides("retry in")
-        heard = it.store.state.robots["robot_0"].heard or 0.0
-        await it.until(lambda state: (state.robots["robot_0"].heard or 0.0) > heard)
+        received = it.store.state.robots["robot_0"].last_received or 0.0
+        await it.until(lambda state: (state.robots["robot_0"].last_received or 0.0) > received)
         assert second.bridge.services.calls == []
         await second.stop()
 

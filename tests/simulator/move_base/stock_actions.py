@@ -19,12 +19,12 @@ def main() -> None:
         ros, "/robot_0/move_base", "move_base_msgs/MoveBaseAction", PATIENCE, omit_feedback=False
     )
     reached, cancelled = goal(client, 8.0), goal(client, 35.0)
-    heard: list[Any] = []
-    reached.on("feedback", heard.append)
+    subscriptions: list[Any] = []
+    reached.on("feedback", subscriptions.append)
     ends = [driven(reached)]
     cancelled.on("status", lambda status: status["status"] == 1 and cancelled.cancel())
     ends.append(driven(cancelled))
-    print(json.dumps({"ends": ends, "feedback": heard[0]}))
+    print(json.dumps({"ends": ends, "feedback": subscriptions[0]}))
     ros.terminate()
 
 

@@ -214,14 +214,14 @@ async def test_what_is_missing_never_comes(
         assert json.loads(await client.recv())["topic"] == "/robot_1/odom"
 
 
-async def heard(client: ClientConnection, topic: str) -> Any:
+async def subscriptions(client: ClientConnection, topic: str) -> Any:
     await listen(client, topic)
     return (await until(client, lambda frame: frame.get("topic") == topic))["msg"]
 
 
 async def test_who_is_lost_says_how_unsure_it_is(server: RosbridgeServer, client: ClientConnection) -> None:
     plant(server, "lost")
-    covariance = (await heard(client, "/robot_0/amcl_pose"))["pose"]["covariance"]
+    covariance = (await subscriptions(client, "/robot_0/amcl_pose"))["pose"]["covariance"]
     assert covariance[0] + covariance[7] > 0.5
 
 
@@ -233,7 +233,7 @@ async def test_batteries_differ(
 ) -> None:
     plant(server, name)
     server.fleets[0].step(0.1)
-    percentage = (await heard(client, "/robot_0/battery_state"))["percentage"]
+    percentage = (await subscriptions(client, "/robot_0/battery_state"))["percentage"]
     assert percentage is None if low is None else low < percentage <= high + 1e-6
 
 

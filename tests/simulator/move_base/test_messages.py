@@ -27,7 +27,7 @@ def shape(value: object) -> object:
     return type(value)
 
 
-async def heard(client: ClientConnection, topic: str) -> Json:
+async def subscriptions(client: ClientConnection, topic: str) -> Json:
     await listen(client, topic)
     frame = await until(client, lambda frame: frame.get("topic") == topic)
     message: Json = frame["msg"]
@@ -35,17 +35,17 @@ async def heard(client: ClientConnection, topic: str) -> Json:
 
 
 async def test_telemetry_is_ros_1s(client: ClientConnection) -> None:
-    odometry = await heard(client, "/robot_0/odom")
+    odometry = await subscriptions(client, "/robot_0/odom")
     assert odometry["header"].keys() == HEADER.keys() and odometry["header"]["frame_id"] == "robot_0/odom"
     assert odometry["pose"]["covariance"][21] is None and len(odometry["pose"]["covariance"]) == 36
     again = (await until(client, lambda frame: frame["topic"] == "/robot_0/odom"))["msg"]
     assert again["header"]["seq"] == odometry["header"]["seq"] + 1
-    where = await heard(client, "/robot_0/amcl_pose")
+    where = await subscriptions(client, "/robot_0/amcl_pose")
     assert shape(where) == {"header": HEADER, "pose": {"pose": POSE, "covariance": [float]}}
     assert where["header"]["frame_id"] == "map"
-    battery = await heard(client, "/robot_0/battery_state")
+    battery = await subscriptions(client, "/robot_0/battery_state")
     assert 0.4 < battery["percentage"] < 1.0 and battery["current"] is None
-    picture = await heard(client, "/map")
+    picture = await subscriptions(client, "/map")
     assert picture["info"]["map_load_time"].keys() == STAMP.keys()
 
 

@@ -37,7 +37,7 @@ FLAT = {"x": 0.0, "y": 0.0, "z": 0.0, "w": 1.0}
 
 def test_a_goal_is_taken_driven_and_reached() -> None:
     it, navigation = world()
-    navigation.hear_goal(goal("a"))
+    navigation.receive_goal(goal("a"))
     assert stand(navigation) == {"a": PENDING}
     it.step(0.1)
     assert [one for one in navigation.server.listed() if one.text == TAKEN and one.status == ACTIVE]
@@ -48,8 +48,8 @@ def test_a_goal_is_taken_driven_and_reached() -> None:
 
 def test_a_goal_that_is_cancelled_before_it_begins_never_drives() -> None:
     it, navigation = world()
-    navigation.hear_goal(goal("a"))
-    navigation.hear_cancel(cancelled("a"))
+    navigation.receive_goal(goal("a"))
+    navigation.receive_cancel(cancelled("a"))
     assert stand(navigation) == {"a": RECALLING}
     it.step(0.2)
     assert results(navigation) == [("a", PREEMPTED, "")]
@@ -67,14 +67,14 @@ def test_a_goal_that_is_cancelled_before_it_begins_never_drives() -> None:
 )
 def test_an_invalid_quaternion_is_aborted(turn: Json) -> None:
     it, navigation = world()
-    navigation.hear_goal(goal("a", orientation=turn))
+    navigation.receive_goal(goal("a", orientation=turn))
     it.step(0.1)
     assert results(navigation) == [("a", ABORTED, INVALID)] and not navigation.robot.driving
 
 
 def test_a_quaternion_need_not_have_the_length_1() -> None:
     it, navigation = world()
-    navigation.hear_goal(goal("a", orientation=FLAT | {"z": 2.0, "w": 2.0}))
+    navigation.receive_goal(goal("a", orientation=FLAT | {"z": 2.0, "w": 2.0}))
     finish(it, navigation)
     assert results(navigation) == [("a", SUCCEEDED, REACHED)]
     assert navigation.robot.pose.yaw == pytest.approx(math.pi / 2)
@@ -82,7 +82,7 @@ def test_a_quaternion_need_not_have_the_length_1() -> None:
 
 def test_a_goal_in_an_unknown_frame_is_tried_for_ever() -> None:
     it, navigation = world()
-    navigation.hear_goal(goal("a", frame="/map"))
+    navigation.receive_goal(goal("a", frame="/map"))
     it.step(100.0)
     assert stand(navigation) == {"a": ACTIVE} and navigation.robot.odom == Pose(0.0, 0.0)
     navigation.cancel_all()
@@ -93,7 +93,7 @@ def test_a_goal_in_an_unknown_frame_is_tried_for_ever() -> None:
 @pytest.mark.parametrize("spot", [(-99.0, 3.0), (4.0, 3.5), (37.4, 10.0)])
 def test_a_goal_without_a_way_is_given_up_after_recoveries(spot: tuple[float, float]) -> None:
     it, navigation = world()
-    navigation.hear_goal(goal("a", spot))
+    navigation.receive_goal(goal("a", spot))
     it.step(PATIENCE - 1.0)
     assert stand(navigation) == {"a": ACTIVE}
     finish(it, navigation, 2.0)
@@ -102,7 +102,7 @@ def test_a_goal_without_a_way_is_given_up_after_recoveries(spot: tuple[float, fl
 
 def test_who_gets_nowhere_gives_up() -> None:
     it, navigation = world()
-    navigation.hear_goal(goal("a"))
+    navigation.receive_goal(goal("a"))
     it.step(5.0)
     navigation.robot.block()
     finish(it, navigation, 60.0)
@@ -133,12 +133,12 @@ def test_who_reaches_its_charger_charges() -> None:
 
 def test_a_node_that_restarts_knows_no_goal() -> None:
     it, navigation = world()
-    navigation.hear_goal(goal("a"))
+    navigation.receive_goal(goal("a"))
     it.step(1.0)
     navigation.server.said.clear()
     navigation.restart()
     assert list(navigation.server.said) == [[]] and not navigation.robot.driving
-    navigation.hear_goal(goal("a"))
+    navigation.receive_goal(goal("a"))
     finish(it, navigation)
     assert results(navigation) == [("a", SUCCEEDED, REACHED)]
 
@@ -222,9 +222,9 @@ def test_whatever_is_asked_one_goal_is_driven_and_each_ends_once(deeds: list[tup
         if deed == "goal":
             id_, spot, secs, turn = what
             if not id_ or not watcher.has(id_):  # a forgotten id that is given again is another goal
-                navigation.hear_goal(goal(id_, spot, secs, **turn))
+                navigation.receive_goal(goal(id_, spot, secs, **turn))
         elif deed == "cancel":
-            navigation.hear_cancel(cancelled(*what))
+            navigation.receive_cancel(cancelled(*what))
         else:
             it.step(what[0])
         watcher.look()

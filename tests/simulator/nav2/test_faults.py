@@ -26,7 +26,7 @@ def plant(server: RosbridgeServer, name: str) -> None:
     play(server, parse_faults(f"{name}:robot_0", server.bridge.services.robots, FAULTS))
 
 
-async def heard(client: ClientConnection, topic: str) -> Any:
+async def subscriptions(client: ClientConnection, topic: str) -> Any:
     await listen(client, topic)
     return (await until(client, lambda frame: frame.get("topic") == topic))["msg"]
 
@@ -151,7 +151,7 @@ async def test_who_is_heard_again_tells_how_its_goals_stand(
 
 
 async def test_who_is_lost_says_how_unsure_it_is(server: RosbridgeServer, client: ClientConnection) -> None:
-    sure = await heard(client, "/robot_0/amcl_pose")
+    sure = await subscriptions(client, "/robot_0/amcl_pose")
     assert sure["pose"]["covariance"][0] + sure["pose"]["covariance"][7] < 0.5
     plant(server, "lost")
     lost = await until(client, lambda frame: "msg" in frame)
@@ -168,7 +168,7 @@ async def test_batteries_differ(
 ) -> None:
     plant(server, name)
     server.fleets[0].step(0.1)
-    percentage = (await heard(client, "/robot_0/battery_state"))["percentage"]
+    percentage = (await subscriptions(client, "/robot_0/battery_state"))["percentage"]
     assert percentage is None if low is None else low < percentage <= high + 1e-6
 
 

@@ -26,6 +26,6 @@ def recorded(name: str, op: str, id_: str) -> Json:
 async def test_telemetry_has_the_recorded_shape(client: ClientConnection, topic: str) -> None:
     wanted = recorded("ros2-topics.jsonl.gz", "publish", topic)
     await listen(client, topic)
-    heard = json.loads(await client.recv())
-    assert shape(heard["msg"]) == shape(wanted["msg"])
-    assert list(heard["msg"]) == list(wanted["msg"])
+    subscriptions = json.loads(await client.recv())
+    assert shape(subscriptions["msg"]) == shape(wanted["msg"])
+    assert list(subscriptions["msg"]) == list(wanted["msg"])

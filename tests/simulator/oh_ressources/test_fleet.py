@@ -32,4 +32,4 @@ def test_a_silent_robot_has_no_health_and_there_is_nothing_to_listen_to() -> Non
     fleet = OhFleet(World(2, 1, quiet=True))
     fleet.robots["robot_0"].silence = 9.0
     assert {entry["name"].partition(":")[0] for entry in fleet.health()} == {"robot_1"}
-    assert fleet.heard() == {} and fleet.actions == {} and list(fleet.news(ROS1)) == []
+    assert fleet.subscriptions() == {} and fleet.actions == {} and list(fleet.news(ROS1)) == []

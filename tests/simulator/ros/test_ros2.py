@@ -368,20 +368,20 @@ async def test_what_is_published_is_completed_as_recorded(client: ClientConnecti
     types = {"goal_pose": "PoseStamped", "initialpose": "PoseWithCovarianceStamped", "cmd_vel": "Twist"}
     for name, type_ in types.items():
         await send(client, "subscribe", topic=f"/tb3/{name}", type=f"geometry_msgs/msg/{type_}")
-    heard: dict[str, list[Json]] = {f"/tb3/{name}": [] for name in types}
+    subscriptions: dict[str, list[Json]] = {f"/tb3/{name}": [] for name in types}
     for text in frames(recording("ros2-publish.jsonl.gz"), "out"):
         if parsed(text)["op"] != "subscribe":
             await client.send(text)
-    while sum(map(len, heard.values())) < 7:
+    while sum(map(len, subscriptions.values())) < 7:
         frame = await read(client)
-        heard[frame["topic"]].append(frame["msg"])
+        subscriptions[frame["topic"]].append(frame["msg"])
     assert await frames_before_an_answer(client) == []  # the null and the seq are refused
-    assert heard["/tb3/cmd_vel"][0]["angular"] == {"x": 0.0, "y": 0.0, "z": 0.0}
-    first, *_, last = heard["/tb3/goal_pose"]
+    assert subscriptions["/tb3/cmd_vel"][0]["angular"] == {"x": 0.0, "y": 0.0, "z": 0.0}
+    first, *_, last = subscriptions["/tb3/goal_pose"]
     assert first["header"]["stamp"]["sec"] > 0
     assert last["header"]["stamp"] == {"sec": 5, "nanosec": 6}
     assert last["pose"]["orientation"]["w"] == 1.0
-    assert [msg["pose"]["covariance"][:2] for msg in heard["/tb3/initialpose"]] == [
+    assert [msg["pose"]["covariance"][:2] for msg in subscriptions["/tb3/initialpose"]] == [
         [0.25, 0.0],
         [0.25, 0.25],
         [0.0, 0.0],

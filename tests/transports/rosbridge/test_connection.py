@@ -48,9 +48,9 @@ class Ear:
     async def next(self, kind: str) -> tuple[Any, ...]:
         """The next of a kind; what comes before it is passed over."""
         async with asyncio.timeout(20):
-            while (heard := await self._queue.get())[0] != kind:
+            while (received := await self._queue.get())[0] != kind:
                 pass
-        return heard[1:]
+        return received[1:]
 
 
 async def on_loop(function: Callable[..., Any], *args: Any) -> Any:

@@ -10,7 +10,7 @@ from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import SIGNS
 from fleet_tui.view.tables.fleet import fleet_table
 from tests.support.fleets import R0, T0, fleet, text_of, tick, told
-from tests.support.kinds import FULL, heard
+from tests.support.kinds import FULL, received
 
 
 def signs(drawing: Drawing) -> dict[str, str]:
@@ -63,7 +63,7 @@ def test_the_ground_below_a_sign_is_no_sign_of_it() -> None:
 def test_the_tables_signs_are_those_of_the_tables() -> None:
     found = signs(Drawing.BRAILLE)
     assert {sign.strip() for sign in SIGNS.values()} <= set(found.values())
-    online = text_of(fleet_table(heard(FULL), R0, 60).rows[0].runs)
+    online = text_of(fleet_table(received(FULL), R0, 60).rows[0].runs)
     offline = text_of(fleet_table(told(fleet(), tick(T0)), R0, 60).rows[0].runs)
     assert found["online; in the status line: the link is up"] in online
     assert found["offline, or no link"] in offline

@@ -26,7 +26,7 @@ from tests.support.fleets import (
     tick,
     told,
 )
-from tests.support.kinds import BARE, FULL, heard
+from tests.support.kinds import BARE, FULL, received
 
 WIDE = 300
 
@@ -47,7 +47,7 @@ def test_commands_in_the_operators_words(command: Command, text: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("stages", "words", "said", "role"),
+    ("stages", "detail", "said", "role"),
     [
         ([], "", ": sending", StyleRole.DIM),
         ([Stage.SENT], "", ": sent 3 s ago", StyleRole.DIM),
@@ -58,23 +58,23 @@ def test_commands_in_the_operators_words(command: Command, text: str) -> None:
         ([Stage.NOT_SENT], "", ": not sent", StyleRole.ALARM),
     ],
 )
-def test_where_a_command_stands(stages: list[Stage], words: str, said: str, role: StyleRole) -> None:
+def test_where_a_command_stands(stages: list[Stage], detail: str, said: str, role: StyleRole) -> None:
     order = place_order(R0, 1, 2)
-    state = told(fleet(), *commanded(1, order, *stages, words=words), tick(T0 + 3))
+    state = told(fleet(), *commanded(1, order, *stages, detail=detail), tick(T0 + 3))
     runs = message_line(state, "", 0.0, WIDE)
     assert text_of(runs) == f" robot_0 order 1? -> 2?{said}"
     assert {found for text, found in runs if text.startswith(said.partition(" (")[0])} == {role}
 
 
-def pause(id_: int, at: float, *stages: Stage, robot: str = R0, words: str = "") -> list[events.Event]:
-    return [*commanded(id_, PauseRobot(robot), *stages, at=at, words=words)]
+def pause(id_: int, at: float, *stages: Stage, robot: str = R0, detail: str = "") -> list[events.Event]:
+    return [*commanded(id_, PauseRobot(robot), *stages, at=at, detail=detail)]
 
 
 def test_the_newest_word_is_shown_and_commands_given_together_stand_together() -> None:
     assert message_line(fleet(), "", 0.0, WIDE) == ()
     assert text_of(message_line(fleet(), "no order here", T0, WIDE)) == " no order here"
     together = [pause(2 + n, T0 + 10, Stage.NOT_SENT, robot=f"robot_{n}") for n in range(2)]
-    bad = pause(4, T0 + 10, Stage.SENT, Stage.REFUSED, robot="robot_2", words="no")
+    bad = pause(4, T0 + 10, Stage.SENT, Stage.REFUSED, robot="robot_2", detail="no")
     state = told(fleet(3), *together[0], *together[1], *bad, tick(T0 + 10))
     text = text_of(message_line(state, "older", T0 + 9, WIDE))
     assert text == " pause all: 1 refused (robot_2): no, 2 not sent (robot_0, robot_1)"
@@ -88,7 +88,7 @@ def test_the_newest_word_is_shown_and_commands_given_together_stand_together() -
 
 def test_pause_all_of_a_large_fleet_is_one_word() -> None:
     facts = [
-        fact for n in range(9) for fact in pause(n, T0, Stage.NOT_SENT, robot=f"robot_{n}", words="no link")
+        fact for n in range(9) for fact in pause(n, T0, Stage.NOT_SENT, robot=f"robot_{n}", detail="no link")
     ]
     text = text_of(message_line(told(fleet(9), *facts), "", 0.0, WIDE))
     assert text == " pause all: 9 not sent (robot_0, robot_1, robot_2, …): no link"
@@ -99,8 +99,8 @@ def test_pause_all_of_a_large_fleet_is_one_word() -> None:
 def test_how_each_command_stands_is_never_cut(width: int, said: str) -> None:
     names = {1: "Base of the northern hall", 2: "Consumidores at the far end"}
     facts = [
-        *commanded(1, place_order(R0, 1, 2), Stage.SENT, Stage.NO_ANSWER, words="from a service " * 9),
-        *commanded(2, place_order("robot_1", 1, 2), Stage.SENT, Stage.REFUSED, words="no " * 40),
+        *commanded(1, place_order(R0, 1, 2), Stage.SENT, Stage.NO_ANSWER, detail="from a service " * 9),
+        *commanded(2, place_order("robot_1", 1, 2), Stage.SENT, Stage.REFUSED, detail="no " * 40),
     ]
     state = told(fleet(3), graph(1, 2), labels(names), *facts, tick(T0 + 1))
     text = text_of(message_line(state, said, T0 + 1, width))
@@ -110,13 +110,13 @@ def test_how_each_command_stands_is_never_cut(width: int, said: str) -> None:
 
 def test_what_went_wrong_stays_where_there_is_no_room_for_all() -> None:
     facts = [fact for n in range(6) for fact in pause(n, T0, Stage.SENT, robot=f"robot_{n % 3}")]
-    facts += commanded(8, ClearOrders("robot_1"), Stage.SENT, Stage.REFUSED, words="no " * 40)
+    facts += commanded(8, ClearOrders("robot_1"), Stage.SENT, Stage.REFUSED, detail="no " * 40)
     facts += commanded(9, CancelOrder("robot_2", "3"), Stage.SENT, Stage.ACCEPTED)
     text = text_of(message_line(told(fleet(3), *facts, tick(T0 + 1)), "", 0.0, 60))
     assert text.startswith(" robot_1 clear all orders: refused") and cell_width(text) <= 60
 
 
 def test_an_order_to_one_place_is_said_as_the_kind_takes_it() -> None:
-    assert command_text(heard(BARE), place_order(R0, 1)) == "robot_0 go to Base"
-    assert command_text(heard(FULL), place_order(R0, 1)) == "robot_0 bring cargo -> Base"
+    assert command_text(received(BARE), place_order(R0, 1)) == "robot_0 go to Base"
+    assert command_text(received(FULL), place_order(R0, 1)) == "robot_0 bring cargo -> Base"
     assert place_order(R0, 1).what(BARE) == "order"

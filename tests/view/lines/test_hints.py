@@ -11,7 +11,7 @@ from fleet_tui.model.kind import PAUSE, Kind
 from fleet_tui.view.lines.hints import footer, hidden_keys, hints
 from fleet_tui.view.tables.table import width_of
 from tests.support.fleets import R0, text_of
-from tests.support.kinds import BARE, FULL, KEYS, LATE, heard
+from tests.support.kinds import BARE, FULL, KEYS, LATE, received
 
 Keys = dict[str, tuple[str, ...]]
 
@@ -74,12 +74,12 @@ def offered(state: FleetState) -> set[str]:
 
 
 def test_keys_are_hinted_where_the_selected_robot_has_a_use_for_them() -> None:
-    assert offered(heard(FULL)) == {"order", "cancel", "clear", "pause", "resume", "all"}
-    assert offered(heard(BARE)) == {"order"}
-    assert offered(heard(LATE)) == {"order", "cancel", "all"}  # all orders
+    assert offered(received(FULL)) == {"order", "cancel", "clear", "pause", "resume", "all"}
+    assert offered(received(BARE)) == {"order"}
+    assert offered(received(LATE)) == {"order", "cancel", "all"}  # all orders
 
 
 def test_pause_all_is_there_as_soon_as_one_robot_can_be_paused() -> None:
-    state = heard(BARE, Kind("p", accepts=(PAUSE,)))
+    state = received(BARE, Kind("p", accepts=(PAUSE,)))
     assert "pause" in hidden_keys(state, R0) and "pause_all" not in hidden_keys(state, R0)
-    assert {"pause_all", "pause_all_anywhere"} <= hidden_keys(heard(BARE, BARE), R0)
+    assert {"pause_all", "pause_all_anywhere"} <= hidden_keys(received(BARE, BARE), R0)

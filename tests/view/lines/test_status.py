@@ -61,13 +61,13 @@ def test_a_link_that_is_lost_is_trouble_at_once() -> None:
 def test_a_link_shows_the_age_of_the_last_message() -> None:
     state = told(fleet(), link_up(T0), tick(T0 + 1))
     assert "● ws://site:9090 nothing received yet" in line(state)
-    assert "● ws://site:9090 0.4 s" in line(told(state, events.LinkHeard(LINK, T0 + 2), tick(T0 + 2.4)))
+    assert "● ws://site:9090 0.4 s" in line(told(state, events.MessageArrived(LINK, T0 + 2), tick(T0 + 2.4)))
     assert "no link" not in line(state)
 
 
 def test_telemetry_alive_and_commands_dead() -> None:
     dead = events.CommandPathChanged(LINK, CommandPath.DEAD, "no ROS master")
-    state = told(fleet(), link_up(T0), events.LinkHeard(LINK, T0), dead, tick(T0))
+    state = told(fleet(), link_up(T0), events.MessageArrived(LINK, T0), dead, tick(T0))
     assert "commands dead: no ROS master" in line(state) and "● " in line(state)
     assert "commands dead" not in line(told(state, events.CommandPathChanged(LINK, CommandPath.ALIVE)))
     assert "no link" in line(told(state, link_lost(T0 + 1))) and "dead" not in line(
@@ -89,7 +89,9 @@ def test_of_several_links_the_worst_is_shown() -> None:
     assert "no link for 0 s: it closed, connecting ws://b:2" in line(lost) and "1 of 2 links up" in line(lost)
     dead = told(state, *up, events.CommandPathChanged("b", CommandPath.DEAD, "gone"), tick(T0 + 1))
     assert "ws://b:2" in line(dead) and "commands dead: gone" in line(dead)
-    quiet = told(state, *up, events.LinkHeard("b", T0), events.LinkHeard(LINK, T0 + 9), tick(T0 + 9))
+    quiet = told(
+        state, *up, events.MessageArrived("b", T0), events.MessageArrived(LINK, T0 + 9), tick(T0 + 9)
+    )
     assert "ws://b:2 9.0 s" in line(quiet)
     assert "links up" not in line(fleet())
 

@@ -17,7 +17,7 @@ from tests.support.fleets import (
     tick,
     told,
 )
-from tests.support.kinds import FULL, KEYS, heard
+from tests.support.kinds import FULL, KEYS, received
 from tests.support.planted_fleet import Planted
 
 REMAPPED, _ = keymap({"resume": "f5", "clear": "ctrl+x"})
@@ -96,7 +96,7 @@ def test_what_the_wire_says_is_only_text_and_there_is_an_end_to_it() -> None:
 def test_why_offers_no_key_that_the_kind_does_not_accept() -> None:
     orders = queue(T0 + 9)
     for kind, is_offered in ((FULL, True), (Kind("x", FULL.reports), False)):
-        state = told(heard(kind), orders, pose(T0 + 9), tick(T0 + 9))
+        state = told(received(kind), orders, pose(T0 + 9), tick(T0 + 9))
         lines = why_lines(state, state.robots[R0], KEYS)
         assert any("no orders" in line for line in lines)
         assert any("order form" in line for line in lines) is is_offered

@@ -10,7 +10,7 @@ from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Role, RouteGraph, Vertex
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.occupancy import build_grid, grid_from_ros
-from fleet_tui.view.map.floor_scene import chart_robot, floor_scene
+from fleet_tui.view.map.floor_scene import floor_scene, map_owner
 from fleet_tui.view.map.scene import Scene, SceneRobot
 from fleet_tui.view.selection import Selection
 from tests.support.fleets import F0, R0, T0, battery, fleet, graph, labels, pose, queue, tick, told
@@ -174,7 +174,7 @@ def test_the_picture_is_the_selected_robots_else_of_one_that_knows_the_floor() -
     state = told(fleet(2, 2), graph(1), graph(2, robot="robot_1"))
     assert [vertex.id for vertex in scene(state, "robot_1").vertices] == ["2"]
     assert [vertex.id for vertex in scene(state).vertices] == ["1"]
-    owner = chart_robot(state, Selection("robot_1", F0))
+    owner = map_owner(state, Selection("robot_1", F0))
     assert owner is not None and owner.name == "robot_1"
 
 

@@ -40,13 +40,13 @@ def role_of(state: FleetState, part: str) -> StyleRole:
     return found
 
 
-def heard(*facts: events.Event, at: float = T0 + 1.0) -> FleetState:
+def received(*facts: events.Event, at: float = T0 + 1.0) -> FleetState:
     """A robot that just spoke, and then these facts, seen a moment later."""
     return told(fleet(), link_up(T0), pose(at), battery(at), queue(at), *facts, tick(at + 0.1))
 
 
 def test_a_calm_robot_says_nothing_that_is_not_so() -> None:
-    text = row(heard())
+    text = row(received())
     assert "80 %" in text and "floor_0" in text and "idle" in text
     for word in ("offline", "obstacle", "paused", "never seen", "old", "bad data", CARGO, "unknown"):
         assert word not in text
@@ -62,11 +62,11 @@ def test_never_seen_until_it_speaks() -> None:
 def test_bad_data_is_marked_even_if_nothing_else_came() -> None:
     state = told(fleet(), events.MessageRejected(R0, "pose"), events.MessageRejected(R0, "pose"))
     assert "never seen bad data x2" in row(state)
-    assert "bad data x1" in row(heard(events.MessageRejected(R0, "pose")))
+    assert "bad data x1" in row(received(events.MessageRejected(R0, "pose")))
 
 
 def test_offline_with_its_age_after_the_limit() -> None:
-    state = heard(at=T0)
+    state = received(at=T0)
     assert "offline" not in row(told(state, tick(T0 + 5.0)))
     silent = told(state, tick(T0 + 7.2))
     assert "offline 7 s" in row(silent) and role_of(silent, "offline") is StyleRole.ALARM
@@ -76,7 +76,7 @@ def test_offline_with_its_age_after_the_limit() -> None:
 
 @pytest.mark.parametrize(("seconds", "said"), [(0.0, False), (3.0, False), (3.1, True), (4.2, True)])
 def test_obstacle_above_three_seconds(seconds: float, said: bool) -> None:
-    state = heard(events.ObstacleReported(R0, T0 + 1, seconds))
+    state = received(events.ObstacleReported(R0, T0 + 1, seconds))
     assert (f"obstacle {seconds:.1f} s" in row(state)) is said
     assert ("obstacle" in row(state)) is said
     free = told(state, events.ObstacleReported(R0, T0 + 2, 0.0))
@@ -84,18 +84,18 @@ def test_obstacle_above_three_seconds(seconds: float, said: bool) -> None:
 
 
 def test_an_obstacle_of_an_offline_robot_was_then() -> None:
-    state = told(heard(events.ObstacleReported(R0, T0 + 1, 4.2)), tick(T0 + 30))
+    state = told(received(events.ObstacleReported(R0, T0 + 1, 4.2)), tick(T0 + 30))
     assert "obstacle" not in row(state)
     assert "contact for 4.2 s, 29 s ago" in row(state) and role_of(state, "contact") is StyleRole.DIM
 
 
 def test_paused_by_its_own_word_or_by_ours() -> None:
-    assert "paused " in row(heard(events.PausedReported(R0, T0 + 1, True)))
-    assert "by us" not in row(heard(events.PausedReported(R0, T0 + 1, True)))
+    assert "paused " in row(received(events.PausedReported(R0, T0 + 1, True)))
+    assert "by us" not in row(received(events.PausedReported(R0, T0 + 1, True)))
     ours = commanded(1, PauseRobot(R0), Stage.SENT, Stage.ACCEPTED)
-    assert "paused (by us)" in row(heard(*ours))
-    assert "paused" not in row(heard(*ours, pose(T0 + 1, 9.0)))
-    assert "paused" not in row(heard(*ours, events.PausedReported(R0, T0 + 1, False)))
+    assert "paused (by us)" in row(received(*ours))
+    assert "paused" not in row(received(*ours, pose(T0 + 1, 9.0)))
+    assert "paused" not in row(received(*ours, events.PausedReported(R0, T0 + 1, False)))
 
 
 @pytest.mark.parametrize(
@@ -110,17 +110,17 @@ def test_paused_by_its_own_word_or_by_ours() -> None:
 def test_a_battery_below_twenty_is_red_and_reads_below_twenty(
     percent: float, text: str, role: StyleRole
 ) -> None:
-    state = heard(battery(T0 + 1, percent))
+    state = received(battery(T0 + 1, percent))
     assert text in row(state) and role_of(state, "%") is role
     assert role_of(told(state, tick(T0 + 60)), "%") is StyleRole.DIM
 
 
 def test_the_alarm_of_a_battery_reads_below_the_limit_too() -> None:
-    assert [alarm.text for alarm in heard(battery(T0 + 1, 19.6)).alarms] == ["battery 19 %"]
+    assert [alarm.text for alarm in received(battery(T0 + 1, 19.6)).alarms] == ["battery 19 %"]
 
 
 def test_a_value_gone_quiet_shows_its_age_while_the_robot_speaks() -> None:
-    state = told(heard(at=T0), events.CargoReported(R0, T0 + 40, True), tick(T0 + 40))
+    state = told(received(at=T0), events.CargoReported(R0, T0 + 40, True), tick(T0 + 40))
     for name in ("pose", "battery", "queue"):
         assert f"{name} 40 s old" in row(state)
     assert "offline" not in row(state)
@@ -129,15 +129,15 @@ def test_a_value_gone_quiet_shows_its_age_while_the_robot_speaks() -> None:
 
 def test_the_floor_as_far_as_the_pose_tells() -> None:
     assert " -" in row(told(fleet(), battery(T0), tick(T0)))
-    assert "unknown floor" in row(heard(pose(T0 + 1, frame="attic")))
+    assert "unknown floor" in row(received(pose(T0 + 1, frame="attic")))
     assert "floor_1" in row(told(fleet(1, 2), pose(T0, frame="/floor_1"), tick(T0)))
 
 
 def test_what_it_does() -> None:
     named = (graph(1, 2), labels({1: "Base", 2: "Consumidores"}))
-    assert "Base -> Consumidores" in row(heard(*named, queue(T0 + 1, (4, 1, 2, "W"), current=4)))
-    assert "2 waiting" in row(heard(*named, queue(T0 + 1, (4, 1, 2, "Q"), (5, 2, 1, "Q"))))
-    assert CARGO in row(heard(events.CargoReported(R0, T0 + 1, True)))
+    assert "Base -> Consumidores" in row(received(*named, queue(T0 + 1, (4, 1, 2, "W"), current=4)))
+    assert "2 waiting" in row(received(*named, queue(T0 + 1, (4, 1, 2, "Q"), (5, 2, 1, "Q"))))
+    assert CARGO in row(received(events.CargoReported(R0, T0 + 1, True)))
 
 
 def test_a_mission_marks_a_vertex_that_no_graph_has() -> None:
@@ -160,15 +160,16 @@ def test_every_robot_has_its_row_in_the_order_of_the_config() -> None:
 def test_news_is_whole_where_the_floor_has_to_give_way() -> None:
     """120 columns leave a pane of 47 cells."""
     state = told(
-        heard(events.ObstacleReported(R0, T0 + 1, 4.2), events.PausedReported(R0, T0 + 1, True)), tick(T0 + 1)
+        received(events.ObstacleReported(R0, T0 + 1, 4.2), events.PausedReported(R0, T0 + 1, True)),
+        tick(T0 + 1),
     )
     shown = "".join(text for text, _ in fleet_table(state, R0, 47).rows[0].runs)[:47]
     assert "obstacle 4.2 s paused" in shown
 
 
 def test_an_order_that_is_only_listed_still_is_not_waiting() -> None:
-    assert "idle" in row(heard(queue(T0 + 1, (1, 1, 2, "D"), (2, 1, 2, "C"))))
-    assert "1 waiting" in row(heard(queue(T0 + 1, (1, 1, 2, "D"), (2, 1, 2, "Q"))))
+    assert "idle" in row(received(queue(T0 + 1, (1, 1, 2, "D"), (2, 1, 2, "C"))))
+    assert "1 waiting" in row(received(queue(T0 + 1, (1, 1, 2, "D"), (2, 1, 2, "Q"))))
 
 
 def test_a_robot_whose_queue_never_came_is_not_idle() -> None:
@@ -178,15 +179,15 @@ def test_a_robot_whose_queue_never_came_is_not_idle() -> None:
 
 def test_a_pause_that_did_not_come_from_here_is_told_from_ours() -> None:
     paused = events.PausedReported(R0, T0 + 1, True)
-    assert "paused (elsewhere)" in row(heard(paused))
+    assert "paused (elsewhere)" in row(received(paused))
     ours = commanded(1, PauseRobot(R0), Stage.SENT, Stage.ACCEPTED)
-    assert "paused " in row(heard(*ours, paused)) and "elsewhere" not in row(heard(*ours, paused))
+    assert "paused " in row(received(*ours, paused)) and "elsewhere" not in row(received(*ours, paused))
     refused = commanded(1, PauseRobot(R0), Stage.SENT, Stage.REFUSED)
-    assert "paused (elsewhere)" in row(heard(*refused, paused))
+    assert "paused (elsewhere)" in row(received(*refused, paused))
 
 
 def test_bad_data_is_in_the_row_as_long_as_it_is_news() -> None:
-    state = heard(events.MessageRejected(R0, "/robot_0/pose: nonsense"))
+    state = received(events.MessageRejected(R0, "/robot_0/pose: nonsense"))
     assert "bad data x1" in row(state)
     later: list[events.Event] = [pose(T0 + 13), battery(T0 + 13), queue(T0 + 13), tick(T0 + 13)]
     assert "bad data" not in row(told(state, *later))

@@ -19,7 +19,7 @@ from tests.support.fleets import (
     tick,
     told,
 )
-from tests.support.kinds import BARE, FULL, LATE, heard
+from tests.support.kinds import BARE, FULL, LATE, received
 
 
 def rows(state: FleetState) -> list[str]:
@@ -27,30 +27,30 @@ def rows(state: FleetState) -> list[str]:
 
 
 def test_a_fleet_that_reports_little_has_few_columns() -> None:
-    assert rows(heard(BARE)) == ["●   1 robot_0 floor_0"]
+    assert rows(received(BARE)) == ["●   1 robot_0 floor_0"]
 
 
 def test_a_value_that_has_not_come_is_a_dash_and_one_that_never_does_is_nothing() -> None:
-    bare, late, full = rows(heard(BARE, LATE, FULL))
+    bare, late, full = rows(received(BARE, LATE, FULL))
     assert bare == "●   1 robot_0       floor_0"
     assert late.split() == ["●", "2", "robot_1", "-", "%", "floor_0", "-"]
     assert full.split()[3:] == ["-", "%", "floor_0", "queue", "missing"]
 
 
 def test_columns_stand_below_each_other_whatever_the_kind() -> None:
-    state = told(heard(BARE, FULL), CargoReported("robot_1", T0, True), queue(T0, robot="robot_1"))
+    state = told(received(BARE, FULL), CargoReported("robot_1", T0, True), queue(T0, robot="robot_1"))
     bare, full = rows(told(state, battery(T0, robot="robot_1"), tick(T0)))
     assert full.split() == ["●", "2", "robot_1", "80", "%", "floor_0", CARGO, "idle"]
     assert bare.index("floor_0") == full.index("floor_0")
 
 
 def test_idle_is_said_only_where_something_tells() -> None:
-    assert "idle" not in "".join(rows(heard(BARE, LATE)))
-    assert rows(told(heard(LATE), queue(T0), tick(T0)))[0].endswith("idle")
+    assert "idle" not in "".join(rows(received(BARE, LATE)))
+    assert rows(told(received(LATE), queue(T0), tick(T0)))[0].endswith("idle")
 
 
 def test_a_value_is_called_old_after_the_silence_of_its_kind() -> None:
-    later = told(told(heard(LATE), battery(T0), queue(T0)), pose(T0 + 9), tick(T0 + 9))
+    later = told(told(received(LATE), battery(T0), queue(T0)), pose(T0 + 9), tick(T0 + 9))
     assert "battery 9 s old" in rows(later)[0] and "queue" not in rows(later)[0]
 
 
@@ -59,8 +59,8 @@ def test_a_pause_that_only_holds_a_goal_says_so() -> None:
         "holds", ("pose", "queue"), (ORDER_TO, PAUSE), {"queue": math.inf}, keeps_goals=True, holds=True
     )
     paused = (*commanded(1, PauseRobot(R0), Stage.SENT, Stage.ACCEPTED, at=T0), tick(T0))
-    state = told(heard(holds), queue(T0), *paused)
+    state = told(received(holds), queue(T0), *paused)
     assert "stopped, no goal to keep" in rows(state)[0] and "paused" not in rows(state)[0]
     kept = told(state, *commanded(2, place_order(R0, 1), Stage.WAITING, at=T0), tick(T0))
     assert "stopped, goal kept here" in rows(kept)[0]
-    assert "paused (by us)" in rows(told(heard(FULL), queue(T0), *paused))[0]
+    assert "paused (by us)" in rows(told(received(FULL), queue(T0), *paused))[0]

@@ -28,7 +28,7 @@ from tests.support.fleets import (
     tick,
     told,
 )
-from tests.support.kinds import BARE, FULL, LATE, heard
+from tests.support.kinds import BARE, FULL, LATE, received
 
 WIDTHS = range(20, 121)
 ORDERS = ((11, 1, 2, "Q"), (12, 2, 3, "W"), (15, 3, 99, "X"))
@@ -176,15 +176,15 @@ def test_an_order_that_is_over_has_nothing_to_cancel(letter: str) -> None:
 
 
 def test_the_queue_pane_of_a_kind_without_a_queue() -> None:
-    table = queue_table(heard(BARE), R0, False, 80)
+    table = queue_table(received(BARE), R0, False, 80)
     assert (text_of(table.title), table.empty) == ("Queue robot_0", "this kind has no queue")
-    assert queue_table(heard(LATE), R0, False, 80).empty == "no orders reported yet"
-    assert queue_table(heard(FULL), R0, False, 80).empty == "no queue received yet"
+    assert queue_table(received(LATE), R0, False, 80).empty == "no orders reported yet"
+    assert queue_table(received(FULL), R0, False, 80).empty == "no queue received yet"
 
 
 @pytest.mark.parametrize(("kind", "cancels", "clears"), [(FULL, True, True), (LATE, True, False)])
 def test_only_what_is_accepted_has_a_button(kind: Kind, cancels: bool, clears: bool) -> None:
-    table = queue_table(told(heard(kind), queue(T0, (1, 1, 2, "Q"))), R0, False, 80)
+    table = queue_table(told(received(kind), queue(T0, (1, 1, 2, "Q"))), R0, False, 80)
     assert (CLEAR_BUTTON in text_of(table.title)) is clears
     assert (CANCEL_BUTTON in text_of(table.rows[0].runs)) is cancels
 

@@ -115,7 +115,7 @@ def test_a_copy_is_whole_where_the_view_is_not() -> None:
 def test_the_title_says_whose_how_old_and_what_is_wrong() -> None:
     topic = TopicCounter("/robot_0/battery")
     payload = b'{"op":"publish","topic":"/robot_0/battery","msg":{"percent":4}}'
-    topic.heard(payload, False, T0)
+    topic.count_frame(payload, False, T0)
     table = raw_table(topic, topic.last, "missing `data`", T0 + 1.5)
     title = "".join(part for part, _ in table.title)
     assert title == "Raw /robot_0/battery  1.5 s ago, 63 B of JSON  bad"

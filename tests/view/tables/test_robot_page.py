@@ -31,25 +31,25 @@ def line(state: FleetState, name: str) -> str:
     return next((one for one in page(state).splitlines() if one.startswith(name)), "")
 
 
-def heard(*facts: events.Event) -> FleetState:
+def received(*facts: events.Event) -> FleetState:
     return told(fleet(), link_up(T0), pose(T0), battery(T0), queue(T0), *facts, tick(T0 + 0.5))
 
 
 def test_each_value_has_its_age_and_an_old_one_is_marked() -> None:
-    assert "80 %" in line(heard(), "Battery") and "0.5 s ago" in line(heard(), "Battery")
-    assert "not received" in line(heard(), "Cargo")
-    old = told(heard(), pose(T0 + 60), tick(T0 + 60))
+    assert "80 %" in line(received(), "Battery") and "0.5 s ago" in line(received(), "Battery")
+    assert "not received" in line(received(), "Cargo")
+    old = told(received(), pose(T0 + 60), tick(T0 + 60))
     (row,) = [row for row in robot_page(old, R0, str).rows if "Battery" in text_of(row.runs)]
     assert StyleRole.WARN in {role for _, role in row.runs}
 
 
 def test_news_is_the_first_line_and_a_calm_robot_has_none() -> None:
-    assert line(heard(), "State") == ""
-    assert page(told(heard(), tick(T0 + 30))).splitlines()[1].startswith("State     offline 30 s")
+    assert line(received(), "State") == ""
+    assert page(told(received(), tick(T0 + 30))).splitlines()[1].startswith("State     offline 30 s")
 
 
 def test_the_order_and_the_commands_given_here() -> None:
     named = (graph(1, 2), labels({1: "Base", 2: "Store"}), queue(T0, (4, 1, 2, "W"), current=4))
-    state = heard(*named, *commanded(1, PauseRobot(R0), Stage.SENT, Stage.ACCEPTED, at=T0))
+    state = received(*named, *commanded(1, PauseRobot(R0), Stage.SENT, Stage.ACCEPTED, at=T0))
     assert "Base -> Store" in line(state, "Order")
     assert "pause: accepted" in line(state, "12:00:00")

@@ -11,7 +11,7 @@ def test_topics_in_the_order_of_the_config_each_with_how_it_is() -> None:
     link = counter()
     steady(link.topics[POSE])
     steady(link.topics["/robot_1/pose"], until=NOW - 6.0)
-    link.topics[GRAPH].heard(b"{}", False, T0)
+    link.topics[GRAPH].count_frame(b"{}", False, T0)
     link.topics[BATTERY].not_subscribed = "has type std_msgs/Float64"
     state, links = seen(link)
     table = topic_table(state, links, "", NOW)
@@ -73,7 +73,7 @@ def test_a_topic_is_silent_after_its_own_time_and_never_where_it_comes_on_change
     state, links = seen(link, state)
     assert row(topic_table(state, links, "", NOW), "goals").startswith("· on change")
     for topic in link.topics.values():
-        topic.heard(b"x", False, NOW - 30.0)
+        topic.count_frame(b"x", False, NOW - 30.0)
     table = topic_table(state, links, "", NOW)
     states = {name: row(table, name).split("/")[0].strip() for name in ("battery", "pose", "goals")}
     assert states == {"battery": "● live", "pose": "○ silent", "goals": "● received"}

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fleet_tui.adapters.ros.robot_words import (
+from fleet_tui.adapters.ros.logs import (
     LONGEST_TEXT,
     MOST_PARTS,
     MOST_VALUES,

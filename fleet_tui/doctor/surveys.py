@@ -6,12 +6,12 @@ from typing import assert_never
 
 from fleet_tui.discovery.facts import TopicFacts
 from fleet_tui.model.events import (
-    ChartReceived,
     Event,
     FrameReceived,
     GraphReceived,
     GridReceived,
     LabelsReceived,
+    MapFactReceived,
 )
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.graph import RouteGraph
@@ -34,36 +34,36 @@ class FloorSurvey:
         return f"{vertex} ({label})" if label else str(vertex)
 
 
-def charts_of(floor: str, topics: list[TopicFacts]) -> list[tuple[FloorSurvey, list[str]]]:
+def surveys_of(floor: str, topics: list[TopicFacts]) -> list[tuple[FloorSurvey, list[str]]]:
     """Return every different report of a floor, with its robots."""
     found = dict[str, FloorSurvey]()
     for facts in topics:
         if facts.wanted.floor != floor:
             continue
-        chart = found.get(facts.wanted.robot, FloorSurvey())
-        found[facts.wanted.robot] = _with(chart, facts.event)
-    charts = list[tuple[FloorSurvey, list[str]]]()
-    for robot, chart in found.items():
-        owners = next((robots for other, robots in charts if other == chart), None)
+        survey = found.get(facts.wanted.robot, FloorSurvey())
+        found[facts.wanted.robot] = _with(survey, facts.event)
+    surveys = list[tuple[FloorSurvey, list[str]]]()
+    for robot, survey in found.items():
+        owners = next((robots for other, robots in surveys if other == survey), None)
         if owners is None:
-            charts.append((chart, [robot]))
+            surveys.append((survey, [robot]))
         else:
             owners.append(robot)
-    return charts
+    return surveys
 
 
-def _with(chart: FloorSurvey, event: Event | None) -> FloorSurvey:
-    if not isinstance(event, ChartReceived):
-        return chart
+def _with(survey: FloorSurvey, event: Event | None) -> FloorSurvey:
+    if not isinstance(event, MapFactReceived):
+        return survey
     match event:
         case GraphReceived():
-            return replace(chart, graph=event.graph)
+            return replace(survey, graph=event.graph)
         case LabelsReceived():
-            return replace(chart, labels=event.labels)
+            return replace(survey, labels=event.labels)
         case FrameReceived():
-            return replace(chart, frame=event.frame)
+            return replace(survey, frame=event.frame)
         case GridReceived():
-            return chart
+            return survey
         case _:
             assert_never(event)
 

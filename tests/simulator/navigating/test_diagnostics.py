@@ -2,9 +2,9 @@
 
 import pytest
 
+from fleet_tui.simulator.logs import BROKEN, DOUBTFUL, HEALTHY
+from fleet_tui.simulator.navigating.diagnostics import health
 from fleet_tui.simulator.navigating.robot import LOST, SURE
-from fleet_tui.simulator.navigating.words import health
-from fleet_tui.simulator.words import BROKEN, DOUBTFUL, HEALTHY
 from tests.support.navigating import robot
 
 

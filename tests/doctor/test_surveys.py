@@ -4,7 +4,7 @@ import numpy as np
 
 from fleet_tui.adapters.adapter import Feed
 from fleet_tui.discovery.facts import TopicFacts
-from fleet_tui.doctor.charts import OFF_MAP, FloorSurvey, charts_of, class_at, live_grid
+from fleet_tui.doctor.surveys import OFF_MAP, FloorSurvey, class_at, live_grid, surveys_of
 from fleet_tui.model.events import Event, FrameReceived, GridReceived
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, build_grid
@@ -14,19 +14,25 @@ FRAME = MapFrame(0.5, 2, 2, Pose(-1.0, 3.0))
 GRID = build_grid(FRAME, np.array([[FREE, OCCUPIED], [UNKNOWN, FREE]], np.uint8))
 
 
-def heard(event: Event | None, robot: str = R0, floor: str = F0) -> TopicFacts:
+def received(event: Event | None, robot: str = R0, floor: str = F0) -> TopicFacts:
     return TopicFacts(Feed("", (robot,), floor, "", ""), event=event)
 
 
 def test_robots_with_equal_reports_share_one() -> None:
     topics = [
-        heard(fact)
+        received(fact)
         for fact in (graph(1, 2), labels({1: "Base"}), FrameReceived(R0, F0, FRAME), battery(T0), None)
     ]
-    topics += [heard(graph(1, 2, robot="robot_1"), "robot_1"), heard(labels({1: "Base"}), "robot_1")]
-    topics += [heard(FrameReceived("robot_1", F0, FRAME), "robot_1"), heard(graph(1), "robot_2")]
-    topics += [heard(graph(7), floor="floor_1")]
-    (both, robots), (other, alone) = charts_of(F0, topics)
+    topics += [
+        received(graph(1, 2, robot="robot_1"), "robot_1"),
+        received(labels({1: "Base"}), "robot_1"),
+    ]
+    topics += [
+        received(FrameReceived("robot_1", F0, FRAME), "robot_1"),
+        received(graph(1), "robot_2"),
+    ]
+    topics += [received(graph(7), floor="floor_1")]
+    (both, robots), (other, alone) = surveys_of(F0, topics)
     assert robots == [R0, "robot_1"] and alone == ["robot_2"]
     assert both == FloorSurvey(graph(1, 2).graph, {"1": "Base"}, FRAME)
     assert (other.graph, other.labels, other.frame) == (graph(1).graph, None, None)
@@ -34,7 +40,7 @@ def test_robots_with_equal_reports_share_one() -> None:
 
 
 def test_a_live_map_is_the_first_that_came_of_its_floor() -> None:
-    topics = [heard(None), heard(GridReceived(R0, F0, GRID))]
+    topics = [received(None), received(GridReceived(R0, F0, GRID))]
     assert live_grid(F0, topics) is GRID and live_grid("floor_1", topics) is None
 
 

@@ -6,10 +6,10 @@ from typing import Any
 import pytest
 
 from fleet_tui.simulator.faults import parse_faults, play
-from fleet_tui.simulator.oh_ressources.words import Changes
+from fleet_tui.simulator.logs import DIAGNOSTICS, Talk
+from fleet_tui.simulator.oh_ressources.logs import Changes
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.words import DIAGNOSTICS, Talk
 from tests.support.fleets import WALL
 
 # genmsg's field lists of rosgraph_msgs/Log and diagnostic_msgs/DiagnosticStatus.
@@ -43,12 +43,12 @@ def test_an_order_from_its_arrival_to_its_end() -> None:
     start, end = list(robot.floor.labels)[:2]
     robot.take(start, end, 1)
     assert (2, "/robot_0/planner", f"took order 1: {start} -> {end}") in said(changes)
-    heard = []
+    subscriptions = []
     for _ in range(3000):
         it.step(0.1)
-        heard += said(changes)
-    assert heard.count((1, "/robot_0/navigation", f"at vertex {end}")) == 1
-    assert [words for _, node, words in heard if "navigation" not in node] == [
+        subscriptions += said(changes)
+    assert subscriptions.count((1, "/robot_0/navigation", f"at vertex {end}")) == 1
+    assert [words for _, node, words in subscriptions if "navigation" not in node] == [
         "working on order 1",
         "cargo is on board",
         "order 1 has left the queue",
@@ -76,8 +76,8 @@ def test_planted_faults_are_spoken_of(fault: str, level: int, words: str, part: 
     said(changes)
     play(RosbridgeServer(it), parse_faults(f"{fault}:robot_1", it.robots))
     it.step(0.1)
-    ((heard_level, node, heard),) = said(changes)
-    assert (heard_level, node) == (level, f"/robot_1/{part}") and words in heard
+    ((heard_level, node, subscriptions),) = said(changes)
+    assert (heard_level, node) == (level, f"/robot_1/{part}") and words in subscriptions
     parts = {one["name"]: one for one in health(it)}
     assert all(set(one) == STATUS_FIELDS for one in parts.values())
     assert parts[f"robot_1: {part}"]["level"] == broken

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from fleet_tui.simulator.fleets import Line
+from fleet_tui.simulator.logs import BROKEN, DEBUG, DOUBTFUL, ERROR, HEALTHY, INFO, WARN, entry
 from fleet_tui.simulator.robot import EMPTY, LOW, SimRobot
-from fleet_tui.simulator.words import BROKEN, DEBUG, DOUBTFUL, ERROR, HEALTHY, INFO, WARN, entry
 
 Message = dict[str, Any]
 
@@ -53,8 +53,8 @@ class Changes:
             seen, before = _seen(robot), self._seen.get(name)
             self._seen[name] = seen
             if before is not None and before != seen and not robot.silence:
-                for level, node, words in _changes(before, seen, robot):
-                    yield level, f"/{name}/{node}", words
+                for level, node, message in _changes(before, seen, robot):
+                    yield level, f"/{name}/{node}", message
 
 
 def _changes(before: _Seen, now: _Seen, robot: SimRobot) -> Iterator[Line]:
@@ -71,8 +71,8 @@ def _changes(before: _Seen, now: _Seen, robot: SimRobot) -> Iterator[Line]:
     if now.vertex != before.vertex:
         yield DEBUG, "navigation", f"at vertex {now.vertex}"
     if now.obstacle != before.obstacle:
-        words = "obstacle in front of the laser" if now.obstacle else "the obstacle is gone"
-        yield (WARN if now.obstacle else INFO), "laser", words
+        message = "obstacle in front of the laser" if now.obstacle else "the obstacle is gone"
+        yield (WARN if now.obstacle else INFO), "laser", message
     if now.paused != before.paused:
         yield WARN, "drive", "brakes on" if now.paused else "brakes off"
     if now.stuck and not before.stuck:
@@ -99,6 +99,6 @@ def health(robot: SimRobot) -> Iterator[Message]:
     x, y = f"{robot.pose.x:.2f}", f"{robot.pose.y:.2f}"
     yield entry(robot, "drive", BROKEN if slips else HEALTHY, drive, x=x, y=y)
     blocked = robot.obstacle > 0.0
-    words = "something is close" if blocked else "clear"
+    message = "something is close" if blocked else "clear"
     contact = f"{robot.obstacle:.1f}"
-    yield entry(robot, "laser", DOUBTFUL if blocked else HEALTHY, words, contact_s=contact)
+    yield entry(robot, "laser", DOUBTFUL if blocked else HEALTHY, message, contact_s=contact)

@@ -45,7 +45,7 @@ class Talk:
         yield from map(Payload, self._kept if self._dialect.keeps_log else newest)
 
 
-def word_topics(fleets: "Sequence[Fleet]", dialect: Dialect, talk: Talk) -> Iterator[Topic]:
+def log_topics(fleets: "Sequence[Fleet]", dialect: Dialect, talk: Talk) -> Iterator[Topic]:
     """The topics; a line of the log is published only once."""
     log = dialect.message_type("rosgraph_msgs/Log")
     yield Topic(ROSOUT, log, lambda _now: Payload({}), latched=True, history=talk.latched)
@@ -57,12 +57,12 @@ def word_topics(fleets: "Sequence[Fleet]", dialect: Dialect, talk: Talk) -> Iter
     yield Topic(DIAGNOSTICS, dialect.message_type("diagnostic_msgs/DiagnosticArray"), health)
 
 
-def entry(robot: "Body", part: str, level: int, words: str, **values: str) -> Message:
+def entry(robot: "Body", part: str, level: int, message: str, **values: str) -> Message:
     """An entry of /diagnostics about a part of a robot."""
     return {
         "level": level,
         "name": f"{robot.name}: {part}",
-        "message": words,
+        "message": message,
         "hardware_id": f"{part}-{robot.index:03d}",
         "values": [{"key": key, "value": value} for key, value in values.items()],
     }

@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 from typing import Any
 
+from fleet_tui.simulator.logs import BROKEN, DOUBTFUL, HEALTHY, entry
 from fleet_tui.simulator.navigating.robot import LOST, NavigatingRobot
 from fleet_tui.simulator.robot import EMPTY, LOW
-from fleet_tui.simulator.words import BROKEN, DOUBTFUL, HEALTHY, entry
 
 Message = dict[str, Any]
 
@@ -14,8 +14,8 @@ def health(robot: NavigatingRobot) -> Iterator[Message]:
     """The entries of /diagnostics about one robot."""
     empty, low = robot.battery < EMPTY, robot.battery < LOW
     level = BROKEN if empty else DOUBTFUL if low else HEALTHY
-    words = "empty" if empty else "low" if low else "charging" if robot.docked else "charged"
-    yield entry(robot, "battery", level, words, percent=f"{robot.battery:.1f}")
+    message = "empty" if empty else "low" if low else "charging" if robot.docked else "charged"
+    yield entry(robot, "battery", level, message, percent=f"{robot.battery:.1f}")
     lost = robot.variance >= LOST
     yield entry(
         robot,

@@ -3,11 +3,11 @@
 from collections.abc import Iterator
 
 from fleet_tui.simulator.fleets import Line
+from fleet_tui.simulator.logs import ERROR, INFO, WARN
 from fleet_tui.simulator.nav2.navigation import TO_POSE, SimNavigation
 from fleet_tui.simulator.nav2.world import Nav2World
 from fleet_tui.simulator.navigating.robot import NavigatingRobot
 from fleet_tui.simulator.ros.goals import ABORTED, CANCELED, EXECUTING, SUCCEEDED
-from fleet_tui.simulator.words import ERROR, INFO, WARN
 
 _ENDS = {
     SUCCEEDED: (INFO, "Goal succeeded"),
@@ -40,21 +40,21 @@ class Nav2Changes:
                 continue
             if goal.status == EXECUTING:
                 at = goal.request["pose"]["pose"]["position"]
-                words = f"Begin navigating from current location to ({at['x']:.2f}, {at['y']:.2f})"
-                yield INFO, f"/{name}/bt_navigator", words
+                message = f"Begin navigating from current location to ({at['x']:.2f}, {at['y']:.2f})"
+                yield INFO, f"/{name}/bt_navigator", message
             elif goal.over:
-                level, words = _ENDS[goal.status]
+                level, message = _ENDS[goal.status]
                 code = goal.result.get("error_code")
                 why = f" error_code:{code} error_msg:{goal.result['error_msg']}." if code else ""
-                yield level, f"/{name}/bt_navigator", words + why
+                yield level, f"/{name}/bt_navigator", message + why
 
     def _obstacle(self, robot: NavigatingRobot) -> Iterator[Line]:
         blocked = robot.obstacle > 0.0
         if blocked != (robot.name in self._blocked):
             self._blocked ^= {robot.name}
-            words = (
+            message = (
                 "Robot to stop due to PolygonStop polygon"
                 if blocked
                 else "Robot to continue normal operation"
             )
-            yield (WARN if blocked else INFO), f"/{robot.name}/collision_monitor", words
+            yield (WARN if blocked else INFO), f"/{robot.name}/collision_monitor", message

@@ -1,8 +1,8 @@
 """Robots with Nav2 in words: goals as they begin and end, obstacles as they come and go."""
 
-from fleet_tui.simulator.nav2.words import Nav2Changes
+from fleet_tui.simulator.logs import ERROR, INFO, WARN
+from fleet_tui.simulator.nav2.logs import Nav2Changes
 from fleet_tui.simulator.nav2.world import Nav2World
-from fleet_tui.simulator.words import ERROR, INFO, WARN
 
 NODE = "/robot_0/bt_navigator"
 
