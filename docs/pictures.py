@@ -79,7 +79,7 @@ CONSOLES = {
         {"seen": [], "alarms": ["Tab", "Tab"], "alarm-menu": ["Return"], "paused": [ESC, "'P", "'y"]},
         wait=50,
     ),
-    "light": Console(["--robots", "12"], {"half-block": ["t", "t"], "light": ["'T"]}),
+    "light": Console(["--robots", "12"], {"half-block": ["m"], "light": ["colon", "'theme light", "Return"]}),
     "colourless": Console(["--robots", "12"], {"calm": []}, environment={"NO_COLOR": "1"}),
     "ascii": Console(["--robots", "12", "--drawing", "ascii"], {"calm": []}),
     "nav2": Console(

@@ -115,6 +115,11 @@ class Robot(Struct, frozen=True, eq=False):
         return self.cargo is not None and self.cargo.value
 
     @property
+    def still_for(self) -> float:
+        """Return the seconds that its poses show it standing: an old pose doesn't show that it still does."""
+        return self.pose.at - self.standing.at if self.pose and self.standing else 0.0
+
+    @property
     def orders(self) -> OrderQueue:
         """Return the queue as last reported, empty if never."""
         return self.queue.value if self.queue else OrderQueue(0, "", ())

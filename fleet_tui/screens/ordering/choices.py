@@ -61,6 +61,13 @@ def missing(field: str, typed: str = "") -> str:
     return f"{field.capitalize()} is missing: type {remedy}"
 
 
+def without_places(robot: Robot | None) -> str:
+    """Return the notice for a robot that has no places to choose, empty for others."""
+    if robot is None or places(robot):
+        return ""
+    return f"{robot.name} has no route graph yet: there are no places to choose"
+
+
 def line(choice: Place | str) -> str:
     """Return the line of a choice."""
     return (

@@ -22,6 +22,7 @@ from fleet_tui.screens.ordering.choices import (
     order,
     title,
     wanted_now,
+    without_places,
 )
 from fleet_tui.screens.ordering.drafts import draft_of
 from fleet_tui.screens.ordering.fields import OrderFields
@@ -105,6 +106,8 @@ class OrderForm(Overlay):
             typed = self._fields[field].typed
             self._found = choices(self._state(), self._robot(), field, typed, self._fields.chosen.get(field))
             self._matches.show(map(line, self._found), mark=bool(typed.strip()))
+            if notice := without_places(self._robot()):
+                self._say(notice)
 
     @on(Input.Changed)
     def filter(self, event: Input.Changed) -> None:
@@ -158,7 +161,8 @@ class OrderForm(Overlay):
         if field == "from" and not typed and may_skip_start(self._robot()):
             self._fields.step(1)
             return None
-        self._say(f"{field.capitalize()}: no match for {typed!r}" if typed else missing(field))
+        problem = f"{field.capitalize()}: no match for {typed!r}" if typed else missing(field)
+        self._say(without_places(self._robot()) or problem)
         return None
 
     def _take(self, field: str, choice: Place | str) -> None:

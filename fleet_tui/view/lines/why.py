@@ -39,7 +39,7 @@ def _standing(state: FleetState, robot: Robot) -> str:
         return "No pose received."
     if state.is_old(robot, "pose"):
         return f"Last pose {age(state.now - robot.pose.at)} old."
-    still = state.now - robot.standing.at
+    still = robot.still_for
     return f"No movement for {age(still)}." if still >= STANDS_AFTER else "Pose changing."
 
 

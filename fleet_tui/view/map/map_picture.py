@@ -10,6 +10,7 @@ from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.modes import MapMode, ViewMode
 from fleet_tui.view.map.picture import backdrop, picture
+from fleet_tui.view.map.places import seen_robots
 from fleet_tui.view.map.robots import Sides
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.view.map.trails import Trails
@@ -70,16 +71,17 @@ class MapPicture:
         return pick(self.scene, self.viewport.camera(self.scene), x, y - CAPTION_ROWS)
 
     def _caption(self, scene: Scene, camera: Camera, focused: bool) -> Caption:
+        outside = _out_of_view(scene, camera)
         return Caption(
             floor=scene.floor,
-            note=scene.note,
+            note=scene.note or outside,
             frame=scene.frame,
             camera=camera,
             drawing=self.options.drawing,
             follow=self.viewport.follow,
             zoom_robot=self.viewport.zoom_robot,
             focused=focused,
-            waits=scene.waits,
+            waits=scene.waits if scene.note else True,
             banner=self.mode.banner,
             hint=self.hint,
         )
@@ -92,6 +94,13 @@ class MapPicture:
             self._backdrop = backdrop(*key)
             self._backdrop_of = key
         return self._backdrop
+
+
+def _out_of_view(scene: Scene, camera: Camera) -> str:
+    """Return a note if the selected robot is on the floor and not in the view."""
+    selected = tuple(robot for robot in scene.robots if robot.selected)
+    is_outside = selected and not seen_robots(replace(scene, robots=selected), camera)
+    return f"{selected[0].name} is out of view" if is_outside else ""
 
 
 def _same(before: tuple[Scene, Camera, MapOptions], now: tuple[Scene, Camera, MapOptions]) -> bool:

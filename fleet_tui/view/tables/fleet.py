@@ -23,6 +23,8 @@ from fleet_tui.view.tables.table import LateRows, Row, Run, Table
 CARGO = "■"
 STILL_FROM = 5.0
 """Seconds from which a robot stands still."""
+LONG_STILL = 30.0
+"""Seconds from which that comes before its order in a narrow pane: longer than loading takes."""
 SEEN_FROM = 2.0
 """Seconds from which the age of a robot's last message is shown."""
 
@@ -150,8 +152,7 @@ def _movement(state: FleetState, robot: Robot) -> str:
     """Return whether a robot with an order moves, empty if nothing fresh tells."""
     if robot.standing is None or not state.is_fresh(robot, "pose"):
         return ""
-    seconds = state.now - robot.standing.at
-    return f"still {age(seconds)}" if seconds >= STILL_FROM else "moving"
+    return f"still {age(robot.still_for)}" if robot.still_for >= STILL_FROM else "moving"
 
 
 def _without_order(state: FleetState, robot: Robot) -> str:
@@ -174,6 +175,8 @@ def _row(state: FleetState, robot: Robot, selected: bool, columns: Columns) -> R
         order = whose_mission(state, robot, current)
     progress = progress_text(state, robot, current) if current is not None else ""
     if not columns.order:
+        if current is not None and not told and _movement(state, robot) and robot.still_for >= LONG_STILL:
+            told = [(_movement(state, robot), StyleRole.DIM), (" ", role)]
         mission = "  ".join(part for part in (order, progress) if part)
         return Row(robot.name, (*_head(state, robot, selected, columns), *runs, (mission, role)))
     if current is not None and not runs:

@@ -62,10 +62,11 @@ def _values(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
         yield _named(
             value.capitalize(),
             (f"{text:<{VALUE}}", StyleRole.DIM if is_old else StyleRole.TEXT),
-            (ago(reading.at, state.now), StyleRole.WARN if is_old else StyleRole.DIM),
+            # In whole seconds: tenths would never be at rest.
+            (f"{age(state.now - reading.at)} ago", StyleRole.WARN if is_old else StyleRole.DIM),
         )
     if robot.standing is not None and state.is_fresh(robot, "pose"):
-        still = state.now - robot.standing.at
+        still = robot.still_for
         text = f"standing for {age(still)}" if still >= STILL_FROM else "moving"
         yield _named("Movement", (text, StyleRole.TEXT))
 

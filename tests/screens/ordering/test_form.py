@@ -200,3 +200,13 @@ async def test_a_vertex_chosen_by_key_is_meant_even_where_a_robot_stands(server:
         await it.press("enter")
         await it.shows("Order")
         assert it.app.main.query_one("#from", Input).value == "Base"
+
+
+async def test_a_robot_without_a_graph_has_no_places_and_the_form_says_so(server: RosbridgeServer) -> None:
+    last = len(server.world.robots)  # one more than there are
+    async with console(config_of(server.url, last + 1), wait=False) as it:
+        await it.until(lambda _: it.app.main.is_complete)
+        await it.press("[", "o")
+        await it.shows(f"robot_{last} has no route graph yet")
+        await it.press("B", "enter")
+        await it.shows(f"robot_{last} has no route graph yet")

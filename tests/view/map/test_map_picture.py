@@ -15,6 +15,12 @@ def shown() -> MapPicture:
     return picture
 
 
+def caption(picture: MapPicture) -> str:
+    cells = picture.cells(100, 30, True)
+    assert cells is not None
+    return "".join(map(chr, cells.codes[0]))
+
+
 def test_without_a_scene_or_space_there_is_no_picture() -> None:
     assert MapPicture().cells(100, 30, True) is None and MapPicture().pick(5, 5) is None
     picture = shown()
@@ -53,3 +59,10 @@ def test_trails_are_those_of_the_time_that_is_shown() -> None:
     picture.clear_trails()
     assert not len(picture._trails.of(picture.scene))
     assert picture.scene.robots[0].pose == Pose(11.0, 5.0)
+
+
+def test_the_caption_says_that_the_selected_robot_is_out_of_view() -> None:
+    picture = shown()
+    assert "out of view" not in caption(picture)
+    picture.viewport.pan(SCENE, 200, 0)
+    assert "robot_0 is out of view" in caption(picture)

@@ -201,3 +201,21 @@ def test_a_robot_with_an_alarm_stands_first_and_the_others_keep_their_order() ->
     assert names == ["robot_2", "robot_0", "robot_1", "robot_3"]
     shelved = reduced(state, tick(T0), events.AlarmShelved("robot_2", "battery", T0 + 1800), tick(T0 + 1))
     assert fleet_table(shelved, R0, 60).rows[0].key == "robot_0"
+
+
+def standing(seconds: float) -> FleetState:
+    """A robot with an order whose poses show it in one place for so long."""
+    at = T0 + seconds
+    ordered = queue(at, (1, 1, 2, "W"), current=1)
+    return told(fleet(), link_up(T0), pose(T0), pose(at), battery(at), ordered, tick(at + 0.4))
+
+
+def test_a_robot_stands_as_long_as_its_poses_show() -> None:
+    now = standing(40.0)
+    assert row(now).rstrip().endswith("still 40 s")
+    assert row(told(now, tick(T0 + 41.4))).rstrip().endswith("still 40 s"), "its last pose is of then"
+
+
+def test_in_a_narrow_pane_an_order_that_does_not_get_on_says_so() -> None:
+    short, long = (text_of(fleet_table(standing(t), R0, 48).rows[0].runs) for t in (10.0, 40.0))
+    assert "still" not in short and "still 40 s 1? -> 2?" in long
