@@ -175,8 +175,8 @@ def _row(state: FleetState, robot: Robot, selected: bool, columns: Columns) -> R
         order = whose_mission(state, robot, current)
     progress = progress_text(state, robot, current) if current is not None else ""
     if not columns.order:
-        if current is not None and not told and _movement(state, robot) and robot.still_for >= LONG_STILL:
-            told = [(_movement(state, robot), StyleRole.DIM), (" ", role)]
+        if current is not None and not runs and _movement(state, robot) and robot.still_for >= LONG_STILL:
+            runs = [(_movement(state, robot), StyleRole.DIM), (" ", role)]
         mission = "  ".join(part for part in (order, progress) if part)
         return Row(robot.name, (*_head(state, robot, selected, columns), *runs, (mission, role)))
     if current is not None and not runs:

@@ -207,13 +207,13 @@ def standing(seconds: float) -> FleetState:
     """A robot with an order whose poses show it in one place for so long."""
     at = T0 + seconds
     ordered = queue(at, (1, 1, 2, "W"), current=1)
-    return told(fleet(), link_up(T0), pose(T0), pose(at), battery(at), ordered, tick(at + 0.4))
+    return reduced(fleet(), link_up(T0), pose(T0), pose(at), battery(at), ordered, tick(at + 0.4))
 
 
 def test_a_robot_stands_as_long_as_its_poses_show() -> None:
     now = standing(40.0)
     assert row(now).rstrip().endswith("still 40 s")
-    assert row(told(now, tick(T0 + 41.4))).rstrip().endswith("still 40 s"), "its last pose is of then"
+    assert row(reduced(now, tick(T0 + 41.4))).rstrip().endswith("still 40 s"), "its last pose is of then"
 
 
 def test_in_a_narrow_pane_an_order_that_does_not_get_on_says_so() -> None:
