@@ -60,8 +60,8 @@ class OrderForm(Overlay):
 
     def compose(self) -> ComposeResult:
         """Compose three fields, the matches of the current one, and a note on missing input."""
-        yield from (self._fields, self._matches, self.route, Static(id="missing", markup=False))
-        yield MouseButton("Enter  send", id="send", compact=True)
+        send = MouseButton("Enter  send", id="send", compact=True)
+        yield from (self._fields, self._matches, self.route, Static(id="missing", markup=False), send)
 
     def draft(self) -> Draft | None:
         """Return the order as far as it is typed, None while the form is closed."""
@@ -72,8 +72,7 @@ class OrderForm(Overlay):
         return self._state().robots.get(self._fields["robot"].value.strip())
 
     def start(self, robot: str, picked: Place | None = None) -> None:
-        """Open with the robot chosen and the cursor in the first field to fill. A vertex `picked` on the map
-        is the start, or the end if the order needs no start."""
+        """Open for a robot. A vertex `picked` on the map is the start, or the end if none is needed."""
         self._picked = picked
         self._fields.clear(robot)
         self._say("")
@@ -88,7 +87,7 @@ class OrderForm(Overlay):
         if self._picked is not None:
             field = "from" if has_start and not may_skip_start(robot) else "to"
             self._fields.take(field, self._picked)
-            self._picked = None
+        self._picked = None
         self.border_title = title(robot, has_start)
 
     def _say(self, text: str, field: str = "") -> None:
@@ -102,11 +101,11 @@ class OrderForm(Overlay):
     def _list(self) -> None:
         """List the matches of the field with the cursor, the first one marked."""
         if self.is_open:
-            field = self._fields.current
+            field, robot = self._fields.current, self._robot()
             typed = self._fields[field].typed
-            self._found = choices(self._state(), self._robot(), field, typed, self._fields.chosen.get(field))
+            self._found = choices(self._state(), robot, field, typed, self._fields.chosen.get(field))
             self._matches.show(map(line, self._found), mark=bool(typed.strip()))
-            if notice := without_places(self._robot()):
+            if notice := without_places(robot):
                 self._say(notice)
 
     @on(Input.Changed)
@@ -138,8 +137,7 @@ class OrderForm(Overlay):
 
     def _add_leg(self) -> None:
         """Take the marked match as one place of several, unless the sign is part of a label."""
-        field = self._fields.current
-        box = self._fields[field]
+        field, box = self._fields.current, self._fields[self._fields.current]
         if field == "robot" or is_in_label(self._robot(), box.typed + SIGN):
             box.insert_text_at_cursor(SIGN)
         elif field == "from":
@@ -160,9 +158,9 @@ class OrderForm(Overlay):
             return found[marked or 0]
         if field == "from" and not typed and may_skip_start(self._robot()):
             self._fields.step(1)
-            return None
-        problem = f"{field.capitalize()}: no match for {typed!r}" if typed else missing(field)
-        self._say(without_places(self._robot()) or problem)
+        else:
+            problem = f"{field.capitalize()}: no match for {typed!r}" if typed else missing(field)
+            self._say(without_places(self._robot()) or problem)
         return None
 
     def _take(self, field: str, choice: Place | str) -> None:
