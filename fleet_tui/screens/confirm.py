@@ -26,8 +26,8 @@ class Confirm(Overlay, can_focus=True):
         """Compose the question above its two answers."""
         yield Static(id="question", markup=False)
         with Horizontal():
-            yield MouseButton("y  Confirm", id="yes", compact=True)
-            yield MouseButton("n  Cancel", id="no", compact=True)
+            yield MouseButton("y  Yes", id="yes", compact=True)
+            yield MouseButton("n  No", id="no", compact=True)
 
     def on_mount(self) -> None:
         """Update the question while it is open."""

@@ -33,9 +33,9 @@ async def test_a_command_in_one_packet_asks_once_and_only_y_does_it(server: Rosb
         await it.shows("Base -> Consumidores", "queue")
         for line in (":cancel 1\r", ":clear robot_0\r"):
             one_packet(it, line)
-            await it.shows("y  Confirm")
+            await it.shows("y  Yes")
             one_packet(it, "\r")
-            await it.hides("y  Confirm")
+            await it.hides("y  Yes")
         assert len(server.bridge.services.calls) == 1
         one_packet(it, ":cancel 1\ry")
         await it.until(lambda state: not state.robots["robot_0"].orders.orders)
