@@ -33,7 +33,7 @@ def below_map(lines: int, wanted: Wanted, covered: int = 0) -> tuple[int, int, i
     """Share out a narrow screen: the map, the fleet, and the line of alarms and queue side by side. The map
     keeps clear of the `covered` last lines."""
     low = _share(max(wanted.alarms, wanted.queue), lines // 4)
-    fleet = max(LEAST_FLEET, min(wanted.fleet, (lines - low) * 2 // 5, lines - low - LEAST_MAP))
+    fleet = max(LEAST_FLEET, min(wanted.fleet, (lines - low) // 3, lines - low - LEAST_MAP))
     above = max(1, min(lines - low - fleet, lines - covered))
     return above, lines - low - above, low
 

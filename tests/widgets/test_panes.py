@@ -17,7 +17,7 @@ async def test_each_pane_has_what_its_rows_need_and_the_robots_page_the_rest(ser
         assert heights(it) == {"map": 37, "fleet": 14, "alarms": 3, "queue": 3, "page": 17}
     async with console(config_of(server.url, 12), (80, 24), wait=False) as it:
         await it.until(lambda _: it.app.main.is_complete)
-        assert heights(it) == {"map": 11, "fleet": 7, "alarms": 3, "queue": 3}
+        assert heights(it) == {"map": 12, "fleet": 6, "alarms": 3, "queue": 3}
 
 
 async def test_thirty_robots_have_twenty_four_rows_or_more(server: RosbridgeServer) -> None:

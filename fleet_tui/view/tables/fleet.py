@@ -1,5 +1,6 @@
 """The fleet pane: one row for each robot, calm while nothing needs a person."""
 
+import math
 from collections.abc import Iterator
 from functools import partial
 
@@ -16,7 +17,7 @@ from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.fleet_columns import Columns, floor_text
+from fleet_tui.view.tables.fleet_columns import BAR, Columns, floor_text
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table
 
@@ -110,6 +111,15 @@ def _battery(state: FleetState, robot: Robot) -> Run:
     return f"{int(percent):3d} %", role
 
 
+def _battery_bar(state: FleetState, robot: Robot) -> Run:
+    """Return the battery as a bar: quiet, unless it is low."""
+    if robot.battery is None or not math.isfinite(robot.battery.value):
+        return "", StyleRole.DIM
+    cells = math.ceil(min(max(robot.battery.value, 0.0), 100.0) / 100 * BAR)
+    role = _battery(state, robot)[1]
+    return "━" * cells, role if role is StyleRole.ALARM else StyleRole.DIM
+
+
 def _head(state: FleetState, robot: Robot, selected: bool, columns: Columns) -> list[Run]:
     """Return the start of every row: link state, number, name, battery, floor, cargo, times."""
     online = state.is_online(robot)
@@ -126,6 +136,9 @@ def _head(state: FleetState, robot: Robot, selected: bool, columns: Columns) -> 
     ]
     if columns.battery:
         runs += [_battery(state, robot), (" ", role)]
+    if columns.bar:
+        text, colour = _battery_bar(state, robot)
+        runs.append((fit(text, columns.bar), colour))
     if columns.floor:
         runs.append((fit(columns.floors[floor_text(state, robot)], columns.floor), role))
     if columns.cargo:

@@ -14,8 +14,10 @@ from fleet_tui.view.tables.table import Run, column
 DOT = 2
 STATE, ORDER_LEAST, ORDER_MOST = 15, 15, 30
 """Cells that states must have, and those of the column of orders before them."""
-WHOLE_FLOORS, WITH_WAITING, WITH_SEEN = 54, 70, 90
+WHOLE_FLOORS, WITH_BAR, WITH_WAITING, WITH_SEEN = 54, 70, 84, 90
 """Cells of a pane from which floors have their whole names, and from which it has further columns."""
+BAR = 5
+"""Cells of a full battery's bar."""
 LAST_KEY = 9
 """The last robot with a key of its own."""
 UNKNOWN_FLOOR = "unknown floor"
@@ -36,6 +38,7 @@ class Columns(NamedTuple):
     number: int
     name: int
     battery: int
+    bar: int
     floor: int
     cargo: int
     order: int
@@ -59,6 +62,7 @@ class Columns(NamedTuple):
             number=len(str(len(robots))) + 1 if by_place else 4,
             name=column((robot.name for robot in robots), 6, 14) + 1,
             battery=6 if "battery" in reported else 0,
+            bar=BAR + 1 if "battery" in reported and width >= WITH_BAR else 0,
             floor=column(floors.values(), 5, 13) + 1 if "pose" in reported and not is_obvious else 0,
             cargo=2 if "cargo" in reported else 0,
             order=0,
@@ -84,6 +88,7 @@ class Columns(NamedTuple):
             (self.number_head.rjust(self.number - 1), self.number),
             ("Robot", self.name),
             ("Batt", self.battery),
+            ("", self.bar),
             ("Floor", self.floor),
             ("", self.cargo),
             ("Queue", self.waiting),

@@ -219,3 +219,13 @@ def test_a_robot_stands_as_long_as_its_poses_show() -> None:
 def test_in_a_narrow_pane_an_order_that_does_not_get_on_says_so() -> None:
     short, long = (text_of(fleet_table(standing(t), R0, 48).rows[0].runs) for t in (10.0, 40.0))
     assert "still" not in short and "still 40 s 1? -> 2?" in long
+
+
+@pytest.mark.parametrize(
+    ("percent", "bar"), [(100.0, "━━━━━"), (50.0, "━━━ "), (4.0, "━ "), (250.0, "━━━━━")]
+)
+def test_a_wide_pane_has_the_battery_as_a_bar(percent: float, bar: str) -> None:
+    state = received(battery(T0 + 1, percent))
+    assert f"% {bar}" in row(state)
+    assert "━" not in text_of(fleet_table(state, R0, 60).rows[0].runs)
+    assert (role_of(state, "━") is StyleRole.ALARM) == (percent < 20)
