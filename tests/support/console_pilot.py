@@ -84,6 +84,11 @@ class Console:
         """Wait until a text has gone from the screen."""
         await self._wait(lambda: text not in self.text, f"no {text}")
 
+    async def shows_a_label(self) -> None:
+        """Wait until the map has labels; a robot's number may cover the end of one of them."""
+        labels = ("Base", "Packing", "Dispatch")
+        await self._wait(lambda: any(label in self.pane("map") for label in labels), "a label on the map")
+
     async def _wait(self, holds: Callable[[], bool], what: str) -> None:
         def look(_state: FleetState) -> bool:
             self.app.main.tick()
@@ -124,5 +129,5 @@ async def console(
         running = Console(app, store, pilot)
         if wait:
             await running.until(_ready)
-            await running.shows("Base", "map")
+            await running.shows_a_label()
         yield running
