@@ -11,6 +11,7 @@ from fleet_tui.model.fleet import FleetState, Floor
 from fleet_tui.model.geometry import Line, MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.robot import Robot, RobotMap
+from fleet_tui.rules.alarms.conditions import lasts
 from fleet_tui.rules.marks import marks_of
 from fleet_tui.rules.routes.draft import Draft, draft_route
 from fleet_tui.text.sanitize import sanitize
@@ -131,6 +132,7 @@ def _robot(
         online=state.is_fresh(robot, "pose"),
         paused=state.is_paused(robot),
         obstacle=state.is_obstructed(robot),
+        alarmed=state.is_obstructed(robot) and lasts(state, robot),
         other_map=other_map,
         age=state.now - robot.pose.at,
         size=robot.size,

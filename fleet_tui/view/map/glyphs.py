@@ -45,7 +45,7 @@ def robot_roles(robot: SceneRobot) -> tuple[StyleRole, StyleRole]:
     """Return the roles of the arrow and of the tag: the first shows selection, both show trouble."""
     if not robot.online:
         state = StyleRole.ROBOT_OFFLINE
-    elif robot.obstacle:
+    elif robot.alarmed:
         state = StyleRole.ROBOT_ALARM
     elif robot.selected:
         state = StyleRole.ROBOT_SELECTED

@@ -155,7 +155,7 @@ def draw_outlines(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) 
 def _outline_role(robot: SceneRobot) -> StyleRole:
     if robot.selected:
         return StyleRole.TARGET
-    return StyleRole.ROBOT_BODY_ALARM if robot.obstacle else StyleRole.ROBOT_BODY
+    return StyleRole.ROBOT_BODY_ALARM if robot.alarmed else StyleRole.ROBOT_BODY
 
 
 def _sides(robot: SceneRobot) -> Iterator[Line]:

@@ -25,7 +25,8 @@ class SceneVertex:
 
 class SceneRobot(NamedTuple):
     """A robot at its last known pose. number: 1 = first of the config; mark: its number on the map if that is
-    another; age: seconds since its last message; size: length and width in metres, None if unknown.
+    another; age: seconds since its last message; size: length and width in metres, None if unknown; alarmed:
+    its obstacle has lasted long enough for an alarm.
 
     A tuple, because a hundred of them are made ten times a second: it takes a third of the time."""
 
@@ -41,6 +42,7 @@ class SceneRobot(NamedTuple):
     age: float = 0.0
     size: tuple[float, float] | None = None
     mark: str = ""
+    alarmed: bool = False
 
 
 @dataclass(frozen=True, slots=True)

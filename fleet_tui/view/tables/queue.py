@@ -85,7 +85,7 @@ def _row(state: FleetState, entry: Listed, columns: tuple[int, int, int], width:
     ]
     has_button = robot.kind.can(kind.CANCEL) and not order.is_over
     space = width - 1 - (len(CANCEL) if has_button else 0)
-    runs.append((_status(order, space - width_of(runs)), role))
+    runs.append((_status(order, space - has_button - width_of(runs)), role))
     if progress := progress_text(state, robot, order):
         runs.append((f", {progress}", StyleRole.DIM))
     runs.append((f", cancel {leaving}" if leaving else "", StyleRole.WARN))
@@ -94,7 +94,7 @@ def _row(state: FleetState, entry: Listed, columns: tuple[int, int, int], width:
     if not has_button:
         return Row(key, tuple(cut(runs, space)))
     button = Button(space, space + len(CANCEL), "cancel")
-    return Row(key, (*cut(runs, space), (CANCEL, StyleRole.KEY)), (button,))
+    return Row(key, (*cut(runs, space - 1), (" ", role), (CANCEL, StyleRole.KEY)), (button,))
 
 
 def _title(

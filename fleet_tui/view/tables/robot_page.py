@@ -11,7 +11,7 @@ from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.text.units import ago
 from fleet_tui.view.lines.commands import command_text, stage_text
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.fleet import STILL_FROM, news, whose_mission
+from fleet_tui.view.tables.fleet import news, whose_mission
 from fleet_tui.view.tables.fleet_columns import floor_text
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import Row, Run, Table, column
@@ -20,6 +20,8 @@ NAME, VALUE = 10, 24
 """Cells of the columns of names and values."""
 LAST, LAST_OF_FLEET = 5, 20
 """Commands and ended orders that are listed, of the robot and of the fleet."""
+STANDS_FROM = 1.0
+"""Seconds without movement from which a robot stands."""
 BLANK: tuple[Run, ...] = (("", StyleRole.TEXT),)
 
 
@@ -50,7 +52,7 @@ def _values(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
     """Yield each value that this kind of robot reports, with its age."""
     texts: dict[str, tuple[str, Reading[Any] | None]] = {
         "pose": (_pose_text(state, robot), robot.pose),
-        "battery": (_number(robot.battery, "%"), robot.battery),
+        "battery": (_percent(robot.battery), robot.battery),
         "cargo": (_yes_or_no(robot.cargo), robot.cargo),
         "obstacle": (_contact(robot.obstacle), robot.obstacle),
         "paused": (_yes_or_no(robot.paused), robot.paused),
@@ -70,7 +72,7 @@ def _values(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
         )
     if robot.standing is not None and state.is_fresh(robot, "pose"):
         still = robot.still_for
-        text = f"standing for {age(still)}" if still >= STILL_FROM else "moving"
+        text = f"standing for {age(still)}" if still >= STANDS_FROM else "moving"
         yield _named("Movement", (text, StyleRole.TEXT))
 
 
@@ -82,8 +84,9 @@ def _pose_text(state: FleetState, robot: Robot) -> str:
     return f"{pose.x:.1f}, {pose.y:.1f} m, {degrees}, {floor_text(state, robot)}"
 
 
-def _number(reading: Reading[float] | None, unit: str) -> str:
-    return "" if reading is None else f"{reading.value:.0f} {unit}"
+def _percent(reading: Reading[float] | None) -> str:
+    """Return a battery as the fleet pane has it: rounded down."""
+    return "" if reading is None or not math.isfinite(reading.value) else f"{int(reading.value)} %"
 
 
 def _contact(reading: Reading[float] | None) -> str:

@@ -229,3 +229,10 @@ def test_a_wide_pane_has_the_battery_as_a_bar(percent: float, bar: str) -> None:
     assert f"% {bar}" in row(state)
     assert "━" not in text_of(fleet_table(state, R0, 60).rows[0].runs)
     assert (role_of(state, "━") is StyleRole.ALARM) == (percent < 20)
+
+
+def test_a_passing_obstacle_is_no_alarm_yet() -> None:
+    state = received(events.ObstacleReported(R0, T0 + 1, 4.2))
+    assert role_of(state, "obstacle") is StyleRole.WARN
+    lasting = received(events.ObstacleReported(R0, T0 + 1, 31.0))
+    assert role_of(lasting, "obstacle") is StyleRole.ALARM
