@@ -40,7 +40,7 @@ def below_map(lines: int, wanted: Wanted, covered: int = 0) -> tuple[int, int, i
 
 def below_buttons(lines: int, wanted: Wanted) -> tuple[int, int, int]:
     """Share out a narrow screen with the simple interface: its buttons, the fleet, alarms and queue."""
-    low = _share(max(wanted.alarms, wanted.queue), lines // 4)
+    low = _share(max(wanted.alarms, wanted.queue), min(lines // 4, lines - BUTTONS - LEAST_FLEET))
     above = max(1, min(BUTTONS, lines - low - LEAST_FLEET))
     fleet = max(LEAST_FLEET, min(wanted.fleet, lines - low - above))
     return above, fleet, lines - above - fleet
