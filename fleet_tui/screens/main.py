@@ -63,7 +63,7 @@ class MainScreen(Screen[None]):
         self.is_complete = False
         self.status, self.message = LineView(id="status"), LineView(id="message")
         self.hints = LineView(id="hints")
-        self.panes = Panes(len(store.state.robots))
+        self.panes = Panes()
         self.fleet, self.alarms, self.queue = self.panes.fleet, self.panes.alarms, self.panes.queue
         self.views: list[RunsView] = [self.status, *self.panes.views, self.message, self.hints]
         self.notices = Notices(store, self.tick, settings.message)
@@ -161,9 +161,9 @@ class MainScreen(Screen[None]):
         from fleet_tui.view.map.floor_scene import floor_scene, map_owner
 
         selection = self.navigation.settle(state, self.rest.map.picture.viewport.follow)
-        draft = self.rest.draft()
-        if draft is not None and draft.marked is not None:
-            selection = replace(selection, floor=draft.marked.floor)
+        drafted = self.rest.draft()
+        if drafted is not None and drafted[0].marked is not None:
+            selection = replace(selection, floor=drafted[0].marked.floor)
         owner = map_owner(state, selection)
         # The live map of the shown floor, unless a file has it.
         has_file = state.floors[selection.floor].grid is not None
@@ -171,7 +171,7 @@ class MainScreen(Screen[None]):
         if wanted is not None and wanted != self._mapped:
             self._mapped = wanted
             self.backend.show_map(*wanted)
-        self.rest.map.show(floor_scene(state, selection, draft))
+        self.rest.map.show(floor_scene(state, selection, drafted))
 
     def _mark_alarm(self, state: FleetState) -> None:
         """Mark an alarm. Unless the pane has the focus, the cursor moves from acknowledged to

@@ -12,7 +12,7 @@ from fleet_tui.controllers.robots import RobotRequests
 from fleet_tui.controllers.save import SaveCommand
 from fleet_tui.keys import Key
 from fleet_tui.keys.key import key_name
-from fleet_tui.rules.routes.draft import Draft, draft_route
+from fleet_tui.rules.routes.draft import Drafted, draft_route
 from fleet_tui.screens.audit import AuditLog
 from fleet_tui.screens.confirm import Confirm
 from fleet_tui.screens.diagnosing.overlay import Diagnostics
@@ -97,14 +97,14 @@ class Rest:
 
         return SimpleSwitch(screen.query_one("#panes"), self.map, make, self.orders.may_order)
 
-    def draft(self) -> Draft | None:
-        """Return the order that is being typed, and show its length in the form."""
+    def draft(self) -> Drafted | None:
+        """Return the order that is being typed and its way, and show its length in the form."""
         draft, form = self.order_form.draft(), self.order_form
         route = None if draft is None else draft_route(self._screen.store.state.robots[draft.robot], draft)
         text = "" if route is None else route.text
         if text != form.route.content:  # an update lays out the whole screen anew
             form.route.update(text)
-        return draft
+        return None if draft is None else (draft, route)
 
     def picked(self, event: messages.Picked) -> None:
         """Run the action for a click or selection on the map, a row or its button, or the time line."""

@@ -24,8 +24,8 @@ class Panes(Container):
 
     BLANK = True
 
-    def __init__(self, robots: int) -> None:
-        self.fleet = RowsPane(id="fleet", rows=robots)
+    def __init__(self) -> None:
+        self.fleet = RowsPane(id="fleet")
         self.alarms, self.queue = RowsPane(id="alarms"), RowsPane(id="queue")
         self.page = RowsPane(id="page")
         self.page.can_focus = False

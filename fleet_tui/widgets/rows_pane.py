@@ -3,7 +3,6 @@
 from collections.abc import Callable, Hashable
 
 from textual import events, on
-from textual.geometry import Size
 
 from fleet_tui.keys import TABLE, Pane, by_id
 from fleet_tui.view.tables.listing import Listing
@@ -20,12 +19,10 @@ class RowsPane(RunsView, can_focus=True):
 
     BINDINGS = bindings(Pane.TABLE)
 
-    def __init__(self, *, id: str, rows: int = 0, choose: Callable[[Hashable], object] | None = None) -> None:
-        """`rows` is the preferred number of rows if its height is free. `choose` is called with the key of
-        the row that Enter means, at once, instead of the message RowChosen: for panes whose result gets
-        the next key."""
+    def __init__(self, *, id: str, choose: Callable[[Hashable], object] | None = None) -> None:
+        """`choose` is called with the key of the row that Enter means, at once, instead of the message
+        RowChosen: for panes whose result gets the next key."""
         super().__init__(id=id)
-        self._wanted = rows
         self._choose = choose or (lambda key: self.post_message(RowChosen(id, key)))
         self.listing = Listing()
 
@@ -33,10 +30,6 @@ class RowsPane(RunsView, can_focus=True):
     def row_width(self) -> int:
         """Return the cells of a row beside the cursor's mark."""
         return max(0, self.size.width - 1)
-
-    def get_content_height(self, container: Size, viewport: Size, width: int) -> int:
-        """Return the preferred number of rows, and the title."""
-        return self._wanted + 1
 
     def show(self, table: Table) -> None:
         """Show the newest rows."""

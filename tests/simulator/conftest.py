@@ -6,7 +6,9 @@ import pytest
 from websockets.asyncio.client import ClientConnection, connect
 
 from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.nav2_site import LONG_AGO
 
 
 @pytest.fixture
@@ -14,6 +16,16 @@ async def server() -> AsyncIterator[RosbridgeServer]:
     """Two quiet simulated robots on two floors, at 50 Hz."""
     server = RosbridgeServer(World(2, 2, seed=1, quiet=True), rate=50.0)
     await server.start()
+    yield server
+    await server.stop()
+
+
+@pytest.fixture
+async def ros2_server() -> AsyncIterator[RosbridgeServer]:
+    """Three quiet simulated robots behind a bridge on ROS 2 that has discovered every publisher."""
+    server = RosbridgeServer(World(3, 2, seed=1, quiet=True), rate=20.0, dialect=ROS2)
+    await server.start()
+    server.bridge.started -= LONG_AGO
     yield server
     await server.stop()
 

@@ -1,50 +1,25 @@
 """Calls under way: answered, given up or never answered."""
 
-from collections.abc import AsyncIterator
 from typing import Any
 
 import pytest
-from websockets.asyncio.client import ClientConnection, connect
+from websockets.asyncio.client import ClientConnection
 
 from fleet_tui.simulator.faults import parse_faults, play, wire
-from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.bridge_client import read_until, send
-from tests.support.transcripts import frames, parsed, recording, until_answer
+from tests.support.ros2_transcripts import given_up, recorded_answers
+from tests.support.transcripts import until_answer
 
 Json = dict[str, Any]
 ORDER = "/robot_0/Application_layout/Execute_order"
 PAUSE = "/robot_0/Application_layout/Pause"
-LONG_AGO = 10.0  # seconds: such a bridge has discovered every publisher
 
 
 @pytest.fixture
-async def server() -> AsyncIterator[RosbridgeServer]:
-    server = RosbridgeServer(World(3, 2, seed=1, quiet=True), rate=20.0, dialect=ROS2)
-    await server.start()
-    server.bridge.started -= LONG_AGO
-    yield server
-    await server.stop()
-
-
-@pytest.fixture
-async def client(server: RosbridgeServer) -> AsyncIterator[ClientConnection]:
-    async with connect(server.url, max_size=None) as client:
-        yield client
-
-
-def given_up() -> str:
-    """The recorded words for a call without an answer."""
-    return next(
-        str(answer["values"])
-        for answer in recorded_answers("ros2-frozen-node.jsonl.gz").values()
-        if not answer["result"]
-    )
-
-
-def recorded_answers(name: str) -> dict[str, Json]:
-    return {frame["id"]: frame for frame in map(parsed, frames(recording(name), "in")) if "id" in frame}
+def server(ros2_server: RosbridgeServer) -> RosbridgeServer:
+    return ros2_server
 
 
 class TestCalls:

@@ -31,7 +31,7 @@ def table(*keys: str) -> Table:
 
 
 async def test_the_cursor_is_reported_as_it_moves_and_its_row_is_opened() -> None:
-    pane = RowsPane(id="queue", rows=3)
+    pane = RowsPane(id="queue")
     app = Rows(pane)
     async with app.run_test(size=(30, 8)) as pilot:
         pane.show(table("a", "b", "c"))
@@ -44,7 +44,7 @@ async def test_the_cursor_is_reported_as_it_moves_and_its_row_is_opened() -> Non
 
 
 async def test_a_click_marks_a_row_and_a_second_one_opens_it() -> None:
-    pane = RowsPane(id="queue", rows=3)
+    pane = RowsPane(id="queue")
     app = Rows(pane)
     async with app.run_test(size=(30, 8)) as pilot:
         pane.show(table("a", "b"))

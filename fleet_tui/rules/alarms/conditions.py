@@ -26,14 +26,14 @@ STILL = 2.0
 """Seconds without a step after which a robot counts as standing."""
 
 
-def lasts(state: FleetState, robot: Robot) -> bool:
+def obstacle_lasts(state: FleetState, robot: Robot) -> bool:
     """Tell whether an obstacle has stopped a robot for long enough to be an alarm."""
     return robot.obstacle is not None and robot.obstacle.value > state.limits.obstacle_after
 
 
 def obstacle(state: FleetState, robot: Robot, _active: ActiveConditions) -> Condition | None:
     """Raise after contact for longer than the limit, by its last report."""
-    if robot.obstacle is None or not lasts(state, robot):
+    if robot.obstacle is None or not obstacle_lasts(state, robot):
         return None
     text = obstacle_text(state, robot, robot.obstacle)
     return Condition(robot.name, "obstacle", Priority.HIGH, text, "cleared: obstacle")

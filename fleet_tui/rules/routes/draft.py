@@ -44,6 +44,10 @@ class DraftRoute(Struct, frozen=True):
         return f"{self.metres:.0f} m{lift}, about {age(self.metres / SPEED)} at {SPEED} m/s"
 
 
+Drafted = tuple[Draft, DraftRoute | None]
+"""A draft, and its way if it has one."""
+
+
 def draft_route(robot: Robot, draft: Draft) -> DraftRoute | None:
     """Return the way along the graphs from place to place, None before there are two."""
     stops = [*_start(robot, draft), *((place.floor, ((place.vertex, 0.0),)) for place in draft.places)]

@@ -11,9 +11,9 @@ from fleet_tui.model.fleet import FleetState, Floor
 from fleet_tui.model.geometry import Line, MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.robot import Robot, RobotMap
-from fleet_tui.rules.alarms.conditions import lasts
+from fleet_tui.rules.alarms.conditions import obstacle_lasts
 from fleet_tui.rules.marks import marks_of
-from fleet_tui.rules.routes.draft import Draft, draft_route
+from fleet_tui.rules.routes.draft import Drafted
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.area import worth_seeing
 from fleet_tui.view.map.mission import mission, targets
@@ -22,9 +22,8 @@ from fleet_tui.view.selection import Selection
 
 MARGIN, BLOCK = 2.0, 10.0
 EMPTY_RESOLUTION = 0.05
-YET, PATIENCE = " yet", 5.0
-"""End of notes on what has not arrived, and the seconds after a change of the link for which they are no
-problem."""
+PATIENCE = 5.0
+"""Seconds after a change of the link for which a note is no problem: everything is still arriving."""
 FAR = 1e6
 """Metres beyond which a place is an error and doesn't extend the picture."""
 
@@ -132,7 +131,7 @@ def _robot(
         online=state.is_fresh(robot, "pose"),
         paused=state.is_paused(robot),
         obstacle=state.is_obstructed(robot),
-        alarmed=state.is_obstructed(robot) and lasts(state, robot),
+        alarmed=state.is_obstructed(robot) and obstacle_lasts(state, robot),
         other_map=other_map,
         age=state.now - robot.pose.at,
         size=robot.size,
@@ -153,18 +152,18 @@ def _elsewhere(state: FleetState, selection: Selection) -> str:
     return f"{robot.name} is on {actual}" if actual != selection.floor else ""
 
 
-def _drafted(draft: Draft, floor: str) -> tuple[str, ...]:
-    """Return the vertices on a floor that a draft visits."""
-    places = (*draft.places, draft.marked)
-    return tuple(place.vertex for place in places if place is not None and place.floor == floor)
+def _way(robot: Robot, floor: str, drafted: Drafted | None) -> tuple[tuple[str, ...], Mission | None]:
+    """Return the vertices and the lines to draw on a floor: of the order that is being typed, else of the
+    robot's current one."""
+    if drafted is None:
+        return targets(robot, floor), mission(robot, floor)
+    draft, route = drafted
+    places = [place for place in (*draft.places, draft.marked) if place is not None and place.floor == floor]
+    lines = route.lines.get(floor, ()) if route is not None else ()
+    return tuple(place.vertex for place in places), Mission(lines) if lines else None
 
 
-def _draft_way(state: FleetState, draft: Draft, floor: str) -> Mission | None:
-    route = draft_route(state.robots[draft.robot], draft)
-    return Mission(route.lines.get(floor, ())) if route is not None else None
-
-
-def floor_scene(state: FleetState, selection: Selection, draft: Draft | None = None) -> Scene:
+def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None = None) -> Scene:
     """Return the scene of the selected floor; while an order is typed its way is in place of the mission."""
     owner = map_owner(state, selection)
     robot_map = owner.maps[selection.floor] if owner else RobotMap()
@@ -181,14 +180,14 @@ def floor_scene(state: FleetState, selection: Selection, draft: Draft | None = N
     )
     selected = state.robots[selection.robot]
     notes = [note for note in (_elsewhere(state, selection), scene.note, floor.graph_problem) if note]
+    vertices_of_way, way = _way(selected, floor.name, drafted)
     placed = tuple(robot for robot in robots if robot is not None)
     return replace(
         scene,
         area=worth_seeing(scene, placed),
         robots=placed,
-        target_vertices=targets(selected, floor.name) if draft is None else _drafted(draft, floor.name),
-        mission=mission(selected, floor.name) if draft is None else _draft_way(state, draft, floor.name),
+        target_vertices=vertices_of_way,
+        mission=way,
         note=", ".join(notes),
-        waits=all(note.endswith(YET) for note in notes)
-        and state.now - state.links[selected.link].since < PATIENCE,
+        waits=state.now - state.links[selected.link].since < PATIENCE,
     )

@@ -60,7 +60,7 @@ class Mission:
 class Scene:
     """One floor at the monotonic second `at`. Without `grid` the frame still gives the extent.
 
-    waits: the note only says what has not arrived yet, shortly after the start; area: left, top, right,
+    waits: the note is no problem yet, shortly after the start; area: left, top, right,
     bottom in map pixels of the ground that is worth seeing, None for all; one_way: the edges that lead only
     from start to end; trail: past positions of robots, rows of x, y in metres and the age in seconds.
 

@@ -9,7 +9,7 @@ from fleet_tui.model.fleet import FleetState, obstacle_text
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.order import Order, Stop, route_text
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.alarms.conditions import is_news, lasts
+from fleet_tui.rules.alarms.conditions import is_news, obstacle_lasts
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
 from fleet_tui.rules.commands.local_queue import all_orders, foreign
 from fleet_tui.rules.commands.newest import own_pause
@@ -84,7 +84,10 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     contact = robot.obstacle if state.was_obstructed(robot) else None
     is_old = state.is_old(robot, "obstacle")
     if contact is not None and not is_old:
-        yield obstacle_text(state, robot, contact), StyleRole.ALARM if lasts(state, robot) else StyleRole.WARN
+        yield (
+            obstacle_text(state, robot, contact),
+            StyleRole.ALARM if obstacle_lasts(state, robot) else StyleRole.WARN,
+        )
     if robot.blocked is not None and robot.blocked.value.is_stopped and state.is_fresh(robot, "blocked"):
         yield blocked_text(robot.blocked.value, state.now), StyleRole.ALARM
     if robot.variance is not None and robot.variance.value > LOST_ABOVE:

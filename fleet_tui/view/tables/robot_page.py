@@ -2,13 +2,13 @@
 
 import math
 from collections.abc import Callable, Iterator
+from heapq import nlargest
 from typing import Any
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import fit, sanitize
-from fleet_tui.text.units import ago
 from fleet_tui.view.lines.commands import command_text, stage_text
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.fleet import news, whose_mission
@@ -29,7 +29,7 @@ def robot_page(state: FleetState, name: str, clock: Callable[[float], str]) -> T
     """Return the page of a robot, and below it the last orders of the fleet; `clock` formats Unix seconds as
     a local time."""
     robot = state.robots[name]
-    rows = [_named("State", *(news(state, robot) or ())), *_values(state, robot), *_orders(state, robot)]
+    rows = [_named("State", *news(state, robot)), *_values(state, robot), *_orders(state, robot)]
     rows += _commands(state, robot, clock)
     rows += _orders_of_fleet(state)
     listed = tuple(Row(None, runs) for runs in rows if runs)
@@ -106,7 +106,9 @@ def _orders(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
     for gone in reversed(robot.gone[-LAST:]):
         text = whose_mission(state, robot, gone.order)
         yield _named(
-            "Ended", (f"{text}: {gone.stage.value}", StyleRole.TEXT), (ago(gone.at, state.now), StyleRole.DIM)
+            "Ended",
+            (f"{text}: {gone.stage.value}", StyleRole.TEXT),
+            (f"{age(state.now - gone.at)} ago", StyleRole.DIM),
         )
 
 
@@ -122,15 +124,15 @@ def _commands(state: FleetState, robot: Robot, clock: Callable[[float], str]) ->
 
 def _orders_of_fleet(state: FleetState) -> Iterator[tuple[Run, ...]]:
     """Yield the orders that ended last in the whole fleet, the newest first."""
-    ended = [(gone.at, robot, gone) for robot in state.robots.values() for gone in robot.gone[-LAST:]]
-    ended.sort(key=lambda one: -one[0])
+    every = ((robot, gone) for robot in state.robots.values() for gone in robot.gone)
+    ended = nlargest(LAST_OF_FLEET, every, key=lambda one: one[1].at)
     if ended:
         yield BLANK
         yield (("Last orders of the fleet", StyleRole.TITLE),)
-    names = column((robot.name for _, robot, _ in ended[:LAST_OF_FLEET]), NAME - 1, 14) + 1
-    for at, robot, gone in ended[:LAST_OF_FLEET]:
+    names = column((robot.name for robot, _ in ended), NAME - 1, 14) + 1
+    for robot, gone in ended:
         yield (
             (fit(sanitize(robot.name), names), StyleRole.DIM),
             (f"{whose_mission(state, robot, gone.order)}: {gone.stage.value} ", StyleRole.TEXT),
-            (f"{age(state.now - at)} ago", StyleRole.DIM),
+            (f"{age(state.now - gone.at)} ago", StyleRole.DIM),
         )

@@ -3,7 +3,6 @@
 import asyncio
 import base64
 import json
-from collections.abc import AsyncIterator
 from typing import Any
 
 import cbor2
@@ -13,11 +12,10 @@ from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed
 
 from fleet_tui.simulator.faults import parse_faults, play, wire
-from fleet_tui.simulator.oh_ressources.world import World
-from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.bridge_client import call, frames_before_an_answer, read, read_until, send
-from tests.support.ros2_transcripts import theirs
+from tests.support.nav2_site import LONG_AGO
+from tests.support.ros2_transcripts import given_up, recorded_answers, theirs
 from tests.support.transcripts import frames, parsed, recording, shape, until_answer
 
 Json = dict[str, Any]
@@ -25,35 +23,11 @@ Json = dict[str, Any]
 PAUSE = "/robot_0/Application_layout/Pause"
 GRAPH = "/robot_0/floor_0/graph"
 LATCHED = {"durability": "transient_local", "reliability": "reliable", "history": "keep_last", "depth": 1}
-LONG_AGO = 10.0  # seconds: such a bridge has discovered every publisher
 
 
 @pytest.fixture
-async def server() -> AsyncIterator[RosbridgeServer]:
-    server = RosbridgeServer(World(3, 2, seed=1, quiet=True), rate=20.0, dialect=ROS2)
-    await server.start()
-    server.bridge.started -= LONG_AGO
-    yield server
-    await server.stop()
-
-
-@pytest.fixture
-async def client(server: RosbridgeServer) -> AsyncIterator[ClientConnection]:
-    async with connect(server.url, max_size=None) as client:
-        yield client
-
-
-def given_up() -> str:
-    """The recorded words for a call without an answer."""
-    return next(
-        str(answer["values"])
-        for answer in recorded_answers("ros2-frozen-node.jsonl.gz").values()
-        if not answer["result"]
-    )
-
-
-def recorded_answers(name: str) -> dict[str, Json]:
-    return {frame["id"]: frame for frame in map(parsed, frames(recording(name), "in")) if "id" in frame}
+def server(ros2_server: RosbridgeServer) -> RosbridgeServer:
+    return ros2_server
 
 
 async def test_commands_are_answered_as_recorded(server: RosbridgeServer) -> None:
