@@ -11,6 +11,7 @@ from textual.theme import Theme
 from fleet_tui.backend import Backend, LiveBackend
 from fleet_tui.config.schema import Config
 from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.controllers.session import LiveSession, OpenSession
 from fleet_tui.controllers.settings import ConsoleSettings
 from fleet_tui.keymap import keymap
 from fleet_tui.keys import Pane
@@ -53,6 +54,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
         drawing: Drawing,
         colour: bool = True,
         backend: Backend | None = None,
+        open_session: OpenSession = LiveSession,
         files: ConsoleFiles | None = None,
         terminal: str = "",
         message: str = "",
@@ -68,7 +70,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
         self._restore = terminal_restorer()
         keys, _ = keymap(config.keys)
         settings = self._settings(keys, drawing, terminal, message)
-        self.main = MainScreen(store, self.backend, settings, files or ConsoleFiles())
+        self.main = MainScreen(store, self.backend, settings, files or ConsoleFiles(), open_session)
         self._guard = self.faults = FaultGuard(self.main.notices.note)
         self.main.set_role_styles(themes[config.ui.theme].styles(colour))
         # Only the changes: Textual goes through the whole keymap at every key.

@@ -13,15 +13,10 @@ from fleet_tui.state.store import Store
 if TYPE_CHECKING:
     from fleet_tui.client.tap import Tap
     from fleet_tui.model.counters import LinkCounter
-    from fleet_tui.recording.play.player import Player
 
 
 class Backend(Protocol):
     """Feeds the store, and takes the operator's requests. Callable from any thread."""
-
-    @property
-    def player(self) -> "Player | None":
-        """Return the player of a recording, None for a live fleet."""
 
     @property
     def refusal(self) -> str:
@@ -102,7 +97,6 @@ def connect_live(
 class LiveBackend:
     """The live fleet. Until its links are open nothing is sent; subscriptions are made then."""
 
-    player = None
     refusal = ""
 
     def __init__(self, config: Config, store: Store, connect: Connect = connect_live) -> None:

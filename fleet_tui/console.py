@@ -153,6 +153,7 @@ def replaying(
     message: str = "",
 ) -> FleetApp:
     """Return the app on a recording: nothing is sent, and no alarm calls."""
+    from fleet_tui.controllers.replay import Replay
     from fleet_tui.recording.play.backend import ReplayBackend
 
     replace = msgspec.structs.replace
@@ -161,8 +162,8 @@ def replaying(
         operator=replace(config.operator, read_only=True),
         alarms=replace(config.alarms, bell=[], notify=[]),
     )
-    backend = ReplayBackend(player, store)
-    return FleetApp(config, store, themes, mode, colour, backend, terminal=terminal, message=message)
+    backend, session = ReplayBackend(player, store), partial(Replay, player)
+    return FleetApp(config, store, themes, mode, colour, backend, session, terminal=terminal, message=message)
 
 
 class _Make(Protocol):

@@ -10,6 +10,7 @@ from fleet_tui import console
 from fleet_tui.app import FleetApp
 from fleet_tui.config.schema import Alarms, Config
 from fleet_tui.console import ask_first, open_console, replaying
+from fleet_tui.controllers.replay import Replay
 from fleet_tui.errors import ConfigError
 from fleet_tui.recording.play.start import playing
 from fleet_tui.state.store import Store
@@ -81,6 +82,6 @@ def test_a_recording_is_read_only_and_calls_nobody(tmp_path: Path) -> None:
     player, config = playing(made.written(tmp_path / "x.gz").path, Config(), 1.0, "", lambda _share: None)
     store = Store(player.state)
     app = replaying(config, player, store, load_themes(None)[0], Drawing.BRAILLE)
-    assert app.backend.refusal and app.backend.player is player
+    assert app.backend.refusal and isinstance(app.main.session, Replay)
     assert app._config.operator.read_only
     assert (app._config.alarms.bell, app._config.alarms.notify) == ([], [])

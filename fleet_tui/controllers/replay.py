@@ -5,8 +5,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from fleet_tui.actions import PlayerActions
-from fleet_tui.controllers.notices import Notices
-from fleet_tui.controllers.session import Headline
+from fleet_tui.controllers.session import Headline, SessionParts
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.errors import FleetError
 from fleet_tui.keys import Key, Pane
@@ -27,15 +26,9 @@ class Replay:
     panes: tuple[Pane, ...] = (Pane.RECORDING, Pane.CONSOLE)
     pane: Pane | None = Pane.RECORDING
 
-    def __init__(
-        self,
-        player: "Player",
-        notices: Notices,
-        clock: Callable[[float], str],
-        jumped: Callable[[], bool],
-    ) -> None:
-        """`jumped` is called when another time is shown; it returns False while there is no map."""
-        self._player, self._notices, self._clock, self._jumped = player, notices, clock, jumped
+    def __init__(self, player: "Player", parts: SessionParts) -> None:
+        self._player, self._notices, self._clock = player, parts.notices, parts.clock
+        self._forget_trails = parts.forget_trails
         self._jumps = 0
         self._time_line: TimeLine | None = None
 
@@ -46,7 +39,7 @@ class Replay:
     def headline(self, state: FleetState, robot: str) -> Headline:
         """Show the recorded time. A recording is never mistaken for the fleet."""
         moment = self._player.moment
-        if moment.jumps != self._jumps and self._jumped():
+        if moment.jumps != self._jumps and self._forget_trails():
             self._jumps, self._notices.text = moment.jumps, ""
         if self._time_line is not None:
             self._time_line.show(moment, self._clock)

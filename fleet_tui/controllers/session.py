@@ -2,11 +2,12 @@
 
 import time
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 from fleet_tui.actions import PlayerActions
 from fleet_tui.controllers.dispatch import Dispatch
 from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.controllers.notices import Notices
 from fleet_tui.keys import Key, Pane
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.lines.status import console_notes, status_line, status_right
@@ -18,6 +19,18 @@ if TYPE_CHECKING:
 
 Headline = tuple[tuple[Run, ...], tuple[Run, ...]]
 """The line that is always visible: its left and its right end."""
+
+
+class SessionParts(NamedTuple):
+    """The parts of a console that its session uses."""
+
+    dispatch: Dispatch
+    notices: Notices
+    files: ConsoleFiles
+    clock: Callable[[float], str]
+    """Returns Unix seconds as a local time of day."""
+    forget_trails: Callable[[], bool]
+    """Clears the trails of the map; returns False while there is no map."""
 
 
 class ConsoleSession(Protocol):
@@ -47,14 +60,17 @@ class ConsoleSession(Protocol):
         """Go to the time of cell `x` of a time line `width` cells wide."""
 
 
+OpenSession = Callable[[SessionParts], ConsoleSession]
+
+
 class LiveSession:
     """A console on the live fleet: the keys of recordings are disabled."""
 
     panes: tuple[Pane, ...] = (Pane.CONSOLE,)
     pane: Pane | None = None
 
-    def __init__(self, dispatch: Dispatch, files: ConsoleFiles, clock: Callable[[float], str]) -> None:
-        self._dispatch, self._files, self._clock = dispatch, files, clock
+    def __init__(self, parts: SessionParts) -> None:
+        self._parts = parts
 
     def offers(self, key: Key[Any]) -> bool:
         """Leave out the keys of recordings."""
@@ -62,10 +78,10 @@ class LiveSession:
 
     def headline(self, state: FleetState, robot: str) -> Headline:
         """Return the state of this console and of the link, and the console in command."""
-        may = self._dispatch.permissions
+        may, files = self._parts.dispatch.permissions, self._parts.files
         notes = console_notes(state, may.read_only, may.armed, time.monotonic() - state.now)
-        runs = status_line(state, robot, [*notes, *self._files.notes()])
-        return runs, status_right(self._clock(state.wall), self._files.operator)
+        runs = status_line(state, robot, [*notes, *files.notes()])
+        return runs, status_right(self._parts.clock(state.wall), files.operator)
 
     def time_line(self) -> None:
         """Return no time line."""

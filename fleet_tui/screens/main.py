@@ -17,8 +17,7 @@ from fleet_tui.controllers.dispatch import Dispatch
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.navigation import Navigation
 from fleet_tui.controllers.notices import Notices
-from fleet_tui.controllers.replay import Replay
-from fleet_tui.controllers.session import ConsoleSession, LiveSession
+from fleet_tui.controllers.session import OpenSession, SessionParts
 from fleet_tui.controllers.settings import ConsoleSettings
 from fleet_tui.keys import BY_ID, KEYS, Pane
 from fleet_tui.model.fleet import FleetState
@@ -56,7 +55,12 @@ class MainScreen(Screen[None]):
     """When the alarm under the cursor went by itself (monotonic)."""
 
     def __init__(
-        self, store: Store, backend: Backend, settings: ConsoleSettings, files: ConsoleFiles
+        self,
+        store: Store,
+        backend: Backend,
+        settings: ConsoleSettings,
+        files: ConsoleFiles,
+        open_session: OpenSession,
     ) -> None:
         super().__init__()
         self.store, self.backend, self.settings, self.files = store, backend, settings, files
@@ -71,10 +75,8 @@ class MainScreen(Screen[None]):
         self.dispatch = Dispatch(
             store, backend, settings.permissions, self.notices, lambda *asked: self.rest.confirm.ask(*asked)
         )
-        self.session: ConsoleSession = (
-            LiveSession(self.dispatch, files, settings.clock)
-            if backend.player is None
-            else Replay(backend.player, self.notices, settings.clock, self._forget_trails)
+        self.session = open_session(
+            SessionParts(self.dispatch, self.notices, files, settings.clock, self._forget_trails)
         )
         self._all_orders = False
         self._hinted: tuple[Pane, bool, set[str], int] | None = None

@@ -5,14 +5,13 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.controllers.notices import Notices
 from fleet_tui.controllers.replay import Replay
 from fleet_tui.keys import BY_ID, Pane
 from fleet_tui.model.events import TimePassed
 from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.play.player import Player
-from fleet_tui.state.store import Store
 from fleet_tui.view.roles import StyleRole
+from tests.support.desk import Desk
 from tests.support.fleets import R0, T0, WALL
 from tests.support.replay_times import at
 from tests.support.tapes import MadeUp
@@ -28,10 +27,10 @@ class Played:
             made.tell(second, TimePassed(T0 + second, WALL + second))
         self.player = Player(open_recording(made.written(folder / "x.jsonl.gz").path))
         self.player.toggle()
-        self.store = Store(self.player.state)
-        self.notices = Notices(self.store, lambda: None)
+        desk = Desk(self.player.state)
+        self.store, self.notices = desk.store, desk.notices
         self.has_map, self.jumps = True, 0
-        self.replay = Replay(self.player, self.notices, lambda _wall: "12:00:00", self._jumped)
+        self.replay = Replay(self.player, desk.parts._replace(forget_trails=self._jumped))
 
     def _jumped(self) -> bool:
         self.jumps += self.has_map

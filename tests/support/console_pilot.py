@@ -121,7 +121,7 @@ async def console(
     opening = partial(recorded, recordings, None) if recordings else connect_live
     backend, files = LiveBackend(config, store, opening), ConsoleFiles()
     files.recordings = recordings
-    app = FleetApp(config, store, load_themes(None)[0], Drawing.BRAILLE, colour, backend, files)
+    app = FleetApp(config, store, load_themes(None)[0], Drawing.BRAILLE, colour, backend, files=files)
     async with AsyncExitStack() as stack:
         if recordings:
             stack.callback(recordings.close)

@@ -4,8 +4,10 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 from fleet_tui.controllers.dispatch import Dispatch
+from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.navigation import Navigation
 from fleet_tui.controllers.notices import Notices
+from fleet_tui.controllers.session import SessionParts
 from fleet_tui.controllers.typed import Entry
 from fleet_tui.model.commands import Command
 from fleet_tui.model.counters import LinkCounter
@@ -32,8 +34,6 @@ from tests.support.fleets import (
 
 class CollectingBackend:
     """Keeps what is submitted."""
-
-    player = None
 
     def __init__(self, refusal: str = "") -> None:
         self.refusal, self.submitted, self.events = refusal, list[Command](), list[Event]()
@@ -99,6 +99,13 @@ class Desk:
         allowed = permissions or Permissions()
         self.dispatch = Dispatch(self.store, self.backend, allowed, self.notices, self.ask)
         self.navigation = Navigation(self.store, self.selected.append, lambda: self.camera, lambda: None)
+
+    @property
+    def parts(self) -> SessionParts:
+        """What a session is made of, without a map."""
+        return SessionParts(
+            self.dispatch, self.notices, ConsoleFiles(), lambda _wall: "12:00:00", lambda: False
+        )
 
     def ask(self, question: Callable[[], str], then: Callable[[], None]) -> None:
         assert question()

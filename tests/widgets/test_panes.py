@@ -80,8 +80,7 @@ async def test_an_enlarged_pane_gives_way_to_the_order_form_and_its_map(server: 
         await it.press("tab", "=")
         await it.until(lambda _: heights(it) == {"fleet": 21})
         await it.press("o")
-        await it.until(lambda _: heights(it).get("map", 0) >= 9)
-        shown, form = (it.app.main.query_one(name).region for name in ("#map", "#order-form"))
-        assert shown.bottom <= form.y
+        shown, form = (it.app.main.query_one(name) for name in ("#map", "#order-form"))
+        await it.until(lambda _: heights(it).get("map", 0) >= 9 and shown.region.bottom <= form.region.y)
         await it.press("escape")
         await it.until(lambda _: heights(it) == {"fleet": 21})

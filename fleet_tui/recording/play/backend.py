@@ -15,11 +15,11 @@ class ReplayBackend:
     refusal = "not sent: this is a recording"
 
     def __init__(self, player: Player, store: Store) -> None:
-        self.player, self._store = player, store
+        self._player, self._store = player, store
 
     def open(self) -> None:
         """Start to play."""
-        self.player.start(self._store)
+        self._player.start(self._store)
 
     def submit(self, _command: Command) -> str:
         """Send nothing."""
@@ -35,11 +35,11 @@ class ReplayBackend:
     @property
     def counters(self) -> Mapping[str, LinkCounter]:
         """Return the counters of each link up to the played position."""
-        return self.player.frames.counters
+        return self._player.frames.counters
 
     def subscribe_logs(self, _on: bool) -> None:
         """Do nothing: logs are there if they were subscribed to while recording."""
 
     def close(self) -> None:
         """Stop playing."""
-        self.player.close()
+        self._player.close()

@@ -90,7 +90,7 @@ async def test_it_plays_at_its_pace_and_stops_at_the_end(night: Path) -> None:
         assert x(it.store.state) == 299.0
         await it.press("space", "S", "backspace")
         await it.shows("end of recording")
-        assert it.app.backend.player is not None and it.app.backend.player.moment.speed == 1.0
+        await it.hides("x8")
 
 
 async def test_help_and_hints_begin_with_the_recording(night: Path) -> None:
@@ -118,9 +118,7 @@ async def test_old_trails_are_forgotten_where_time_jumps(night: Path) -> None:
 async def test_space_in_a_text_field_is_a_space(night: Path) -> None:
     async with replayed(night, "+20s") as it:
         await it.type(":pause ")
-        assert it.app.backend.player is not None
         await it.shows("stopped")
-        assert it.app.backend.player.moment.paused
         assert it.store.state.now == T0 + 20
 
 
