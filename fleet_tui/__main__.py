@@ -3,6 +3,7 @@
 import codecs
 import errno
 import io
+import logging
 import os
 import signal
 import sys
@@ -10,6 +11,7 @@ import traceback
 from typing import IO, TYPE_CHECKING, Any, NoReturn
 
 from fleet_tui.errors import ConfigError, FleetError, LinkError
+from fleet_tui.log_file import log_to_file
 from fleet_tui.terminal.ending import PATIENCE, end_within
 from fleet_tui.text.ascii_fallback import ascii_fallback
 from fleet_tui.text.limits import truncate
@@ -40,7 +42,7 @@ def _end_saying(problem: FleetError) -> NoReturn:
 
 
 def _run_command() -> None:
-    import click
+    import click  # here, so that Ctrl-C while they are imported ends like Ctrl-C
 
     from fleet_tui.cli.main import commands
 
@@ -98,10 +100,6 @@ def _run() -> None:
         if debug:
             # Like Python's message, without control characters that could affect a terminal.
             _end(1, *traceback.format_exc().splitlines())
-        import logging
-
-        from fleet_tui.log_file import log_to_file
-
         path = log_to_file(debug)
         logging.getLogger(__name__).exception("fatal")
         _end(1, f"fleet-tui: {_message(problem, path)}")

@@ -1,5 +1,6 @@
 """The Textual app. Owns the store, the backend and the refresh timer."""
 
+import asyncio
 import logging
 import time
 from functools import partial
@@ -100,7 +101,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
     async def on_ready(self) -> None:
         """Paint first, then connect."""
         if not self.is_headless:
-            leave_on_signals(self.exit, self._restore)
+            leave_on_signals(asyncio.get_running_loop(), self.exit, self._restore)
         await self._start.finish()
         budget = self.output.budget
         budget.every = 1 / self._config.ui.ticks_per_second

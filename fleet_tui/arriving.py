@@ -3,7 +3,10 @@
 import os
 from typing import TYPE_CHECKING
 
+from fleet_tui.config.load import find, load
 from fleet_tui.errors import ConfigError, NoConfigError
+from fleet_tui.log_file import log_to_file
+from fleet_tui.terminal.detect import IN_BROWSER, need_terminal
 
 if TYPE_CHECKING:
     from fleet_tui.discovery.site import DiscoveredSite
@@ -13,8 +16,6 @@ def open_with(
     config_file: str | None, url: str | None, read_only: bool, drawing: str | None, debug: bool
 ) -> None:
     """Run the console until the operator leaves. Raises FleetError if it can't start."""
-    from fleet_tui.config.load import find, load
-
     if url and config_file:
         raise ConfigError(["--config and --url exclude each other"])
     site = None
@@ -36,12 +37,10 @@ def _arrive(url: str | None, read_only: bool, drawing: str | None, debug: bool) 
     """Discover the site, and ask a person about uncertain settings; None if they leave."""
     from fleet_tui.discovery.address import bridge_at
     from fleet_tui.discovery.awaiting import Discovering
-    from fleet_tui.log_file import log_to_file
 
     log_to_file(debug)  # messages of the network libraries must not reach the terminal
     discovering = Discovering(bridge_at(url)) if url else None
     from fleet_tui.console import ask_first  # takes long: discovery continues
-    from fleet_tui.terminal.detect import IN_BROWSER, need_terminal
 
     need_terminal()
     site = discovering.result() if discovering else None

@@ -11,19 +11,22 @@ from typing import TYPE_CHECKING, Protocol
 import msgspec
 
 from fleet_tui.app import FleetApp
+from fleet_tui.audit.log import auditing, operator_name
 from fleet_tui.backend import LiveBackend, OpenLinks, connect_live
 from fleet_tui.config.access import access_problems, unsafe_places
 from fleet_tui.config.fleet import watching
-from fleet_tui.config.load import user_folder
+from fleet_tui.config.load import looked_for, user_folder
 from fleet_tui.config.saving import Saving
 from fleet_tui.config.schema import Config, Ui
 from fleet_tui.config.start import initial_state
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.errors import ConfigError, did_you_mean
 from fleet_tui.log_file import log_to_file, state_folder
+from fleet_tui.recording.incident import pack as pack_incident
 from fleet_tui.state.store import Store
 from fleet_tui.terminal.detect import description, drawing_for, has_colour, has_unicode, need_terminal
 from fleet_tui.terminal.lean_app import LeanApp
+from fleet_tui.terminal.plain_driver import PlainDriver
 from fleet_tui.themes import FleetTheme, load_themes
 from fleet_tui.view.map.drawing import Drawing
 
@@ -73,7 +76,6 @@ def _files(
     """Return the files of a live console; `until_the_end` closes them."""
 
     def open_them(files: ConsoleFiles) -> None:
-        from fleet_tui.audit.log import auditing
         from fleet_tui.recording.recordings import Recordings
 
         files.audit = until_the_end.enter_context(auditing(state_folder(), config, store, demo))
@@ -81,10 +83,8 @@ def _files(
         until_the_end.callback(files.recordings.close)
 
     def pack(shot: str, is_over: Callable[[], bool]) -> Path:
-        from fleet_tui.recording.incident import pack
-
         recent = files.recordings.recent() if files.recordings is not None else []
-        return pack(config, state_folder(), shot, recent, is_over)
+        return pack_incident(config, state_folder(), shot, recent, is_over)
 
     files = ConsoleFiles(open_them, pack, saving)
     return files
@@ -105,14 +105,11 @@ def _connect(
 def ask_first(site: "DiscoveredSite | None", drawing: str | None) -> "DiscoveredSite | None":
     """Run the screens before the console: uncertain settings of a site, or the choice of an address. Return
     the result, None if the operator left."""
-    from fleet_tui.config.load import looked_for
     from fleet_tui.entry import EntryApp
 
     theme = load_themes(user_folder() / "themes")[0][Ui().theme]
     app = EntryApp(theme, has_colour(), site, looked_for())
     if drawing_for(drawing or Ui().drawing) is Drawing.ASCII and not has_unicode():
-        from fleet_tui.terminal.plain_driver import PlainDriver
-
         app.driver_class = PlainDriver
     _to_the_end(app)
     return app.chosen
@@ -130,8 +127,6 @@ def recorded(
     def keep(links: OpenLinks) -> None:
         on_ready(links)
         recordings.keep_recent()
-
-    from fleet_tui.audit.log import operator_name
 
     connect_live(config, store, keep, recordings.taps, folder, operator_name(config))
 
@@ -194,8 +189,6 @@ def _ready(
     mode, colour = drawing_for(drawing or config.ui.drawing), has_colour()
     app = make(themes, mode, colour, terminal=description(mode, colour), message=message)
     if mode is Drawing.ASCII and not has_unicode():
-        from fleet_tui.terminal.plain_driver import PlainDriver
-
         app.driver_class = PlainDriver
     return app
 

@@ -6,7 +6,6 @@ import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import msgspec
 
@@ -15,9 +14,8 @@ from fleet_tui.adapters.registry import DEFAULT_KIND
 from fleet_tui.adapters.registry import KINDS as ADAPTERS
 from fleet_tui.config.schema import DEFAULT_LINK, Config, FloorEntry, Link, RobotEntry
 from fleet_tui.errors import FleetError
-
-if TYPE_CHECKING:
-    from fleet_tui.simulator.site import SitedBridge
+from fleet_tui.simulator.kinds import KINDS
+from fleet_tui.simulator.site import SitedBridge, needs_graph_files, site_of
 
 # Maximum seconds for the simulator to end by itself.
 PATIENCE = 1.0
@@ -38,8 +36,6 @@ def simulated(
     with subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=nothing, start_new_session=True) as child:
         # While it starts, import slow modules.
         importlib.import_module("fleet_tui.app")
-        from fleet_tui.simulator.site import site_of
-
         assert child.stdout is not None
         try:
             urls = [child.stdout.readline().decode().strip() for _ in site_of(kind, robots)]
@@ -66,8 +62,6 @@ def demo_config(
 ) -> Config:
     """Return theme and keys of the user's config; links, floors and robots of the simulator. The route graphs
     of kinds that publish none are written to the folder. `further`: the URLs of all bridges but the first."""
-    from fleet_tui.simulator.site import site_of
-
     site = site_of(kind, robots, ros)
     links = dict(zip([DEFAULT_LINK, *(f"ros{bridge.ros}" for bridge in site[1:])], site, strict=True))
     names = [f"floor_{n}" for n in range(floors)]
@@ -85,7 +79,7 @@ def demo_config(
     )
 
 
-def _robots(links: "Mapping[str, SitedBridge]", alone: bool) -> list[RobotEntry]:
+def _robots(links: Mapping[str, SitedBridge], alone: bool) -> list[RobotEntry]:
     """Return the robots behind all links; `alone`: all are of one kind."""
     entries = {
         number: RobotEntry(f"robot_{number}", link=link, profile="" if alone else crew.kind, size=SIZE)
@@ -99,8 +93,6 @@ def _robots(links: "Mapping[str, SitedBridge]", alone: bool) -> list[RobotEntry]
 def graphs_of(kind: str, folder: Path, floors: Sequence[str]) -> dict[str, str]:
     """Write the route graph of each floor, and return the files by floor; empty if every robot publishes
     it."""
-    from fleet_tui.simulator.site import needs_graph_files
-
     if not needs_graph_files(kind):
         return {}
     from fleet_tui.simulator.navigating.graph_file import write_graphs
@@ -111,7 +103,6 @@ def graphs_of(kind: str, folder: Path, floors: Sequence[str]) -> dict[str, str]:
 
 def _profile(kind: str, floors: int, ros: str) -> Profile:
     """Return the profile of the simulated robots of a kind, which run on their usual ROS."""
-    from fleet_tui.simulator.kinds import KINDS
     from fleet_tui.simulator.run import DIALECTS
 
     profile = msgspec.convert({"kind": kind, **KINDS[kind].profile(floors)}, Profile)

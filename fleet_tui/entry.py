@@ -1,5 +1,6 @@
 """The Textual app before the console: a person chooses the fleet to open. It sends no commands."""
 
+import asyncio
 from collections.abc import Sequence
 from typing import ClassVar
 
@@ -49,7 +50,7 @@ class EntryApp(LeanApp, inherit_bindings=False):
     def on_ready(self) -> None:
         """Restore the terminal in any case at the end."""
         if not self.is_headless:
-            leave_on_signals(self.exit, self._restore)
+            leave_on_signals(asyncio.get_running_loop(), self.exit, self._restore)
 
     def _found(self, site: DiscoveredSite | None) -> None:
         if site is not None and (site.choices or site.lacks):

@@ -9,9 +9,11 @@ import click
 
 from fleet_tui.cli.config.commands import config
 from fleet_tui.cli.duration import DurationParam
+from fleet_tui.cli.kinds import kinds as list_kinds
 from fleet_tui.cli.options import FileName, common, fleet, merged, timeout
 from fleet_tui.cli.orders.commands import orders
 from fleet_tui.config.schema import Config
+from fleet_tui.log_file import log_to_file
 from fleet_tui.text.sanitize import sanitize
 
 
@@ -46,7 +48,6 @@ def status(
         raise click.UsageError("--json and --oneline exclude each other")
     from fleet_tui.cli.chosen import chosen
     from fleet_tui.cli.status.status import status as run
-    from fleet_tui.log_file import log_to_file
 
     log_to_file(debug)
     config = chosen(config_file, url)
@@ -59,9 +60,7 @@ def status(
 @merged
 def kinds(config_file: str | None, debug: bool, as_json: bool) -> None:
     """List the kinds of robots with what each reports and accepts."""
-    from fleet_tui.cli.kinds import kinds as run
-
-    run(as_json, click.echo)
+    list_kinds(as_json, click.echo)
 
 
 @headless.command()
@@ -88,7 +87,6 @@ def doctor(
     code 0: all well, 1: faults or checks not run, 3: no link."""
     from fleet_tui.cli.chosen import chosen_to_examine
     from fleet_tui.doctor.run import doctor as run
-    from fleet_tui.log_file import log_to_file
 
     log_to_file(debug)
     began = time.monotonic()
@@ -143,7 +141,6 @@ def record(
     FILE cannot be created, 3: no link."""
     from fleet_tui.cli.chosen import chosen
     from fleet_tui.cli.record import record as run
-    from fleet_tui.log_file import log_to_file
     from fleet_tui.recording.part_files import PartLimits
 
     log_to_file(debug)

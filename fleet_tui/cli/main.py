@@ -8,12 +8,14 @@ import gc
 import click
 
 from fleet_tui import __version__
+from fleet_tui.arriving import open_with
 from fleet_tui.cli.options import FileName, NearestGroup, common, fleet, merged, screen, with_url
 from fleet_tui.config.access import access_problems, unsafe_places
 from fleet_tui.config.check import missing_files
 from fleet_tui.config.load import find, read, user_folder
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import ConfigError, did_you_mean
+from fleet_tui.maps.route_graphs import load_floor_graph
 from fleet_tui.text.sanitize import sanitize
 
 
@@ -63,8 +65,6 @@ def commands(
     """
     if ctx.invoked_subcommand is None:
         gc.disable()  # until the first paint: collecting while so much is imported takes 80 ms
-        from fleet_tui.arriving import open_with
-
         open_with(config_file, url, read_only, drawing, debug)
 
 
@@ -89,15 +89,13 @@ def check(config_file: str | None, debug: bool, file: str | None) -> None:
 
 def _graph_problems(config: Config) -> list[str]:
     """Return the errors in existing graph files."""
-    from fleet_tui.maps.route_graphs import load_floor_graph
-
     files = [(n, config.beside(floor.graph)) for n, floor in enumerate(config.floors) if floor.graph]
     loaded = [(n, load_floor_graph("", path)) for n, path in files if path.is_file()]
     return [f"floors[{n}].graph: {graph.problem}" for n, graph in loaded if graph.problem]
 
 
 def _theme_problems(config: Config) -> list[str]:
-    from fleet_tui.themes import load_themes
+    from fleet_tui.themes import load_themes  # imports rich
 
     themes, _ = load_themes(user_folder() / "themes")
     if config.ui.theme in themes:

@@ -7,6 +7,7 @@ from tempfile import TemporaryDirectory
 
 import click
 
+from fleet_tui.bags.opening import BagError, is_bag
 from fleet_tui.cli.options import FileName, common, merged, screen
 from fleet_tui.config.load import load_if_any
 from fleet_tui.config.schema import Config
@@ -51,7 +52,6 @@ def replay(
     drawing: str | None,
 ) -> None:
     """Replay a recording or a ROS bag in the console. Nothing is sent."""
-    from fleet_tui.bags.opening import is_bag
     from fleet_tui.console import open_replay
     from fleet_tui.recording.play.start import playing
 
@@ -66,7 +66,6 @@ def replay(
 def _recording_of(bag: Path, config: Config, folder: Path) -> tuple[Path, list[str]]:
     """Return the configured topics of a bag as a recording, and notes on it."""
     from fleet_tui.bags.convert import convert
-    from fleet_tui.bags.opening import BagError
 
     made = folder / "bag.jsonl.gz"
     try:

@@ -7,6 +7,7 @@ import click
 from fleet_tui.cli.options import drawing_mode, fleet, merged
 from fleet_tui.config.load import find, load
 from fleet_tui.errors import ConfigError, FleetError, NoConfigError
+from fleet_tui.log_file import log_to_file
 
 
 @click.group()
@@ -59,7 +60,6 @@ def _address(url: str, config_file: str | None, demo: bool, allow_commands: bool
         raise click.UsageError(f"{'--config' if config_file else '--demo'} and --url exclude each other")
     from fleet_tui.discovery.address import bridge_at
     from fleet_tui.discovery.awaiting import Discovering
-    from fleet_tui.log_file import log_to_file
 
     log_to_file(debug)
     site = Discovering(bridge_at(url)).result()

@@ -10,6 +10,8 @@ import click
 
 from fleet_tui.cli.options import common, merged, screen
 from fleet_tui.config.load import load_if_any
+from fleet_tui.demo import demo_config
+from fleet_tui.demo import simulated as running
 from fleet_tui.errors import did_you_mean
 from fleet_tui.simulator.faults import parse_faults_of
 from fleet_tui.simulator.kinds import KINDS
@@ -131,8 +133,6 @@ def demo(
     drawing: str | None,
 ) -> None:
     """Open the console on a simulated fleet. No ROS, no network."""
-    from fleet_tui.demo import simulated as running
-
     _check(kind, robots, ros)
     parse_faults_of(fault, faults_of(site_of(kind, robots, ros or "")))
     with (
@@ -140,7 +140,6 @@ def demo(
         running(robots, floors, fault, speed, ros or "", kind) as urls,
     ):
         from fleet_tui.console import open_console
-        from fleet_tui.demo import demo_config
 
         found = load_if_any(config_file)
         first, *further = urls

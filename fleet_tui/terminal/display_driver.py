@@ -11,6 +11,7 @@ import sys
 import time
 from collections.abc import Iterator
 from functools import cached_property
+from importlib.metadata import version
 from typing import TYPE_CHECKING
 
 from rich.color import ColorSystem
@@ -21,8 +22,9 @@ from textual.drivers._writer_thread import WriterThread
 from textual.geometry import Offset
 from textual.strip import Strip
 
+from fleet_tui.terminal.budget import Budget
+
 if TYPE_CHECKING:
-    from fleet_tui.terminal.budget import Budget
     from fleet_tui.terminal.screen_buffer import ScreenBuffer
 
 MADE_FOR = "8.2.8"
@@ -41,8 +43,6 @@ _COLOURS = {
 
 def textual_fits() -> bool:
     """Tell whether Textual matches this module. If not, Textual paints by itself."""
-    from importlib.metadata import version  # takes 6 ms
-
     try:
         signatures = (
             (_compositor.LayoutUpdate, ["strips", "region"]),
@@ -76,10 +76,8 @@ class DisplayDriver:
         self._patience = RETRY
 
     @cached_property
-    def budget(self) -> "Budget":
-        """Return the costs of the pictures. Imported after the first one."""
-        from fleet_tui.terminal.budget import Budget
-
+    def budget(self) -> Budget:
+        """Return the costs of the pictures."""
         return Budget()
 
     def paints(self) -> bool:

@@ -9,6 +9,10 @@ import threading
 import time
 from collections.abc import Callable
 from contextlib import suppress
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from asyncio import AbstractEventLoop
 
 PATIENCE = 1.0
 """Seconds for an orderly exit. After a signal the process ends within 2."""
@@ -72,14 +76,13 @@ def _is_hung_up(descriptor: int) -> bool:
     return any(event & select.POLLHUP for _, event in look.poll(0))
 
 
-def leave_on_signals(leave: Callable[[], object], restore: Callable[[], None]) -> None:
-    """Call `leave` on the running loop on SIGTERM, SIGHUP and SIGINT; if that hangs, `restore` and end.
+def leave_on_signals(
+    loop: "AbstractEventLoop", leave: Callable[[], object], restore: Callable[[], None]
+) -> None:
+    """Call `leave` on the loop on SIGTERM, SIGHUP and SIGINT; if that hangs, `restore` and end.
 
     The same if the terminal goes without a SIGHUP: only its own session gets one.
     """
-    import asyncio  # takes 40 ms, and most commands do without
-
-    loop = asyncio.get_running_loop()
     terminal = sys.__stdout__  # Textual has replaced the other one by now
 
     def on_signal(number: int, _frame: object) -> None:

@@ -96,7 +96,7 @@ async def test_a_signal_leaves_in_order_with_a_last_resort(
     resorts: list[tuple[float, int]] = []
     monkeypatch.setattr(ending, "end_within", lambda seconds, code, _restore: resorts.append((seconds, code)))
     left = asyncio.Event()
-    leave_on_signals(left.set, lambda: None)
+    leave_on_signals(asyncio.get_running_loop(), left.set, lambda: None)
     os.kill(os.getpid(), number)
     async with asyncio.timeout(5):
         await left.wait()
@@ -110,7 +110,7 @@ async def test_a_terminal_that_goes_away_is_a_hang_up(
     resorts: list[int] = []
     monkeypatch.setattr(ending, "end_within", lambda _seconds, code, _restore: resorts.append(code))
     left = asyncio.Event()
-    leave_on_signals(left.set, lambda: None)
+    leave_on_signals(asyncio.get_running_loop(), left.set, lambda: None)
     assert not left.is_set()
     os.close(terminal.far)
     async with asyncio.timeout(5):

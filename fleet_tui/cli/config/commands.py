@@ -7,6 +7,7 @@ import click
 from fleet_tui.cli.options import NearestGroup, common, merged, screen, timeout
 from fleet_tui.config.load import find, load, user_folder
 from fleet_tui.config.schema import Config
+from fleet_tui.log_file import log_to_file
 from fleet_tui.text.sanitize import sanitize
 
 
@@ -28,7 +29,6 @@ def init(config_file: str | None, debug: bool, url: str, output: str, force: boo
     """Write a commented configuration to edit: an example, or one discovered on a bridge. --config FILE
     supplies the certificates and authorization for the connection, from its [rosbridge]."""
     from fleet_tui.cli.config.init import example, from_live, write
-    from fleet_tui.log_file import log_to_file
 
     log_to_file(debug)
     known = load(find(config_file)) if config_file else Config()

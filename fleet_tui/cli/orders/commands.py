@@ -10,6 +10,7 @@ import click
 
 from fleet_tui.cli.options import FileName, fleet, merged
 from fleet_tui.config.schema import Config
+from fleet_tui.log_file import log_to_file
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -35,7 +36,6 @@ class OrderOptions(NamedTuple):
     def start(self) -> Config:
         """Load the configuration, and log to the file."""
         from fleet_tui.cli.chosen import chosen_to_command
-        from fleet_tui.log_file import log_to_file
 
         log_to_file(self.debug)
         return chosen_to_command(self.config_file, self.url)
