@@ -1,12 +1,15 @@
-"""Placement of labels and numbers: whole and without overlap, or not at all."""
+"""Placement of labels and numbers: whole and without overlap, or not at all. Labels give way to robots."""
 
+from collections.abc import Iterable
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from fleet_tui.text.sanitize import cell_width
-from fleet_tui.view.map.cells import Roles
+from fleet_tui.view.map.cells import Cells, Roles
+from fleet_tui.view.map.places import Place
 from fleet_tui.view.roles import StyleRole
 
 _MARGIN = 40  # cells between two rows of the bit mask, always taken to separate them
@@ -43,6 +46,10 @@ class CellOccupancy:
             return False
         return not (self._taken | self._texts) >> self._bit(x, y) & (1 << cells) - 1
 
+    def is_taken(self, x: int, y: int, cells: int) -> bool:
+        """Tell whether one of these cells, all in the view, is occupied."""
+        return bool(self._taken >> self._bit(x, y) & (1 << cells) - 1)
+
     def number_side(self, x: int, y: int, arrow: int, cells: int, before: int) -> int:
         """Occupy the cells for a number of `cells` cells beside an arrow of `arrow` cells at (x, y).
 
@@ -67,8 +74,11 @@ class CellOccupancy:
         held = self._taken >> self._bit(start, y) & (1 << cells) - 1
         return not held and (not 0 <= beyond < self._width or not self._taken >> self._bit(beyond, y) & 1)
 
-    def label_spot(self, x: int, y: int, text: str, roles: Roles) -> tuple[int, int] | None:
-        """Occupy the place for a label near its vertex at (x, y), or return None if it doesn't fit.
+    def label_spot(
+        self, x: int, y: int, text: str, roles: Roles, in_row: bool = True
+    ) -> tuple[int, int] | None:
+        """Occupy the place for a label near its vertex at (x, y), in its row if `in_row`. Return None if it
+        doesn't fit.
 
         Of the free places the first one that hides least of the map; a label keeps a cell's distance from its
         neighbours, so that two labels never read as one.
@@ -76,8 +86,9 @@ class CellOccupancy:
         cells = cell_width(text)
         middle = x - cells // 2
         right, left = x + 2, x - 1 - cells
-        beside = ((right, y), (left, y), (middle, y - 1), (middle, y + 1))
-        shifted = ((x, y - 1), (x, y + 1), (x + 1 - cells, y - 1), (x + 1 - cells, y + 1))
+        same_row: tuple[Place, ...] = ((right, y), (left, y)) if in_row else ()
+        beside = (*same_row, (middle, y - 1), (middle, y + 1))
+        shifted: tuple[Place, ...] = ((x, y - 1), (x, y + 1), (x + 1 - cells, y - 1), (x + 1 - cells, y + 1))
         corners = ((right, y - 1), (right, y + 1), (left, y - 1), (left, y + 1))
         for spots in (beside, shifted, corners):
             free = [spot for spot in spots if self._apart(*spot, cells)]
@@ -92,6 +103,55 @@ class CellOccupancy:
     def _apart(self, x: int, y: int, cells: int) -> bool:
         start, end = max(x - 1, 0), min(x + cells + 1, self._width)
         return self.free(x, y, cells) and self.free(start, y, end - start)
+
+
+class Label(NamedTuple):
+    """A label beside its vertex; both with their (first) cell."""
+
+    vertex: Place
+    at: Place
+    text: str
+    is_target: bool
+
+
+def draw_label(cells: Cells, label: Label) -> None:
+    """Draw a label in the role for the ground that it covers most of."""
+    x, y = label.at
+    below = cells.roles[y, x : x + cell_width(label.text)]
+    role = StyleRole.TARGET if label.is_target else StyleRole.LABEL
+    if np.count_nonzero(below == StyleRole.UNKNOWN) * 2 > below.size:
+        role = StyleRole.TARGET_BEYOND if label.is_target else StyleRole.LABEL_BEYOND
+    cells.write(x, y, label.text, role)
+
+
+def move_aside(
+    cells: Cells, bare: Cells, labels: Iterable[Label], occupancy: CellOccupancy, aside: dict[Place, Place]
+) -> None:
+    """Move the labels below occupied cells, or leave them out; `bare` is the picture without labels.
+
+    `aside`: the first cells of the labels that gave way, by the cell of their vertex. They stay there until
+    they would be covered again.
+    """
+    for label in labels:
+        size = cell_width(label.text)
+        moved = aside.pop(label.vertex, None)
+        if moved is None and not occupancy.is_taken(*label.at, size):
+            continue
+        x, y = label.at
+        cells.codes[y, x : x + size] = bare.codes[y, x : x + size]
+        cells.roles[y, x : x + size] = bare.roles[y, x : x + size]
+        if moved is not None and occupancy.free(*moved, size):
+            occupancy.take(*moved, size)
+        elif moved is not None and not occupancy.is_taken(*label.at, size):
+            moved = label.at
+        else:
+            # Robots come along the row of their way: above and below it is quieter.
+            moved = occupancy.label_spot(*label.vertex, label.text, bare.roles, in_row=False)
+        if moved is None:
+            continue
+        draw_label(cells, label._replace(at=moved))
+        if moved != label.at:
+            aside[label.vertex] = moved
 
 
 def _start(x: int, arrow: int, cells: int, side: int) -> int:

@@ -2,16 +2,14 @@
 
 from dataclasses import dataclass
 
-import numpy as np
-
 from fleet_tui.model.graph import Role
 from fleet_tui.model.order import natural
-from fleet_tui.text.sanitize import cell_width, sanitize
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.glyphs import vertex_glyph
-from fleet_tui.view.map.labels import CellOccupancy
+from fleet_tui.view.map.labels import CellOccupancy, Label, draw_label
 from fleet_tui.view.map.places import seen_vertices
 from fleet_tui.view.map.raster import ground
 from fleet_tui.view.map.scene import Scene, SceneVertex
@@ -55,15 +53,15 @@ def draw_vertices(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) 
         cells.write(x, y, glyph, StyleRole.TARGET if vertex.id in scene.target_vertices else role)
 
 
-def draw_labels(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
-    """Draw the labels that fit whole, so more of them the closer the zoom.
+def draw_labels(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> tuple[Label, ...]:
+    """Draw and return the labels that fit whole, so more of them the closer the zoom.
 
     First the mission's ends, then the vertex under the cursor, elevators and docking stations, the others;
     equals by vertex id. The order is the same at every zoom: a label stays when zooming in, unless an earlier
     one now fits there.
     """
     if not look.labels:
-        return
+        return ()
     placed = seen_vertices(scene, camera)
     occupancy = CellOccupancy(camera.width, camera.height)
     for vertex, (x, y) in placed:
@@ -71,22 +69,16 @@ def draw_labels(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) ->
             occupancy.take(x, y, 1)
     targets = scene.target_vertices
     labelled = [at for at in placed if at[0].label]
+    drawn: list[Label] = []
     for vertex, (x, y) in sorted(labelled, key=lambda at: _rank(at[0], targets, look)):
         text = sanitize(vertex.label)
         if look.plain:
             text = text.encode("ascii", "replace").decode()
         spot = occupancy.label_spot(x, y, text, cells.roles)
         if spot:
-            cells.write(*spot, text, _label_role(cells, spot, text, vertex.id in targets))
-
-
-def _label_role(cells: Cells, spot: tuple[int, int], text: str, is_target: bool) -> StyleRole:
-    """Return the role of a label for the ground that it covers most of."""
-    x, y = spot
-    below = cells.roles[y, x : x + cell_width(text)]
-    if np.count_nonzero(below == StyleRole.UNKNOWN) * 2 > below.size:
-        return StyleRole.TARGET_BEYOND if is_target else StyleRole.LABEL_BEYOND
-    return StyleRole.TARGET if is_target else StyleRole.LABEL
+            drawn.append(Label((x, y), spot, text, vertex.id in targets))
+            draw_label(cells, drawn[-1])
+    return tuple(drawn)
 
 
 def _rank(vertex: SceneVertex, targets: tuple[str, ...], look: MapOptions) -> tuple[bool, bool, bool, object]:

@@ -9,9 +9,9 @@ from fleet_tui.view.map.caption import Caption, caption_row
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.modes import MapMode, ViewMode
-from fleet_tui.view.map.picture import backdrop, picture
+from fleet_tui.view.map.picture import Backdrop, backdrop, picture
 from fleet_tui.view.map.places import seen_robots
-from fleet_tui.view.map.robots import Sides
+from fleet_tui.view.map.robots import Arrangement
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.view.map.trails import Trails
 from fleet_tui.view.map.viewport import Viewport, pick, pointed
@@ -30,9 +30,9 @@ class MapPicture:
         self.hint = ""
         """The key of the legend, for the caption."""
         self._trails = Trails()
-        self._sides: Sides = {}
-        self._sides_of: tuple[Camera, MapOptions] | None = None
-        self._backdrop: Cells | None = None
+        self._arrangement = Arrangement()
+        self._arrangement_of: tuple[Camera, MapOptions] | None = None
+        self._backdrop: Backdrop | None = None
         self._backdrop_of: tuple[Scene, Camera, MapOptions] | None = None
 
     def hatch(self, hatched: bool) -> None:
@@ -58,10 +58,10 @@ class MapPicture:
         if self.options.trails:
             scene = replace(scene, trail=self._trails.of(scene))
         head = caption_row(self._caption(scene, camera, focused))
-        if self._sides_of != (camera, self.options):
-            self._sides, self._sides_of = {}, (camera, self.options)
+        if self._arrangement_of != (camera, self.options):
+            self._arrangement, self._arrangement_of = Arrangement(), (camera, self.options)
         behind = self._still(scene, camera)
-        body = picture(behind, scene, camera, self.options, self._sides, self.mode.layers)
+        body = picture(behind, scene, camera, self.options, self._arrangement, self.mode.layers)
         return Cells(np.vstack((head.codes, body.codes)), np.vstack((head.roles, body.roles)))
 
     def pick(self, x: int, y: int) -> SceneRobot | SceneVertex | None:
@@ -86,7 +86,7 @@ class MapPicture:
             hint=self.hint,
         )
 
-    def _still(self, scene: Scene, camera: Camera) -> Cells:
+    def _still(self, scene: Scene, camera: Camera) -> Backdrop:
         """Return the backdrop of the robots, redrawn only on a change."""
         under = pointed(scene, camera, self.options.cursor)
         key = (scene, camera, replace(self.options, cursor=None, trails=False, pointed=under))

@@ -1,9 +1,11 @@
 """The map's picture: all layers, in two parts so that robots move over a cached backdrop."""
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
+from fleet_tui.view.map.labels import Label
 from fleet_tui.view.map.layers import (
     MapOptions,
     draw_cursor,
@@ -12,41 +14,52 @@ from fleet_tui.view.map.layers import (
     draw_vertices,
 )
 from fleet_tui.view.map.lines import draw_approach, draw_edges, draw_mission, draw_outlines, draw_trails
-from fleet_tui.view.map.robots import Sides, draw_robots
+from fleet_tui.view.map.robots import Arrangement, draw_robots
 from fleet_tui.view.map.scene import Scene
 from fleet_tui.view.roles import StyleRole
 
 Layer = Callable[[Cells, Scene, Camera, MapOptions], None]
 
-STILL: tuple[Layer, ...] = (draw_ground, draw_edges, draw_mission, draw_vertices, draw_labels)
-"""Redrawn only when the map, the graph, the mission, the camera or the options change."""
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Backdrop(Cells):
+    """A picture without its moving parts, and `bare` the same without its `labels`."""
+
+    bare: Cells
+    labels: tuple[Label, ...]
+
+
+STILL: tuple[Layer, ...] = (draw_ground, draw_edges, draw_mission, draw_vertices)
+"""Below the labels. Redrawn only when the map, the graph, the mission, the camera or the options change."""
 
 MOVING: tuple[Layer, ...] = (draw_trails, draw_approach, draw_outlines)
 """Drawn at every tick; then the robots, and the layers of the mode on top."""
 
 
-def backdrop(scene: Scene, camera: Camera, look: MapOptions) -> Cells:
+def backdrop(scene: Scene, camera: Camera, look: MapOptions) -> Backdrop:
     """Return the picture without the moving parts."""
-    cells = Cells.blank(camera.width, camera.height, StyleRole.UNKNOWN)
+    bare = Cells.blank(camera.width, camera.height, StyleRole.UNKNOWN)
     for draw in STILL:
-        draw(cells, scene, camera, look)
-    return cells
+        draw(bare, scene, camera, look)
+    cells = bare.copy()
+    labels = draw_labels(cells, scene, camera, look)
+    return Backdrop(cells.codes, cells.roles, bare, labels)
 
 
 def picture(
-    behind: Cells,
+    behind: Backdrop,
     scene: Scene,
     camera: Camera,
     look: MapOptions,
-    sides: Sides | None = None,
+    before: Arrangement | None = None,
     top: tuple[Layer, ...] = (draw_cursor,),
 ) -> Cells:
-    """Return the moving parts drawn over a copy of `behind` (made by `backdrop`); `sides` as in
+    """Return the moving parts drawn over a copy of `behind` (made by `backdrop`); `before` as in
     `draw_robots`. `top`: the layers of the map's mode."""
     cells = behind.copy()
     for draw in MOVING:
         draw(cells, scene, camera, look)
-    draw_robots(cells, scene, camera, look, sides)
+    draw_robots(cells, behind.bare, behind.labels, scene, camera, look, before or Arrangement())
     for draw in top:
         draw(cells, scene, camera, look)
     return cells

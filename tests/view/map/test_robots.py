@@ -9,7 +9,7 @@ from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop, picture
-from fleet_tui.view.map.robots import Sides
+from fleet_tui.view.map.robots import Arrangement
 from fleet_tui.view.map.scene import Scene, SceneRobot
 
 CAMERA = Camera.fit((400, 200), 120, 40)
@@ -18,9 +18,9 @@ CELL = CAMERA.scale * 2 * 0.05
 EMPTY = Scene("f", MapFrame(0.05, 400, 200))
 
 
-def drawn(robots: tuple[SceneRobot, ...], sides: Sides | None = None) -> str:
+def drawn(robots: tuple[SceneRobot, ...], before: Arrangement | None = None) -> str:
     scene = replace(EMPTY, robots=robots)
-    return picture(backdrop(scene, CAMERA, MapOptions()), scene, CAMERA, MapOptions(), sides).text()
+    return picture(backdrop(scene, CAMERA, MapOptions()), scene, CAMERA, MapOptions(), before).text()
 
 
 def robot(number: int, cell: float, obstacle: bool = False) -> SceneRobot:
@@ -35,9 +35,9 @@ def test_the_number_is_left_of_the_arrow_and_right_where_another_robot_is_there(
 
 
 def test_a_number_stays_on_its_side_while_there_is_space() -> None:
-    sides: Sides = {}
-    assert "→2" in drawn((robot(1, 0), robot(2, 1)), sides)
-    assert "→2" in drawn((robot(2, 1),), sides)
+    before = Arrangement()
+    assert "→2" in drawn((robot(1, 0), robot(2, 1)), before)
+    assert "→2" in drawn((robot(2, 1),), before)
     assert "2→" in drawn((robot(2, 1),))
 
 

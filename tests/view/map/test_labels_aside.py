@@ -1,0 +1,59 @@
+"""Labels give way to robots: whole, or not at all, and without hopping."""
+
+from dataclasses import replace
+from itertools import pairwise
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from fleet_tui.model.geometry import MapFrame, Pose
+from fleet_tui.view.map.camera import Camera
+from fleet_tui.view.map.cells import Cells
+from fleet_tui.view.map.layers import MapOptions
+from fleet_tui.view.map.picture import backdrop, picture
+from fleet_tui.view.map.robots import Arrangement
+from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
+
+NAME = "Pharmacy"
+CAMERA = Camera.fit((400, 200), 120, 40)
+CELL = CAMERA.scale * 2 * 0.05
+"""Metres."""
+SCENE = Scene("f", MapFrame(0.05, 400, 200), vertices=(SceneVertex("1", 10.05, 5.0, label=NAME),))
+LOOK = MapOptions()
+BEHIND = backdrop(SCENE, CAMERA, LOOK)
+
+
+def drawn(cells: float, rows: float = 0.0, before: Arrangement | None = None) -> Cells:
+    """A robot so many cells right of the vertex and rows below it."""
+    pose = Pose(10.05 + cells * CELL, 5.0 - rows * 2 * CELL)
+    return picture(BEHIND, replace(SCENE, robots=(SceneRobot("r", 7, pose),)), CAMERA, LOOK, before)
+
+
+def place(cells: Cells) -> tuple[int, int] | None:
+    """The row and the column of the label, if it is there."""
+    rows = cells.text().splitlines()
+    return next(((y, row.index(NAME)) for y, row in enumerate(rows) if NAME in row), None)
+
+
+@given(st.floats(-20, 20), st.floats(-3, 3))
+def test_a_label_is_whole_or_not_there(cells: float, rows: float) -> None:
+    text = drawn(cells, rows).text()
+    assert NAME in text or not set(NAME) & set(text)
+
+
+def test_it_gives_way_to_a_robot_that_drives_through_it_and_stays_where_it_is_then() -> None:
+    before = Arrangement()
+    places = [place(drawn(10 - step / 4, before=before)) for step in range(80)]
+    assert None not in places
+    moves = [now for then, now in pairwise(places) if then != now]
+    assert len(moves) == 1
+    assert place(drawn(-10)) == place(BEHIND) == places[0]
+
+
+def test_it_comes_back_when_its_new_place_is_needed() -> None:
+    before = Arrangement()
+    drawn(5, before=before)
+    (aside,) = before.aside.values()
+    y, x = place(BEHIND) or (0, 0)
+    moved = place(drawn(aside[0] - x + 3, aside[1] - y, before))
+    assert moved == (y, x) and not before.aside
