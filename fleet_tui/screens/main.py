@@ -3,6 +3,7 @@
 import math
 import time
 from collections.abc import Mapping
+from functools import partial
 from inspect import isawaitable
 from typing import TYPE_CHECKING
 
@@ -29,6 +30,7 @@ from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import alarm_table, unacknowledged
 from fleet_tui.view.tables.fleet import fleet_table
 from fleet_tui.view.tables.queue import queue_table
+from fleet_tui.view.tables.recent import recent_table
 from fleet_tui.view.tables.robot_page import robot_page
 from fleet_tui.widgets import messages
 from fleet_tui.widgets.bindings import bindings, textual_key
@@ -116,17 +118,18 @@ class MainScreen(Screen[None]):
     def tick(self) -> None:
         """Show the newest state."""
         self.dispatch.release_startup()
-        state, robot = self.store.state, self.navigation.robot
+        state, robot, clock = self.store.state, self.navigation.robot, self.settings.clock
         if self.is_complete:
             self._show_floor(state)
         self._mark_alarm(state)
         tables = [
             fleet_table(state, robot, self.fleet.row_width),
-            alarm_table(state, self.settings.clock, self.alarms.row_width),
+            alarm_table(state, clock, self.alarms.row_width),
             queue_table(state, robot, self._all_orders, self.queue.row_width),
         ]
         covered = lines_below(self.rest.order_form) if self.is_complete else 0
-        self.panes.show(tables, lambda: robot_page(state, robot, self.settings.clock), covered)
+        page, recent = partial(robot_page, state, robot, clock), partial(recent_table, state, clock)
+        self.panes.show(tables, page, recent, covered)
         self.status.show(*self.session.headline(state, robot))
         self.message.show(message_line(state, self.notices.text, self.notices.at, self.message.size.width))
         self._show_hints(state, robot)
@@ -174,6 +177,7 @@ class MainScreen(Screen[None]):
             self._mapped = wanted
             self.backend.show_map(*wanted)
         self.rest.map.show(floor_scene(state, selection, drafted))
+        self.panes.show_floor(self.rest.map.picture.lines_of_floor(self.rest.map.size.width))
 
     def _mark_alarm(self, state: FleetState) -> None:
         """Mark an alarm. Unless the pane has the focus, the cursor moves from acknowledged to

@@ -76,7 +76,7 @@ class Rest:
         opens = (self.order_form, self.confirm, self.menu, self.key_help, self.palette, self.why)
         with screen.app.batch_update():
             await screen.query_one("#map").remove()
-            await screen.query_one("#panes").mount(self.map, before=0)
+            await screen.panes.floor.mount(self.map, before=0)
             await screen.mount(*opens, self.audit_log, self.diagnostics)
             time_line = screen.session.time_line()
             if time_line is not None:
@@ -95,7 +95,7 @@ class Rest:
                 lambda: screen.store.state, lambda: navigation.robot, navigation.select, screen.dispatch.give
             )
 
-        return SimpleSwitch(screen.query_one("#panes"), self.map, make, self.orders.may_order)
+        return SimpleSwitch(screen.panes, self.map, make, self.orders.may_order)
 
     def draft(self) -> Drafted | None:
         """Return the order that is being typed and its way, and show its length in the form."""

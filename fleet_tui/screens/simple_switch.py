@@ -23,7 +23,7 @@ class SimpleSwitch:
             return
         if self._simple is None:
             simple = self._make()
-            await panes.mount(simple, before=self._map)
+            await panes.mount(simple, before=0)
             self._simple = simple  # not before: ticks during the mounting would query missing widgets
         if panes.toggle_class("-simple").has_class("-simple"):
             self._simple.start()

@@ -8,7 +8,7 @@ LEAST_MAP = 9
 BUTTONS = 13
 """Lines of the simple interface."""
 LEAST_PAGE = 6
-"""Lines from which the robot's page is worth its place."""
+"""Lines from which the robot's page and the last events are worth their place."""
 
 
 class Wanted(NamedTuple):
@@ -27,6 +27,13 @@ def beside_map(lines: int, wanted: Wanted) -> tuple[int, int, int, int]:
     left = max(0, lines - fleet - alarms - queue)
     page = left if left >= LEAST_PAGE else 0
     return fleet, alarms, queue + left - page, page
+
+
+def below_floor(lines: int, floor: int) -> int:
+    """Return the lines for the last events below a map that shows all of its floor in `floor` lines (0 for
+    none)."""
+    left = lines - max(floor, LEAST_MAP)
+    return left if left >= LEAST_PAGE else 0
 
 
 def below_map(lines: int, wanted: Wanted, covered: int = 0) -> tuple[int, int, int]:

@@ -1,16 +1,28 @@
 """The panes of the main screen, and how they share its lines."""
 
+import math
+import time
 from collections.abc import Callable, Collection, Sequence
 
 from textual.containers import Container
 from textual.widget import Widget
 
-from fleet_tui.view.layout import LEAST_LIST, Wanted, below_buttons, below_map, beside_map, without_map
+from fleet_tui.view.layout import (
+    LEAST_LIST,
+    Wanted,
+    below_buttons,
+    below_floor,
+    below_map,
+    beside_map,
+    without_map,
+)
 from fleet_tui.view.tables.table import Table
 from fleet_tui.widgets.rows_pane import RowsPane
 
 OTHERS = 3
 """Lines of the screen that are no panes: status, message, footer. Before the first layout."""
+RECENT_EVERY = 1.0
+"""Seconds between two updates of the last events."""
 
 
 def lines_below(overlay: Widget) -> int:
@@ -29,19 +41,29 @@ class Panes(Container):
         self.alarms, self.queue = RowsPane(id="alarms"), RowsPane(id="queue")
         self.page = RowsPane(id="page")
         self.page.can_focus = False
-        super().__init__(Container(id="map"), self.fleet, self.alarms, self.queue, self.page, id="panes")
+        self.recent = RowsPane(id="recent")
+        self.recent.can_focus = False
+        self.floor = Container(Container(id="map"), self.recent, id="floor")
+        super().__init__(self.floor, self.fleet, self.alarms, self.queue, self.page, id="panes")
         self._alone = ""
+        self._recent_lines, self._recent_at = 0, -math.inf
         self._wanted = Wanted(0, 0, 0), 0
         self._shared_out: tuple[str, str, bool] | None = None
 
     @property
     def views(self) -> list[RowsPane]:
         """Return the panes of rows."""
-        return [self.fleet, self.alarms, self.queue, self.page]
+        return [self.fleet, self.alarms, self.queue, self.page, self.recent]
 
-    def show(self, tables: Sequence[Table], page: Callable[[], Table], covered: int = 0) -> None:
-        """Show fleet, alarms and queue, and the page if there are lines for it. `covered`: lines at the
-        bottom below an overlay about the map."""
+    def show(
+        self,
+        tables: Sequence[Table],
+        page: Callable[[], Table],
+        recent: Callable[[int], Table],
+        covered: int = 0,
+    ) -> None:
+        """Show fleet, alarms and queue, and the page and the last events if there are lines for them.
+        `covered`: lines at the bottom below an overlay about the map."""
         if not self.is_attached:
             return  # the console ends
         self._wanted = Wanted(*(table.lines for table in tables)), covered
@@ -50,6 +72,21 @@ class Panes(Container):
             pane.show(table)
         if self.page.size.height:
             self.page.show(page())
+        # Of a fleet of hundreds they take a while to collect.
+        if self.recent.size.height and time.monotonic() >= self._recent_at + RECENT_EVERY:
+            self._recent_at = time.monotonic()
+            self.recent.show(recent(self.recent.size.height - 1))
+
+    def show_floor(self, lines: int) -> None:
+        """Give the last events the lines that the floor leaves; `lines`: those of the floor as a whole."""
+        if not self.is_attached:
+            return  # the console ends
+        is_free = self.screen.has_class("-wide") and not self._is_small and not self._alone
+        left = below_floor(self.floor.size.height, lines) if is_free and lines else 0
+        if left != self._recent_lines:
+            self._recent_lines = left
+            self.recent.styles.height = left
+            self.recent.display = left > 0
 
     def on_resize(self) -> None:
         """Share out the new lines at once."""
@@ -57,7 +94,7 @@ class Panes(Container):
 
     def enlarge(self) -> None:
         """Give the focused pane its whole column, or all of them their places."""
-        inside = [pane.id or "" for pane in self.children if pane.has_focus]
+        inside = [pane.id or "" for pane in self.children if pane.has_focus_within]
         self._alone = inside[0] if inside and not self._alone else ""
 
     def _share_out(self, wanted: Wanted, covered: int) -> None:
@@ -74,8 +111,8 @@ class Panes(Container):
         self._shared_out = rows, alone, is_wide
         self.styles.grid_rows = rows
         for pane in self.children:
-            keeps = is_wide and pane.id in ("map", "simple")
-            spans = (not is_wide and not self._is_small) or alone == "map"
+            keeps = is_wide and pane.id in ("floor", "simple")
+            spans = (not is_wide and not self._is_small) or alone == "floor"
             pane.set_class(bool(alone) and pane.id != alone and not keeps, "-hidden")
             pane.set_class(bool(alone) and pane.id == alone and spans, "-across")
 
@@ -87,7 +124,7 @@ class Panes(Container):
         """Return the panes that can have the column."""
         if self.has_class("-simple"):
             return ("fleet", "alarms", "queue") if is_wide else ()
-        return ("fleet", "alarms") if self._is_small else ("map", "fleet", "alarms", "queue")
+        return ("fleet", "alarms") if self._is_small else ("floor", "fleet", "alarms", "queue")
 
     def _heights(self, lines: int, wanted: Wanted, covered: int) -> tuple[int, ...]:
         is_simple = self.has_class("-simple")

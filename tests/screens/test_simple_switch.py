@@ -14,7 +14,7 @@ async def test_it_comes_and_goes_and_pausing_works_within(server: RosbridgeServe
     async with console(config_of(server.url, 2)) as it:
         await it.press("s")
         await it.shows("From: choose")
-        assert not it.app.main.rest.map.display
+        assert not it.app.main.panes.floor.display
         await it.press("enter")
         await it.shows("From where?")
         await it.press("f12")

@@ -99,7 +99,10 @@ def _tables() -> tuple[HelpRow, ...]:
         "●": (StyleRole.GOOD, "online; in the status line: the link is up"),
         "○": (alarm, "offline, or no link"),
         CARGO: (text, "cargo on board"),
-        SIGNS[AlarmStage.UNACKNOWLEDGED]: (alarm, "alarm that waits for an acknowledgement"),
+        SIGNS[AlarmStage.UNACKNOWLEDGED]: (
+            alarm,
+            "alarm that waits for an acknowledgement; robot with an alarm",
+        ),
         SIGNS[AlarmStage.ACKNOWLEDGED]: (text, "acknowledged alarm that still holds"),
         SIGNS[AlarmStage.RETURNED]: (StyleRole.DIM, "alarm that is over, not acknowledged"),
         SIGNS[AlarmStage.SHELVED]: (StyleRole.DIM, "alarm put aside for a while"),

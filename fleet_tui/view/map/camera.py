@@ -38,6 +38,13 @@ class Camera:
         scale = _fit_scale((right - left, bottom - top), width, height)
         return cls((left + right) / 2, (top + bottom) / 2, scale, width, height, extent)
 
+    @staticmethod
+    def lines_of(extent: tuple[int, int], width: int, area: Area | None = None) -> int:
+        """Return the lines from which the area, by default the whole map, fills `width` cells when fitted."""
+        left, top, right, bottom = area or (0.0, 0.0, *extent)
+        scale = max((right - left) / (DOTS_X * max(width - 2, 1)), MIN_SCALE)
+        return math.ceil((bottom - top) / (DOTS_Y * scale)) + 1
+
     @property
     def origin(self) -> tuple[int, int]:
         """Return the upper left cell of the view, in whole cells from the map's upper left corner."""

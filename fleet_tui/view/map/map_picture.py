@@ -64,6 +64,13 @@ class MapPicture:
         body = picture(behind, scene, camera, self.options, self._arrangement, self.mode.layers)
         return Cells(np.vstack((head.codes, body.codes)), np.vstack((head.roles, body.roles)))
 
+    def lines_of_floor(self, width: int) -> int:
+        """Return the lines that the whole floor takes in `width` cells, with the caption: 0 without one."""
+        if self.scene is None or width < 1:
+            return 0
+        frame = self.scene.frame
+        return CAPTION_ROWS + Camera.lines_of((frame.width, frame.height), width, self.scene.area)
+
     def pick(self, x: int, y: int) -> SceneRobot | SceneVertex | None:
         """Return the object at cell (x, y) of the whole picture, if any."""
         if self.scene is None or y < CAPTION_ROWS:

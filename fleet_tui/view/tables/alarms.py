@@ -19,7 +19,8 @@ _PRIORITIES = {Priority.HIGH: "high", Priority.MEDIUM: "med ", Priority.LOW: "lo
 
 
 WITH_PRIORITY = 44
-"""Cells of a pane from which alarms have their priority in words, and robots long names."""
+"""Cells of a pane from which alarms have words for stage and priority, seconds, and robots long names."""
+HOURS_MINUTES = 5
 
 
 def _role(alarm: Alarm) -> StyleRole:
@@ -36,14 +37,17 @@ def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float],
     shelf = ""
     if alarm.stage is AlarmStage.SHELVED:
         shelf = f" until {clock(state.wall + alarm.until - state.now)}"
-    runs: list[Run] = [(f"{SIGNS[alarm.stage]}{shelf} ", role)]
-    if width >= WITH_PRIORITY:
+    is_wide = width >= WITH_PRIORITY
+    sign = SIGNS[alarm.stage] if is_wide else SIGNS[alarm.stage][:1]
+    runs: list[Run] = [(f"{sign}{shelf} ", role)]
+    if is_wide:
         is_over = alarm.stage is AlarmStage.RETURNED
         runs.append((f"{_PRIORITIES[alarm.condition.priority]} ", StyleRole.DIM if is_over else role))
+    at = clock(alarm.first_wall if alarm.holds else alarm.last_wall)
     runs += [
         (fit(alarm.condition.source, sources) + " ", StyleRole.TEXT),
         (sanitize(alarm.text), role),
-        (f" {clock(alarm.first_wall if alarm.holds else alarm.last_wall)}{count}", StyleRole.DIM),
+        (f" {at if is_wide else at[:HOURS_MINUTES]}{count}", StyleRole.DIM),
     ]
     return Row(alarm.key, tuple(runs))
 

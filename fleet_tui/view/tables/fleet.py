@@ -123,17 +123,18 @@ def _battery_bar(state: FleetState, robot: Robot) -> Run:
     return "━" * cells, role if role is StyleRole.ALARM else StyleRole.DIM
 
 
-def _head(state: FleetState, robot: Robot, selected: bool, columns: Columns) -> list[Run]:
-    """Return the start of every row: link state, number, name, battery, floor, cargo, times."""
-    online = state.is_online(robot)
-    role = StyleRole.TEXT if online else StyleRole.DIM
-    dot: Run = (
-        ("● ", StyleRole.GOOD)
-        if online
-        else ("○ ", StyleRole.DIM if robot.last_received is None else StyleRole.ALARM)
-    )
+def _signed(state: FleetState, robot: Robot, in_trouble: bool) -> Run:
+    """Return the sign at the start of a row: offline, in trouble, or all well."""
+    if not state.is_online(robot):
+        return "○ ", StyleRole.DIM if robot.last_received is None else StyleRole.ALARM
+    return ("▲ ", StyleRole.ALARM) if in_trouble else ("● ", StyleRole.GOOD)
+
+
+def _head(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Columns) -> list[Run]:
+    """Return the start of every row: its sign, number, name, battery, floor, cargo, times."""
+    role = StyleRole.TEXT if state.is_online(robot) else StyleRole.DIM
     runs: list[Run] = [
-        dot,
+        sign,
         (f"{columns.number_of(robot):>{columns.number - 1}} ", StyleRole.DIM),
         (fit(robot.name, columns.name), StyleRole.ACCENT if selected else role),
     ]
@@ -181,7 +182,7 @@ def _without_order(state: FleetState, robot: Robot) -> str:
     return f"{waiting} waiting" if waiting else "idle"
 
 
-def _row(state: FleetState, robot: Robot, selected: bool, columns: Columns) -> Row:
+def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Columns) -> Row:
     role = StyleRole.TEXT if state.is_online(robot) else StyleRole.DIM
     runs: list[Run] = [run for text, colour in news(state, robot) for run in ((text, colour), (" ", role))]
     current, order = robot.orders.current, ""
@@ -194,32 +195,34 @@ def _row(state: FleetState, robot: Robot, selected: bool, columns: Columns) -> R
         if current is not None and not runs and _movement(state, robot) and robot.still_for >= LONG_STILL:
             runs = [(_movement(state, robot), StyleRole.DIM), (" ", role)]
         mission = "  ".join(part for part in (order, progress) if part)
-        return Row(robot.name, (*_head(state, robot, selected, columns), *runs, (mission, role)))
+        return Row(robot.name, (*_head(state, robot, sign, selected, columns), *runs, (mission, role)))
     if current is not None and not runs:
         runs = [(progress or _movement(state, robot), StyleRole.DIM)]
     placed = fit(order, columns.order - 1) + " "
-    return Row(robot.name, (*_head(state, robot, selected, columns), (placed, role), *runs))
+    return Row(robot.name, (*_head(state, robot, sign, selected, columns), (placed, role), *runs))
 
 
-def in_trouble_first(state: FleetState) -> list[Robot]:
-    """Return all robots: those with an alarm that is neither over nor shelved first, each part in the order
-    of the config. Its off-delay keeps the rows where they are."""
+def in_trouble(state: FleetState) -> frozenset[str]:
+    """Return the names of the robots with an alarm that is neither over nor shelved. Its off-delay keeps
+    their rows where they are."""
     over = (AlarmStage.SHELVED, AlarmStage.RETURNED)
     active = [one.condition for one in state.alarms if one.stage not in over]
-    named = {name for condition in active for name in (condition.source, *condition.parts)}
-    return sorted(state.robots.values(), key=lambda robot: robot.name not in named)
+    return frozenset(name for condition in active for name in (condition.source, *condition.parts))
 
 
 def fleet_table(state: FleetState, selected: str, width: int) -> Table:
     """The whole fleet for a pane of `width` cells: robots with an alarm first, else in the order of the
     config."""
-    robots = in_trouble_first(state)
+    troubled = in_trouble(state)
+    robots = sorted(state.robots.values(), key=lambda robot: robot.name not in troubled)
     online = sum(state.is_online(robot) for robot in robots)
     columns = Columns.of(state, width)
 
     def row(place: int) -> Row:
         robot = robots[place]
-        return _row(state, robot, robot.name == selected, columns)
+        return _row(
+            state, robot, _signed(state, robot, robot.name in troubled), robot.name == selected, columns
+        )
 
     rows = LateRows([robot.name for robot in robots], row)
     title = ("Fleet", StyleRole.TITLE), (f" {online} of {len(rows)} online", StyleRole.DIM)

@@ -2,36 +2,32 @@
 
 import math
 from collections.abc import Callable, Iterator
-from heapq import nlargest
 from typing import Any
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.text.durations import age
-from fleet_tui.text.sanitize import fit, sanitize
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import command_text, stage_text
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.fleet import news, whose_mission
 from fleet_tui.view.tables.fleet_columns import floor_text
 from fleet_tui.view.tables.progress import progress_text
-from fleet_tui.view.tables.table import Row, Run, Table, column
+from fleet_tui.view.tables.table import Row, Run, Table
 
 NAME, VALUE = 10, 24
 """Cells of the columns of names and values."""
-LAST, LAST_OF_FLEET = 5, 20
-"""Commands and ended orders that are listed, of the robot and of the fleet."""
+LAST = 5
+"""Commands and ended orders that are listed."""
 STANDS_FROM = 1.0
 """Seconds without movement from which a robot stands."""
-BLANK: tuple[Run, ...] = (("", StyleRole.TEXT),)
 
 
 def robot_page(state: FleetState, name: str, clock: Callable[[float], str]) -> Table:
-    """Return the page of a robot, and below it the last orders of the fleet; `clock` formats Unix seconds as
-    a local time."""
+    """Return the page of a robot; `clock` formats Unix seconds as a local time."""
     robot = state.robots[name]
     rows = [_named("State", *news(state, robot)), *_values(state, robot), *_orders(state, robot)]
     rows += _commands(state, robot, clock)
-    rows += _orders_of_fleet(state)
     listed = tuple(Row(None, runs) for runs in rows if runs)
     title = (
         (sanitize(name), StyleRole.TITLE),
@@ -119,20 +115,4 @@ def _commands(state: FleetState, robot: Robot, clock: Callable[[float], str]) ->
         yield _named(
             clock(record.wall),
             (f"{text}: {stage_text(record, state.now)}", StyleRole.TEXT),
-        )
-
-
-def _orders_of_fleet(state: FleetState) -> Iterator[tuple[Run, ...]]:
-    """Yield the orders that ended last in the whole fleet, the newest first."""
-    every = ((robot, gone) for robot in state.robots.values() for gone in robot.gone)
-    ended = nlargest(LAST_OF_FLEET, every, key=lambda one: one[1].at)
-    if ended:
-        yield BLANK
-        yield (("Last orders of the fleet", StyleRole.TITLE),)
-    names = column((robot.name for robot, _ in ended), NAME - 1, 14) + 1
-    for robot, gone in ended:
-        yield (
-            (fit(sanitize(robot.name), names), StyleRole.DIM),
-            (f"{whose_mission(state, robot, gone.order)}: {gone.stage.value} ", StyleRole.TEXT),
-            (f"{age(state.now - gone.at)} ago", StyleRole.DIM),
         )

@@ -124,5 +124,5 @@ def test_alarms_that_another_one_stands_for_are_counted() -> None:
 
 def test_in_a_narrow_pane_the_reason_stays() -> None:
     state = low()
-    (row,) = alarm_table(state, clock, 38).rows
-    assert text_of(row.runs) == f"▲ new  robot_0 battery 15 % {state.wall:.0f}"
+    (row,) = alarm_table(state, lambda _wall: "12:04:31", 38).rows
+    assert text_of(row.runs) == "▲ robot_0 battery 15 % 12:04"

@@ -53,16 +53,3 @@ def test_the_order_and_the_commands_given_here() -> None:
     state = received(*named, *commanded(1, PauseRobot(R0), Stage.SENT, Stage.ACCEPTED, at=T0))
     assert "Base -> Store" in line(state, "Order")
     assert "pause: accepted" in line(state, "12:00:00")
-
-
-def test_below_it_are_the_last_orders_of_the_fleet() -> None:
-    state = reduced(
-        fleet(2), link_up(T0), graph(1, 2, robot="robot_1"), labels({1: "Base", 2: "Store"}, robot="robot_1")
-    )
-    driven = reduced(
-        state, queue(T0, (4, 1, 2, "W"), current=4, robot="robot_1"), queue(T0 + 1, robot="robot_1")
-    )
-    assert "Last orders of the fleet" not in page(reduced(state, tick(T0)))
-    lines = page(reduced(driven, tick(T0 + 31))).splitlines()
-    assert lines[-2] == "Last orders of the fleet"
-    assert lines[-1].split() == ["robot_1", "Base", "->", "Store:", "lost", "30", "s", "ago"]

@@ -1,0 +1,69 @@
+"""The pane of the last events: alarms that were raised, commands given here, orders that ended."""
+
+from collections.abc import Callable, Iterator
+from functools import partial
+from heapq import nlargest
+
+from fleet_tui.model.alarm import Alarm, AlarmStage
+from fleet_tui.model.commands import ORDER_ENDS, CommandRecord, Stage
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.order_life import GoneOrder
+from fleet_tui.model.robot import Robot
+from fleet_tui.text.sanitize import fit, sanitize
+from fleet_tui.view.lines.commands import TROUBLE, command_text, stage_text
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.fleet import whose_mission
+from fleet_tui.view.tables.table import Row, Run, Table, column
+
+Event = tuple[float, str, Callable[[], tuple[Run, ...]]]
+"""Unix seconds, its robot or other source, and what happened: only the newest ones are written out."""
+
+FAILED = frozenset({*TROUBLE, Stage.LOST, Stage.FAILED})
+
+
+def recent_table(state: FleetState, clock: Callable[[float], str], lines: int) -> Table:
+    """Return the newest events, at most `lines` of them; `clock` formats Unix seconds as a local time."""
+    found = [*_alarms(state), *_commands(state), *_orders(state)]
+    newest = nlargest(lines, found, key=lambda event: event[0])
+    sources = column((source for _, source, _ in newest), 7, 14) + 1
+    rows = tuple(
+        Row(None, ((f"{clock(at)} ", StyleRole.DIM), (fit(source, sources), StyleRole.DIM), *runs()))
+        for at, source, runs in newest
+    )
+    return Table((("Recent", StyleRole.TITLE),), rows, "nothing yet")
+
+
+def _alarms(state: FleetState) -> Iterator[Event]:
+    for alarm in state.alarms:
+        yield alarm.first_wall, alarm.condition.source, partial(_alarm, alarm)
+
+
+def _alarm(alarm: Alarm) -> tuple[Run, ...]:
+    is_quiet = not alarm.holds or alarm.stage is AlarmStage.SHELVED
+    return ((sanitize(alarm.text), StyleRole.DIM if is_quiet else StyleRole.ALARM),)
+
+
+def _commands(state: FleetState) -> Iterator[Event]:
+    for record in state.commands:
+        # Of an ended order its own line tells.
+        if record.stage not in ORDER_ENDS:
+            yield record.wall, record.command.robot, partial(_command, state, record)
+
+
+def _command(state: FleetState, record: CommandRecord) -> tuple[Run, ...]:
+    text = command_text(state, record.command).removeprefix(f"{record.command.robot} ")
+    return _said(f"{text}: {stage_text(record, state.now)}", record.stage)
+
+
+def _orders(state: FleetState) -> Iterator[Event]:
+    for robot in state.robots.values():
+        for gone in robot.gone:
+            yield state.wall - (state.now - gone.at), robot.name, partial(_order, state, robot, gone)
+
+
+def _order(state: FleetState, robot: Robot, gone: GoneOrder) -> tuple[Run, ...]:
+    return _said(f"{whose_mission(state, robot, gone.order)}: {gone.stage.value}", gone.stage)
+
+
+def _said(text: str, stage: Stage) -> tuple[Run, ...]:
+    return ((text, StyleRole.WARN if stage in FAILED else StyleRole.TEXT),)

@@ -1,0 +1,46 @@
+"""The last events of the fleet, the newest first."""
+
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.recent import recent_table
+from tests.support.fleets import (
+    R0,
+    T0,
+    WALL,
+    fleet,
+    graph,
+    labels,
+    link_up,
+    queue,
+    reduced,
+    text_of,
+    tick,
+)
+
+
+def clock(wall: float) -> str:
+    return f"{wall - WALL - T0:.0f}"
+
+
+def lines(state: FleetState, most: int = 9) -> list[str]:
+    return [" ".join(text_of(row.runs).split()) for row in recent_table(state, clock, most).rows]
+
+
+NAMED = (graph(1, 2), labels({1: "Base", 2: "Store"}))
+DRIVEN = reduced(fleet(), link_up(T0), *NAMED, queue(T0, (4, 1, 2, "W"), current=4), queue(T0 + 1))
+
+
+def test_an_order_that_ended_has_a_line_with_the_time_of_its_end() -> None:
+    assert recent_table(fleet(), clock, 9).empty == "nothing yet"
+    assert lines(reduced(DRIVEN, tick(T0 + 2))) == [f"1 {R0} Base -> Store: lost"]
+
+
+def test_the_newest_come_first_as_many_as_there_are_lines() -> None:
+    issued, *steps = commanded(1, PauseRobot(R0), Stage.SENT, Stage.REFUSED)
+    assert isinstance(issued, CommandIssued)
+    state = reduced(DRIVEN, structs.replace(issued, wall=WALL + T0), *steps, tick(T0 + 2))
+    refused = ["2 robot_0 refused: pause", "1 robot_0 Base -> Store: lost", "0 robot_0 pause: refused"]
+    assert lines(state) == refused
+    assert lines(state, 2) == lines(state)[:2]
+    roles = [row.runs[-1][1] for row in recent_table(state, clock, 9).rows]
+    assert roles == [StyleRole.ALARM, StyleRole.WARN, StyleRole.WARN]
