@@ -1,5 +1,9 @@
 """The last events of the fleet, the newest first."""
 
+from msgspec import structs
+
+from fleet_tui.model.commands import PauseRobot, Stage
+from fleet_tui.model.events import CommandIssued
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.recent import recent_table
@@ -7,6 +11,7 @@ from tests.support.fleets import (
     R0,
     T0,
     WALL,
+    commanded,
     fleet,
     graph,
     labels,
