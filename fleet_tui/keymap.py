@@ -48,7 +48,7 @@ def _same_place(one: Key[Any], other: Key[Any]) -> bool:
     panes = {one.pane, other.pane}
     if Pane.DIAGNOSTICS in panes:
         # The console's keys don't work in there; it is made of one table.
-        return panes <= {Pane.DIAGNOSTICS, Pane.TABLE, Pane.ANYWHERE}
+        return panes <= {Pane.DIAGNOSTICS, Pane.ROWS, Pane.ANYWHERE}
     return len(panes) == 1 or any(pane.is_everywhere for pane in panes)
 
 

@@ -81,9 +81,7 @@ def test_every_default_is_the_promised_key(key: Key[Any]) -> None:
 
 def test_no_promised_key_of_the_console_does_something_else() -> None:
     promised = {name for keys in PROMISED.values() for name in keys}
-    others = [
-        key for key in KEYS if key.id not in PROMISED and key.pane not in (Pane.TABLE, Pane.DIAGNOSTICS)
-    ]
+    others = [key for key in KEYS if key.id not in PROMISED and key.pane not in (Pane.ROWS, Pane.DIAGNOSTICS)]
     assert [key.id for key in others if promised & set(key.keys)] == []
 
 
@@ -193,7 +191,7 @@ def test_whatever_is_asked_either_works_or_is_refused(changes: dict[str, str]) -
         key for id_, keys in chosen.items() if panes[id_] in (Pane.CONSOLE, Pane.ANYWHERE) for key in keys
     ]
     assert len(everywhere) == len(set(everywhere))
-    for pane in (Pane.MAP, Pane.TABLE):
+    for pane in (Pane.MAP, Pane.ROWS):
         own = [key for id_, keys in chosen.items() if panes[id_] == pane for key in keys]
         assert len(own) == len(set(own)) and not set(own) & set(everywhere)
 

@@ -1,4 +1,4 @@
-"""Responses to an alarm: acknowledge, shelve, go to the robot."""
+"""Responses to an alarm: acknowledge, shelve, go to the robot. Its stage is kept in `model/alarm.py`."""
 
 import math
 import time

@@ -7,9 +7,9 @@ from fleet_tui.keys.diagnostics import DIAGNOSTICS, PAGES
 from fleet_tui.keys.key import LISTS, Key, Pane, by_id
 from fleet_tui.keys.map import MAP
 from fleet_tui.keys.recording import RECORDING
-from fleet_tui.keys.table import TABLE
+from fleet_tui.keys.rows import ROWS
 
-__all__ = ["BY_ID", "DIAGNOSTICS", "KEYS", "LISTS", "PAGES", "TABLE", "Key", "Pane", "by_id"]
+__all__ = ["BY_ID", "DIAGNOSTICS", "KEYS", "LISTS", "PAGES", "ROWS", "Key", "Pane", "by_id"]
 
-KEYS: tuple[Key[Any], ...] = (*CONSOLE, *RECORDING, *MAP, *DIAGNOSTICS, *TABLE)
+KEYS: tuple[Key[Any], ...] = (*CONSOLE, *RECORDING, *MAP, *DIAGNOSTICS, *ROWS)
 BY_ID = {key.id: key for key in KEYS}

@@ -1,4 +1,4 @@
-"""A row of the table of keys, with all its columns."""
+"""One key: its default, its action, its help text and its hint in the footer."""
 
 from collections.abc import Callable, Iterable
 from enum import Enum
@@ -23,7 +23,7 @@ class Pane(Enum):
     RECORDING = "The recording"
     """Everywhere, while a recording is played."""
     MAP = "Map"
-    TABLE = "Tables: fleet, alarms, queue"
+    ROWS = "Tables: fleet, alarms, queue"
     DIAGNOSTICS = "Diagnostics (d)"
 
     @property

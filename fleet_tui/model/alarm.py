@@ -1,4 +1,4 @@
-"""Alarms with the life cycle of ISA-18.2, as a table.
+"""Alarms with the life cycle of ISA-18.2 (raised, acknowledged, shelved, returned), as a table.
 
 A condition holds or it doesn't. An alarm of a latched class stays until it is acknowledged; the others end
 with their condition and remain in the audit log.
@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterable, Sequence
 from enum import Enum
 from operator import is_
 
-from msgspec import Struct
+from msgspec import Struct, field
 from msgspec.structs import replace
 
 Key = tuple[str, str]
@@ -98,8 +98,8 @@ class Condition(Struct, frozen=True):
 
 class Alarm(Struct, frozen=True):
     """An alarm and its history: `first_wall` and `last_wall` (Unix seconds) are when it was raised and when
-    it last held, `count` its occurrences since then. `held_at` (monotonic) is when it last held, `until`
-    (monotonic) the end of its shelving. `holds` is False during the off-delay as well."""
+    it last held, `count` its occurrences since then. `held_at` (monotonic) is when it last held,
+    `shelved_until` (monotonic) the end of its shelving. `holds` is False during the off-delay as well."""
 
     condition: Condition
     first_wall: float
@@ -108,7 +108,7 @@ class Alarm(Struct, frozen=True):
     stage: AlarmStage = AlarmStage.UNACKNOWLEDGED
     count: int = 1
     holds: bool = True
-    until: float = 0.0
+    shelved_until: float = field(default=0.0, name="until")  # as recordings have it
 
     @property
     def key(self) -> Key:
@@ -177,7 +177,7 @@ def advance(
         else:
             stays = latched is None or class_of(alarm.condition.kind) in latched
             alarm = _not_holding(alarm, at, clear_after, stays)
-        if alarm.stage is AlarmStage.SHELVED and at >= alarm.until:
+        if alarm.stage is AlarmStage.SHELVED and at >= alarm.shelved_until:
             alarm = _off_the_shelf(alarm)
         if alarm.stage is not AlarmStage.CLEARED:
             result.append(alarm)
@@ -202,7 +202,7 @@ def acknowledge(alarms: Sequence[Alarm], source: str, kind: str) -> tuple[Alarm,
 def shelve(alarms: Sequence[Alarm], key: Key, until: float) -> tuple[Alarm, ...]:
     """Return the alarms after one was shelved until a monotonic second."""
     return tuple(
-        replace(_stepped(alarm, AlarmStep.SHELVE), until=until) if alarm.key == key else alarm
+        replace(_stepped(alarm, AlarmStep.SHELVE), shelved_until=until) if alarm.key == key else alarm
         for alarm in alarms
     )
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from msgspec import Struct
 
 from fleet_tui.recording.part_file import PartFile
-from fleet_tui.recording.parts import part_path, parts_beside
+from fleet_tui.recording.part_names import part_path, parts_beside
 from fleet_tui.recording.records import RecordingError
 
 LOG = logging.getLogger(__name__)

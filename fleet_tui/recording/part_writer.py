@@ -1,4 +1,4 @@
-"""Turns events into records, and counts those that the disk did not take."""
+"""Turns events into records for `part_files`, and counts those that the disk did not take."""
 
 import logging
 import secrets

@@ -1,4 +1,4 @@
-"""The action of every key, as a reference: the type checker reports a missing one."""
+"""What the actions of keys do on this screen: a row in `keys/` picks one of them."""
 
 from collections.abc import Callable
 from functools import partial

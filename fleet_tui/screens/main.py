@@ -200,7 +200,7 @@ class MainScreen(Screen[None]):
             return self.session.pane or Pane.MAP
         if self.rest.diagnostics.is_open:
             return Pane.DIAGNOSTICS
-        return Pane.TABLE if isinstance(self.focused, RowsPane) else Pane.CONSOLE
+        return Pane.ROWS if isinstance(self.focused, RowsPane) else Pane.CONSOLE
 
     def all_orders(self) -> None:
         """Show the selected robot's orders, or all robots'."""

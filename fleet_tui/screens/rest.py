@@ -12,7 +12,7 @@ from fleet_tui.controllers.robots import RobotRequests
 from fleet_tui.controllers.save import SaveCommand
 from fleet_tui.keys import Key
 from fleet_tui.keys.key import key_name
-from fleet_tui.rules.routes.draft import Drafted, draft_route
+from fleet_tui.rules.routes.order_draft import Drafted, draft_route
 from fleet_tui.screens.audit import AuditLog
 from fleet_tui.screens.confirm import Confirm
 from fleet_tui.screens.diagnosing.overlay import Diagnostics

@@ -1,4 +1,4 @@
-"""Durations as text: one format for the whole program."""
+"""Ages and durations as text: one format for the whole program."""
 
 import math
 

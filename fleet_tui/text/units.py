@@ -1,4 +1,4 @@
-"""Sizes, rates and ages as text."""
+"""Sizes, rates and short times as text."""
 
 from fleet_tui.text.durations import age
 

@@ -60,5 +60,10 @@ def without_map(lines: int, wanted: Wanted) -> tuple[int, int]:
     return fleet, max(1, lines - fleet)
 
 
+def simple_alone(lines: int) -> tuple[int, int]:
+    """Share out a screen too small for a map with the simple interface: its buttons, alarms."""
+    return max(1, lines - LEAST_LIST), LEAST_LIST
+
+
 def _share(wanted: int, most: int) -> int:
     return max(LEAST_LIST, min(wanted, most))

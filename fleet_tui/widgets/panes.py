@@ -8,12 +8,12 @@ from textual.containers import Container
 from textual.widget import Widget
 
 from fleet_tui.view.layout import (
-    LEAST_LIST,
     Wanted,
     below_buttons,
     below_floor,
     below_map,
     beside_map,
+    simple_alone,
     without_map,
 )
 from fleet_tui.view.tables.table import Table
@@ -129,7 +129,7 @@ class Panes(Container):
     def _heights(self, lines: int, wanted: Wanted, covered: int) -> tuple[int, ...]:
         is_simple = self.has_class("-simple")
         if self._is_small:
-            return (max(1, lines - LEAST_LIST), LEAST_LIST) if is_simple else without_map(lines, wanted)
+            return simple_alone(lines) if is_simple else without_map(lines, wanted)
         if self.screen.has_class("-wide"):
             return beside_map(lines, wanted)
         return below_buttons(lines, wanted) if is_simple else below_map(lines, wanted, covered)

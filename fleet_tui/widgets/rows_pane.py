@@ -4,20 +4,20 @@ from collections.abc import Callable, Hashable
 
 from textual import events, on
 
-from fleet_tui.keys import TABLE, Pane, by_id
+from fleet_tui.keys import ROWS, Pane, by_id
 from fleet_tui.view.tables.listing import Listing
 from fleet_tui.view.tables.table import Table
 from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.messages import ButtonPressed, RowChosen, RowPicked
 from fleet_tui.widgets.runs_view import RunsView
 
-KEYS = by_id(TABLE)
+KEYS = by_id(ROWS)
 
 
 class RowsPane(RunsView, can_focus=True):
     """Shows a Table."""
 
-    BINDINGS = bindings(Pane.TABLE)
+    BINDINGS = bindings(Pane.ROWS)
 
     def __init__(self, *, id: str, choose: Callable[[Hashable], object] | None = None) -> None:
         """`choose` is called with the key of the row that Enter means, at once, instead of the message

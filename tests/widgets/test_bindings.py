@@ -32,7 +32,7 @@ def test_a_pane_has_the_bindings_of_its_keys(pane: Pane) -> None:
 
 def test_tables_run_their_own_keys_and_the_screen_the_others() -> None:
     assert action_of(BY_ID["pause"]) == "screen.key('pause')"
-    table = next(key for key in KEYS if key.pane is Pane.TABLE)
+    table = next(key for key in KEYS if key.pane is Pane.ROWS)
     assert action_of(table) == f"key({table.id!r})"
 
 

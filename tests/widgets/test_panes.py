@@ -6,6 +6,9 @@ from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import Console, console
 from tests.support.watched_store import config_of
 
+BESIDE = {"map": 25, "recent": 12, "fleet": 14, "alarms": 3, "queue": 3, "page": 17}
+"""Lines at 120x40."""
+
 
 def _is_shown(pane: Widget) -> bool:
     return all(one.display for one in pane.ancestors_with_self if isinstance(one, Widget))
@@ -20,8 +23,7 @@ def heights(it: Console) -> dict[str, int]:
 async def test_each_pane_has_what_its_rows_need_and_the_robots_page_the_rest(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 12), (120, 40), wait=False) as it:
         await it.until(lambda _: it.app.main.is_complete)
-        wanted = {"map": 25, "recent": 12, "fleet": 14, "alarms": 3, "queue": 3, "page": 17}
-        await it.until(lambda _: heights(it) == wanted)
+        await it.until(lambda _: heights(it) == BESIDE)
     async with console(config_of(server.url, 12), (80, 24), wait=False) as it:
         await it.until(lambda _: it.app.main.is_complete)
         assert heights(it) == {"map": 12, "fleet": 6, "alarms": 3, "queue": 3}
@@ -36,13 +38,11 @@ async def test_thirty_robots_have_twenty_four_rows_or_more(server: RosbridgeServ
 async def test_the_focused_pane_takes_the_column_and_gives_it_back(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 12), (120, 40), wait=False) as it:
         await it.until(lambda _: it.app.main.is_complete)
-        await it.until(lambda _: "recent" in heights(it))
-        before = heights(it)
+        await it.until(lambda _: heights(it) == BESIDE)
         await it.press("tab", "=")
-        await it.hides("Alarms")
-        assert heights(it) == {"map": 37, "fleet": 37}
+        await it.until(lambda _: heights(it) == {"map": 37, "fleet": 37})
         await it.press("=")
-        await it.until(lambda _: heights(it) == before)
+        await it.until(lambda _: heights(it) == BESIDE)
         await it.press("escape", "=")
         await it.hides("Fleet")
         assert it.app.main.query_one("#map").size.width == 120

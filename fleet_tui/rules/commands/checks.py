@@ -1,6 +1,8 @@
 """Checks before a command leaves: one function for each, with its name.
 
-The same for keys, menus, forms, typed lines and the command line. A pause is never held back.
+The same for keys, menus, forms, typed lines and the command line; the first of three gates. The second asks
+the operator: `controllers/dispatch.py`, or `cli/orders/sending.py` for the command line. The last one is at
+the link: `client/command_channel.py`. A pause is never held back.
 """
 
 import re

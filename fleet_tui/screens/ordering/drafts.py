@@ -2,7 +2,7 @@
 
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.lookup import Place, may_skip_start
-from fleet_tui.rules.routes.draft import Draft
+from fleet_tui.rules.routes.order_draft import Draft
 from fleet_tui.screens.ordering.choices import Choices
 from fleet_tui.screens.ordering.fields import OrderFields
 

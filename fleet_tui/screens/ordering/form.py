@@ -1,5 +1,5 @@
 """The order form: robot, from, to. Typed text filters the labels, Enter goes on, the last Enter sends; `>`
-after a label adds a leg: A > B > C."""
+after a label adds a leg: A > B > C. Its way and length: `rules/routes/order_draft.py`."""
 
 from collections.abc import Callable
 from functools import partial
@@ -12,7 +12,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.lookup import Place, destination_only, may_skip_start
-from fleet_tui.rules.routes.draft import Draft
+from fleet_tui.rules.routes.order_draft import Draft
 from fleet_tui.screens.ordering.choices import (
     Choices,
     choices,

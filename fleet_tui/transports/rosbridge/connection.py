@@ -1,6 +1,7 @@
-"""Connections over roslibpy with its gaps closed. The only module that imports it; pinned to 2.1.0.
+"""Connections to a rosbridge: opened, pinged, and opened again after a loss. The only module that imports
+roslibpy; pinned to 2.1.0.
 
-By itself it sends queued messages on reconnect, backs off to an hour, never detects a frozen server, can't
+By itself that sends queued messages on reconnect, backs off to an hour, never detects a frozen server, can't
 read binary frames and prints errors on stderr.
 """
 

@@ -14,7 +14,7 @@ from fleet_tui.view.tables.table import Button, Run, width_of
 Pages = Mapping[str, Sequence[HelpSection]]
 """The sections of each page, by its name."""
 
-SECTIONS = (Pane.RECORDING, Pane.CONSOLE, Pane.MAP, Pane.TABLE, Pane.DIAGNOSTICS, Pane.ANYWHERE)
+SECTIONS = (Pane.RECORDING, Pane.CONSOLE, Pane.MAP, Pane.ROWS, Pane.DIAGNOSTICS, Pane.ANYWHERE)
 
 TYPED = {
     "order": (
@@ -51,7 +51,7 @@ def help_pages(
 ) -> Pages:
     """Return the pages for robots of a kind and the focused pane, without the `hidden` keys. The legend is
     drawn as the map with `look`; `terminal` describes the terminal."""
-    own = [] if pane in (Pane.MAP, Pane.TABLE, Pane.CONSOLE) else [_section(pane, keys, hidden)]
+    own = [] if pane in (Pane.MAP, Pane.ROWS, Pane.CONSOLE) else [_section(pane, keys, hidden)]
     ordered = sorted(SECTIONS, key=lambda section: section is not pane)
     every = [_section(section, keys, hidden) for section in ordered]
     return {

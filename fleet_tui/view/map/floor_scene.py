@@ -13,7 +13,7 @@ from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.robot import Robot, RobotMap
 from fleet_tui.rules.alarms.conditions import obstacle_lasts
 from fleet_tui.rules.marks import marks_of
-from fleet_tui.rules.routes.draft import Drafted
+from fleet_tui.rules.routes.order_draft import Drafted
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.area import worth_seeing
 from fleet_tui.view.map.mission import mission, targets

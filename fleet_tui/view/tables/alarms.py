@@ -36,7 +36,7 @@ def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float],
     count = f" x{alarm.count}" if alarm.count > 1 else ""
     shelf = ""
     if alarm.stage is AlarmStage.SHELVED:
-        shelf = f" until {clock(state.wall + alarm.until - state.now)}"
+        shelf = f" until {clock(state.wall + alarm.shelved_until - state.now)}"
     is_wide = width >= WITH_PRIORITY
     sign = SIGNS[alarm.stage] if is_wide else SIGNS[alarm.stage][:1]
     runs: list[Run] = [(f"{sign}{shelf} ", role)]

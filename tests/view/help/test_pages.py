@@ -2,7 +2,7 @@
 
 import pytest
 
-from fleet_tui.keys import KEYS as TABLE
+from fleet_tui.keys import KEYS as ROWS
 from fleet_tui.keys import Pane
 from fleet_tui.model.kind import Kind
 from fleet_tui.view.help.pages import Pages, help_pages, tabs
@@ -24,7 +24,7 @@ def text(shown: Pages, page: str) -> str:
 def test_every_key_of_use_is_listed_without_its_id() -> None:
     hidden = frozenset({"clear"})
     listed = text(pages(hidden=hidden), "Keys")
-    missing = [key.text for key in TABLE if key.id != "clear" and key.text not in listed]
+    missing = [key.text for key in ROWS if key.id != "clear" and key.text not in listed]
     assert all(text.startswith("Select robot") for text in missing)
     assert "1 2 3" not in listed and "1..9" in listed
     assert "Clear all orders" not in listed and "pause_all" not in listed
@@ -34,7 +34,7 @@ def test_every_key_of_use_is_listed_without_its_id() -> None:
 def test_the_keys_of_the_focused_pane_come_first(pane: Pane) -> None:
     shown = pages(pane)
     assert shown["Keys"][0].title == pane.value
-    own = pane not in (Pane.MAP, Pane.TABLE, Pane.CONSOLE)
+    own = pane not in (Pane.MAP, Pane.ROWS, Pane.CONSOLE)
     assert (shown["Tasks"][0].title == pane.value) is own
 
 

@@ -20,14 +20,14 @@ def line(chosen: Keys, pane: Pane, width: int = 200, can_command: bool = True) -
     return text_of(footer(*hints(chosen, pane, can_command), chosen, width)[0])
 
 
-@pytest.mark.parametrize("pane", [Pane.MAP, Pane.TABLE])
+@pytest.mark.parametrize("pane", [Pane.MAP, Pane.ROWS])
 def test_hints_show_the_keys_as_they_are_set(pane: Pane) -> None:
     chosen, problems = keymap({"order": "O", "menu": "home"})
     shown = line(chosen, pane)
     assert problems == []
     assert " O order " in shown and shown.endswith(" ? help  : command ")
-    assert (" Home menu " in shown) is (pane is Pane.TABLE)
-    assert shown.startswith(" Home menu " if pane is Pane.TABLE else " O order ")
+    assert (" Home menu " in shown) is (pane is Pane.ROWS)
+    assert shown.startswith(" Home menu " if pane is Pane.ROWS else " O order ")
 
 
 def test_hints_of_an_overlay_are_the_keys_that_reach_through_it() -> None:
@@ -35,7 +35,7 @@ def test_hints_of_an_overlay_are_the_keys_that_reach_through_it() -> None:
     assert line(chosen, Pane.ANYWHERE).rstrip() == " F2 help  F12 pause all"
 
 
-@pytest.mark.parametrize("pane", [Pane.MAP, Pane.TABLE, Pane.RECORDING, Pane.ANYWHERE])
+@pytest.mark.parametrize("pane", [Pane.MAP, Pane.ROWS, Pane.RECORDING, Pane.ANYWHERE])
 def test_a_console_that_can_not_command_offers_no_commands(pane: Pane) -> None:
     may, may_not = (line(KEYS, pane, can_command=can) for can in (True, False))
     assert " pause all " in may and " help " in may_not

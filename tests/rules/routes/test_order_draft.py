@@ -7,7 +7,7 @@ from fleet_tui.model.events import GraphReceived
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.rules.language.lookup import Place
-from fleet_tui.rules.routes.draft import SPEED, Draft, draft_route
+from fleet_tui.rules.routes.order_draft import SPEED, Draft, draft_route
 from tests.support.fleets import F0, R0, T0, fleet, graph, pose, reduced
 
 F1 = "floor_1"

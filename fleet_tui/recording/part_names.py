@@ -1,4 +1,4 @@
-"""The files of one recording: `night.jsonl.gz`, `night.0001.jsonl.gz`, `night.0002.jsonl.gz`, ..."""
+"""The names of one recording's files: `night.jsonl.gz`, `night.0001.jsonl.gz`, `night.0002.jsonl.gz`, ..."""
 
 import re
 from collections.abc import Iterator
