@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 PURE := $(addprefix tests/,text model keys rules state view adapters config test_house.py test_mirror.py test_keymap.py test_errors.py)
 # Tests with links and processes wait more than they work: several at once, the longest first.
-TOGETHER := -q -n 4 --maxschedchunk 1
+TOGETHER := -q -n 5 --maxschedchunk 1
 
 .PHONY: demo test quick lint types unit bench faults fuzz soak pictures docs lock format clean
 

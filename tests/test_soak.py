@@ -1,10 +1,10 @@
-"""Twenty seconds of the soak (`make soak MINUTES=...` runs longer): nothing grows."""
+"""Twelve seconds of the soak (`make soak MINUTES=...` runs longer): nothing grows."""
 
 from tests.bench.soak import growth, soak
 
 
 def test_nothing_grows_while_100_robots_drive() -> None:
-    samples, tasks = soak(20.0)
+    samples, tasks = soak(12.0)
     settled = samples[len(samples) // 3 :]
     assert max(one.threads for one in settled) <= max(one.threads for one in samples[:3])
     assert max(one.files for one in settled) <= max(one.files for one in samples[:3])

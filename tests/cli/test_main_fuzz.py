@@ -113,7 +113,7 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Run]:
 
 
 @pytest.mark.timeout(300)
-@settings(max_examples=100, suppress_health_check=list(HealthCheck))
+@settings(max_examples=60, suppress_health_check=list(HealthCheck))
 @given(arguments=LINES)
 @example(arguments=["order", "robot_0", "\udcff", "--timeout", "nan"])
 @example(arguments=["--config", "\udc9b"])
