@@ -3,6 +3,7 @@
 Missing parts are listed in it; it contains no secrets.
 """
 
+import itertools
 import os
 import platform
 import shutil
@@ -88,7 +89,6 @@ class Incident:
     def write(self, folder: Path) -> Path:
         """Write the archive of mode 600, whole or not at all. Raises OSError."""
         now = time.localtime()
-        path = folder / f"incident-{time.strftime('%Y%m%d-%H%M%S', now)}.zip"
         message = {"version": __version__, "host": platform.node(), "time": time.strftime("%F %T %z", now)}
         made = max(now[:6], EARLIEST)
         text = README.format(contents=self._contents(), **message)
@@ -101,7 +101,7 @@ class Incident:
                 for name, (files, size) in self._recordings.items():
                     with archive.open(zipfile.ZipInfo(name, made), "w") as recording:
                         _join(files, size, recording)
-            path.touch(mode=0o600, exist_ok=False)  # the name is ours from now on
+            path = _taken(folder, f"incident-{time.strftime('%Y%m%d-%H%M%S', now)}")
             Path(part).replace(path)
         finally:
             Path(part).unlink(missing_ok=True)
@@ -187,3 +187,13 @@ def examined(config: Config, within: float, is_over: Callable[[], bool]) -> byte
                     continue
             child.kill()
     raise OSError("doctor did not finish")
+
+
+def _taken(folder: Path, stem: str) -> Path:
+    """Create an empty archive under a free name and return it: two incidents may be of the same second."""
+    for number in itertools.count(1):
+        path = folder / f"{stem}{f'-{number}' if number > 1 else ''}.zip"
+        with suppress(FileExistsError):
+            path.touch(mode=0o600, exist_ok=False)
+            return path
+    raise AssertionError  # numbers have no end

@@ -71,11 +71,11 @@ def test_no_secret_is_in_it(tmp_path: Path) -> None:
 
 
 def test_an_archive_is_never_written_over(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("time.strftime", lambda *_: "20260101-000000")
-    first = Incident().write(tmp_path)
-    with pytest.raises(FileExistsError):
-        Incident().write(tmp_path)
-    assert list(tmp_path.iterdir()) == [first]
+    monkeypatch.setattr(time, "strftime", lambda *_: "20240531-120431")
+    packed = [Incident().write(tmp_path).name for _ in range(3)]
+    assert packed == [f"incident-20240531-120431{nth}.zip" for nth in ("", "-2", "-3")]
+    assert all(opened(tmp_path / name).keys() == {"README.txt"} for name in packed)
+    assert len(list(tmp_path.iterdir())) == 3
 
 
 async def test_the_doctor_looks_in_a_process_of_its_own(server: RosbridgeServer, tmp_path: Path) -> None:
