@@ -10,7 +10,7 @@ from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.widgets.rows_pane import RowsPane
 from tests.support.desk import Desk
-from tests.support.fleets import T0, battery, fleet, link_up, reduced, tick
+from tests.support.fleets import F0, R0, T0, battery, fleet, link_up, pose, reduced, tick
 
 LOW = [("robot_0", "battery"), ("robot_1", "battery")]
 
@@ -18,7 +18,8 @@ LOW = [("robot_0", "battery"), ("robot_1", "battery")]
 def responses(cleared_at: Callable[[], float] = lambda: -math.inf) -> tuple[Desk, RowsPane, AlarmResponses]:
     """Two robots whose batteries are low, and the pane with their alarms."""
     low = (battery(T0, 5.0, robot=f"robot_{n}") for n in range(2))
-    desk, pane = Desk(reduced(fleet(2), link_up(T0 - 9), *low, tick(T0))), RowsPane(id="alarms")
+    upstairs = pose(T0, robot="robot_1", frame=F0.replace("0", "1"))
+    desk, pane = Desk(reduced(fleet(2, 2), link_up(T0 - 9), *low, upstairs, tick(T0))), RowsPane(id="alarms")
     keys, _ = keymap({})
     return (
         desk,
@@ -69,6 +70,7 @@ def test_the_menu_goes_to_the_robot_and_puts_the_alarm_on_the_shelf() -> None:
     assert menu.title.splitlines()[1:] == [CLASSES["battery"].action, "first seen 12:00, last seen 12:00, x1"]
     whole = ["Explain robot_1", "Show robot_1 on the map", "Acknowledge (a)", "Shelve for 30 min"]
     assert menu.texts == whole
+    assert (desk.navigation.floor, desk.navigation.robot) == ("floor_1", R0)  # its floor, and nothing chosen
     menu.choose("Explain")
     assert desk.notices.text == "why"
     menu.choose("Show")

@@ -16,6 +16,8 @@ STATE, ORDER_LEAST, ORDER_MOST = 15, 15, 30
 """Cells that states must have, and those of the column of orders before them."""
 WHOLE_FLOORS, WITH_BAR, WITH_WAITING, WITH_SEEN = 54, 70, 84, 90
 """Cells of a pane from which floors have their whole names, and from which it has further columns."""
+FLOOR = 2
+"""Cells of the floors' column where their names are that short: its head is cut, too."""
 BAR = 5
 """Cells of a full battery's bar."""
 LAST_KEY = 9
@@ -63,7 +65,9 @@ class Columns(NamedTuple):
             name=column((robot.name for robot in robots), 6, 14) + 1,
             battery=6 if "battery" in reported else 0,
             bar=BAR + 1 if "battery" in reported and width >= WITH_BAR else 0,
-            floor=column(floors.values(), 5, 13) + 1 if "pose" in reported and not is_obvious else 0,
+            floor=column(floors.values(), FLOOR if is_narrow else len("Floor"), 13) + 1
+            if "pose" in reported and not is_obvious
+            else 0,
             cargo=2 if "cargo" in reported else 0,
             order=0,
             waiting=6 if width >= WITH_WAITING and "queue" in reported else 0,
@@ -89,7 +93,7 @@ class Columns(NamedTuple):
             ("Robot", self.name),
             ("Batt", self.battery),
             ("", self.bar),
-            ("Floor", self.floor),
+            ("Floor"[: max(FLOOR, self.floor - 1)], self.floor),
             ("", self.cargo),
             ("Queue", self.waiting),
             ("  Seen", self.seen),
