@@ -89,6 +89,14 @@ class AlarmResponses:
         for name in names[:SHOWN]:
             yield f"Show {name} on the map", partial(self._navigation.find_robot, name)
 
+    def explain(self) -> None:
+        """Explain the robot of the marked alarm, else the selected one."""
+        source = self._pane.listing.cursor[0] if isinstance(self._pane.listing.cursor, tuple) else ""
+        if source in self._store.state.robots:
+            self._explain(source)
+        else:
+            self._why()
+
     def _explain(self, robot: str) -> None:
         self._navigation.find_robot(robot)
         self._why()

@@ -129,11 +129,16 @@ def with_robot(state: FleetState, robot: Robot) -> FleetState:
     return replace(state, robots={**state.robots, robot.name: robot})
 
 
+WHOLE_FROM = 100.0
+"""Seconds from which tenths don't matter."""
+
+
 def obstacle_text(state: FleetState, robot: Robot, contact: Reading[float]) -> str:
     """Return `obstacle 4.2 s` while the contact lasts; afterwards in the past tense."""
     if state.is_old(robot, "obstacle"):
         return f"contact for {contact.value:.1f} s, {age(state.now - contact.at)} ago"
-    return f"obstacle {contact.value:.1f} s"
+    tenths = 1 if contact.value < WHOLE_FROM else 0
+    return f"obstacle {contact.value:.{tenths}f} s"
 
 
 def behind_text(state: FleetState) -> str:

@@ -81,7 +81,7 @@ def _view_actions(screen: "MainScreen", rest: "Rest") -> ViewActions:
         help=show_help,
         palette=rest.palette.show,
         simple=rest.simple.turn,
-        why=rest.why.show,
+        why=lambda: rest.alarms.explain() if screen.alarms.has_focus else rest.why.show(),
         all_orders=screen.all_orders,
         enlarge=screen.panes.enlarge,
         diagnostics=lambda: rest.diagnostics.show(navigation.robot),

@@ -84,10 +84,10 @@ def driven(robot: SceneRobot) -> SceneRobot:
 
 async def per_tick(robots: int, lean: bool) -> tuple[float, float]:
     """Bytes and milliseconds of a tick, from the new scene to the driver: means after the first paint."""
-    app = MapAlone()
     scene = hall(robots, random.Random(robots))
     spent = 0.0
     with patch.object(MapAlone, "LEAN", lean):
+        app = MapAlone()
         async with app.run_test(headless=False, size=(WIDTH, HEIGHT)) as pilot:
             app.map.show(scene)
             await pilot.pause()

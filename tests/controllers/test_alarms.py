@@ -79,6 +79,13 @@ def test_the_menu_goes_to_the_robot_and_puts_the_alarm_on_the_shelf() -> None:
     assert desk.backend.events == [AlarmShelved(*LOW[1], T0 + 1800.0)]
 
 
+def test_an_explanation_is_of_the_marked_alarms_robot() -> None:
+    desk, pane, alarms = responses()
+    pane.listing.cursor = LOW[1]
+    alarms.explain()
+    assert (desk.navigation.robot, desk.notices.text) == ("robot_1", "why")
+
+
 def test_an_alarm_that_is_over_has_no_menu() -> None:
     desk, _, alarms = responses()
     alarms.menu("robot_1", "obstacle")

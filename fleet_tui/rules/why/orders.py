@@ -62,6 +62,10 @@ def no_orders(state: FleetState, robot: Robot) -> Reason | None:
     return Reason("no orders", evidence, strength, seen=robot.queue.at, keys=("order",))
 
 
+FAIR_SHARE = 0.5
+"""Of a robot's standstill: for so long another one must have stood before it to be the cause."""
+
+
 def at_stop(state: FleetState, robot: Robot) -> Reason | None:
     """Report a stop: loading and unloading take a moment."""
     order, here, since = robot.orders.current, vertex_here(robot), stationary_since(robot)
@@ -78,6 +82,9 @@ def waits_behind(state: FleetState, robot: Robot) -> Reason | None:
     if found is None:
         return None
     other = found.robot
+    stood, waited = (state.now - (stationary_since(one) or state.now) for one in (other, robot))
+    if stood < waited * FAIR_SHARE:
+        return None  # it has just come, and is not the cause
     back = in_the_way(state, other)
     mutual = "; each blocks the other" if back is not None and back.robot is robot else ""
     return Reason(

@@ -72,6 +72,12 @@ class Camera:
         columns, rows = self.extent
         return replace(self, column=min(max(column, 0.0), columns), row=min(max(row, 0.0), rows))
 
+    def centred_within(self, column: float, row: float, area: Area) -> "Camera":
+        """Return the camera centred as near to there as shows nothing beyond the area."""
+        left, top, right, bottom = area
+        across, down = self.width * DOTS_X * self.scale, self.height * DOTS_Y * self.scale
+        return self.centred(_held(column, left, right, across), _held(row, top, bottom, down))
+
     def panned(self, right: int, down: int) -> "Camera":
         """Return the camera moved by whole cells."""
         return self.centred(self.column + right * DOTS_X * self.scale, self.row + down * DOTS_Y * self.scale)
@@ -90,21 +96,28 @@ class Camera:
         """Return the camera with the same centre in a view of another size in cells."""
         return replace(self, width=width, height=height)
 
-    def followed(self, column: float, row: float) -> "Camera":
-        """Return the camera unchanged while the point is near the middle, else centred on it.
+    def followed(self, column: float, row: float, area: Area) -> "Camera":
+        """Return the camera unchanged while the point is near the middle, else centred on it within the area.
 
         One jump now and then instead of a step per tick: the background rarely moves.
         """
         x, y = self.to_cell(column, row)
         far_x = abs(x - self.width / 2) > self.width * _DEAD_ZONE
         far_y = abs(y - self.height / 2) > self.height * _DEAD_ZONE
-        return self.centred(column, row) if far_x or far_y else self
+        return self.centred_within(column, row, area) if far_x or far_y else self
 
     def reframed(self, old: MapFrame, new: MapFrame) -> "Camera":
         """Return the same place and size of view in metres, after the map's frame changed."""
         scale = self.scale * old.resolution / new.resolution
         moved = replace(self, scale=scale, extent=(new.width, new.height))
         return moved.centred(*new.to_pixel(*old.to_world(self.column, self.row))).zoomed(1.0)
+
+
+def _held(at: float, low: float, high: float, view: float) -> float:
+    """Return the centre of a view of this length nearest to `at` that stays between two ends."""
+    spare = (high - low - view) / 2
+    middle = (low + high) / 2
+    return min(max(at, middle - spare), middle + spare) if spare > 0 else middle
 
 
 def _fit_scale(extent: tuple[float, float], width: int, height: int) -> float:

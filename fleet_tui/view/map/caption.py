@@ -19,7 +19,7 @@ _BAR = 14  # cells that the scale bar may take
 @dataclass(frozen=True, slots=True)
 class Caption:
     """The content of the first row. `waits`: the note only says what has not arrived yet; `banner` is that of
-    the map's mode; `hint` names the key of the legend."""
+    the map's mode; `hint` names the key of the legend, `elsewhere` robots in trouble on other floors."""
 
     floor: str
     note: str
@@ -32,6 +32,7 @@ class Caption:
     waits: bool = False
     banner: str = ""
     hint: str = ""
+    elsewhere: str = ""
 
 
 @lru_cache(maxsize=8)
@@ -59,6 +60,8 @@ def _pieces(facts: Caption) -> list[Piece]:
     ]
     if facts.note:
         pieces.append((sanitize(facts.note), StyleRole.DIM if facts.waits else StyleRole.WARN))
+    if facts.elsewhere:
+        pieces.append((facts.elsewhere, StyleRole.ALARM))
     if facts.banner:
         pieces.append((facts.banner, StyleRole.TEXT))
     return [

@@ -11,7 +11,7 @@ from fleet_tui.model.fleet import FleetState, Floor
 from fleet_tui.model.geometry import Line, MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.robot import Robot, RobotMap
-from fleet_tui.rules.alarms.conditions import obstacle_lasts
+from fleet_tui.rules.alarms.trouble import in_trouble, trouble_elsewhere
 from fleet_tui.rules.marks import marks_of
 from fleet_tui.rules.routes.order_draft import Drafted
 from fleet_tui.text.sanitize import sanitize
@@ -116,7 +116,13 @@ def _placed(pose: Pose, own: MapFrame | None, picture: MapFrame) -> tuple[Pose, 
 
 
 def _robot(
-    state: FleetState, robot: Robot, selection: Selection, picture: MapFrame, tied: bool, mark: str
+    state: FleetState,
+    robot: Robot,
+    selection: Selection,
+    picture: MapFrame,
+    tied: bool,
+    mark: str,
+    alarmed: bool,
 ) -> SceneRobot | None:
     if robot.pose is None or robot.floor != selection.floor:
         return None
@@ -131,7 +137,7 @@ def _robot(
         online=state.is_fresh(robot, "pose"),
         paused=state.is_paused(robot),
         obstacle=state.is_obstructed(robot),
-        alarmed=state.is_obstructed(robot) and obstacle_lasts(state, robot),
+        alarmed=alarmed,
         other_map=other_map,
         age=state.now - robot.pose.at,
         size=robot.size,
@@ -173,9 +179,10 @@ def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None
     scene = Scene(floor.name, ground, vertices=vertices, edges=edges, one_way=one_way, at=state.now)
     scene = _with_map(floor, robot_map, scene)
     tied = floor.grid is not None and floor.tied
+    troubled = in_trouble(state)
     marks = marks_of(tuple(state.robots))
     robots = (
-        _robot(state, robot, selection, scene.frame, tied, mark)
+        _robot(state, robot, selection, scene.frame, tied, mark, robot.name in troubled)
         for robot, mark in zip(state.robots.values(), marks, strict=True)
     )
     selected = state.robots[selection.robot]
@@ -189,5 +196,6 @@ def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None
         target_vertices=vertices_of_way,
         mission=way,
         note=", ".join(notes),
+        elsewhere=sanitize(trouble_elsewhere(state, floor.name)),
         waits=state.now - state.links[selected.link].since < PATIENCE,
     )

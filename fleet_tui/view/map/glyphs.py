@@ -32,7 +32,7 @@ def robot_tag(robot: SceneRobot, plain: bool) -> str:
     tag = robot_number(robot)
     if plain and robot.cargo:
         tag += "+"
-    if robot.obstacle:
+    if robot.obstacle or robot.alarmed:
         tag += "!"
     if robot.paused:
         tag += "=" if plain else "‖"

@@ -91,6 +91,7 @@ class MapPicture:
             waits=scene.waits if scene.note else True,
             banner=self.mode.banner,
             hint=self.hint,
+            elsewhere=scene.elsewhere,
         )
 
     def _still(self, scene: Scene, camera: Camera) -> Backdrop:

@@ -16,7 +16,8 @@ def seen_robots(scene: Scene, camera: Camera) -> list[tuple[SceneRobot, Place]]:
     """Return the robots in the view with their cells: the selected one, those in trouble, the others, each by
     number."""
     robots = sorted(
-        scene.robots, key=lambda one: (not one.selected, one.online and not one.obstacle, one.number)
+        scene.robots,
+        key=lambda one: (not one.selected, one.online and not (one.obstacle or one.alarmed), one.number),
     )
     points = [(robot.pose.x, robot.pose.y) for robot in robots]
     return [(robots[i], place) for i, place in _seen(scene.frame, camera, points)]

@@ -60,9 +60,10 @@ class Mission:
 class Scene:
     """One floor at the monotonic second `at`. Without `grid` the frame still gives the extent.
 
-    waits: the note is no problem yet, shortly after the start; area: left, top, right,
-    bottom in map pixels of the ground that is worth seeing, None for all; one_way: the edges that lead only
-    from start to end; trail: past positions of robots, rows of x, y in metres and the age in seconds.
+    waits: the note is no problem yet, shortly after the start; elsewhere: robots in trouble on other floors,
+    in words; area: left, top, right, bottom in map pixels of the ground that is worth seeing, None for all;
+    one_way: the edges that lead only from start to end; trail: past positions of robots, rows of x, y in
+    metres and the age in seconds.
 
     Keep `grid`, `vertices` and `edges` the same objects while they are unchanged: the picture below the
     robots is redrawn when one of them is another object."""
@@ -75,6 +76,7 @@ class Scene:
     robots: tuple[SceneRobot, ...] = ()
     target_vertices: tuple[str, ...] = ()
     note: str = ""
+    elsewhere: str = ""
     one_way: tuple[Line, ...] = ()
     mission: Mission | None = None
     trail: NDArray[np.float64] | None = None

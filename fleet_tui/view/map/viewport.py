@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from typing import TypeVar
 
 from fleet_tui.model.geometry import MapFrame
-from fleet_tui.view.map.camera import Camera
+from fleet_tui.view.map.camera import Area, Camera
 from fleet_tui.view.map.places import seen_robots, seen_vertices
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 
@@ -35,7 +35,7 @@ class Viewport:
         target = self._robot_pixel(scene) if self.follow else None
         if target is None:
             return camera
-        followed = camera.followed(*target)
+        followed = camera.followed(*target, _area(scene))
         if followed is not camera:
             self._keep(scene, followed)
         return followed
@@ -78,7 +78,7 @@ class Viewport:
         """Centre on world metres `at`, or on the selected robot."""
         pixel = scene.frame.to_pixel(*at) if at else self._robot_pixel(scene)
         if pixel:
-            self._keep(scene, self._camera(scene).centred(*pixel))
+            self._keep(scene, self._camera(scene).centred_within(*pixel, _area(scene)))
 
     def middle(self, scene: Scene) -> Point:
         """Return the place in the middle of the view."""
@@ -112,7 +112,7 @@ class Viewport:
         camera, pixel = self._camera(scene), scene.frame.to_pixel(*place)
         if not camera.shows(*camera.to_cell(*pixel)):
             self.follow = False
-            self._keep(scene, camera.centred(*pixel))
+            self._keep(scene, camera.centred_within(*pixel, _area(scene)))
         return place
 
     def _robot_pixel(self, scene: Scene) -> tuple[float, float] | None:
@@ -129,6 +129,11 @@ def pointed(scene: Scene, camera: Camera, cursor: Point | None) -> str | None:
         return None
     at = camera.to_cell(*scene.frame.to_pixel(*cursor))
     return next((vertex.id for vertex, place in seen_vertices(scene, camera) if place == at), None)
+
+
+def _area(scene: Scene) -> Area:
+    """Return the pixels of the floor that are worth seeing."""
+    return scene.area or (0.0, 0.0, float(scene.frame.width), float(scene.frame.height))
 
 
 def pick(scene: Scene, camera: Camera, x: int, y: int) -> SceneRobot | SceneVertex | None:

@@ -4,13 +4,13 @@ import math
 from collections.abc import Iterator
 from functools import partial
 
-from fleet_tui.model.alarm import AlarmStage
 from fleet_tui.model.fleet import FleetState, obstacle_text
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.order import Order, Stop, route_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.conditions import is_news, obstacle_lasts
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
+from fleet_tui.rules.alarms.trouble import in_trouble
 from fleet_tui.rules.commands.local_queue import all_orders, foreign
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import own_pause_text
@@ -120,7 +120,7 @@ def _battery_bar(state: FleetState, robot: Robot) -> Run:
         return "", StyleRole.DIM
     cells = math.ceil(min(max(robot.battery.value, 0.0), 100.0) / 100 * BAR)
     role = _battery(state, robot)[1]
-    return "━" * cells, role if role is StyleRole.ALARM else StyleRole.DIM
+    return "━" * cells + "┄" * (BAR - cells), role if role is StyleRole.ALARM else StyleRole.DIM
 
 
 def _signed(state: FleetState, robot: Robot, in_trouble: bool) -> Run:
@@ -185,29 +185,22 @@ def _without_order(state: FleetState, robot: Robot) -> str:
 def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Columns) -> Row:
     role = StyleRole.TEXT if state.is_online(robot) else StyleRole.DIM
     runs: list[Run] = [run for text, colour in news(state, robot) for run in ((text, colour), (" ", role))]
+    quiet = StyleRole.ALARM if sign[1] is StyleRole.ALARM else StyleRole.DIM
     current, order = robot.orders.current, ""
     if current is None:
-        runs = runs or [(_without_order(state, robot), StyleRole.DIM)]
+        runs = runs or [(_without_order(state, robot), quiet)]
     else:
         order = whose_mission(state, robot, current)
     progress = progress_text(state, robot, current) if current is not None else ""
     if not columns.order:
         if current is not None and not runs and _movement(state, robot) and robot.still_for >= LONG_STILL:
-            runs = [(_movement(state, robot), StyleRole.DIM), (" ", role)]
+            runs = [(_movement(state, robot), quiet), (" ", role)]
         mission = "  ".join(part for part in (order, progress) if part)
         return Row(robot.name, (*_head(state, robot, sign, selected, columns), *runs, (mission, role)))
     if current is not None and not runs:
-        runs = [(progress or _movement(state, robot), StyleRole.DIM)]
+        runs = [(progress or _movement(state, robot), quiet)]
     placed = fit(order, columns.order - 1) + " "
     return Row(robot.name, (*_head(state, robot, sign, selected, columns), (placed, role), *runs))
-
-
-def in_trouble(state: FleetState) -> frozenset[str]:
-    """Return the names of the robots with an alarm that is neither over nor shelved. Its off-delay keeps
-    their rows where they are."""
-    over = (AlarmStage.SHELVED, AlarmStage.RETURNED)
-    active = [one.condition for one in state.alarms if one.stage not in over]
-    return frozenset(name for condition in active for name in (condition.source, *condition.parts))
 
 
 def fleet_table(state: FleetState, selected: str, width: int) -> Table:

@@ -46,6 +46,17 @@ def test_robots_in_different_frames_are_not_compared() -> None:
     assert first(planted).name == "cause unknown"
 
 
+def test_a_robot_that_drives_through_is_not_the_cause_of_a_long_standstill() -> None:
+    here: list[Event] = [link_up(T0), graph(1, 2, 3), queue(T0, (1, 3, 1, "W"), current=1)]
+    state = reduced(fleet(2), *here)
+    for second in range(30):
+        at = T0 + second
+        other = PoseReported("robot_1", at, Pose(1.5 + max(0, 25 - second), 0.0), "floor_0", None)
+        state = reduced(state, pose(at, x=0.2), other, queue(at, (1, 3, 1, "W"), current=1), tick(at))
+    names = [reason.name for reason in reasons(state, state.robots[R0])]
+    assert names and "waiting behind robot_1" not in names
+
+
 def test_a_robot_beside_or_behind_is_not_in_the_way() -> None:
     here: list[Event] = [link_up(T0), graph(1, 2, 3), pose(T0, x=0.2), queue(T0, (1, 3, 1, "W"), current=1)]
     for x, y, waits in [(1.5, 0.0, True), (1.5, 1.2, False), (-0.5, 0.0, False), (1.5, 0.5, True)]:

@@ -75,10 +75,26 @@ def test_resizing_keeps_the_centre() -> None:
 
 
 def test_following_stands_still_in_the_dead_zone_and_centres_outside() -> None:
-    camera = Camera.fit((1000, 1000), 100, 50).zoomed(8)
-    assert camera.followed(*camera.to_pixel(60, 20)) is camera
+    camera, area = Camera.fit((1000, 1000), 100, 50).zoomed(8), (0.0, 0.0, 1000.0, 1000.0)
+    assert camera.followed(*camera.to_pixel(60, 20), area) is camera
     point = camera.to_pixel(90, 25)
-    assert camera.followed(*point).to_cell(*point) in {(50, 25), (49, 25), (50, 24), (49, 24)}
+    assert camera.followed(*point, area).to_cell(*point) in {(50, 25), (49, 25), (50, 24), (49, 24)}
+
+
+@given(cameras, st.floats(-100, 1100), st.floats(-100, 1100))
+def test_a_view_that_is_centred_shows_nothing_beyond_the_area_that_fits(
+    camera: Camera, column: float, row: float
+) -> None:
+    columns, rows = camera.extent
+    moved = camera.centred_within(column, row, (0.0, 0.0, columns, rows))
+    for at, view, end in (
+        (moved.column, camera.width * 2 * camera.scale, columns),
+        (moved.row, camera.height * 4 * camera.scale, rows),
+    ):
+        if view < end:
+            assert view / 2 - 1e-6 <= at <= end - view / 2 + 1e-6
+        else:
+            assert at == pytest.approx(end / 2)
 
 
 def test_another_frame_keeps_the_place_in_metres() -> None:

@@ -19,10 +19,13 @@ def row(
     drawing: Drawing = Drawing.BRAILLE,
     follow: bool = False,
     zoom_robot: bool = False,
+    elsewhere: str = "",
 ) -> str:
     frame = MapFrame(0.05, 400, 200, Pose(0.0, 0.0, yaw))
     camera = Camera.fit((400, 200), width, 20)
-    cells = caption_row(Caption("hall", note, frame, camera, drawing, follow, zoom_robot, False))
+    cells = caption_row(
+        Caption("hall", note, frame, camera, drawing, follow, zoom_robot, False, elsewhere=elsewhere)
+    )
     return "".join(chr(code) for code in cells.codes[0] if code)
 
 
@@ -31,6 +34,10 @@ def test_it_tells_the_floor_the_scale_and_what_is_switched_on() -> None:
     for words in (" hall ", " m ├", "follow on", "zoom robot"):
         assert words in text
     assert not [words for words in ("follow", "zoom") if words in row()]
+
+
+def test_trouble_on_another_floor_comes_before_the_scale() -> None:
+    assert "robot_9 on floor_1" in row(40, elsewhere="alarm: robot_9 on floor_1")
 
 
 def test_a_turned_map_says_by_how_much() -> None:

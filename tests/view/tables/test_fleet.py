@@ -222,7 +222,7 @@ def test_in_a_narrow_pane_an_order_that_does_not_get_on_says_so() -> None:
 
 
 @pytest.mark.parametrize(
-    ("percent", "bar"), [(100.0, "━━━━━"), (50.0, "━━━ "), (4.0, "━ "), (250.0, "━━━━━")]
+    ("percent", "bar"), [(100.0, "━━━━━"), (50.0, "━━━┄┄"), (4.0, "━┄┄┄┄"), (250.0, "━━━━━")]
 )
 def test_a_wide_pane_has_the_battery_as_a_bar(percent: float, bar: str) -> None:
     state = received(battery(T0 + 1, percent))

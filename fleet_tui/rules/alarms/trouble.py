@@ -1,0 +1,22 @@
+"""The robots in trouble: marked and listed first, and named where their floor is not shown."""
+
+from fleet_tui.model.alarm import AlarmStage
+from fleet_tui.model.fleet import FleetState
+
+
+def in_trouble(state: FleetState) -> frozenset[str]:
+    """Return the names of the robots with an alarm that is neither over nor shelved. Its off-delay keeps
+    their rows where they are."""
+    over = (AlarmStage.SHELVED, AlarmStage.RETURNED)
+    active = [one.condition for one in state.alarms if one.stage not in over]
+    named = {name for condition in active for name in (condition.source, *condition.parts)}
+    return frozenset(named & state.robots.keys())
+
+
+def trouble_elsewhere(state: FleetState, floor: str) -> str:
+    """Return who is in trouble on other floors than this one, empty if nobody."""
+    away = [state.robots[name] for name in sorted(in_trouble(state))]
+    away = [robot for robot in away if robot.floor not in (None, floor)]
+    if len(away) == 1:
+        return f"alarm: {away[0].name} on {away[0].floor}"
+    return f"alarms: {len(away)} robots on other floors" if away else ""

@@ -1,0 +1,30 @@
+"""Robots in trouble: with an alarm that still counts, wherever they are."""
+
+from fleet_tui.model.events import AlarmShelved
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.rules.alarms.trouble import in_trouble, trouble_elsewhere
+from tests.support.fleets import F0, R0, T0, battery, fleet, link_up, pose, reduced, tick
+
+F1 = F0.replace("0", "1")
+
+
+def low(*robots: str) -> FleetState:
+    """Two robots on two floors; the batteries of some are low."""
+    places = (pose(T0), pose(T0, robot="robot_1", frame=F1))
+    return reduced(
+        fleet(2, 2), link_up(T0 - 9), *places, *(battery(T0, 5.0, robot=name) for name in robots), tick(T0)
+    )
+
+
+def test_a_shelved_alarm_is_no_trouble() -> None:
+    state = low(R0, "robot_1")
+    assert in_trouble(state) == {R0, "robot_1"}
+    shelved = reduced(state, AlarmShelved(R0, "battery", T0 + 60))
+    assert in_trouble(shelved) == {"robot_1"}
+
+
+def test_who_is_in_trouble_is_named_where_the_floor_is_not_shown() -> None:
+    state = low(R0, "robot_1")
+    assert trouble_elsewhere(state, "floor_0") == "alarm: robot_1 on floor_1"
+    assert trouble_elsewhere(state, "floor_2") == "alarms: 2 robots on other floors"
+    assert trouble_elsewhere(low(R0), "floor_0") == ""
