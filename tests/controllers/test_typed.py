@@ -28,4 +28,4 @@ def test_what_a_kind_does_not_accept_is_no_entry() -> None:
 
 def test_a_search_is_no_command() -> None:
     assert not typed("theme", ready(), R0, lambda _: None).is_command
-    assert typed("pau", ready(), R0, lambda _: None).completed == ["pause "]
+    assert typed("pau", ready(), R0, lambda _: None).completed == ["pause ", "pause all "]

@@ -30,7 +30,8 @@ def complete(line: str, state: FleetState, selected: str = "") -> list[str]:
         start = done.pop().start
     if not done:
         verbs = [verb for verb in USAGE if _able(state, verb)]
-        return _lines(line, start, [*verbs, *state.robots]) if line else []
+        everybody = [f"{verb} {ALL}" for verb in ("pause", "resume") if verb in verbs]
+        return _lines(line, start, [*verbs, *everybody, *state.robots]) if line else []
     verb = done[0].text.casefold() if done[0].text.casefold() in USAGE else ""
     named = done[1:] if verb else done
     if verb in ("", "order"):

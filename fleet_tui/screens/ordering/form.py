@@ -30,6 +30,9 @@ from fleet_tui.screens.ordering.legs import SIGN, Legs
 from fleet_tui.screens.overlay import MouseButton, Overlay
 from fleet_tui.widgets.matches import Matches
 
+NEXT, SEND = "Enter  next", "Enter  send"
+"""What Enter does: before the last field, and in it."""
+
 
 class OrderForm(Overlay):
     """`start` opens it for a robot. A complete request goes to `give`, which returns its problems, and calls
@@ -45,7 +48,7 @@ class OrderForm(Overlay):
         self._picked: Place | None = None
         self._said_of: list[str] = []
         self.route = Static(id="route", markup=False)
-        self._matches = Matches(id="matches")
+        self._matches, self._send = Matches(id="matches"), MouseButton(NEXT, id="send", compact=True)
         self._fields = OrderFields(
             {
                 "enter": self._enter,
@@ -60,8 +63,7 @@ class OrderForm(Overlay):
 
     def compose(self) -> ComposeResult:
         """Compose three fields, the matches of the current one, and a note on missing input."""
-        send = MouseButton("Enter  send", id="send", compact=True)
-        yield from (self._fields, self._matches, self.route, Static(id="missing", markup=False), send)
+        yield from (self._fields, self._matches, self.route, Static(id="missing", markup=False), self._send)
 
     def draft(self) -> Draft | None:
         """Return the order as far as it is typed, None while the form is closed."""
@@ -102,6 +104,7 @@ class OrderForm(Overlay):
         """List the matches of the field with the cursor, the first one marked."""
         if self.is_open:
             field, robot = self._fields.current, self._robot()
+            self._send.label = SEND if field == "to" else NEXT
             typed = self._fields[field].typed
             self._found = choices(self._state(), robot, field, typed, self._fields.chosen.get(field))
             self._matches.show(map(line, self._found), mark=bool(typed.strip()))

@@ -25,7 +25,7 @@ TASKS: dict[str, tuple[Step, ...]] = {
         (("clear",), "Clear all orders of the robot"),
     ),
     "See what is wrong": (
-        (("why",), "Why the robot is not moving"),
+        (("why",), "Why the robot is stuck, not moving"),
         (("acknowledge", "acknowledge_all"), "Acknowledge the alarm; all alarms"),
         (("all_orders",), "Orders of the robot, or of all"),
         (("diagnostics",), "Diagnostics: links, topics, logs"),

@@ -39,7 +39,7 @@ class Caption:
 def caption_row(facts: Caption) -> Cells:
     """Return one row of cells, not to be drawn on; if it is narrow, a note is cut and less important parts
     are dropped."""
-    row = Cells.blank(facts.camera.width, 1, StyleRole.RULE)
+    row = Cells.blank(facts.camera.width, 1, StyleRole.ACCENT if facts.focused else StyleRole.RULE)
     row.codes[:] = ord("-" if facts.drawing is Drawing.ASCII else "─")
     x = 1
     for piece, role in _pieces(facts):

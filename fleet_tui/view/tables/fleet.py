@@ -189,8 +189,9 @@ def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Co
     current, order = robot.orders.current, ""
     if current is None:
         runs = runs or [(_without_order(state, robot), quiet)]
-    else:
-        order = whose_mission(state, robot, current)
+    shown = current or next((one for one in all_orders(state, robot) if not one.is_over), None)
+    if shown is not None and (columns.order or shown is current):
+        order = whose_mission(state, robot, shown)
     progress = progress_text(state, robot, current) if current is not None else ""
     if not columns.order:
         if current is not None and not runs and _movement(state, robot) and robot.still_for >= LONG_STILL:
@@ -199,8 +200,8 @@ def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Co
         return Row(robot.name, (*_head(state, robot, sign, selected, columns), *runs, (mission, role)))
     if current is not None and not runs:
         runs = [(progress or _movement(state, robot), quiet)]
-    placed = fit(order, columns.order - 1) + " "
-    return Row(robot.name, (*_head(state, robot, sign, selected, columns), (placed, role), *runs))
+    placed = fit(order, columns.order - 1) + " ", role if shown is current else StyleRole.DIM
+    return Row(robot.name, (*_head(state, robot, sign, selected, columns), placed, *runs))
 
 
 def fleet_table(state: FleetState, selected: str, width: int) -> Table:

@@ -79,8 +79,9 @@ class Listing:
         ]
         if len(self._table.rows) > rows and self.cursor is not None and not self._table.title_buttons:
             title.append((f" {self._place + 1}/{len(self._table.rows)}", StyleRole.DIM))
-        runs = [("─ ", StyleRole.RULE), *title, (" ", StyleRole.RULE)]
-        return cut([*runs, ("─" * (width - width_of(runs)), StyleRole.RULE)], width)
+        rule = StyleRole.ACCENT if focused else StyleRole.RULE
+        runs = [("─ ", rule), *title, (" ", rule)]
+        return cut([*runs, ("─" * (width - width_of(runs)), rule)], width)
 
     def shows_row(self, y: int) -> bool:
         """Tell whether line `y` is that of a row."""

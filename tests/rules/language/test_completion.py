@@ -15,7 +15,7 @@ from tests.support.typed import known
 
 def test_only_accepted_verbs_and_robots_complete_a_line() -> None:
     state = reduced(moved(MUTE, Kind("p", accepts=(PAUSE,))), labels({1: "Base"}))
-    assert complete("p", state) == ["pause "]
+    assert complete("p", state) == ["pause ", "pause all "]
     assert complete("cl", state) == []
     assert complete("pause ", state) == ["pause all", "pause robot_1"]
     assert complete("robot_0 ", state) == []
