@@ -11,6 +11,7 @@ from fleet_tui.controllers.save import SaveCommand
 from fleet_tui.controllers.session import ConsoleSession
 from fleet_tui.controllers.typed import Entry, Typed, typed
 from fleet_tui.keys import KEYS, Key, Pane
+from fleet_tui.rules.language.grammar import parse
 from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.hints import hidden_keys
@@ -39,6 +40,12 @@ class Offers:
         for key in KEYS:
             if key.in_palette and key.pane in (*self._session.panes, Pane.ANYWHERE) and key.id not in hidden:
                 yield key.text, partial(self._run, key)
+        if "resume" not in hidden:
+            # It has no key of its own: it is rarely wanted in a hurry.
+            yield (
+                "Resume all robots",
+                partial(self._dispatch.do, parse("resume all", state, navigation.robot)),
+            )
         for name in state.robots:
             yield f"Go to robot {name}", partial(navigation.find_robot, name)
         for floor in state.floors:

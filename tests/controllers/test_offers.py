@@ -7,8 +7,9 @@ from fleet_tui.controllers.save import SaveCommand
 from fleet_tui.controllers.session import ConsoleSession
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.keys import Key, Pane
+from fleet_tui.model.commands import ResumeRobot
 from tests.support.desk import Desk, ready
-from tests.support.fleets import labels, reduced
+from tests.support.fleets import R0, labels, reduced
 
 
 class Answers:
@@ -62,6 +63,13 @@ def test_actions_are_those_of_the_table_that_work_here() -> None:
     assert not any("Play or pause" in text for text in texts), "there is no recording"
     palette.choose("Pause the selected robot")
     assert palette.run == ["pause"]
+
+
+def test_all_robots_can_be_resumed_without_a_key_for_it() -> None:
+    palette = Palette()
+    palette.choose("Resume all robots")
+    palette.desk.say_yes()
+    assert palette.desk.backend.submitted == [ResumeRobot(R0)]
 
 
 def test_a_line_is_a_time_or_a_file_and_else_a_command() -> None:
