@@ -90,10 +90,14 @@ class AlarmResponses:
             yield f"Show {name} on the map", partial(self._navigation.find_robot, name)
 
     def explain(self) -> None:
-        """Explain the robot of the marked alarm, else the selected one."""
-        source = self._pane.listing.cursor[0] if isinstance(self._pane.listing.cursor, tuple) else ""
-        if source in self._store.state.robots:
-            self._explain(source)
+        """Explain the robot of the marked alarm, the first of a group; else the selected one."""
+        marked = [alarm for alarm in self._store.state.alarms if alarm.key == self._pane.listing.cursor]
+        whose = [name for one in marked for name in (one.condition.source, *sorted(one.condition.parts))]
+        robots = [name for name in whose if name in self._store.state.robots]
+        if marked and not robots:
+            self._notices.say(f"{marked[0].condition.source} is no robot: Enter lists what to do")
+        elif robots:
+            self._explain(robots[0])
         else:
             self._why()
 

@@ -1,4 +1,4 @@
-"""What the actions of keys do on this screen: a row in `keys/` picks one of them."""
+"""Actions of keys on this screen: a row in `keys/` picks one of them."""
 
 from collections.abc import Callable
 from functools import partial

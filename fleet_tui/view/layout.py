@@ -30,7 +30,7 @@ def beside_map(lines: int, wanted: Wanted) -> tuple[int, int, int, int]:
 
 
 def below_floor(lines: int, floor: int) -> int:
-    """Return the lines for the last events below a map that shows all of its floor in `floor` lines (0 for
+    """Return the lines for the last events below a map whose fitted floor takes `floor` lines (0 for
     none)."""
     left = lines - max(floor, LEAST_MAP)
     return left if left >= LEAST_PAGE else 0

@@ -84,7 +84,7 @@ class Panes(Container):
         is_free = self.screen.has_class("-wide") and not self._is_small and not self._alone
         left = below_floor(self.floor.size.height, lines) if is_free and lines else 0
         if left != self._recent_lines:
-            self._recent_lines = left
+            self._recent_lines, self._recent_at = left, -math.inf
             self.recent.styles.height = left
             self.recent.display = left > 0
 

@@ -115,7 +115,7 @@ class Terminal:
 def shows_racks(terminal: Terminal) -> bool:
     """Whether the map on the screen is one of the large ones made here: rows of racks as wide as the hall."""
     inside = [line[15:90] for line in terminal.text().splitlines()]
-    return sum(sum("\u2803" <= cell <= "\u28ff" for cell in row) > 60 for row in inside) >= 15
+    return sum(sum("\u2580" <= cell <= "\u259f" for cell in row) > 60 for row in inside) >= 15
 
 
 def _plain_env(home: Path) -> dict[str, str]:

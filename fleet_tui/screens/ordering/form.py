@@ -31,7 +31,7 @@ from fleet_tui.screens.overlay import MouseButton, Overlay
 from fleet_tui.widgets.matches import Matches
 
 NEXT, SEND = "Enter  next", "Enter  send"
-"""What Enter does: before the last field, and in it."""
+"""Labels of the button for Enter: before the last field, and in it."""
 
 
 class OrderForm(Overlay):

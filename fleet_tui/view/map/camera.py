@@ -97,14 +97,16 @@ class Camera:
         return replace(self, width=width, height=height)
 
     def followed(self, column: float, row: float, area: Area) -> "Camera":
-        """Return the camera unchanged while the point is near the middle, else centred on it within the area.
+        """Return the camera unchanged while the point is near the middle, else centred on it within the area,
+        each axis for itself: at the floor's edge the point stays far from the middle of one.
 
         One jump now and then instead of a step per tick: the background rarely moves.
         """
         x, y = self.to_cell(column, row)
         far_x = abs(x - self.width / 2) > self.width * _DEAD_ZONE
         far_y = abs(y - self.height / 2) > self.height * _DEAD_ZONE
-        return self.centred_within(column, row, area) if far_x or far_y else self
+        there = self.centred_within(column, row, area)
+        return self.centred(there.column if far_x else self.column, there.row if far_y else self.row)
 
     def reframed(self, old: MapFrame, new: MapFrame) -> "Camera":
         """Return the same place and size of view in metres, after the map's frame changed."""

@@ -44,8 +44,9 @@ def caption_row(facts: Caption) -> Cells:
     x = 1
     for piece, role in _pieces(facts):
         space = facts.camera.width - x - 2
-        # A note reports a problem: its beginning is worth more than the rest of the row.
-        is_cut = facts.note != "" and piece == sanitize(facts.note) and LEAST < space < cell_width(piece)
+        # These report a problem: its beginning is worth more than the rest of the row.
+        is_problem = piece in (sanitize(facts.note), sanitize(facts.elsewhere))
+        is_cut = is_problem and LEAST < space < cell_width(piece)
         text = f" {fit(piece, space) if is_cut else piece} "
         if x + cell_width(text) <= facts.camera.width:
             row.write(x, 0, text, role)
@@ -58,10 +59,10 @@ def _pieces(facts: Caption) -> list[Piece]:
     pieces: list[Piece] = [
         (sanitize(facts.floor), StyleRole.TITLE_FOCUSED if facts.focused else StyleRole.TITLE)
     ]
+    if facts.elsewhere:
+        pieces.append((sanitize(facts.elsewhere), StyleRole.ALARM))
     if facts.note:
         pieces.append((sanitize(facts.note), StyleRole.DIM if facts.waits else StyleRole.WARN))
-    if facts.elsewhere:
-        pieces.append((facts.elsewhere, StyleRole.ALARM))
     if facts.banner:
         pieces.append((facts.banner, StyleRole.TEXT))
     return [

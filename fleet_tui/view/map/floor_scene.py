@@ -196,6 +196,6 @@ def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None
         target_vertices=vertices_of_way,
         mission=way,
         note=", ".join(notes),
-        elsewhere=sanitize(trouble_elsewhere(state, floor.name)),
+        elsewhere=trouble_elsewhere(state, floor.name),
         waits=state.now - state.links[selected.link].since < PATIENCE,
     )

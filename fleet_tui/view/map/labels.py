@@ -1,6 +1,6 @@
 """Placement of labels and numbers: whole and without overlap, or not at all. Labels give way to robots."""
 
-from collections.abc import Iterable
+from dataclasses import dataclass
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -124,34 +124,46 @@ def draw_label(cells: Cells, label: Label) -> None:
     cells.write(x, y, label.text, role)
 
 
-def move_aside(
-    cells: Cells, bare: Cells, labels: Iterable[Label], occupancy: CellOccupancy, aside: dict[Place, Place]
-) -> None:
-    """Move the labels below occupied cells, or leave them out; `bare` is the picture without labels.
+@dataclass(frozen=True, slots=True, eq=False)
+class Backdrop(Cells):
+    """A picture without its moving parts, and `bare` the same without its `labels`."""
 
-    `aside`: the first cells of the labels that gave way, by the cell of their vertex. They stay there until
-    they would be covered again.
+    bare: Cells
+    labels: tuple[Label, ...]
+
+
+def move_aside(cells: Cells, behind: Backdrop, occupancy: CellOccupancy, aside: dict[Place, Place]) -> None:
+    """Move the labels below occupied cells, or leave them out.
+
+    `aside`: the first cells of the labels that gave way, now by before. They stay there until they would be
+    covered again.
     """
-    for label in labels:
+    for label in behind.labels:
         size = cell_width(label.text)
-        moved = aside.pop(label.vertex, None)
+        moved = aside.pop(label.at, None)
         if moved is None and not occupancy.is_taken(*label.at, size):
             continue
-        x, y = label.at
-        cells.codes[y, x : x + size] = bare.codes[y, x : x + size]
-        cells.roles[y, x : x + size] = bare.roles[y, x : x + size]
+        _erase(cells, behind, label.at, size)
         if moved is not None and occupancy.free(*moved, size):
             occupancy.take(*moved, size)
         elif moved is not None and not occupancy.is_taken(*label.at, size):
             moved = label.at
         else:
             # Robots come along the row of their way: above and below it is quieter.
-            moved = occupancy.label_spot(*label.vertex, label.text, bare.roles, in_row=False)
+            moved = occupancy.label_spot(*label.vertex, label.text, behind.bare.roles, in_row=False)
         if moved is None:
             continue
         draw_label(cells, label._replace(at=moved))
         if moved != label.at:
-            aside[label.vertex] = moved
+            aside[label.at] = moved
+
+
+def _erase(cells: Cells, behind: Backdrop, at: Place, size: int) -> None:
+    """Replace a label by what is behind it, but for cells with something over it: a trail, an outline."""
+    row, columns = at[1], slice(at[0], at[0] + size)
+    is_label = cells.codes[row, columns] == behind.codes[row, columns]
+    for plane, bare in ((cells.codes, behind.bare.codes), (cells.roles, behind.bare.roles)):
+        plane[row, columns] = np.where(is_label, bare[row, columns], plane[row, columns])
 
 
 def _start(x: int, arrow: int, cells: int, side: int) -> int:

@@ -7,9 +7,10 @@ import numpy as np
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.caption import Caption, caption_row
 from fleet_tui.view.map.cells import Cells
+from fleet_tui.view.map.labels import Backdrop
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.modes import MapMode, ViewMode
-from fleet_tui.view.map.picture import Backdrop, backdrop, picture
+from fleet_tui.view.map.picture import backdrop, picture
 from fleet_tui.view.map.places import seen_robots
 from fleet_tui.view.map.robots import Arrangement
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
@@ -31,7 +32,7 @@ class MapPicture:
         """The key of the legend, for the caption."""
         self._trails = Trails()
         self._arrangement = Arrangement()
-        self._arrangement_of: tuple[Camera, MapOptions] | None = None
+        self._arrangement_of: tuple[str, Camera, MapOptions] | None = None
         self._backdrop: Backdrop | None = None
         self._backdrop_of: tuple[Scene, Camera, MapOptions] | None = None
 
@@ -58,8 +59,9 @@ class MapPicture:
         if self.options.trails:
             scene = replace(scene, trail=self._trails.of(scene))
         head = caption_row(self._caption(scene, camera, focused))
-        if self._arrangement_of != (camera, self.options):
-            self._arrangement, self._arrangement_of = Arrangement(), (camera, self.options)
+        shown = scene.floor, camera, self.options
+        if self._arrangement_of != shown:
+            self._arrangement, self._arrangement_of = Arrangement(), shown
         behind = self._still(scene, camera)
         body = picture(behind, scene, camera, self.options, self._arrangement, self.mode.layers)
         return Cells(np.vstack((head.codes, body.codes)), np.vstack((head.roles, body.roles)))

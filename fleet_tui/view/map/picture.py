@@ -1,11 +1,10 @@
 """The map's picture: all layers, in two parts so that robots move over a cached backdrop."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
-from fleet_tui.view.map.labels import Label
+from fleet_tui.view.map.labels import Backdrop
 from fleet_tui.view.map.layers import (
     MapOptions,
     draw_cursor,
@@ -19,14 +18,6 @@ from fleet_tui.view.map.scene import Scene
 from fleet_tui.view.roles import StyleRole
 
 Layer = Callable[[Cells, Scene, Camera, MapOptions], None]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Backdrop(Cells):
-    """A picture without its moving parts, and `bare` the same without its `labels`."""
-
-    bare: Cells
-    labels: tuple[Label, ...]
 
 
 STILL: tuple[Layer, ...] = (draw_ground, draw_edges, draw_mission, draw_vertices)
@@ -59,7 +50,7 @@ def picture(
     cells = behind.copy()
     for draw in MOVING:
         draw(cells, scene, camera, look)
-    draw_robots(cells, behind.bare, behind.labels, scene, camera, look, before or Arrangement())
+    draw_robots(cells, behind, scene, camera, look, before or Arrangement())
     for draw in top:
         draw(cells, scene, camera, look)
     return cells

@@ -1,12 +1,12 @@
 """The layer of robots: each an arrow with its number beside it, as one chip."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.glyphs import robot_glyph, robot_number, robot_roles, robot_tag
-from fleet_tui.view.map.labels import CellOccupancy, Label, move_aside
+from fleet_tui.view.map.labels import Backdrop, CellOccupancy, move_aside
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.places import Place, seen_robots
 from fleet_tui.view.map.scene import Scene, SceneRobot
@@ -23,23 +23,17 @@ class Arrangement:
     sides: dict[int, int] = field(default_factory=dict)
     """Side of the number of each robot by the robot's number: -1 left, 1 right of its arrow."""
     aside: dict[Place, Place] = field(default_factory=dict)
-    """First cells of the labels that gave way to robots, by the cell of their vertex."""
+    """First cells of the labels that gave way to robots, by those of their usual places."""
 
 
 def draw_robots(
-    cells: Cells,
-    bare: Cells,
-    labels: Sequence[Label],
-    scene: Scene,
-    camera: Camera,
-    look: MapOptions,
-    before: Arrangement,
+    cells: Cells, behind: Backdrop, scene: Scene, camera: Camera, look: MapOptions, before: Arrangement
 ) -> None:
-    """Draw every robot as a chip; labels give way. `bare` is the picture behind without its labels; `before`
-    keeps places: they stay while there is space."""
+    """Draw every robot as a chip; labels of the picture `behind` give way. `before` keeps places: they stay
+    while there is space."""
     occupancy = CellOccupancy(camera.width, camera.height, cells.roles)
     chips = _chips(occupancy, scene, camera, look, before.sides)
-    move_aside(cells, bare, labels, occupancy, before.aside)
+    move_aside(cells, behind, occupancy, before.aside)
     cells.write_all(chips)
 
 

@@ -36,7 +36,7 @@ class Viewport:
         if target is None:
             return camera
         followed = camera.followed(*target, _area(scene))
-        if followed is not camera:
+        if followed != camera:
             self._keep(scene, followed)
         return followed
 

@@ -1,4 +1,4 @@
-"""The pane of the last events: alarms that were raised, commands given here, orders that ended."""
+"""The pane of the last events: current alarms, commands given here, orders that ended."""
 
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -35,7 +35,8 @@ def recent_table(state: FleetState, clock: Callable[[float], str], lines: int) -
 
 def _alarms(state: FleetState) -> Iterator[Event]:
     for alarm in state.alarms:
-        yield alarm.first_wall, alarm.condition.source, partial(_alarm, alarm)
+        at = alarm.first_wall if alarm.holds else alarm.last_wall
+        yield at, alarm.condition.source, partial(_alarm, alarm)
 
 
 def _alarm(alarm: Alarm) -> tuple[Run, ...]:
@@ -45,8 +46,9 @@ def _alarm(alarm: Alarm) -> tuple[Run, ...]:
 
 def _commands(state: FleetState) -> Iterator[Event]:
     for record in state.commands:
-        # Of an ended order its own line tells.
-        if record.stage not in ORDER_ENDS:
+        # Of an order that was in a queue its own line tells.
+        gone = [one.order.id for one in state.robots[record.command.robot].gone]
+        if record.stage not in ORDER_ENDS or record.order_id not in gone:
             yield record.wall, record.command.robot, partial(_command, state, record)
 
 

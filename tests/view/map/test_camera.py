@@ -76,9 +76,15 @@ def test_resizing_keeps_the_centre() -> None:
 
 def test_following_stands_still_in_the_dead_zone_and_centres_outside() -> None:
     camera, area = Camera.fit((1000, 1000), 100, 50).zoomed(8), (0.0, 0.0, 1000.0, 1000.0)
-    assert camera.followed(*camera.to_pixel(60, 20), area) is camera
+    assert camera.followed(*camera.to_pixel(60, 20), area) == camera
     point = camera.to_pixel(90, 25)
     assert camera.followed(*point, area).to_cell(*point) in {(50, 25), (49, 25), (50, 24), (49, 24)}
+
+
+def test_following_along_the_floors_edge_rarely_moves_the_view() -> None:
+    camera, area = Camera.fit((1000, 1000), 100, 50).zoomed(8), (0.0, 0.0, 1000.0, 1000.0)
+    places = [camera := camera.followed(2.0, row, area) for row in range(0, 1000, 10)]
+    assert len({(place.column, place.row) for place in places}) < 30
 
 
 @given(cameras, st.floats(-100, 1100), st.floats(-100, 1100))

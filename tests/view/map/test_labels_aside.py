@@ -57,3 +57,12 @@ def test_it_comes_back_when_its_new_place_is_needed() -> None:
     y, x = place(BEHIND) or (0, 0)
     moved = place(drawn(aside[0] - x + 3, aside[1] - y, before))
     assert moved == (y, x) and not before.aside
+
+
+def test_two_labels_of_one_cell_do_not_change_places() -> None:
+    vertices = tuple(SceneVertex(id_, 10.05, 5.0, label=label) for id_, label in (("1", NAME), ("2", "Bay")))
+    robots = tuple(SceneRobot(f"r{n}", n, Pose(10.05 + n * 3 * CELL, 5.0)) for n in range(3))
+    scene = replace(SCENE, vertices=vertices, robots=robots)
+    before, behind = Arrangement(), backdrop(scene, CAMERA, LOOK)
+    texts = {picture(behind, scene, CAMERA, LOOK, before).text() for _ in range(4)}
+    assert len(texts) == 1
