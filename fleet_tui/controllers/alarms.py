@@ -94,9 +94,7 @@ class AlarmResponses:
         marked = [alarm for alarm in self._store.state.alarms if alarm.key == self._pane.listing.cursor]
         whose = [name for one in marked for name in (one.condition.source, *sorted(one.condition.parts))]
         robots = [name for name in whose if name in self._store.state.robots]
-        if marked and not robots:
-            self._notices.say(f"{marked[0].condition.source} is no robot: Enter lists what to do")
-        elif robots:
+        if robots:
             self._explain(robots[0])
         else:
             self._why()

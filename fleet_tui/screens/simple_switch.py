@@ -5,13 +5,14 @@ from collections.abc import Callable
 from textual.widget import Widget
 
 from fleet_tui.screens.simple import Simple
+from fleet_tui.widgets.panes import Panes
 
 
 class SimpleSwitch:
     """Creates the simple interface on first use."""
 
     def __init__(
-        self, panes: Widget, map_view: Widget, make: Callable[[], Simple], may_order: Callable[[], bool]
+        self, panes: Panes, map_view: Widget, make: Callable[[], Simple], may_order: Callable[[], bool]
     ) -> None:
         self._panes, self._map, self._make, self._may_order = panes, map_view, make, may_order
         self._simple: Simple | None = None
@@ -25,7 +26,9 @@ class SimpleSwitch:
             simple = self._make()
             await panes.mount(simple, before=0)
             self._simple = simple  # not before: ticks during the mounting would query missing widgets
-        if panes.toggle_class("-simple").has_class("-simple"):
+        panes.toggle_class("-simple")
+        panes.share_out_anew()
+        if panes.has_class("-simple"):
             self._simple.start()
         else:
             panes.screen.set_focus(self._map)

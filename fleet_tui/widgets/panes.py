@@ -12,7 +12,9 @@ from fleet_tui.view.layout import (
     below_buttons,
     below_floor,
     below_map,
+    beside_fleet,
     beside_map,
+    is_better_beside,
     simple_alone,
     without_map,
 )
@@ -21,6 +23,8 @@ from fleet_tui.widgets.rows_pane import RowsPane
 
 OTHERS = 3
 """Lines of the screen that are no panes: status, message, footer. Before the first layout."""
+USUAL_SHAPE = 0.4
+"""Lines of a floor per cell of its width, until one is known."""
 RECENT_EVERY = 1.0
 """Seconds between two updates of the last events."""
 
@@ -47,6 +51,7 @@ class Panes(Container):
         super().__init__(self.floor, self.fleet, self.alarms, self.queue, self.page, id="panes")
         self._alone = ""
         self._recent_lines, self._recent_at = 0, -math.inf
+        self._shape = USUAL_SHAPE
         self._wanted = Wanted(0, 0, 0), 0
         self._shared_out: tuple[str, str, bool] | None = None
 
@@ -81,6 +86,9 @@ class Panes(Container):
         """Give the last events the lines that the floor leaves; `lines`: those of the floor as a whole."""
         if not self.is_attached:
             return  # the console ends
+        width = self.floor.size.width
+        if lines and width > 2:
+            self._shape = (lines - 2) / (width - 2)
         is_free = self.screen.has_class("-wide") and not self._is_small and not self._alone
         left = below_floor(self.floor.size.height, lines) if is_free and lines else 0
         if left != self._recent_lines:
@@ -90,6 +98,10 @@ class Panes(Container):
 
     def on_resize(self) -> None:
         """Share out the new lines at once."""
+        self.share_out_anew()
+
+    def share_out_anew(self) -> None:
+        """Share out the lines anew, before the next tick."""
         self._share_out(*self._wanted)
 
     def enlarge(self) -> None:
@@ -109,6 +121,7 @@ class Panes(Container):
         if (rows, alone, is_wide) == self._shared_out:
             return
         self._shared_out = rows, alone, is_wide
+        self.set_class(len(heights) == 2 and not self._is_small, "-beside")
         self.styles.grid_rows = rows
         for pane in self.children:
             keeps = is_wide and pane.id in ("floor", "simple")
@@ -132,4 +145,7 @@ class Panes(Container):
             return simple_alone(lines) if is_simple else without_map(lines, wanted)
         if self.screen.has_class("-wide"):
             return beside_map(lines, wanted)
-        return below_buttons(lines, wanted) if is_simple else below_map(lines, wanted, covered)
+        if is_simple:
+            return below_buttons(lines, wanted)
+        is_beside = is_better_beside(self.size.width, lines, wanted, self._shape)
+        return beside_fleet(lines, wanted, covered) if is_beside else below_map(lines, wanted, covered)

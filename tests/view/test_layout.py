@@ -10,7 +10,9 @@ from fleet_tui.view.layout import (
     Wanted,
     below_buttons,
     below_map,
+    beside_fleet,
     beside_map,
+    is_better_beside,
     without_map,
 )
 
@@ -33,6 +35,21 @@ def test_every_line_of_a_narrow_screen_is_given_away(lines: int, wanted: Wanted)
     heights = below_map(lines, wanted)
     assert min(heights) >= LEAST_LIST
     assert lines < 20 or heights[0] >= LEAST_MAP
+
+
+@given(st.integers(13, 200), wishes)
+def test_a_map_beside_the_fleet_keeps_clear_of_what_covers_the_screen(lines: int, wanted: Wanted) -> None:
+    for covered in (0, 5, 11):
+        above, low = beside_fleet(lines, wanted, covered)
+        assert above + low == lines and above <= max(1, lines - covered)
+        assert low >= LEAST_LIST
+
+
+def test_a_floor_is_beside_the_fleet_where_that_shows_it_larger() -> None:
+    wanted = Wanted(14, 2, 2)
+    assert is_better_beside(80, 21, wanted, 0.4)
+    assert not is_better_beside(80, 21, wanted, 0.1), "a corridor"
+    assert not is_better_beside(70, 21, wanted, 0.4), "no space for the fleet"
 
 
 def test_thirty_robots_have_twenty_four_rows_at_120_by_40() -> None:

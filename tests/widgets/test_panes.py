@@ -26,7 +26,7 @@ async def test_each_pane_has_what_its_rows_need_and_the_robots_page_the_rest(ser
         await it.until(lambda _: heights(it) == BESIDE)
     async with console(config_of(server.url, 12), (80, 24), wait=False) as it:
         await it.until(lambda _: it.app.main.is_complete)
-        assert heights(it) == {"map": 12, "fleet": 6, "alarms": 3, "queue": 3}
+        await it.until(lambda _: heights(it) == {"map": 18, "fleet": 18, "alarms": 3, "queue": 3})
 
 
 async def test_thirty_robots_have_twenty_four_rows_or_more(server: RosbridgeServer) -> None:
