@@ -18,5 +18,5 @@ def trouble_elsewhere(state: FleetState, floor: str) -> str:
     away = [state.robots[name] for name in sorted(in_trouble(state))]
     away = [robot for robot in away if robot.floor not in (None, floor)]
     if len(away) == 1:
-        return f"alarm: {away[0].name} on {away[0].floor}"
-    return f"alarms: {len(away)} robots on other floors" if away else ""
+        return f"! {away[0].name} on {away[0].floor}"
+    return f"! {len(away)} robots on other floors" if away else ""

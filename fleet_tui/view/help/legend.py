@@ -56,7 +56,7 @@ _ROBOTS = (
     (_robots(_ROBOT), "a robot: its heading and number"),
     (_robots(_ROBOT._replace(selected=True)), "the selected robot"),
     (_robots(_ROBOT._replace(cargo=True)), "with cargo on board"),
-    (_robots(_ROBOT._replace(obstacle=True, alarmed=True)), "! stopped by an obstacle"),
+    (_robots(_ROBOT._replace(obstacle=True, alarmed=True)), "! stopped by an obstacle; red: with an alarm"),
     (_robots(_ROBOT._replace(paused=True)), "paused"),
     (_robots(_ROBOT._replace(other_map=True)), "its own map differs from the one shown"),
     (_robots(_ROBOT._replace(online=False, age=95.0)), "offline, with the age of its last message"),
