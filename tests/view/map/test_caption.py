@@ -37,7 +37,7 @@ def test_it_tells_the_floor_the_scale_and_what_is_switched_on() -> None:
 
 
 def test_trouble_on_another_floor_comes_before_the_scale() -> None:
-    assert "robot_9 on floor_1" in row(40, elsewhere="alarm: robot_9 on floor_1")
+    assert "robot_9 on floor_1" in row(40, elsewhere="! robot_9 on floor_1")
 
 
 def test_a_turned_map_says_by_how_much() -> None:
