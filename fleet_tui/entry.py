@@ -39,7 +39,7 @@ class EntryApp(LeanApp, inherit_bindings=False):
         self._roles, self._start, self._places, self._address = theme.styles(colour), site, places, address
         self._restore = terminal_restorer()
         self.chosen: DiscoveredSite | None = None
-        """What the console is to be opened on; None where the person left."""
+        """The site to open the console on, None if the operator left."""
 
     def get_default_screen(self) -> Screen[None]:
         """Return the choices of a known site, else the first-run screen."""

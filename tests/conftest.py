@@ -46,7 +46,7 @@ async def server() -> AsyncIterator[RosbridgeServer]:
 
 @pytest.fixture(autouse=True)
 def no_own_faults(request: pytest.FixtureRequest, caplog: pytest.LogCaptureFixture) -> Iterator[None]:
-    """What the console survives of its own faults would go unseen here."""
+    """Fail on faults of the console's own that it survives: they would go unseen here."""
     yield
     if request.node.get_closest_marker("own_faults") is None:
         records = caplog.get_records("call")

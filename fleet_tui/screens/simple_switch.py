@@ -27,7 +27,7 @@ class SimpleSwitch:
             await panes.mount(simple, before=0)
             self._simple = simple  # not before: ticks during the mounting would query missing widgets
         panes.toggle_class("-simple")
-        panes.share_out_anew()
+        panes.share_out()
         if panes.has_class("-simple"):
             self._simple.start()
         else:

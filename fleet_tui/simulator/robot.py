@@ -84,7 +84,7 @@ class SimRobot(Obstructed):
         self.silence = 0.0
         """Seconds for which none of the robot's topics are published."""
         self.stuck = False
-        """Whether it does not move while it has an order in process."""
+        """True if it does not move while it has an order in process."""
         self.orders: list[SimOrder] = []
         self.ended: list[SimOrder] = []
         """Orders that are over and still reported."""

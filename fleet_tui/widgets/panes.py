@@ -35,8 +35,8 @@ def lines_below(overlay: Widget) -> int:
 
 
 class Panes(Container):
-    """The place of the map, fleet, alarms, queue, and the page of the selected robot. Only its background is
-    visible, between the panes: Textual need not build it row by row."""
+    """The place of the map, the last events, fleet, alarms, queue, and the page of the selected robot. Only
+    its background is visible, between the panes: Textual need not build it row by row."""
 
     BLANK = True
 
@@ -72,7 +72,7 @@ class Panes(Container):
         if not self.is_attached:
             return  # the console ends
         self._wanted = Wanted(*(table.lines for table in tables)), covered
-        self._share_out(*self._wanted)
+        self.share_out()
         for pane, table in zip(self.views, tables, strict=False):
             pane.show(table)
         if self.page.size.height:
@@ -98,19 +98,16 @@ class Panes(Container):
 
     def on_resize(self) -> None:
         """Share out the new lines at once."""
-        self.share_out_anew()
-
-    def share_out_anew(self) -> None:
-        """Share out the lines anew, before the next tick."""
-        self._share_out(*self._wanted)
+        self.share_out()
 
     def enlarge(self) -> None:
         """Give the focused pane its whole column, or all of them their places."""
         inside = [pane.id or "" for pane in self.children if pane.has_focus_within]
         self._alone = inside[0] if inside and not self._alone else ""
 
-    def _share_out(self, wanted: Wanted, covered: int) -> None:
+    def share_out(self) -> None:
         """Give the panes their heights."""
+        wanted, covered = self._wanted
         lines = self.size.height or self.app.size.height - OTHERS
         is_wide = self.screen.has_class("-wide") and not self._is_small
         # Below the map a form about it leaves no space for another pane.

@@ -124,7 +124,7 @@ def test_a_gap_left_by_a_kill_while_rotating_is_filled_first(tmp_path: Path) -> 
 
 
 def test_a_file_that_another_console_rotates_just_now_is_written_all_the_same(tmp_path: Path) -> None:
-    """Who holds the lock may be stopped for hours: it is not waited for."""
+    """A holder of the lock may be stopped for hours: it is not waited for."""
     path = tmp_path / "audit.jsonl"
     path.write_bytes(encode(record("old")))
     with path.open("rb") as other:

@@ -96,7 +96,7 @@ def frame_times(grid: OccupancyGrid) -> list[Row]:
 
 
 def tick_times(grid: OccupancyGrid) -> None:
-    """What moves, over a backdrop that stands: to read beside P3."""
+    """The moving parts over a backdrop that stands: to read beside P3."""
     rng = random.Random(1)
     camera = Camera.fit((SIDE, SIDE), WIDTH, HEIGHT)
     for count in (1, 10, 100):

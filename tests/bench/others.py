@@ -97,7 +97,7 @@ def _image(classes: NDArray[np.uint8]) -> Image.Image:
 
 
 def others(level: Classes, width: int, height: int) -> Iterator[tuple[str, Draw]]:
-    """Who is here, with the work to be timed; a word for who is not."""
+    """The others that are installed, with the work to be timed; a word for each that is not."""
     for make in (drawille, rich_pixels, textual_canvas, chafa):
         try:
             yield make.__name__.replace("_", "-"), make(level, width, height)

@@ -136,7 +136,7 @@ async def test_closing_leaves_no_task_behind(server: RosbridgeServer) -> None:
 
 
 async def test_nothing_is_put_into_a_connection_that_fell_silent(server: RosbridgeServer) -> None:
-    """What a frozen bridge takes in it may obey much later."""
+    """A frozen bridge may obey much later."""
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(ready)
         server.bridge.muted.update(topic for topic in store_topics(server))

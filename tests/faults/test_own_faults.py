@@ -21,7 +21,7 @@ rows.fleet_table = fleet_table
 
 
 def test_the_console_itself_is_broken(tmp_path: Path) -> None:
-    """What it shows would soon be old: it ends, and its traceback is where nobody's screen is torn by it."""
+    """The picture would soon be old: it ends, with its traceback where it tears no screen."""
     (tmp_path / "sitecustomize.py").write_text(BREAKS)
     breaks, log = tmp_path / "breaks", tmp_path / "state" / "fleet-tui" / "fleet-tui.log"
     with in_terminal(tmp_path, "demo", PYTHONPATH=str(tmp_path), BREAKS=str(breaks)) as running:

@@ -101,7 +101,7 @@ class Browser:
         await self._until(self.text, lambda text: detail not in text)
 
     async def has_rows(self, low: int, high: int) -> list[str]:
-        """What it shows as soon as it is painted in so many rows."""
+        """The text as soon as it is painted in so many rows."""
         text = await self._until(
             self.text, lambda text: low <= text.count("\n") < high and "? help" in text.split("\n")[-1]
         )

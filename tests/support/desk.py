@@ -102,7 +102,7 @@ class Desk:
 
     @property
     def parts(self) -> SessionParts:
-        """What a session is made of, without a map."""
+        """The parts of a session, without a map."""
         return SessionParts(
             self.dispatch, self.notices, ConsoleFiles(), lambda _wall: "12:00:00", lambda: False
         )

@@ -16,13 +16,13 @@ class FaultProxy:
 
     def __init__(self, port: int, tls: ssl.SSLContext | None = None) -> None:
         self.attend: Attend = self.relay
-        """What is done with every new connection."""
+        """The treatment of every new connection."""
         self.tries: list[float] = []
         """When each connection came, in monotonic seconds."""
         self.swallows = False
         """Half-open: nothing gets through, and nobody is told."""
         self.bytes_per_second = 0
-        """How fast the server is heard; 0 is as fast as it can be."""
+        """Speed at which the server is heard; 0 is as fast as it can be."""
         self.cut_after: int | None = None
         """The server is heard for so many bytes more, then every connection is cut: inside a frame."""
         self._port, self._tls, self._own_port = port, tls, 0

@@ -29,7 +29,7 @@ class Terminal:
         self._master, slave = pty.openpty()
         fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", HEIGHT, WIDTH, 0, 0))
         self.chunks: list[tuple[float, bytes]] = []
-        """What came, and when (monotonic)."""
+        """The output with its times (monotonic)."""
         self._played = 0
         self._screen = pyte.Screen(WIDTH, HEIGHT)
         self._stream = pyte.ByteStream(self._screen)
@@ -113,7 +113,7 @@ class Terminal:
 
 
 def shows_racks(terminal: Terminal) -> bool:
-    """Whether the map on the screen is one of the large ones made here: rows of racks as wide as the hall."""
+    """Tell if the map on the screen is one of the large ones made here: rows of racks as wide as the hall."""
     inside = [line[15:90] for line in terminal.text().splitlines()]
     return sum(sum("\u2580" <= cell <= "\u259f" for cell in row) > 60 for row in inside) >= 15
 

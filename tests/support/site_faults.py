@@ -249,7 +249,7 @@ PLANTS: dict[str, Plant] = {
     "a robot off the map": on_the_server(_off),
     "a clock two hours behind": on_the_server(partial(says, topic="/robot_1/pose", change=_hours_late)),
 }
-"""What is planted behind (or before) a rosbridge."""
+"""The fault planted behind (or before) a rosbridge."""
 
 
 def _overloaded(server: RosbridgeServer) -> None:

@@ -47,7 +47,7 @@ class NavigatingRobot(Obstructed):
         self.battery = rng.uniform(45.0, 95.0)
         """Per cent."""
         self.driving = self.moving = False
-        """Whether it drives; whether it progressed in the last step."""
+        """True while it drives; true if it progressed in the last step."""
         self.way: list[Spot] = []
         """The corners still before it."""
         self.stops = 0

@@ -35,7 +35,7 @@ class Dialect(Protocol):
     keeps_log: bool
     """Tell whether a late subscriber of /rosout receives more than each node's last line."""
     joins_wrong_types: bool
-    """Whether a client with the right type is added to an existing subscription of a wrong type, and receives
+    """True if a client with the right type is added to an existing subscription of a wrong type, and receives
     nothing either."""
     fragile: bool
     """Tell whether rosapi ends with an exception in one of its handlers."""

@@ -42,7 +42,7 @@ class Camera:
     def lines_of(extent: tuple[int, int], width: int, area: Area | None = None) -> int:
         """Return the lines from which the area, by default the whole map, fills `width` cells when fitted."""
         left, top, right, bottom = area or (0.0, 0.0, *extent)
-        scale = max((right - left) / (DOTS_X * max(width - 2, 1)), MIN_SCALE)
+        scale = _fit_scale((right - left, 0.0), width, 1)
         return math.ceil((bottom - top) / (DOTS_Y * scale)) + 1
 
     @property

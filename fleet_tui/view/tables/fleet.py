@@ -123,11 +123,11 @@ def _battery_bar(state: FleetState, robot: Robot) -> Run:
     return "━" * cells + "┄" * (BAR - cells), role if role is StyleRole.ALARM else StyleRole.DIM
 
 
-def _signed(state: FleetState, robot: Robot, in_trouble: bool) -> Run:
+def _signed(state: FleetState, robot: Robot, troubled: bool) -> Run:
     """Return the sign at the start of a row: offline, in trouble, or all well."""
     if not state.is_online(robot):
         return "○ ", StyleRole.DIM if robot.last_received is None else StyleRole.ALARM
-    return ("▲ ", StyleRole.ALARM) if in_trouble else ("● ", StyleRole.GOOD)
+    return ("▲ ", StyleRole.ALARM) if troubled else ("● ", StyleRole.GOOD)
 
 
 def _head(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Columns) -> list[Run]:
@@ -185,21 +185,22 @@ def _without_order(state: FleetState, robot: Robot) -> str:
 def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Columns) -> Row:
     role = StyleRole.TEXT if state.is_online(robot) else StyleRole.DIM
     runs: list[Run] = [run for text, colour in news(state, robot) for run in ((text, colour), (" ", role))]
-    quiet = StyleRole.ALARM if sign[1] is StyleRole.ALARM else StyleRole.DIM
+    is_stuck = any(alarm.holds and alarm.key == (robot.name, "stuck") for alarm in state.alarms)
+    movement = StyleRole.ALARM if is_stuck else StyleRole.DIM
     current, order = robot.orders.current, ""
     if current is None:
-        runs = runs or [(_without_order(state, robot), quiet)]
+        runs = runs or [(_without_order(state, robot), StyleRole.DIM)]
     shown = current or next((one for one in all_orders(state, robot) if not one.is_over), None)
     if shown is not None and (columns.order or shown is current):
         order = whose_mission(state, robot, shown)
     progress = progress_text(state, robot, current) if current is not None else ""
     if not columns.order:
         if current is not None and not runs and _movement(state, robot) and robot.still_for >= LONG_STILL:
-            runs = [(_movement(state, robot), quiet), (" ", role)]
+            runs = [(_movement(state, robot), movement), (" ", role)]
         mission = "  ".join(part for part in (order, progress) if part)
         return Row(robot.name, (*_head(state, robot, sign, selected, columns), *runs, (mission, role)))
     if current is not None and not runs:
-        runs = [(progress or _movement(state, robot), quiet)]
+        runs = [(progress or _movement(state, robot), movement)]
     placed = fit(order, columns.order - 1) + " ", role if shown is current else StyleRole.DIM
     return Row(robot.name, (*_head(state, robot, sign, selected, columns), placed, *runs))
 

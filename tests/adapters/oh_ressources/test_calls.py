@@ -1,4 +1,4 @@
-"""What the robots of the source are told: each request complete, and none that would mean all."""
+"""Calls to the robots of the source: each request complete, and none that would mean all."""
 
 import re
 from typing import Any

@@ -1,4 +1,4 @@
-"""What the robots of the source are told, under which names, and what of a bad graph is kept."""
+"""Messages of the robots of the source, their names, and the good part of a bad graph."""
 
 import math
 from typing import Any

@@ -35,7 +35,7 @@ async def test_with_cargo_a_vertex_on_the_map_is_where_it_goes(server: Rosbridge
 
 
 async def test_another_robot_in_the_form_means_other_ids(server: RosbridgeServer) -> None:
-    """What was chosen for one robot is not sent to another: each has a graph of its own."""
+    """A choice for one robot is not sent to another: each has a graph of its own."""
     async with console(config_of(server.url, 2, 2)) as it:
         await it.press("o")
         await it.type("Base")

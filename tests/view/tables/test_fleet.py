@@ -231,6 +231,19 @@ def test_a_wide_pane_has_the_battery_as_a_bar(percent: float, bar: str) -> None:
     assert (role_of(state, "━") is StyleRole.ALARM) == (percent < 20)
 
 
+def test_an_idle_robot_with_a_low_battery_has_the_sign_and_a_calm_state() -> None:
+    state = received(battery(T0 + 1, 5.0))
+    assert row(state).startswith("▲") and role_of(state, "idle") is StyleRole.DIM
+
+
+def test_a_stuck_robot_says_so_in_the_colour_of_alarms() -> None:
+    state = received(queue(T0, (1, 1, 2, "W"), current=1))
+    for second in range(70):
+        at = T0 + second
+        state = reduced(state, pose(at), battery(at), queue(at, (1, 1, 2, "W"), current=1), tick(at))
+    assert "still" in row(state) and role_of(state, "still") is StyleRole.ALARM
+
+
 def test_a_passing_obstacle_is_no_alarm_yet() -> None:
     state = received(events.ObstacleReported(R0, T0 + 1, 4.2))
     assert role_of(state, "obstacle") is StyleRole.WARN
