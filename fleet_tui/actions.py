@@ -163,6 +163,7 @@ class ViewActions(Struct, frozen=True):
     step_robot: Step
     choose_robot: Step
     step_floor: Step
+    next_trouble: Act
 
 
 class AlarmActions(Struct, frozen=True):

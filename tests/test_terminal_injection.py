@@ -136,7 +136,7 @@ OPENS = (
     ("d4", "INFO  ␛]52;c;aGFja2Vk␇", "\x1b"),
     ("d5", f"▲ WARN    {sanitize(EVIL[0])}", "\x1b"),
     ("d6", "log, newest first: ", "\x1b"),
-    ("s", "Robot: robot_0", "s"),
+    ("s", "Robot: robot_", "s"),
 )
 
 

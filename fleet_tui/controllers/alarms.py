@@ -36,6 +36,7 @@ class AlarmResponses:
         pane: RowsPane,
         open_menu: OpenMenu,
         why: Callable[[], None],
+        robot_menu: Callable[[str], None],
         keys: Mapping[str, tuple[str, ...]],
         clock: Callable[[float], str],
         cleared_at: Callable[[], float] = lambda: -math.inf,
@@ -43,7 +44,8 @@ class AlarmResponses:
         """`cleared_at`: when the alarm under the cursor went by itself last (monotonic)."""
         self._cleared_at = cleared_at
         self._store, self._backend, self._notices, self._navigation = store, backend, notices, navigation
-        self._pane, self._open_menu, self._why, self._keys, self._clock = pane, open_menu, why, keys, clock
+        self._pane, self._open_menu, self._why, self._robot_menu = pane, open_menu, why, robot_menu
+        self._keys, self._clock = keys, clock
 
     def _post(self, event: Event) -> None:
         if problem := self._backend.post(event):
@@ -78,7 +80,7 @@ class AlarmResponses:
         first, last = self._clock(alarm.first_wall), self._clock(alarm.last_wall)
         seen = f"first seen {first}, last seen {last}, x{alarm.count}"
         title = f"{source}: {sanitize(alarm.text)}\n{CLASSES[class_of(kind)].action}\n{seen}"
-        self._open_menu(title, [*self._ways_to(alarm), *self._answers(alarm)])
+        self._open_menu(title, [*self._ways_to(alarm), *self._answers(alarm), *self._commands(alarm)])
 
     def _ways_to(self, alarm: Alarm) -> Iterator[Entry]:
         """Return entries that go to the robot, or to some of a group."""
@@ -88,6 +90,11 @@ class AlarmResponses:
             yield f"Explain {names[0]}", partial(self._explain, names[0])
         for name in names[:SHOWN]:
             yield f"Show {name} on the map", partial(self._navigation.find_robot, name)
+
+    def _commands(self, alarm: Alarm) -> Iterator[Entry]:
+        source = alarm.condition.source
+        if source in self._store.state.robots:
+            yield f"Command {source}: pause, order, clear", partial(self._robot_menu, source)
 
     def explain(self) -> None:
         """Explain the robot of the marked alarm, the first of a group; else the selected one."""

@@ -16,6 +16,7 @@ from fleet_tui.actions import (
 )
 from fleet_tui.controllers.incident import Cancelled, IncidentPacking
 from fleet_tui.controllers.recording import RecordingSwitch
+from fleet_tui.rules.alarms.trouble import next_in_trouble
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.view.help.pages import help_pages
 from fleet_tui.view.lines.hints import hidden_keys
@@ -90,7 +91,16 @@ def _view_actions(screen: "MainScreen", rest: "Rest") -> ViewActions:
         step_robot=navigation.step_robot,
         choose_robot=navigation.choose_robot,
         step_floor=navigation.step_floor,
+        next_trouble=partial(_next_trouble, screen),
     )
+
+
+def _next_trouble(screen: "MainScreen") -> None:
+    robot = next_in_trouble(screen.store.state, screen.navigation.robot)
+    if robot:
+        screen.navigation.find_robot(robot)
+    else:
+        screen.notices.say("no robot has an alarm")
 
 
 def _file_actions(screen: "MainScreen", rest: "Rest") -> FileActions:

@@ -59,7 +59,13 @@ class Rest:
         self.robots = RobotRequests(store, dispatch, navigation, self.orders, menu, self.why.show)
         answering = (store, screen.backend, notices, navigation, screen.alarms)
         self.alarms = AlarmResponses(
-            *answering, menu, self.why.show, settings.keys, settings.clock, lambda: screen.alarm_cleared_at
+            *answering,
+            menu,
+            self.why.show,
+            self.robots.menu,
+            settings.keys,
+            settings.clock,
+            lambda: screen.alarm_cleared_at,
         )
         self.save = SaveCommand(
             screen.files, self.confirm.ask, lambda line: self.palette.show(line), notices.say

@@ -32,6 +32,7 @@ def responses(cleared_at: Callable[[], float] = lambda: -math.inf) -> tuple[Desk
             pane,
             desk.open_menu,
             lambda: desk.notices.say("why"),
+            lambda robot: desk.notices.say(f"menu of {robot}"),
             keys,
             lambda _wall: "12:00",
             cleared_at,
@@ -68,7 +69,8 @@ def test_the_menu_goes_to_the_robot_and_puts_the_alarm_on_the_shelf() -> None:
     alarms.menu(*LOW[1])
     (menu,) = desk.menus
     assert menu.title.splitlines()[1:] == [CLASSES["battery"].action, "first seen 12:00, last seen 12:00, x1"]
-    whole = ["Explain robot_1", "Show robot_1 on the map", "Acknowledge (a)", "Shelve for 30 min"]
+    command = "Command robot_1: pause, order, clear"
+    whole = ["Explain robot_1", "Show robot_1 on the map", "Acknowledge (a)", "Shelve for 30 min", command]
     assert menu.texts == whole
     assert (desk.navigation.floor, desk.navigation.robot) == ("floor_1", R0)  # its floor, and nothing chosen
     menu.choose("Explain")

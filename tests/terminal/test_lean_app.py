@@ -5,6 +5,7 @@ import random
 import re
 from collections.abc import Callable
 from dataclasses import replace
+from time import monotonic
 from typing import Any
 
 import numpy as np
@@ -160,10 +161,11 @@ async def test_the_terminal_shows_what_textual_means_after_anything(seed: int) -
             for _ in range(rng.randrange(24)):
                 app.drive(rng)
                 paint(app, app.map)
-            for _ in range(20):  # a palette or a toast may still be laid out
+            end = monotonic() + 10.0
+            while True:  # a palette or a toast may still be laid out
                 await pilot.pause()
                 paint(app, app.map)
-                if not difference(app):
+                if not difference(app) or monotonic() > end:
                     break
             assert difference(app)[:9] == [], f"step {step}"
 

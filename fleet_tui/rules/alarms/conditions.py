@@ -83,7 +83,7 @@ def stuck(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
     explained = not known or obstacle(state, robot, active) is not None
     if explained and not was_active(active, robot.name, robot.link, "stuck"):
         return None
-    text = f"order {order.id}: no movement for {age(state.now - place.at)}"
+    text = f"no movement for {age(state.now - place.at)} (order {order.id})"
     if not known:
         text = f"order {order.id}: not moving at last report"
     began = state.began.get((robot.name, "stuck"), state.now)

@@ -13,6 +13,14 @@ def in_trouble(state: FleetState) -> frozenset[str]:
     return frozenset(named & state.robots.keys())
 
 
+def next_in_trouble(state: FleetState, after: str) -> str:
+    """Return the next robot in trouble after this one, by the order of the config and around its end; empty
+    without one."""
+    names, troubled = list(state.robots), in_trouble(state)
+    start = names.index(after) + 1
+    return next((name for name in (*names[start:], *names[:start]) if name in troubled), "")
+
+
 def trouble_elsewhere(state: FleetState, floor: str) -> str:
     """Return who is in trouble on other floors than this one, empty if nobody."""
     away = [state.robots[name] for name in sorted(in_trouble(state))]

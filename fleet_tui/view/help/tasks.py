@@ -40,7 +40,7 @@ TASKS: dict[str, tuple[Step, ...]] = {
     ),
     "Choose a robot or a floor": (
         (("next_robot", "previous_robot", *ROBOTS), "Next, previous robot; by number"),
-        (("next_floor", "previous_floor"), "Next, previous floor"),
+        (("next_trouble", "next_floor", "previous_floor"), "Next alarm's robot; next floor"),
     ),
     "Look back in time": (
         (("audit",), "Audit log: all commands and alarms"),

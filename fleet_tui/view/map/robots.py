@@ -1,7 +1,8 @@
 """The layer of robots: each an arrow with its number beside it, as one chip."""
 
-from collections.abc import Mapping
+from collections.abc import Container, Iterator
 from dataclasses import dataclass, field
+from functools import partial
 
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
@@ -42,33 +43,48 @@ def _chips(
 ) -> Chips:
     """Return the chips of all robots: the selected one on top, then those in trouble.
 
-    The arrow is in the robot's own cell. Where numbers would touch, one is left out; a second robot in a cell
-    has its number on the other side.
+    The arrow is in the robot's own cell; of several robots in a cell the first one has it, and their numbers
+    are listed. Where numbers would touch, one is left out.
     """
-    placed = seen_robots(scene, camera)
-    owners = {at: robot for robot, at in reversed(placed)}  # in a shared cell the first robot is visible
+    sharing: dict[Place, list[SceneRobot]] = {}
+    for robot, at in seen_robots(scene, camera):
+        sharing.setdefault(at, []).append(robot)
     plain, turned = look.plain, scene.frame.origin.yaw
-    arrows = {at: _arrow(robot, at, owners, turned, plain) for at, robot in owners.items()}
+    arrows = {at: _arrow(robots[0], at, sharing, turned, plain) for at, robots in sharing.items()}
     for (x, y), arrow in arrows.items():
         occupancy.take(x, y, len(arrow))
     chips: Chips = []
-    for robot, (x, y) in placed:
-        arrow_role, number_role = robot_roles(robot)
-        arrow = arrows[x, y]
-        if owners[x, y] is robot:
-            chips.append((x, y, arrow, arrow_role))
-        for text in dict.fromkeys((robot_tag(robot, plain), robot_number(robot))):
-            side = occupancy.number_side(x, y, len(arrow), len(text), sides.get(robot.number, 0))
-            if side:
-                sides[robot.number] = side
-                chips.append((x + len(arrow) if side > 0 else x - len(text), y, text, number_role))
-                break
+    for (x, y), robots in sharing.items():
+        arrow, number = arrows[x, y], robots[0].number
+        chips.append((x, y, arrow, robot_roles(robots[0])[0]))
+        for runs in _numbers(robots, plain):
+            cells = sum(len(text) for text, _ in runs)
+            side = occupancy.number_side(x, y, len(arrow), cells, sides.get(number, 0))
+            if not side:
+                continue
+            sides[number] = side
+            column = x + len(arrow) if side > 0 else x - cells
+            for text, role in runs:
+                chips.append((column, y, text, role))
+                column += len(text)
+            break
     return chips
 
 
-def _arrow(
-    robot: SceneRobot, at: Place, owners: Mapping[Place, SceneRobot], turned: float, plain: bool
-) -> str:
+def _numbers(robots: list[SceneRobot], plain: bool) -> Iterator[list[tuple[str, StyleRole]]]:
+    """Yield the texts beside the arrow of the robots in one cell, the most telling first: all of them, the
+    first with a count of the others, each with states and without; the first alone."""
+    first, more = robots[0], len(robots) - 1
+    role = robot_roles(first)[1]
+    for text in (partial(robot_tag, plain=plain), robot_number):
+        listed = [(text(robot), robot_roles(robot)[1]) for robot in robots]
+        yield [(one + "," * (place < more), colour) for place, (one, colour) in enumerate(listed)]
+        if more:
+            yield [(f"{text(first)}+{more}", role)]
+    yield [(robot_number(first), role)]
+
+
+def _arrow(robot: SceneRobot, at: Place, taken: Container[Place], turned: float, plain: bool) -> str:
     """Return the arrow, only as wide as it hides no other robot."""
     glyph = robot_glyph(robot, turned, plain)
-    return glyph[:1] if (at[0] + 1, at[1]) in owners else glyph
+    return glyph[:1] if (at[0] + 1, at[1]) in taken else glyph

@@ -6,7 +6,7 @@ from functools import partial
 
 from fleet_tui.model.fleet import FleetState, obstacle_text
 from fleet_tui.model.navigation import blocked_text
-from fleet_tui.model.order import Order, Stop, route_text
+from fleet_tui.model.order import Order, Stop, pose_text, route_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.conditions import is_news, obstacle_lasts
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
@@ -26,6 +26,8 @@ STILL_FROM = 5.0
 """Seconds from which a robot stands still."""
 LONG_STILL = 30.0
 """Seconds from which that comes before its order in a narrow pane: longer than loading takes."""
+WHOLE_ROUTES = 26
+"""Cells of the last column from which orders without a column of their own have their start, too."""
 SEEN_FROM = 2.0
 """Seconds from which the age of a robot's last message is shown."""
 
@@ -39,6 +41,12 @@ def place(robot: Robot, vertex: str) -> str:
 def mission(robot: Robot, order: Order) -> str:
     """Return `A -> B` by labels."""
     return sanitize(order.label) if order.label and not order.stops else way(robot, order.stops)
+
+
+def _destinations(robot: Robot, order: Order) -> str:
+    """Return an order without its start, `-> B`, empty for one without two stops."""
+    names = [place(robot, stop.vertex) if stop.pose is None else pose_text(stop.pose) for stop in order.stops]
+    return "".join(f"-> {name} " for name in names[1:]).rstrip()
 
 
 def whose_mission(state: FleetState, robot: Robot, order: Order) -> str:
@@ -197,6 +205,8 @@ def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Co
     if not columns.order:
         if current is not None and not runs and _movement(state, robot) and robot.still_for >= LONG_STILL:
             runs = [(_movement(state, robot), movement), (" ", role)]
+        if shown is not None and columns.state < WHOLE_ROUTES:
+            order = _destinations(robot, shown) or order
         mission = "  ".join(part for part in (order, progress) if part)
         return Row(robot.name, (*_head(state, robot, sign, selected, columns), *runs, (mission, role)))
     if current is not None and not runs:

@@ -12,7 +12,7 @@ from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, column
 
 DOT = 2
-STATE, ORDER_LEAST, ORDER_MOST = 15, 15, 30
+STATE, ORDER_LEAST, ORDER_MOST = 16, 14, 30
 """Cells that states must have, and those of the column of orders before them."""
 WHOLE_FLOORS, WITH_BAR, WITH_WAITING, WITH_SEEN = 54, 70, 84, 90
 """Cells of a pane from which floors have their whole names, and from which it has further columns."""
@@ -35,7 +35,8 @@ def floor_text(state: FleetState, robot: Robot) -> str:
 
 class Columns(NamedTuple):
     """Widths in cells with the gap after them, 0 for a column for which no robot of the fleet has a value or
-    the pane no space. `floors` are their names as shown; `number_head` is the name of the first column."""
+    the pane no space. `state` is what the last column has left. `floors` are their names as shown;
+    `number_head` is the name of the first column, `by_place` tells that it is the robot's number."""
 
     number: int
     name: int
@@ -47,7 +48,9 @@ class Columns(NamedTuple):
     waiting: int
     seen: int
     floors: Mapping[str, str]
+    by_place: bool = True
     number_head: str = "#"
+    state: int = 0
 
     @classmethod
     def of(cls, state: FleetState, width: int) -> "Columns":
@@ -61,7 +64,7 @@ class Columns(NamedTuple):
         floors = shortened({*state.floors, *names}) if is_narrow else {name: name for name in names}
         is_obvious = is_narrow and len(state.floors) == 1 and not names.intersection(NO_FLOOR)
         fixed = cls(
-            number=len(str(len(robots))) + 1 if by_place else 4,
+            number=len(str(len(robots))) + 1 if by_place else 2 if is_narrow else 4,
             name=column((robot.name for robot in robots), 6, 14) + 1,
             battery=6 if "battery" in reported else 0,
             bar=BAR + 1 if "battery" in reported and width >= WITH_BAR else 0,
@@ -73,14 +76,16 @@ class Columns(NamedTuple):
             waiting=6 if width >= WITH_WAITING and "queue" in reported else 0,
             seen=7 if width >= WITH_SEEN else 0,
             floors=floors,
-            number_head="#" if by_place else "Key",
+            by_place=by_place,
+            number_head="#" if by_place else "" if is_narrow else "Key",
         )
-        left = width - DOT - sum(fixed[:-2])
-        return fixed._replace(order=min(left - STATE, ORDER_MOST) if left >= STATE + ORDER_LEAST else 0)
+        left = width - DOT - sum(fixed[:-4])
+        order = min(left - STATE, ORDER_MOST) if left >= STATE + ORDER_LEAST else 0
+        return fixed._replace(order=order, state=left - order)
 
     def number_of(self, robot: Robot) -> str:
         """Return a robot's place in the configuration if that is its number on the map too, else its key."""
-        if self.number_head == "#":
+        if self.by_place:
             return str(robot.number)
         return str(robot.number) if robot.number <= LAST_KEY else ""
 

@@ -97,7 +97,7 @@ def test_an_order_without_movement_is_an_alarm_after_its_delay() -> None:
     state = stood(up(), 59)
     assert (R0, "stuck") not in alarms(state)
     state = stood(state, 3, T0 + 59)
-    assert alarm(state, "stuck").text == "order 12: no movement for 62 s"
+    assert alarm(state, "stuck").text == "no movement for 62 s (order 12)"
     state = reduced(state, *driving(T0 + 63, x=0.5))
     assert alarm(state, "stuck").text == "no longer stuck"
 
