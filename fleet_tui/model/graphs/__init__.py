@@ -1,0 +1,1 @@
+"""Graphs as documents: to be edited, checked, and written to files."""

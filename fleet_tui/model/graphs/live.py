@@ -1,0 +1,71 @@
+"""Between the graph that robots drive on and the floor of a document."""
+
+from collections.abc import Callable, Mapping
+
+from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
+from fleet_tui.model.graphs.document import (
+    DocumentEdge,
+    DocumentFloor,
+    DocumentVertex,
+    merge_opposites,
+    next_id,
+    one_way_edges,
+)
+
+ROLES: Mapping[str, Role] = {
+    "elevator": Role.ELEVATOR,
+    "lift": Role.ELEVATOR,
+    "charger": Role.DOCKING,
+    "charging_station": Role.DOCKING,
+    "dock": Role.DOCKING,
+    "docking": Role.DOCKING,
+    "docking_station": Role.DOCKING,
+}
+"""Roles by the type of a vertex, where no profile says otherwise; all others are plain."""
+
+
+def role_of(type_: str) -> Role:
+    """Return the usual role of a vertex of this type."""
+    return ROLES.get(type_, Role.PLAIN)
+
+
+def route_graph(
+    floor: DocumentFloor, roles: Callable[[str], Role] = role_of
+) -> tuple[RouteGraph, dict[str, str]]:
+    """Return the graph that robots drive on, and its labels by vertex id.
+
+    Locked edges are left out, and those to unknown vertices. Where one edge leads one way only, the graph is
+    directed, and the others are in it twice.
+    """
+    vertices = {id_: Vertex(id_, v.x, v.y, roles(v.type), v.type) for id_, v in floor.vertices.items()}
+    usable = [
+        edge
+        for edge in floor.edges.values()
+        if not edge.locked and edge.start in vertices and edge.end in vertices
+    ]
+    if all(edge.two_way for edge in usable):
+        return RouteGraph(vertices, tuple(Edge(e.id, e.start, e.end) for e in usable)), floor.labels
+    ways = one_way_edges(usable, floor.edges)
+    return RouteGraph(vertices, tuple(Edge(w.id, w.start, w.end) for w in ways), True), floor.labels
+
+
+def floor_of(name: str, graph: RouteGraph, labels: Mapping[str, str], frame_id: str = "") -> DocumentFloor:
+    """Return a live graph as the floor of a document: its vertices keep the robot stack's own types."""
+    vertices = {
+        id_: DocumentVertex(id_, v.x, v.y, labels.get(id_, ""), v.type or _word(v.role))
+        for id_, v in graph.vertices.items()
+    }
+    edges, taken = list[DocumentEdge](), set[str]()
+    free = next_id(edge.id for edge in graph.edges)
+    for edge in graph.edges:
+        id_ = edge.id
+        if id_ in taken:
+            id_, free = free, str(int(free) + 1)
+        taken.add(id_)
+        source = edge.id if id_ != edge.id else ""
+        edges.append(DocumentEdge(id_, edge.start, edge.end, not graph.directed, source_id=source))
+    return DocumentFloor(name, vertices, merge_opposites(edges), frame_id or name)
+
+
+def _word(role: Role) -> str:
+    return "" if role is Role.PLAIN else role.value
