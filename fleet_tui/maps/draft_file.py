@@ -1,0 +1,102 @@
+"""Drafts of graphs on disk: each step is written as it is taken, so that a draft survives a crash."""
+
+import os
+from pathlib import Path
+from typing import BinaryIO
+from urllib.parse import quote
+
+import msgspec
+from msgspec import Struct
+
+from fleet_tui.model.graphs.document import DocumentFloor
+from fleet_tui.model.graphs.draft import Change, Draft
+
+SUFFIX = ".draft.jsonl"
+LARGEST = 256 * 2**20
+"""Bytes of a file that are read."""
+
+
+class Begun(Struct, frozen=True, tag="begun"):
+    """The first line: the floor before all steps."""
+
+    floor: DocumentFloor
+
+
+class Done(Struct, frozen=True, tag="done"):
+    """A step was taken."""
+
+    change: Change
+
+
+class Undone(Struct, frozen=True, tag="undone"):
+    """The last step was undone."""
+
+
+class Redone(Struct, frozen=True, tag="redone"):
+    """The step that was undone last was taken again."""
+
+
+Line = Begun | Done | Undone | Redone
+
+
+class DraftFile:
+    """The draft of one floor in a folder. Methods raise OSError."""
+
+    def __init__(self, folder: Path, site: str, floor: str) -> None:
+        """`site` keeps floors of the same name apart."""
+        self.path = folder / f"{quote(floor, safe=' ')[:80]}-{site}{SUFFIX}"
+        self._file: BinaryIO | None = None
+        self._readable = 0
+        """Bytes of the lines that were read."""
+
+    def load(self) -> Draft | None:
+        """Return the draft as it was when it was last written, None if there is none. A line that was cut
+        off by a crash is left out."""
+        try:
+            lines = self.path.read_bytes()[:LARGEST].splitlines(keepends=True)
+        except FileNotFoundError:
+            return None
+        decoder, draft = msgspec.json.Decoder(Line), None
+        self._readable = 0
+        for text in lines:
+            try:
+                line = decoder.decode(text)
+            except msgspec.MsgspecError:
+                break
+            if isinstance(line, Begun):
+                draft = Draft(line.floor)
+            elif draft is None:
+                break
+            elif isinstance(line, Done):
+                draft.do(line.change)
+            elif isinstance(line, Undone):
+                draft.undo()
+            else:
+                draft.redo()
+            self._readable += len(text)
+        return draft
+
+    def begin(self, draft: Draft) -> None:
+        """Start the file anew with a draft and its steps. A draft that was in it is kept as `.bak`."""
+        self.close()
+        self.path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
+        if self.path.exists():
+            self.path.replace(self.path.with_suffix(".bak"))
+        handle = os.open(self.path, os.O_WRONLY | os.O_CREAT | os.O_TRUNC | os.O_CLOEXEC, 0o600)
+        self._file = os.fdopen(handle, "wb")
+        self.write(Begun(draft.base), *map(Done, draft.done))
+
+    def write(self, *lines: Line) -> None:
+        """Write steps, on disk when this returns."""
+        if self._file is None:
+            self._file = self.path.open("r+b")
+            self._file.truncate(self._readable)
+            self._file.seek(self._readable)
+        self._file.write(b"".join(msgspec.json.encode(line) + b"\n" for line in lines))
+        self._file.flush()
+
+    def close(self) -> None:
+        """Close the file; the draft stays."""
+        if self._file is not None:
+            self._file.close()
+            self._file = None

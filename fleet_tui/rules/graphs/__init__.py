@@ -1,0 +1,1 @@
+"""Decisions about graphs as documents: edits, checks, differences."""

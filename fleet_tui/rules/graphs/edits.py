@@ -1,0 +1,83 @@
+"""The steps of a graph editor, as changes of a draft."""
+
+import math
+from collections.abc import Iterable
+
+from msgspec.structs import replace
+
+from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor, DocumentVertex
+from fleet_tui.model.graphs.draft import Change
+from fleet_tui.model.order import natural
+
+GRIDS = (0.01, 0.05, 0.1, 0.25, 0.5, 1.0)
+"""Metres of the grids that coordinates are rounded to."""
+
+
+def added(vertex: DocumentVertex) -> Change:
+    """Add a vertex."""
+    return Change(f"add vertex {vertex.id}", ((None, vertex),))
+
+
+def renewed(before: DocumentVertex, after: DocumentVertex) -> Change:
+    """Change a vertex: its place, label, type or heading."""
+    return Change(f"change vertex {before.id}", ((before, after),))
+
+
+def removed(floor: DocumentFloor, id_: str) -> Change:
+    """Remove a vertex with its edges."""
+    edges = tuple((edge, None) for edge in floor.edges.values() if id_ in (edge.start, edge.end))
+    return Change(f"remove vertex {id_}", ((floor.vertices[id_], None),), edges)
+
+
+def edge_removed(edge: DocumentEdge) -> Change:
+    """Remove an edge."""
+    return Change(f"remove edge {edge.id}", edges=((edge, None),))
+
+
+def connected(id_: str, start: str, end: str) -> Change:
+    """Add an edge, drivable both ways."""
+    return Change(f"add edge {start} - {end}", edges=((None, DocumentEdge(id_, start, end)),))
+
+
+def joined(one: Change, other: Change) -> Change:
+    """Return two changes as one step."""
+    return Change(other.text, one.vertices + other.vertices, one.edges + other.edges)
+
+
+def edge_between(floor: DocumentFloor, one: str, other: str) -> DocumentEdge | None:
+    """Return the first edge between two vertices, in any direction."""
+    ends = {one, other}
+    return next((edge for edge in floor.edges.values() if {edge.start, edge.end} == ends), None)
+
+
+def turned(edge: DocumentEdge) -> Change:
+    """Give an edge its next direction: both ways, from the lower to the higher id, back."""
+    if edge.two_way:
+        low = edge if natural(edge.start) <= natural(edge.end) else _swapped(edge)
+        after = replace(low, two_way=False)
+    elif natural(edge.start) <= natural(edge.end):
+        after = _swapped(edge)
+    else:
+        after = replace(_swapped(edge), two_way=True)
+    ways = "both ways" if after.two_way else f"{after.start} -> {after.end}"
+    return Change(f"edge {edge.id}: {ways}", edges=((edge, after),))
+
+
+def _swapped(edge: DocumentEdge) -> DocumentEdge:
+    return replace(edge, start=edge.end, end=edge.start, control_points=edge.control_points[::-1])
+
+
+def snapped(floor: DocumentFloor, x: float, y: float, near: float) -> tuple[float, float]:
+    """Return a place in line with a vertex, in each direction that has one within `near` metres; else on the
+    grid that fits to that distance."""
+    step = max((grid for grid in GRIDS if grid <= near), default=GRIDS[0])
+    return (
+        _in_line(x, (vertex.x for vertex in floor.vertices.values()), near, step),
+        _in_line(y, (vertex.y for vertex in floor.vertices.values()), near, step),
+    )
+
+
+def _in_line(value: float, others: Iterable[float], near: float, step: float) -> float:
+    nearest = min(others, key=lambda other: abs(other - value), default=math.inf)
+    # Multiples of 0.1 are written as such: 0.3, not 0.30000000000000004.
+    return nearest if abs(nearest - value) <= near else round(round(value / step) * step, 6)

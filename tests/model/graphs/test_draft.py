@@ -1,0 +1,66 @@
+"""Drafts: every step can be undone and taken again, and no id is given twice."""
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from fleet_tui.model.graphs.document import DocumentFloor, DocumentVertex
+from fleet_tui.model.graphs.draft import Change, Draft
+from fleet_tui.rules.graphs import edits
+
+EMPTY = DocumentFloor("floor_0")
+
+
+def stepped(draft: Draft, number: int) -> None:
+    """Take the step of a number: add, connect, move or remove."""
+    ids = list(draft.floor.vertices)
+    if number % 4 == 0 or len(ids) < 2:
+        draft.do(edits.added(DocumentVertex(draft.vertex_id, number, -number)))
+        return
+    one, other = ids[number % len(ids)], ids[(number + 1) % len(ids)]
+    vertex = draft.floor.vertices[one]
+    match number % 4:
+        case 1:
+            draft.do(edits.connected(draft.edge_id, one, other))
+        case 2:
+            draft.do(edits.renewed(vertex, DocumentVertex(one, vertex.x + 1, vertex.y, "Store", "dock", 0.5)))
+        case _:
+            draft.do(edits.removed(draft.floor, one))
+
+
+@given(st.lists(st.integers(0, 99), max_size=30))
+def test_all_steps_undone_are_the_floor_before_and_redone_the_floor_after(steps: list[int]) -> None:
+    draft, floors = Draft(EMPTY), [EMPTY]
+    for step in steps:
+        stepped(draft, step)
+        floors.append(draft.floor)
+    for floor in reversed(floors[:-1]):
+        assert draft.undo() is not None
+        assert draft.floor == floor
+    assert draft.undo() is None
+    for floor in floors[1:]:
+        assert draft.redo() is not None
+        assert draft.floor == floor
+    assert draft.redo() is None
+
+
+def test_a_removed_vertex_takes_its_edges_along_and_its_id_is_not_given_again() -> None:
+    draft = Draft(EMPTY)
+    for n in range(3):
+        draft.do(edits.added(DocumentVertex(draft.vertex_id, n, 0)))
+    draft.do(edits.connected(draft.edge_id, "1", "2"))
+    draft.do(edits.connected(draft.edge_id, "2", "3"))
+    draft.do(edits.removed(draft.floor, "3"))
+    assert list(draft.floor.vertices) == ["1", "2"]
+    assert [edge.id for edge in draft.floor.edges.values()] == ["1"]
+    assert (draft.vertex_id, draft.edge_id) == ("4", "3")
+    draft.undo()
+    draft.undo()
+    assert (draft.vertex_id, draft.edge_id) == ("4", "3")
+
+
+def test_a_new_step_ends_the_undone_ones() -> None:
+    draft = Draft(EMPTY)
+    draft.do(Change("nothing"))
+    draft.undo()
+    draft.do(Change("nothing else"))
+    assert draft.redo() is None
