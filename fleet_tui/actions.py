@@ -181,6 +181,24 @@ class FileActions(Struct, frozen=True):
     save: Act
 
 
+class EditActions(Struct, frozen=True):
+    """Actions of the graph editor: on the draft, and on what is selected in it."""
+
+    start: Act
+    leave: Act
+    select: Act
+    add_at_cursor: Act
+    add_at_robot: Act
+    connect: Act
+    remove: Act
+    hold: Act
+    turn: Act
+    choose_type: Act
+    name: Act
+    undo: Act
+    redo: Act
+
+
 class Actions(Struct, frozen=True):
     """All actions: bound methods of the controllers, the overlays and the app."""
 
@@ -190,4 +208,5 @@ class Actions(Struct, frozen=True):
     alarms: AlarmActions
     files: FileActions
     map: MapActions
+    edit: EditActions
     play: Play

@@ -22,6 +22,7 @@ from fleet_tui.config.start import initial_state
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.errors import ConfigError, did_you_mean
 from fleet_tui.log_file import log_to_file, state_folder
+from fleet_tui.maps.draft_file import draft_of
 from fleet_tui.recording.incident import pack as pack_incident
 from fleet_tui.state.store import Store
 from fleet_tui.terminal.detect import description, drawing_for, has_colour, has_unicode, need_terminal
@@ -86,7 +87,7 @@ def _files(
         recent = files.recordings.recent() if files.recordings is not None else []
         return pack_incident(config, state_folder(), shot, recent, is_over)
 
-    files = ConsoleFiles(open_them, pack, saving)
+    files = ConsoleFiles(open_them, pack, saving, partial(draft_of, state_folder(), config, demo))
     return files
 
 

@@ -41,6 +41,12 @@ class Dispatch:
             self._backend.post(hold)
         self._notices.say("this console is armed" if armed else "this console is not armed")
 
+    def set_up_refusal(self) -> str:
+        """Return the reason that nothing may be set up from this console, empty if it may."""
+        if self.permissions.read_only:
+            return "not here: this console is read-only"
+        return self._refusal()
+
     def _problems(self, request: Request) -> list[Problem]:
         found = problems(self._store.state, request, self.permissions)
         return [*repeated(request, self.given, time.monotonic()), *found]

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from fleet_tui.audit.log import Audit
     from fleet_tui.config.saving import Saving
+    from fleet_tui.maps.draft_file import DraftFile
     from fleet_tui.recording.recordings import Recordings
 
 Pack = Callable[[str, Callable[[], bool]], Path]
@@ -21,9 +22,11 @@ class ConsoleFiles:
         open_them: "Callable[[ConsoleFiles], None]" = lambda _files: None,
         pack: Pack | None = None,
         saving: "Saving | None" = None,
+        draft: "Callable[[str], DraftFile | None]" = lambda _floor: None,
     ) -> None:
-        """`open_them` opens the audit log and the recordings: after the first picture, before the link."""
-        self._open_them, self.pack, self.saving = open_them, pack, saving
+        """`open_them` opens the audit log and the recordings: after the first picture, before the link.
+        `draft` returns the file of a floor's drawn graph."""
+        self._open_them, self.pack, self.saving, self.draft = open_them, pack, saving, draft
         self.audit: Audit | None = None
         self.recordings: Recordings | None = None
 

@@ -7,7 +7,7 @@ from time import monotonic
 from fleet_tui.controllers.stride import Stride
 from fleet_tui.view.map.camera import ZOOM_STEP
 from fleet_tui.view.map.drawing import Drawing
-from fleet_tui.view.map.modes import CursorMode, MapMode, ViewMode
+from fleet_tui.view.map.modes.mode import CursorMode, MapMode, ViewMode
 from fleet_tui.widgets.map_view import MapView
 
 
@@ -101,7 +101,7 @@ class MapControls:
     def enter(self, mode: MapMode) -> None:
         """Switch the map to this mode."""
         self._picture.mode = mode
-        self._picture.options = replace(self._picture.options, cursor=mode.cursor)
+        self._picture.point()
         self._view.draw()
 
     def leave_mode(self) -> None:

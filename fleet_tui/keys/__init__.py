@@ -1,15 +1,25 @@
 """Every key of the console in one table, the source of bindings, help, palette, footer and config check."""
 
+from collections.abc import Mapping
 from typing import Any
 
 from fleet_tui.keys.console import CONSOLE
 from fleet_tui.keys.diagnostics import DIAGNOSTICS, PAGES
+from fleet_tui.keys.edit import EDIT
 from fleet_tui.keys.key import LISTS, Key, Pane, by_id
 from fleet_tui.keys.map import MAP
 from fleet_tui.keys.recording import RECORDING
 from fleet_tui.keys.rows import ROWS
 
-__all__ = ["BY_ID", "DIAGNOSTICS", "KEYS", "LISTS", "PAGES", "ROWS", "Key", "Pane", "by_id"]
+__all__ = ["BY_ID", "DIAGNOSTICS", "KEYS", "LISTS", "PAGES", "ROWS", "Key", "Pane", "by_id", "overruled"]
 
-KEYS: tuple[Key[Any], ...] = (*CONSOLE, *RECORDING, *MAP, *DIAGNOSTICS, *ROWS)
+KEYS: tuple[Key[Any], ...] = (*CONSOLE, *RECORDING, *MAP, *EDIT, *DIAGNOSTICS, *ROWS)
 BY_ID = {key.id: key for key in KEYS}
+
+
+def overruled(chosen: Mapping[str, tuple[str, ...]]) -> frozenset[str]:
+    """Return the ids of the keys that do something else while a graph is edited."""
+    taken = {key for one in EDIT if one.pane is Pane.EDIT for key in chosen[one.id]}
+    return frozenset(
+        one.id for one in KEYS if one.pane not in (Pane.EDIT, Pane.ANYWHERE) and taken & {*chosen[one.id]}
+    )

@@ -23,6 +23,8 @@ class Pane(Enum):
     RECORDING = "The recording"
     """Everywhere, while a recording is played."""
     MAP = "Map"
+    EDIT = "Graph editor (E)"
+    """On the map, while a draft is edited: they take precedence over all others."""
     ROWS = "Tables: fleet, alarms, queue"
     DIAGNOSTICS = "Diagnostics (d)"
 

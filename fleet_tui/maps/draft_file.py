@@ -1,6 +1,7 @@
 """Drafts of graphs on disk: each step is written as it is taken, so that a draft survives a crash."""
 
 import os
+from hashlib import sha256
 from pathlib import Path
 from typing import BinaryIO
 from urllib.parse import quote
@@ -8,8 +9,9 @@ from urllib.parse import quote
 import msgspec
 from msgspec import Struct
 
+from fleet_tui.config.schema import Config
 from fleet_tui.model.graphs.document import DocumentFloor
-from fleet_tui.model.graphs.draft import Change, Draft
+from fleet_tui.model.graphs.draft import Change, GraphDraft
 
 SUFFIX = ".draft.jsonl"
 LARGEST = 256 * 2**20
@@ -36,6 +38,13 @@ class Redone(Struct, frozen=True, tag="redone"):
     """The step that was undone last was taken again."""
 
 
+def draft_of(folder: Path, config: Config, demo: bool, floor: str) -> "DraftFile":
+    """Return the file of a floor's draft; floors of the same name at other sites have others."""
+    places = [str(config.path), *(link.url for link in config.bridges.values())]
+    site = "demo" if demo else sha256("\n".join(places).encode()).hexdigest()[:8]
+    return DraftFile(folder / "drafts", site, floor)
+
+
 Line = Begun | Done | Undone | Redone
 
 
@@ -49,7 +58,7 @@ class DraftFile:
         self._readable = 0
         """Bytes of the lines that were read."""
 
-    def load(self) -> Draft | None:
+    def load(self) -> GraphDraft | None:
         """Return the draft as it was when it was last written, None if there is none. A line that was cut
         off by a crash is left out."""
         try:
@@ -59,12 +68,14 @@ class DraftFile:
         decoder, draft = msgspec.json.Decoder(Line), None
         self._readable = 0
         for text in lines:
+            if not text.endswith(b"\n"):
+                break
             try:
                 line = decoder.decode(text)
             except msgspec.MsgspecError:
                 break
             if isinstance(line, Begun):
-                draft = Draft(line.floor)
+                draft = GraphDraft(line.floor)
             elif draft is None:
                 break
             elif isinstance(line, Done):
@@ -76,7 +87,7 @@ class DraftFile:
             self._readable += len(text)
         return draft
 
-    def begin(self, draft: Draft) -> None:
+    def begin(self, draft: GraphDraft) -> None:
         """Start the file anew with a draft and its steps. A draft that was in it is kept as `.bak`."""
         self.close()
         self.path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)

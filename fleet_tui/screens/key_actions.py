@@ -11,6 +11,7 @@ from fleet_tui.actions import (
     AlarmActions,
     AppActions,
     CommandActions,
+    EditActions,
     FileActions,
     ViewActions,
 )
@@ -43,6 +44,7 @@ def key_actions(screen: "MainScreen", rest: "Rest") -> Actions:
         files=_file_actions(screen, rest),
         alarms=AlarmActions(rest.alarms.acknowledge, rest.alarms.acknowledge_all),
         map=rest.map_controls,
+        edit=_edit_actions(rest),
         play=screen.session.play,
     )
 
@@ -101,6 +103,25 @@ def _next_trouble(screen: "MainScreen") -> None:
         screen.navigation.find_robot(robot)
     else:
         screen.notices.say("no robot has an alarm")
+
+
+def _edit_actions(rest: "Rest") -> EditActions:
+    editor, drawing, values = rest.editor, rest.drawing, rest.values
+    return EditActions(
+        start=editor.start,
+        leave=editor.leave,
+        select=drawing.select,
+        add_at_cursor=drawing.add_at_cursor,
+        add_at_robot=drawing.add_at_robot,
+        connect=drawing.connect,
+        remove=drawing.remove,
+        hold=drawing.hold,
+        turn=drawing.turn,
+        choose_type=values.choose_type,
+        name=values.name,
+        undo=editor.undo,
+        redo=editor.redo,
+    )
 
 
 def _file_actions(screen: "MainScreen", rest: "Rest") -> FileActions:

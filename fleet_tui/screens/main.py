@@ -33,7 +33,7 @@ from fleet_tui.view.tables.queue import queue_table
 from fleet_tui.view.tables.recent import recent_table
 from fleet_tui.view.tables.robot_page import robot_page
 from fleet_tui.widgets import messages
-from fleet_tui.widgets.bindings import bindings, textual_key
+from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.panes import Panes, lines_below
 from fleet_tui.widgets.rows_pane import RowsPane
@@ -152,12 +152,6 @@ class MainScreen(Screen[None]):
         read_only = self.dispatch.permissions.read_only
         return {key.id for key in KEYS if not self.session.offers(key) or (read_only and key.commands)}
 
-    def press_hint(self, id_: str) -> None:
-        """Press the key of a hint: with the same checks, and with the same effect in an overlay."""
-        key = textual_key(self.settings.keys[id_][0])
-        # Not from here: Textual ends the way of an event at its sender.
-        self.app.call_later(self.app.simulate_key, key)
-
     def _mark_robot(self, robot: str) -> None:
         """Put the fleet's cursor on a robot; it is drawn with the next rows."""
         self.fleet.listing.cursor = robot
@@ -197,7 +191,7 @@ class MainScreen(Screen[None]):
     def focused_pane(self) -> Pane:
         """Return the pane whose keys help and footer list first."""
         if self.session.pane or not self.is_complete or self.focused is self.rest.map:
-            return self.session.pane or Pane.MAP
+            return self.session.pane or (self.rest.map_pane if self.is_complete else Pane.MAP)
         if self.rest.diagnostics.is_open:
             return Pane.DIAGNOSTICS
         return Pane.ROWS if isinstance(self.focused, RowsPane) else Pane.CONSOLE
@@ -218,8 +212,10 @@ class MainScreen(Screen[None]):
         if action != "key":
             return super().check_action(action, parameters)
         key = BY_ID[str(parameters[0])]
-        if not self.session.offers(key) or not key.eager:
-            return self.session.offers(key)
+        if not self.session.offers(key) or (self.is_complete and self.rest.blocks(key)):
+            return False
+        if not key.eager:
+            return True
         opened = [overlay for overlay in self.query(Overlay) if overlay.is_open]
         return not opened or (key.eager == "selects" and opened == [self.rest.why])
 
@@ -236,6 +232,7 @@ class MainScreen(Screen[None]):
 
     @on(messages.RobotPicked)
     @on(messages.VertexPicked)
+    @on(messages.PlacePicked)
     @on(messages.RowPicked)
     @on(messages.RowChosen)
     @on(messages.ButtonPressed)

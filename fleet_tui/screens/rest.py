@@ -5,12 +5,15 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, assert_never
 
 from fleet_tui.controllers.alarms import AlarmResponses
+from fleet_tui.controllers.editing.drawing import GraphDrawing
+from fleet_tui.controllers.editing.editor import EditorParts, GraphEditor
+from fleet_tui.controllers.editing.values import VertexValues
 from fleet_tui.controllers.map import MapControls
 from fleet_tui.controllers.offers import Offers
 from fleet_tui.controllers.orders import OrderRequests
 from fleet_tui.controllers.robots import RobotRequests
 from fleet_tui.controllers.save import SaveCommand
-from fleet_tui.keys import Key
+from fleet_tui.keys import Key, Pane, overruled
 from fleet_tui.keys.key import key_name
 from fleet_tui.rules.routes.order_draft import Drafted, draft_route
 from fleet_tui.screens.audit import AuditLog
@@ -27,7 +30,7 @@ from fleet_tui.screens.simple_switch import SimpleSwitch
 from fleet_tui.screens.why import Why
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.widgets import messages
-from fleet_tui.widgets.bindings import action_of
+from fleet_tui.widgets.bindings import action_of, textual_key
 from fleet_tui.widgets.map_view import MapView
 from fleet_tui.widgets.runs_view import RunsView
 
@@ -41,6 +44,7 @@ class Rest:
     styled: list[RunsView | Diagnostics]
 
     def __init__(self, screen: "MainScreen") -> None:
+        self._screen, self._navigation, self._session = screen, screen.navigation, screen.session
         store, settings, dispatch = screen.store, screen.settings, screen.dispatch
         navigation, notices = screen.navigation, screen.notices
         self.map = MapView(id="map")
@@ -57,25 +61,31 @@ class Rest:
         menu, form, queue = self.menu.show, self.order_form.start, screen.queue
         self.orders = OrderRequests(store, dispatch, notices, navigation, queue, form, menu, settings.clock)
         self.robots = RobotRequests(store, dispatch, navigation, self.orders, menu, self.why.show)
-        answering = (store, screen.backend, notices, navigation, screen.alarms)
-        self.alarms = AlarmResponses(
-            *answering,
-            menu,
-            self.why.show,
-            self.robots.menu,
-            settings.keys,
-            settings.clock,
-            lambda: screen.alarm_cleared_at,
-        )
+        self.alarms = self._alarm_responses(screen)
         self.save = SaveCommand(
             screen.files, self.confirm.ask, lambda line: self.palette.show(line), notices.say
         )
-        run = partial(_run, screen)
-        offers = Offers(store, dispatch, navigation, screen.session, self.save, settings.themes, run)
-        self.palette = Palette(offers.entries, offers.typed)
-        self._screen, self._navigation, self._session = screen, navigation, screen.session
+        offers = Offers(
+            store, dispatch, navigation, screen.session, self.save, settings.themes, partial(_run, screen)
+        )
+        self.palette = Palette(offers.entries, lambda line: self.values.typed(line) or offers.typed(line))
+        self._edit_with(EditorParts(store, dispatch, navigation, notices, menu, self.palette.show))
         self.simple = self._simple_switch(screen)
         self.actions = key_actions(screen, self)
+
+    def _alarm_responses(self, screen: "MainScreen") -> AlarmResponses:
+        settings = screen.settings
+        answering = (screen.store, screen.backend, screen.notices, screen.navigation, screen.alarms)
+        opens = (self.menu.show, self.why.show, self.robots.menu)
+        return AlarmResponses(
+            *answering, *opens, settings.keys, settings.clock, lambda: screen.alarm_cleared_at
+        )
+
+    def _edit_with(self, parts: EditorParts) -> None:
+        self._overruled = overruled(self._screen.settings.keys)
+        self.editor = GraphEditor(parts, self.map_controls, self.map.picture, self._screen.files.draft)
+        self.values = VertexValues(parts, self.editor)
+        self.drawing = GraphDrawing(parts, self.editor, self.values)
 
     async def mount(self, screen: "MainScreen") -> None:
         """Mount all widgets, the focus on the map. The audit log starts before there is a link."""
@@ -103,6 +113,17 @@ class Rest:
 
         return SimpleSwitch(screen.panes, self.map, make, self.orders.may_order)
 
+    @property
+    def map_pane(self) -> Pane:
+        """Return the pane of the keys that work on the map now."""
+        return Pane.EDIT if self.editor.is_open else Pane.MAP
+
+    def blocks(self, key: Key[Any]) -> bool:
+        """Tell whether a key does nothing now: on the map the graph editor takes precedence while it is open,
+        and its keys do nothing else."""
+        is_editing = self.editor.is_open and self._screen.focused is self.map
+        return key.id in self._overruled if is_editing else key.pane is Pane.EDIT
+
     def draft(self) -> Drafted | None:
         """Return the order that is being typed and its way, and show its length in the form."""
         draft, form = self.order_form.draft(), self.order_form
@@ -119,6 +140,8 @@ class Rest:
                 self._navigation.select(event.name)
             case messages.VertexPicked():
                 self.orders.start_at(event.id, self._navigation.floor)
+            case messages.PlacePicked():
+                self.drawing.clicked(event.dragged)
             case messages.RowPicked():
                 # The fleet's cursor selects. It may have moved since.
                 if event.pane == "fleet" and event.key == self._screen.fleet.listing.cursor:
@@ -144,11 +167,18 @@ class Rest:
     def _press_button(self, event: messages.ButtonPressed) -> None:
         match event.pane, event.name, event.key:
             case "hints", id_, _:
-                self._screen.press_hint(id_)
+                _press_hint(self._screen, id_)
             case _, "cancel", (str(robot), str(order_id), _):
                 self.orders.ask_cancel(robot, order_id)
             case _, "clear", _:
                 self.orders.clear()
+
+
+def _press_hint(screen: "MainScreen", id_: str) -> None:
+    """Press the key of a hint: with the same checks, and with the same effect in an overlay."""
+    key = textual_key(screen.settings.keys[id_][0])
+    # Not from here: Textual ends the way of an event at its sender.
+    screen.app.call_later(screen.app.simulate_key, key)
 
 
 def _run(screen: "MainScreen", key: Key[Any]) -> None:

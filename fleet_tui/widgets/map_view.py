@@ -13,13 +13,13 @@ from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.cells_view import CellsView
-from fleet_tui.widgets.messages import RobotPicked, VertexPicked
+from fleet_tui.widgets.messages import PlacePicked, RobotPicked, VertexPicked
 
 
 class MapView(CellsView, can_focus=True):
     """Shows a Scene at every tick; wheel zooms, drag pans, click picks."""
 
-    BINDINGS = bindings(Pane.MAP)
+    BINDINGS = [*bindings(Pane.EDIT), *bindings(Pane.MAP)]  # noqa: RUF012  # as Textual declares it
     DEFAULT_CSS: ClassVar[str] = "MapView { width: 1fr; height: 1fr; }"
 
     def __init__(self, styles: Mapping[StyleRole, Style] | None = None, *, id: str | None = None) -> None:
@@ -27,6 +27,7 @@ class MapView(CellsView, can_focus=True):
         self.picture = MapPicture()
         self._drag: tuple[int, int] | None = None
         self._dragged = False
+        self._pressed: bool | None = None
 
     def show(self, scene: Scene) -> None:
         """Show the newest scene. Cheap if little changed: call it at every tick."""
@@ -69,19 +70,30 @@ class MapView(CellsView, can_focus=True):
         """Start a drag or a click."""
         self.capture_mouse()
         self._drag, self._dragged = (event.x, event.y), False
+        self._pressed, picture = None, self.picture
+        if picture.scene is not None and event.y >= CAPTION_ROWS:
+            at = picture.place_of(event.x, event.y)
+            self._pressed = picture.mode.press(picture.viewport, picture.scene, at)
 
     def on_mouse_move(self, event: events.MouseMove) -> None:
         """Drag the map along."""
         scene = self.picture.scene
         if self._drag is None or scene is None or (event.x, event.y) == self._drag:
             return
-        self.picture.viewport.pan(scene, self._drag[0] - event.x, self._drag[1] - event.y)
+        if self._pressed:
+            self.picture.mode.drag(self.picture.place_of(event.x, event.y))
+            self.picture.point()
+        else:
+            self.picture.viewport.pan(scene, self._drag[0] - event.x, self._drag[1] - event.y)
         self._drag, self._dragged = (event.x, event.y), True
         self.draw()
 
     def on_mouse_up(self, event: events.MouseUp) -> None:
         """Pick, unless it was a drag."""
         self.release_mouse()
-        if self._drag is not None and not self._dragged:
-            self.post_pick(self.picture.pick(event.x, event.y))
+        if self._drag is not None and (self._pressed or not self._dragged):
+            if self._pressed is None:
+                self.post_pick(self.picture.pick(event.x, event.y))
+            else:
+                self.post_message(PlacePicked(self._dragged))
         self._drag = None

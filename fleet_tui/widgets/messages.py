@@ -21,6 +21,14 @@ class VertexPicked(Message):
 
 
 @dataclass
+class PlacePicked(Message):
+    """The operator clicked at a place of the map where its mode takes clicks; `dragged`: he moved something
+    there."""
+
+    dragged: bool
+
+
+@dataclass
 class RowPicked(Message):
     """The cursor of a pane moved to a row."""
 
@@ -53,4 +61,4 @@ class TimePicked(Message):
     width: int
 
 
-Picked = RobotPicked | VertexPicked | RowPicked | RowChosen | ButtonPressed | TimePicked
+Picked = RobotPicked | VertexPicked | PlacePicked | RowPicked | RowChosen | ButtonPressed | TimePicked

@@ -8,17 +8,17 @@ from hypothesis import strategies as st
 
 from fleet_tui.maps.draft_file import Done, DraftFile, Redone, Undone
 from fleet_tui.model.graphs.document import DocumentFloor, DocumentVertex
-from fleet_tui.model.graphs.draft import Draft
+from fleet_tui.model.graphs.draft import GraphDraft
 from fleet_tui.rules.graphs.edits import added
 
 
-def begun(folder: Path) -> tuple[DraftFile, Draft]:
-    file, draft = DraftFile(folder, "site", "floor/0"), Draft(DocumentFloor("floor/0"))
+def begun(folder: Path) -> tuple[DraftFile, GraphDraft]:
+    file, draft = DraftFile(folder, "site", "floor/0"), GraphDraft(DocumentFloor("floor/0"))
     file.begin(draft)
     return file, draft
 
 
-def add(file: DraftFile, draft: Draft) -> None:
+def add(file: DraftFile, draft: GraphDraft) -> None:
     draft.do(added(DocumentVertex(draft.vertex_id, 1.25, -3.5, "Störe ␛", "dock")))
     file.write(Done(draft.done[-1]))
 
@@ -41,11 +41,14 @@ def test_a_draft_is_read_as_it_was_left(steps: list[str], tmp_path_factory: pyte
     assert (read.vertex_id, read.base) == (draft.vertex_id, draft.base)
 
 
-def test_a_line_that_was_cut_off_is_left_out_and_later_steps_follow_the_others(tmp_path: Path) -> None:
+@pytest.mark.parametrize("lost", [1, 9])
+def test_a_line_that_was_cut_off_is_left_out_and_later_steps_follow_the_others(
+    lost: int, tmp_path: Path
+) -> None:
     file, draft = begun(tmp_path)
     for _ in range(3):
         add(file, draft)
-    file.path.write_bytes(file.path.read_bytes()[:-9])
+    file.path.write_bytes(file.path.read_bytes()[:-lost])
     again = DraftFile(tmp_path, "site", "floor/0")
     read = again.load()
     assert read is not None and list(read.floor.vertices) == ["1", "2"]

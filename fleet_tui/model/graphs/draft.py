@@ -29,7 +29,7 @@ class Change(Struct, frozen=True):
         )
 
 
-class Draft:
+class GraphDraft:
     """The floor as drawn so far, its steps, and the steps that were undone.
 
     Ids of removed elements are not given again: orders and other files may still have them.

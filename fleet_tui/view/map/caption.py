@@ -44,9 +44,9 @@ def caption_row(facts: Caption) -> Cells:
     x = 1
     for piece, role in _pieces(facts):
         space = facts.camera.width - x - 2
-        # These report a problem: its beginning is worth more than the rest of the row.
-        is_problem = piece in (sanitize(facts.note), sanitize(facts.elsewhere))
-        is_cut = is_problem and LEAST < space < cell_width(piece)
+        # Of these the beginning is worth more than the rest of the row.
+        is_first = piece in (sanitize(facts.note), sanitize(facts.elsewhere), facts.banner)
+        is_cut = is_first and LEAST < space < cell_width(piece)
         text = f" {fit(piece, space) if is_cut else piece} "
         if x + cell_width(text) <= facts.camera.width:
             row.write(x, 0, text, role)
@@ -61,10 +61,10 @@ def _pieces(facts: Caption) -> list[Piece]:
     ]
     if facts.elsewhere:
         pieces.append((sanitize(facts.elsewhere), StyleRole.ALARM))
-    if facts.note:
-        pieces.append((sanitize(facts.note), StyleRole.DIM if facts.waits else StyleRole.WARN))
     if facts.banner:
         pieces.append((facts.banner, StyleRole.TEXT))
+    if facts.note:
+        pieces.append((sanitize(facts.note), StyleRole.DIM if facts.waits else StyleRole.WARN))
     return [
         *pieces,
         (_bar(facts), StyleRole.DIM),

@@ -9,13 +9,13 @@ from fleet_tui.view.map.caption import Caption, caption_row
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.labels import Backdrop
 from fleet_tui.view.map.layers import MapOptions
-from fleet_tui.view.map.modes import MapMode, ViewMode
+from fleet_tui.view.map.modes.mode import MapMode, ViewMode
 from fleet_tui.view.map.picture import backdrop, picture
 from fleet_tui.view.map.places import seen_robots
 from fleet_tui.view.map.robots import Arrangement
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.view.map.trails import Trails
-from fleet_tui.view.map.viewport import Viewport, pick, pointed
+from fleet_tui.view.map.viewport import Point, Viewport, pick, pointed
 
 CAPTION_ROWS = 1
 
@@ -54,6 +54,7 @@ class MapPicture:
         scene, view = self.scene, self.viewport
         if scene is None or width < 1 or height <= CAPTION_ROWS:
             return None
+        scene = self.mode.adjusted(scene)
         view.width, view.height = width, height - CAPTION_ROWS
         camera = view.camera(scene)
         if self.options.trails:
@@ -78,6 +79,16 @@ class MapPicture:
         if self.scene is None or y < CAPTION_ROWS:
             return None
         return pick(self.scene, self.viewport.camera(self.scene), x, y - CAPTION_ROWS)
+
+    def place_of(self, x: int, y: int) -> Point:
+        """Return the place in metres of cell (x, y) of the whole picture, of which there must be a scene."""
+        assert self.scene is not None
+        camera = self.viewport.camera(self.scene)
+        return self.scene.frame.to_world(*camera.to_pixel(x, y - CAPTION_ROWS))
+
+    def point(self) -> None:
+        """Show the mode's cursor where it is now."""
+        self.options = replace(self.options, cursor=self.mode.cursor)
 
     def _caption(self, scene: Scene, camera: Camera, focused: bool) -> Caption:
         outside = _out_of_view(scene, camera)

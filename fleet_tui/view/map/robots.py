@@ -3,6 +3,7 @@
 from collections.abc import Container, Iterator
 from dataclasses import dataclass, field
 from functools import partial
+from itertools import accumulate
 
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
@@ -60,15 +61,17 @@ def _chips(
         for runs in _numbers(robots, plain):
             cells = sum(len(text) for text, _ in runs)
             side = occupancy.number_side(x, y, len(arrow), cells, sides.get(number, 0))
-            if not side:
-                continue
-            sides[number] = side
-            column = x + len(arrow) if side > 0 else x - cells
-            for text, role in runs:
-                chips.append((column, y, text, role))
-                column += len(text)
-            break
+            if side:
+                sides[number] = side
+                chips += _beside(x + len(arrow) if side > 0 else x - cells, y, runs)
+                break
     return chips
+
+
+def _beside(x: int, y: int, runs: list[tuple[str, StyleRole]]) -> Chips:
+    """Return texts one after the other from (x, y) on."""
+    starts = accumulate((len(text) for text, _ in runs), initial=x)
+    return [(start, y, text, role) for start, (text, role) in zip(starts, runs, strict=False)]
 
 
 def _numbers(robots: list[SceneRobot], plain: bool) -> Iterator[list[tuple[str, StyleRole]]]:

@@ -4,13 +4,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.model.graphs.document import DocumentFloor, DocumentVertex
-from fleet_tui.model.graphs.draft import Change, Draft
+from fleet_tui.model.graphs.draft import Change, GraphDraft
 from fleet_tui.rules.graphs import edits
 
 EMPTY = DocumentFloor("floor_0")
 
 
-def stepped(draft: Draft, number: int) -> None:
+def stepped(draft: GraphDraft, number: int) -> None:
     """Take the step of a number: add, connect, move or remove."""
     ids = list(draft.floor.vertices)
     if number % 4 == 0 or len(ids) < 2:
@@ -29,7 +29,7 @@ def stepped(draft: Draft, number: int) -> None:
 
 @given(st.lists(st.integers(0, 99), max_size=30))
 def test_all_steps_undone_are_the_floor_before_and_redone_the_floor_after(steps: list[int]) -> None:
-    draft, floors = Draft(EMPTY), [EMPTY]
+    draft, floors = GraphDraft(EMPTY), [EMPTY]
     for step in steps:
         stepped(draft, step)
         floors.append(draft.floor)
@@ -44,7 +44,7 @@ def test_all_steps_undone_are_the_floor_before_and_redone_the_floor_after(steps:
 
 
 def test_a_removed_vertex_takes_its_edges_along_and_its_id_is_not_given_again() -> None:
-    draft = Draft(EMPTY)
+    draft = GraphDraft(EMPTY)
     for n in range(3):
         draft.do(edits.added(DocumentVertex(draft.vertex_id, n, 0)))
     draft.do(edits.connected(draft.edge_id, "1", "2"))
@@ -59,7 +59,7 @@ def test_a_removed_vertex_takes_its_edges_along_and_its_id_is_not_given_again() 
 
 
 def test_a_new_step_ends_the_undone_ones() -> None:
-    draft = Draft(EMPTY)
+    draft = GraphDraft(EMPTY)
     draft.do(Change("nothing"))
     draft.undo()
     draft.do(Change("nothing else"))

@@ -26,19 +26,47 @@ class MapMode(Protocol):
     def banner(self) -> str:
         """Text for the caption, empty for none."""
 
+    def adjusted(self, scene: Scene) -> Scene:
+        """Return the scene as this mode shows it."""
+
     def move(self, view: Viewport, scene: Scene, dx: int, dy: int) -> None:
         """Follow the arrow keys by steps to the right and down."""
 
     def pick(self, view: Viewport, scene: Scene) -> SceneRobot | SceneVertex | None:
         """Return the result of Enter."""
 
+    def press(self, view: Viewport, scene: Scene, at: Point) -> bool | None:
+        """Take a press of the mouse: True if `drag` follows, False if the map moves then; None if a click
+        picks what it always does."""
 
-class ViewMode:
-    """Arrows move the view; Enter picks nothing."""
+    def drag(self, at: Point) -> None:
+        """Follow the mouse."""
+
+
+class PlainMode:
+    """The map as it is: the mouse pans, and picks what is there."""
 
     layers: tuple[Layer, ...] = ()
-    cursor = None
-    banner = ""
+    cursor: Point | None = None
+
+    @property
+    def banner(self) -> str:
+        """Return no text."""
+        return ""
+
+    def adjusted(self, scene: Scene) -> Scene:
+        """Change nothing."""
+        return scene
+
+    def press(self, view: Viewport, scene: Scene, at: Point) -> None:
+        """Leave it to the map."""
+
+    def drag(self, at: Point) -> None:
+        """Do nothing."""
+
+
+class ViewMode(PlainMode):
+    """Arrows move the view; Enter picks nothing."""
 
     def move(self, view: Viewport, scene: Scene, dx: int, dy: int) -> None:
         """Pan, about as far in both directions."""
@@ -48,13 +76,13 @@ class ViewMode:
         """Pick nothing."""
 
 
-class CursorMode:
+class CursorMode(PlainMode):
     """Arrows move a cursor by cells; Enter picks the object under it."""
 
     layers: tuple[Layer, ...] = (draw_cursor,)
 
     def __init__(self, cursor: Point) -> None:
-        self.cursor = cursor
+        self.cursor: Point = cursor
 
     @property
     def banner(self) -> str:

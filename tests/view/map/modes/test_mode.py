@@ -4,7 +4,7 @@ import pytest
 
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.view.map.layers import draw_cursor
-from fleet_tui.view.map.modes import CursorMode, MapMode, ViewMode
+from fleet_tui.view.map.modes.mode import CursorMode, MapMode, ViewMode
 from fleet_tui.view.map.scene import Scene, SceneVertex
 from fleet_tui.view.map.viewport import Viewport
 

@@ -1,0 +1,179 @@
+"""Drawing in the graph editor: vertices and edges at the cursor."""
+
+import math
+from functools import partial
+
+from msgspec.structs import replace
+
+from fleet_tui.controllers.editing.editor import EditorParts, GraphEditor
+from fleet_tui.controllers.editing.values import HEADING, VertexValues
+from fleet_tui.controllers.typed import Entry
+from fleet_tui.model.graphs.document import DocumentVertex
+from fleet_tui.model.graphs.draft import GraphDraft
+from fleet_tui.rules.graphs import edits
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.map.modes.edit import EditMode, cell_metres
+from fleet_tui.view.map.scene import Scene
+from fleet_tui.view.map.viewport import Point
+
+OLD_POSE = 1.0
+"""Seconds from which a pose is too old to place a vertex at."""
+
+
+class GraphDrawing:
+    """Turns keys and the mouse into steps of the draft."""
+
+    def __init__(self, parts: EditorParts, editor: GraphEditor, values: VertexValues) -> None:
+        self._parts, self._notices, self._editor, self._values = parts, parts.notices, editor, values
+
+    def _at_cursor(self, mode: EditMode, scene: Scene) -> str:
+        return mode.vertex_at(self._editor.picture.viewport, scene, mode.cursor)
+
+    def _place(self, draft: GraphDraft, mode: EditMode, scene: Scene) -> Point:
+        """Return the cursor's place, in line with near vertices or on the grid."""
+        near = cell_metres(self._editor.picture.viewport, scene) / 2
+        return edits.snapped(draft.floor, *mode.cursor, near)
+
+    def add_at_cursor(self) -> None:
+        """Add a vertex at the cursor, and select it."""
+        if opened := self._editor.opened:
+            draft, mode, scene = opened
+            if taken := self._at_cursor(mode, scene):
+                self._notices.say(f"vertex {sanitize(taken)} is here already: zoom in to place another")
+                return
+            self._add(draft, mode, self._place(draft, mode, scene))
+
+    def add_at_robot(self) -> None:
+        """Add a vertex at the selected robot's pose, with its heading."""
+        opened, robot = self._editor.opened, self._parts.store.state.robots[self._parts.navigation.robot]
+        if opened is None:
+            return
+        draft, mode, _ = opened
+        pose = robot.pose
+        if pose is None or robot.floor != draft.floor.name:
+            self._notices.say(f"{robot.name} has no pose on {sanitize(draft.floor.name)}")
+        elif self._parts.store.state.now - pose.at > OLD_POSE:
+            self._notices.say(f"the pose of {robot.name} is old: not used")
+        else:
+            x, y = round(pose.value.x, 3), round(pose.value.y, 3)
+            self._add(draft, mode, (x, y), round(pose.value.yaw, 4))
+
+    def _add(self, draft: GraphDraft, mode: EditMode, at: Point, heading: float | None = None) -> None:
+        vertex = DocumentVertex(draft.vertex_id, *at, heading=heading)
+        self._editor.do(edits.added(vertex))
+        mode.cursor, mode.selected, mode.edge = at, vertex.id, ""
+        self._editor.refresh()
+
+    def connect(self) -> None:
+        """Add an edge from the selected vertex to the one at the cursor, which is made if none is there; then
+        that is selected, so that a way is drawn by cursor and key alone."""
+        opened = self._editor.opened
+        if opened is None:
+            return
+        draft, mode, scene = opened
+        if not mode.selected:
+            self._notices.say("select the vertex that the edge begins at: cursor on it, Enter")
+            return
+        end, new = self._at_cursor(mode, scene), None
+        if not end:
+            new = edits.added(DocumentVertex(draft.vertex_id, *self._place(draft, mode, scene)))
+            ((_, made),) = new.vertices
+            assert made is not None
+            end = made.id
+        if end == mode.selected:
+            self._notices.say("move the cursor to the vertex that the edge ends at")
+            return
+        there = edits.edge_between(draft.floor, mode.selected, end)
+        if there is not None:
+            self._notices.say(f"edge {sanitize(there.id)} joins them already: Enter on it, d turns it")
+            return
+        edge = edits.connected(draft.edge_id, mode.selected, end)
+        self._editor.do(edge if new is None else edits.joined(new, edge))
+        mode.selected = end
+        self._editor.refresh()
+
+    def select(self) -> None:
+        """Put down the held vertex; else select the element at the cursor, or open its menu if it is
+        selected."""
+        opened = self._editor.opened
+        if opened is None:
+            return
+        draft, mode, scene = opened
+        if mode.held:
+            self._put_down(draft, mode, scene)
+            return
+        vertex = self._at_cursor(mode, scene)
+        edge = "" if vertex else mode.edge_at(self._editor.picture.viewport, scene, mode.cursor)
+        if (vertex or edge) and (vertex, edge) == (mode.selected, mode.edge):
+            self._menu(draft, mode)
+            return
+        mode.selected, mode.edge = vertex, edge
+        if not (vertex or edge):
+            self._notices.say("nothing here: i adds a vertex")
+        self._editor.refresh()
+
+    def clicked(self, dragged: bool) -> None:
+        """Put down what the mouse dragged, or select what it clicked at."""
+        opened = self._editor.opened
+        if opened is not None and (opened[1].held or not dragged):
+            self.select()
+
+    def _menu(self, draft: GraphDraft, mode: EditMode) -> None:
+        """List the actions on the selected element."""
+        if mode.edge:
+            edge = draft.floor.edges[mode.edge]
+            ways = "both ways" if edge.two_way else "one way"
+            entries: list[Entry] = [("Direction (d)", self.turn), ("Remove (x)", self.remove)]
+            self._parts.open_menu(sanitize(f"edge {edge.id}: {edge.start} -> {edge.end}, {ways}"), entries)
+            return
+        vertex = draft.floor.vertices[mode.selected]
+        heading = "any" if vertex.heading is None else f"{math.degrees(vertex.heading):.0f} degrees"
+        told = f"{vertex.label or 'no label'}, type {vertex.type or 'none'}, heading {heading}"
+        self._parts.open_menu(
+            sanitize(f"vertex {vertex.id} at {vertex.x:.2f}, {vertex.y:.2f} m: {told}"),
+            [
+                ("Label (n)", self._values.name),
+                ("Type (t)", self._values.choose_type),
+                ("Heading", partial(self._parts.begin, f"{HEADING} ")),
+                ("Move (m)", self.hold),
+                ("Remove (x)", self.remove),
+            ],
+        )
+
+    def _put_down(self, draft: GraphDraft, mode: EditMode, scene: Scene) -> None:
+        vertex = draft.floor.vertices[mode.selected]
+        others = replace(
+            draft.floor, vertices={k: v for k, v in draft.floor.vertices.items() if k != vertex.id}
+        )
+        near = cell_metres(self._editor.picture.viewport, scene) / 2
+        x, y = edits.snapped(others, *mode.cursor, near)
+        mode.held = False
+        self._editor.do(edits.renewed(vertex, replace(vertex, x=x, y=y)))
+
+    def hold(self) -> None:
+        """Pick up the selected vertex, or the one at the cursor."""
+        if (opened := self._editor.opened) and (vertex := self._values.chosen()):
+            _, mode, _ = opened
+            mode.selected, mode.edge, mode.held = vertex.id, "", True
+            self._notices.say("move the cursor, then Enter puts it down; Esc puts it back")
+            self._editor.refresh()
+
+    def remove(self) -> None:
+        """Remove the selected edge or vertex, or the vertex at the cursor."""
+        if opened := self._editor.opened:
+            draft, mode, _ = opened
+            if mode.edge:
+                self._editor.do(edits.edge_removed(draft.floor.edges[mode.edge]))
+            elif vertex := self._values.chosen():
+                self._editor.do(edits.removed(draft.floor, vertex.id))
+
+    def turn(self) -> None:
+        """Give the selected edge, or the one at the cursor, its next direction."""
+        if opened := self._editor.opened:
+            draft, mode, scene = opened
+            id_ = mode.edge or mode.edge_at(self._editor.picture.viewport, scene, mode.cursor)
+            if not id_:
+                self._notices.say("no edge is selected: cursor on it, Enter")
+                return
+            mode.edge, mode.selected = id_, ""
+            self._editor.do(edits.turned(draft.floor.edges[id_]))

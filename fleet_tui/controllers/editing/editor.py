@@ -1,0 +1,193 @@
+"""The graph editor's draft: opened from the live graph or from the disk, kept on disk with every step."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from typing import NamedTuple
+
+from fleet_tui.controllers.dispatch import Dispatch
+from fleet_tui.controllers.map import MapControls
+from fleet_tui.controllers.navigation import Navigation
+from fleet_tui.controllers.notices import Notices
+from fleet_tui.controllers.typed import OpenMenu
+from fleet_tui.maps.draft_file import Done, DraftFile, Line, Redone, Undone
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.graphs.document import DocumentFloor
+from fleet_tui.model.graphs.draft import Change, GraphDraft
+from fleet_tui.model.graphs.live import floor_of
+from fleet_tui.state.store import Store
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.map.floor_scene import map_owner
+from fleet_tui.view.map.map_picture import MapPicture
+from fleet_tui.view.map.modes.edit import EditMode
+from fleet_tui.view.map.scene import Scene
+from fleet_tui.view.selection import Selection
+
+
+class EditorParts(NamedTuple):
+    """The parts of a console that the graph editor uses. `begin` opens the palette with a line."""
+
+    store: Store
+    dispatch: Dispatch
+    navigation: Navigation
+    notices: Notices
+    open_menu: OpenMenu
+    begin: Callable[[str], None]
+
+
+class GraphEditor:
+    """Owns the draft of one floor while it is edited. `changed` is called after every step with the floor,
+    and with None when the editor is left."""
+
+    def __init__(
+        self,
+        parts: EditorParts,
+        controls: MapControls,
+        picture: MapPicture,
+        file_of: Callable[[str], DraftFile | None],
+    ) -> None:
+        self._store, self._dispatch, self._navigation, self._notices, self._open_menu, _ = parts
+        self._controls, self.picture, self._file_of = controls, picture, file_of
+        self._file: DraftFile | None = None
+        self._edges = False
+        self.draft: GraphDraft | None = None
+        self.mode: EditMode | None = None
+        self.changed: Callable[[DocumentFloor | None], None] = lambda _floor: None
+
+    @property
+    def is_open(self) -> bool:
+        """Tell whether a draft is edited."""
+        return self.mode is not None and self.picture.mode is self.mode
+
+    def start(self) -> None:
+        """Edit the graph of the shown floor; a draft that was left is offered first."""
+        if self.is_open:
+            self.leave()
+            return
+        if refusal := self._dispatch.set_up_refusal():
+            self._notices.say(refusal)
+            return
+        floor = self._navigation.floor
+        file = self._file_of(floor)
+        try:
+            kept = file.load() if file is not None else None
+        except OSError as problem:
+            self._notices.say(f"draft not readable: {problem.strerror}")
+            return
+        if kept is None or not (kept.done or kept.undone):
+            self._begin(floor, file)
+            return
+        steps = len(kept.done)
+        self._open_menu(
+            f"A draft of {sanitize(floor)} with {steps} step{'s' * (steps != 1)} was left",
+            [
+                ("Continue this draft", partial(self._enter, kept, file)),
+                (
+                    "Start again from the live graph (the draft is kept as .bak)",
+                    partial(self._begin, floor, file),
+                ),
+            ],
+        )
+
+    def _begin(self, floor: str, file: DraftFile | None) -> None:
+        """Begin a draft with the live graph."""
+        draft = GraphDraft(live_floor(self._store.state, self._navigation.selection))
+        if self._enter(draft, file) and file is not None:
+            self._keep(partial(file.begin, draft))
+
+    def _enter(self, draft: GraphDraft, file: DraftFile | None) -> bool:
+        scene, view = self.picture.scene, self.picture.viewport
+        if scene is None or scene.floor != draft.floor.name:
+            self._notices.say(f"not edited: another floor than {sanitize(draft.floor.name)} is shown")
+            return False
+        self.draft, self._file = draft, file
+        self.mode = EditMode(draft.floor, view.middle(scene))
+        self._edges = self.picture.options.edges
+        self.picture.options = replace(self.picture.options, edges=True)
+        self._controls.enter(self.mode)
+        self.changed(draft.floor)
+        return True
+
+    def leave(self) -> None:
+        """Put a held vertex back, else clear the selection, else leave; the draft stays on disk."""
+        mode = self.mode
+        if mode is None or not self.is_open:
+            return
+        if mode.held:
+            mode.held = False
+        elif mode.selected or mode.edge:
+            mode.selected = mode.edge = ""
+        else:
+            self._close()
+            return
+        self._controls.enter(mode)
+
+    def _close(self) -> None:
+        assert self.draft is not None
+        steps = len(self.draft.done)
+        self.picture.options = replace(self.picture.options, edges=self._edges)
+        self._controls.leave_mode()
+        if self._file is not None:
+            self._file.close()
+        self.draft = self.mode = self._file = None
+        self.changed(None)
+        if steps:
+            self._notices.say(f"draft kept with {steps} step{'s' * (steps != 1)}: E continues it")
+
+    def do(self, change: Change) -> None:
+        """Take a step."""
+        if self.draft is not None:
+            self.draft.do(change)
+            self._took(change.text, Done(change))
+
+    @property
+    def opened(self) -> tuple[GraphDraft, EditMode, Scene] | None:
+        """Return the draft with its mode and the shown scene, None while none is edited."""
+        if self.draft is None or self.mode is None or self.picture.scene is None:
+            return None
+        return self.draft, self.mode, self.picture.scene
+
+    def undo(self) -> None:
+        """Take the last step back."""
+        change = self.draft.undo() if self.draft is not None else None
+        if change is None:
+            self._notices.say("nothing to undo")
+        else:
+            self._took(f"undone: {change.text}", Undone())
+
+    def redo(self) -> None:
+        """Take the undone step again."""
+        change = self.draft.redo() if self.draft is not None else None
+        if change is None:
+            self._notices.say("nothing to redo")
+        else:
+            self._took(change.text, Redone())
+
+    def _took(self, text: str, line: Line) -> None:
+        assert self.draft is not None and self.mode is not None
+        self._notices.note(text)
+        if self._file is not None:
+            self._keep(partial(self._file.write, line))
+        self.mode.show(self.draft.floor)
+        self.refresh()
+        self.changed(self.draft.floor)
+
+    def refresh(self) -> None:
+        """Show the cursor and the selection."""
+        if self.mode is not None:
+            self._controls.enter(self.mode)
+
+    def _keep(self, write: Callable[[], None]) -> None:
+        try:
+            write()
+        except OSError as problem:
+            self._notices.say(f"draft not kept on disk: {problem.strerror}")
+
+
+def live_floor(state: FleetState, selection: Selection) -> DocumentFloor:
+    """Return the graph of the shown floor as the robots have it, empty if none has one."""
+    floor, owner = state.floors[selection.floor], map_owner(state, selection)
+    robot_map = owner.maps[floor.name] if owner is not None else None
+    if robot_map is None or robot_map.graph is None:
+        return DocumentFloor(floor.name, frame_id=floor.frame_id)
+    return floor_of(floor.name, robot_map.graph, robot_map.labels, floor.frame_id)

@@ -1,0 +1,89 @@
+"""The label, type and heading of the selected vertex in the graph editor."""
+
+import math
+from functools import partial
+
+from msgspec.structs import replace
+
+from fleet_tui.controllers.editing.editor import EditorParts, GraphEditor
+from fleet_tui.controllers.typed import Entry, Typed
+from fleet_tui.model.graphs.document import DocumentVertex
+from fleet_tui.rules.graphs import edits
+from fleet_tui.text.sanitize import sanitize
+
+NAME, TYPE, HEADING = "name", "type", "heading"
+"""First words of typed lines on the selected vertex."""
+USUAL_TYPES = ("docking_station", "elevator")
+"""Types offered where no vertex has one."""
+
+
+class VertexValues:
+    """Chosen from a menu, or typed into the palette."""
+
+    def __init__(self, parts: EditorParts, editor: GraphEditor) -> None:
+        self._parts, self._editor = parts, editor
+
+    def chosen(self) -> DocumentVertex | None:
+        """Return the selected vertex, else select and return the one at the cursor; say so if there is
+        none."""
+        opened = self._editor.opened
+        if opened is None:
+            return None
+        draft, mode, scene = opened
+        at_cursor = partial(mode.vertex_at, self._editor.picture.viewport, scene, mode.cursor)
+        id_ = mode.selected or ("" if mode.edge else at_cursor())
+        if not id_:
+            self._parts.notices.say("no vertex is selected: cursor on it, Enter")
+            return None
+        mode.selected, mode.edge = id_, ""
+        return draft.floor.vertices[id_]
+
+    def choose_type(self) -> None:
+        """List the types of vertices; the last entry is typed."""
+        opened, vertex = self._editor.opened, self.chosen()
+        if opened is not None and vertex is not None:
+            used = {one.type for one in opened[0].floor.vertices.values() if one.type}
+            types = sorted(used) or USUAL_TYPES
+            entries: list[Entry] = [("none", partial(self._renew, type_=""))]
+            entries += [(sanitize(type_), partial(self._renew, type_=type_)) for type_ in types]
+            entries.append(("another one, typed", partial(self._parts.begin, f"{TYPE} ")))
+            self._parts.open_menu(f"Type of vertex {sanitize(vertex.id)}", entries)
+
+    def name(self) -> None:
+        """Type the label of the selected vertex."""
+        if vertex := self.chosen():
+            self._parts.begin(f"{NAME} {vertex.label}")
+
+    def _renew(self, label: str | None = None, type_: str | None = None) -> None:
+        if vertex := self.chosen():
+            after = vertex
+            after = after if label is None else replace(after, label=label)
+            after = after if type_ is None else replace(after, type=type_)
+            self._editor.do(edits.renewed(vertex, after))
+
+    def _face(self, degrees: float | None) -> None:
+        if vertex := self.chosen():
+            yaw = None if degrees is None else math.remainder(math.radians(degrees), math.tau)
+            self._editor.do(edits.renewed(vertex, replace(vertex, heading=yaw)))
+
+    def typed(self, line: str) -> Typed | None:
+        """Parse a typed line as a label, type or heading of the selected vertex; None if it is none."""
+        word, _, rest = line.strip().partition(" ")
+        if not self._editor.is_open or word not in (NAME, TYPE, HEADING):
+            return None
+        text = rest.strip()
+        if word == NAME:
+            said = f"Label of the vertex: {sanitize(text)}" if text else "Remove the vertex's label"
+            return Typed([(said, partial(self._renew, label=text))])
+        if word == TYPE:
+            return Typed(
+                [(f"Type of the vertex: {sanitize(text) or 'none'}", partial(self._renew, type_=text))]
+            )
+        try:
+            degrees = float(text) if text and text != "any" else None
+        except ValueError:
+            degrees = math.nan
+        if degrees is not None and not math.isfinite(degrees):
+            return Typed(problem="heading in degrees, counter-clockwise from the x axis, or: any")
+        shown = "any" if degrees is None else f"{degrees:g} degrees"
+        return Typed([(f"Heading at the vertex: {shown}", partial(self._face, degrees))])

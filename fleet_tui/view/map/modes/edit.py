@@ -1,0 +1,121 @@
+"""The map mode of the graph editor: a draft in place of the live graph, and a cursor."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from fleet_tui.model.geometry import Line
+from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor
+from fleet_tui.model.graphs.live import role_of
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.map.layers import draw_cursor
+from fleet_tui.view.map.picture import Layer
+from fleet_tui.view.map.places import seen_vertices
+from fleet_tui.view.map.scene import Mission, Scene, SceneVertex
+from fleet_tui.view.map.viewport import Point, Viewport
+
+NEAR = 1.0
+"""Cells within which an edge is picked."""
+
+
+class EditMode:
+    """Shows a draft; arrows move the cursor by cells. `selected` and `edge` are the ids of the selected
+    vertex or edge, empty for none; `held`: the selected vertex moves to the next place."""
+
+    layers: tuple[Layer, ...] = (draw_cursor,)
+
+    def __init__(self, floor: DocumentFloor, cursor: Point) -> None:
+        self.cursor, self.note = cursor, ""
+        self.selected = self.edge = ""
+        self.held = False
+        self._grasped = ""
+        self.show(floor)
+
+    def show(self, floor: DocumentFloor) -> None:
+        """Show the draft as it is now; a selected element that is gone is not selected any more."""
+        self.floor = floor
+        self.selected = self.selected if self.selected in floor.vertices else ""
+        self.edge = self.edge if self.edge in floor.edges else ""
+        self.held = self.held and bool(self.selected)
+        self._vertices = tuple(
+            SceneVertex(vertex.id, vertex.x, vertex.y, role_of(vertex.type), sanitize(vertex.label))
+            for vertex in floor.vertices.values()
+        )
+        known = [edge for edge in floor.edges.values() if {edge.start, edge.end} <= floor.vertices.keys()]
+        self._edges = tuple(map(self._line, known))
+        self._ids = tuple(edge.id for edge in known)
+        self._one_way = tuple(self._line(edge) for edge in known if not edge.two_way)
+
+    def _line(self, edge: DocumentEdge) -> Line:
+        start, end = self.floor.vertices[edge.start], self.floor.vertices[edge.end]
+        return start.x, start.y, end.x, end.y
+
+    @property
+    def banner(self) -> str:
+        """Return the cursor's place, and the distance from the selected vertex."""
+        x, y = (round(metres, 2) + 0.0 for metres in self.cursor)
+        text = f"EDIT {x:.2f}, {y:.2f} m"
+        if self.selected:
+            vertex = self.floor.vertices[self.selected]
+            away = math.dist((vertex.x, vertex.y), self.cursor)
+            name = sanitize(vertex.label or vertex.id)
+            text += f", {'moving' if self.held else 'from'} {name} {away:.1f} m"
+        return ", ".join(part for part in (text, self.note) if part)
+
+    def adjusted(self, scene: Scene) -> Scene:
+        """Return the scene with the draft's graph, the selected edge as a way."""
+        edge = self.floor.edges.get(self.edge)
+        way = Mission((self._line(edge),)) if edge is not None else None
+        chosen = (self.selected,) if self.selected else ()
+        return replace(
+            scene,
+            vertices=self._vertices,
+            edges=self._edges,
+            one_way=self._one_way,
+            mission=way,
+            target_vertices=chosen,
+        )
+
+    def move(self, view: Viewport, scene: Scene, dx: int, dy: int) -> None:
+        """Move the cursor; at the edge the view moves with it."""
+        self.cursor = view.stepped(scene, self.cursor, dx, dy)
+
+    def pick(self, view: Viewport, scene: Scene) -> None:
+        """Pick nothing: the editor's own key selects."""
+
+    def press(self, view: Viewport, scene: Scene, at: Point) -> bool:
+        """Take a press of the mouse at a place: the vertex there is grasped."""
+        self.cursor = at
+        self._grasped = self.vertex_at(view, scene, at)
+        return bool(self._grasped)
+
+    def drag(self, at: Point) -> None:
+        """Move the grasped vertex along."""
+        self.cursor, self.selected, self.edge, self.held = at, self._grasped, "", True
+
+    def vertex_at(self, view: Viewport, scene: Scene, at: Point) -> str:
+        """Return the id of the vertex in the cell of a place, the nearest one; empty without one."""
+        camera = view.camera(scene)
+        cell = camera.to_cell(*scene.frame.to_pixel(*at))
+        here = [vertex for vertex, place in seen_vertices(self.adjusted(scene), camera) if place == cell]
+        nearest = min(here, key=lambda vertex: math.dist((vertex.x, vertex.y), at), default=None)
+        return nearest.id if nearest is not None else ""
+
+    def edge_at(self, view: Viewport, scene: Scene, at: Point) -> str:
+        """Return the id of the edge nearest to a place, empty if none is near."""
+        if not self._edges:
+            return ""
+        lines, place = np.array(self._edges, np.float64), np.array(at)
+        start, way = lines[:, :2], lines[:, 2:] - lines[:, :2]
+        length = np.maximum((way**2).sum(axis=1), 1e-12)
+        along = np.clip(((place - start) * way).sum(axis=1) / length, 0.0, 1.0)
+        away = np.hypot(*(start + way * along[:, None] - place).T)
+        nearest = int(np.argmin(away))
+        return self._ids[nearest] if away[nearest] <= NEAR * cell_metres(view, scene) else ""
+
+
+def cell_metres(view: Viewport, scene: Scene) -> float:
+    """Return the metres that a cell is high, twice its width."""
+    camera = view.camera(scene)
+    return math.dist(*(scene.frame.to_world(*camera.to_pixel(0, row)) for row in (0, 1)))

@@ -1,0 +1,26 @@
+"""The keys of the graph editor."""
+
+from fleet_tui.keymap import keymap
+from fleet_tui.keys import KEYS, Pane, overruled
+
+
+def test_they_overrule_the_keys_of_console_and_map_but_no_pause_of_all() -> None:
+    chosen, _ = keymap({})
+    taken = overruled(chosen)
+    assert {"cancel", "diagnostics", "drawing", "trails", "next_vertex", "pick", "back"} <= taken
+    assert not taken & {"pause_all", "pause_all_anywhere", "help", "edit", "zoom_in", "pan_left", "order"}
+
+
+def test_a_key_of_the_editor_may_be_one_of_the_console_but_not_of_another_step() -> None:
+    assert keymap({"edit_add": "o"})[1] == []
+    (problem,) = keymap({"edit_add": "x"})[1]
+    assert "already used" in problem
+    assert keymap({"edit_add": "f12"})[1] != []
+
+
+def test_a_changed_key_of_the_editor_overrules_another_one() -> None:
+    assert "order" in overruled(keymap({"edit_add": "o"})[0])
+
+
+def test_none_works_in_a_recording() -> None:
+    assert all(key.only_live for key in KEYS if key.pane is Pane.EDIT or key.id == "edit")

@@ -1,0 +1,73 @@
+"""A graph editor over a small map pane, without a fleet."""
+
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from pathlib import Path
+
+from fleet_tui.controllers.editing.drawing import GraphDrawing
+from fleet_tui.controllers.editing.editor import EditorParts, GraphEditor
+from fleet_tui.controllers.editing.values import VertexValues
+from fleet_tui.maps.draft_file import DraftFile
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.graphs.document import DocumentFloor
+from fleet_tui.model.problem import Permissions
+from fleet_tui.view.map.floor_scene import floor_scene
+from fleet_tui.view.map.modes.edit import EditMode
+from fleet_tui.view.map.viewport import Point
+from tests.support.desk import Desk, ready
+from tests.support.map_pane import Pane
+
+
+class DrawnGraph:
+    """The editor, its drawing, the desk it stands on and the lines that it began in the palette."""
+
+    def __init__(self, pane: Pane, state: FleetState, folder: Path | None, may: Permissions | None) -> None:
+        self.pane, self.desk, self.lines = pane, Desk(state, may), list[str]()
+        self.picture = pane.map.picture
+        desk = self.desk
+        parts = EditorParts(
+            desk.store, desk.dispatch, desk.navigation, desk.notices, desk.open_menu, self.lines.append
+        )
+        self.editor = GraphEditor(
+            parts,
+            pane.controls,
+            self.picture,
+            lambda floor: None if folder is None else DraftFile(folder, "site", floor),
+        )
+        self.values = VertexValues(parts, self.editor)
+        self.drawing = GraphDrawing(parts, self.editor, self.values)
+        pane.map.show(floor_scene(state, desk.navigation.selection))
+
+    @property
+    def mode(self) -> EditMode:
+        assert self.editor.mode is not None
+        return self.editor.mode
+
+    @property
+    def floor(self) -> DocumentFloor:
+        assert self.editor.draft is not None
+        return self.editor.draft.floor
+
+    def at(self, place: Point) -> None:
+        """Put the cursor at a place, in metres."""
+        self.mode.cursor = place
+        self.editor.refresh()
+
+    def typed(self, line: str) -> None:
+        """Type a line into the palette, and press Enter."""
+        typed = self.values.typed(line)
+        assert typed is not None
+        typed.entries[0][1]()
+
+
+@asynccontextmanager
+async def drawn_graph(
+    folder: Path | None = None, may: Permissions | None = None, state: FleetState | None = None
+) -> AsyncIterator[DrawnGraph]:
+    """Robot_0 with a graph of the vertices 1 and 2, which are Base and Store."""
+    async with Pane().run_test(size=(100, 30)) as pilot:
+        app = pilot.app
+        assert isinstance(app, Pane)
+        graph = DrawnGraph(app, state or ready(), folder, may)
+        await pilot.pause()
+        yield graph

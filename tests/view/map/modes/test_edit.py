@@ -1,0 +1,79 @@
+"""The graph editor's map mode: the draft in place of the live graph."""
+
+import pytest
+
+from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor, DocumentVertex
+from fleet_tui.view.map.modes.edit import EditMode, cell_metres
+from fleet_tui.view.map.viewport import Viewport
+from tests.support.map_pane import SCENE
+
+FLOOR = DocumentFloor(
+    "floor_0",
+    {
+        "7": DocumentVertex("7", 2.0, 2.0, "Dock"),
+        "8": DocumentVertex("8", 10.0, 2.0),
+        "9": DocumentVertex("9", 10.0, 8.0),
+    },
+    {
+        "1": DocumentEdge("1", "7", "8"),
+        "2": DocumentEdge("2", "8", "9", two_way=False),
+        "3": DocumentEdge("3", "9", "?"),
+    },
+)
+
+
+def view() -> Viewport:
+    return Viewport(100, 29)
+
+
+def test_the_draft_is_shown_in_place_of_the_live_graph() -> None:
+    mode = EditMode(FLOOR, (5.0, 5.0))
+    mode.selected, mode.edge = "7", "1"
+    scene = mode.adjusted(SCENE)
+    assert [vertex.id for vertex in scene.vertices] == ["7", "8", "9"]
+    assert scene.edges == ((2.0, 2.0, 10.0, 2.0), (10.0, 2.0, 10.0, 8.0))
+    assert scene.one_way == scene.edges[1:]
+    assert scene.target_vertices == ("7",) and scene.mission is not None
+    assert mode.adjusted(SCENE).vertices is scene.vertices
+    assert scene.robots == SCENE.robots
+
+
+def test_what_is_gone_is_not_selected_any_more() -> None:
+    mode = EditMode(FLOOR, (5.0, 5.0))
+    mode.selected, mode.edge, mode.held = "7", "1", True
+    mode.show(DocumentFloor("floor_0"))
+    assert (mode.selected, mode.edge, mode.held) == ("", "", False)
+    assert mode.edge_at(view(), SCENE, (5.0, 5.0)) == ""
+
+
+@pytest.mark.parametrize(("at", "found"), [((2.0, 2.0), "7"), ((6.0, 2.0), "")])
+def test_the_vertex_in_the_cursors_cell_is_found(at: tuple[float, float], found: str) -> None:
+    assert EditMode(FLOOR, (0.0, 0.0)).vertex_at(view(), SCENE, at) == found
+
+
+@pytest.mark.parametrize(
+    ("at", "found"), [((6.0, 2.1), "1"), ((10.0, 6.0), "2"), ((5.0, 5.0), ""), ((14.0, 2.0), "")]
+)
+def test_the_nearest_edge_is_found(at: tuple[float, float], found: str) -> None:
+    assert EditMode(FLOOR, (0.0, 0.0)).edge_at(view(), SCENE, at) == found
+
+
+def test_the_banner_says_where_the_cursor_is_and_how_far_from_the_selected_vertex() -> None:
+    mode = EditMode(FLOOR, (2.0, 5.0))
+    assert mode.banner == "EDIT 2.00, 5.00 m"
+    mode.selected, mode.note = "7", "2 errors"
+    assert mode.banner == "EDIT 2.00, 5.00 m, from Dock 3.0 m, 2 errors"
+    mode.held = True
+    assert "moving Dock" in mode.banner
+
+
+def test_the_mouse_grasps_a_vertex_and_moves_it_along() -> None:
+    mode = EditMode(FLOOR, (0.0, 0.0))
+    assert mode.press(view(), SCENE, (5.0, 5.0)) is False
+    assert mode.press(view(), SCENE, (2.0, 2.0)) is True
+    mode.drag((3.0, 3.0))
+    assert (mode.selected, mode.held, mode.cursor) == ("7", True, (3.0, 3.0))
+
+
+def test_a_cell_is_some_decimetres_high_here() -> None:
+    assert 0.2 < cell_metres(view(), SCENE) < 1.0
