@@ -63,8 +63,9 @@ def _app_actions(screen: "MainScreen", rest: "Rest") -> AppActions:
 
 
 def _back(rest: "Rest") -> None:
-    """Go one level back: end the map's mode, then focus the map."""
-    rest.map_controls.leave_mode()
+    """Go one level back: end the map's mode, then focus the map. A draft is left on the map alone."""
+    if not rest.editor.is_open:
+        rest.map_controls.leave_mode()
     if rest.map.display:
         rest.map.screen.set_focus(rest.map)
 

@@ -38,6 +38,10 @@ if TYPE_CHECKING:
     from fleet_tui.screens.main import MainScreen
 
 
+CURSORS = frozenset({"map_cursor", "next_vertex", "previous_vertex"})
+"""Keys that move the map's own cursor: a draft has another one."""
+
+
 class Rest:
     """Widgets and controllers with their dependencies, and the action of every key."""
 
@@ -121,8 +125,9 @@ class Rest:
     def blocks(self, key: Key[Any]) -> bool:
         """Tell whether a key does nothing now: on the map the graph editor takes precedence while it is open,
         and its keys do nothing else."""
-        is_editing = self.editor.is_open and self._screen.focused is self.map
-        return key.id in self._overruled if is_editing else key.pane is Pane.EDIT
+        if self.editor.is_open and (self._screen.focused is self.map or key.id in CURSORS):
+            return key.id in self._overruled or key.id in CURSORS
+        return key.pane is Pane.EDIT
 
     def draft(self) -> Drafted | None:
         """Return the order that is being typed and its way, and show its length in the form."""

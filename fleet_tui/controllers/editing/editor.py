@@ -142,10 +142,15 @@ class GraphEditor:
 
     @property
     def opened(self) -> tuple[GraphDraft, EditMode, Scene] | None:
-        """Return the draft with its mode and the shown scene, None while none is edited."""
-        if self.draft is None or self.mode is None or self.picture.scene is None:
+        """Return the draft with its mode and the scene of its floor, None while none is edited; say so if
+        another floor is shown."""
+        draft, mode, scene = self.draft, self.mode, self.picture.scene
+        if draft is None or mode is None or scene is None:
             return None
-        return self.draft, self.mode, self.picture.scene
+        if scene.floor != draft.floor.name:
+            self._notices.say(f"the draft is of {sanitize(draft.floor.name)}: go to that floor to edit it")
+            return None
+        return draft, mode, scene
 
     def undo(self) -> None:
         """Take the last step back."""

@@ -30,8 +30,7 @@ class VertexValues:
         if opened is None:
             return None
         draft, mode, scene = opened
-        at_cursor = partial(mode.vertex_at, self._editor.picture.viewport, scene, mode.cursor)
-        id_ = mode.selected or ("" if mode.edge else at_cursor())
+        id_ = mode.selected or mode.vertex_at(self._editor.picture.viewport, scene, mode.cursor)
         if not id_:
             self._parts.notices.say("no vertex is selected: cursor on it, Enter")
             return None

@@ -64,7 +64,9 @@ class EditMode:
         return ", ".join(part for part in (text, self.note) if part)
 
     def adjusted(self, scene: Scene) -> Scene:
-        """Return the scene with the draft's graph, the selected edge as a way."""
+        """Return the scene with the draft's graph, the selected edge as a way; other floors as they are."""
+        if scene.floor != self.floor.name:
+            return scene
         edge = self.floor.edges.get(self.edge)
         way = Mission((self._line(edge),)) if edge is not None else None
         chosen = (self.selected,) if self.selected else ()

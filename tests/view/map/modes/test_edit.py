@@ -77,3 +77,8 @@ def test_the_mouse_grasps_a_vertex_and_moves_it_along() -> None:
 
 def test_a_cell_is_some_decimetres_high_here() -> None:
     assert 0.2 < cell_metres(view(), SCENE) < 1.0
+
+
+def test_another_floor_is_shown_as_it_is() -> None:
+    mode = EditMode(DocumentFloor("floor_1"), (0.0, 0.0))
+    assert mode.adjusted(SCENE) is SCENE
