@@ -138,7 +138,7 @@ class GraphEditor:
         """Take a step."""
         if self.draft is not None:
             self.draft.do(change)
-            self._took(change.text, Done(change))
+            self._took(change.text, Done(change), change)
 
     @property
     def opened(self) -> tuple[GraphDraft, EditMode, Scene] | None:
@@ -158,7 +158,7 @@ class GraphEditor:
         if change is None:
             self._notices.say("nothing to undo")
         else:
-            self._took(f"undone: {change.text}", Undone())
+            self._took(f"undone: {change.text}", Undone(), change)
 
     def redo(self) -> None:
         """Take the undone step again."""
@@ -166,14 +166,14 @@ class GraphEditor:
         if change is None:
             self._notices.say("nothing to redo")
         else:
-            self._took(change.text, Redone())
+            self._took(change.text, Redone(), change)
 
-    def _took(self, text: str, line: Line) -> None:
+    def _took(self, text: str, line: Line, change: Change) -> None:
         assert self.draft is not None and self.mode is not None
         self._notices.note(text)
         if self._file is not None:
             self._keep(partial(self._file.write, line))
-        self.mode.show(self.draft.floor)
+        self.mode.show(self.draft.floor, change)
         self.refresh()
         self.changed(self.draft.floor)
 

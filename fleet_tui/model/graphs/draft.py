@@ -39,18 +39,10 @@ class GraphDraft:
         self.base = self.floor = base
         self.done: list[Change] = []
         self.undone: list[Change] = []
-        self._ids = {*base.vertices}
-        self._edge_ids = {*base.edges, *(edge.reverse_id for edge in base.edges.values() if edge.reverse_id)}
-
-    @property
-    def vertex_id(self) -> str:
-        """Return the id of a new vertex. Never 0, which some robots take for a missing value."""
-        return next_id(self._ids, "0")
-
-    @property
-    def edge_id(self) -> str:
-        """Return the id of a new edge."""
-        return next_id(self._edge_ids, "0")
+        self.vertex_id = next_id(base.vertices, "0")
+        """The id of a new vertex. Never 0, which some robots take for a missing value."""
+        self.edge_id = next_id(base.edges, (edge.reverse_id for edge in base.edges.values()), "0")
+        """The id of a new edge."""
 
     def do(self, change: Change) -> None:
         """Take a step; steps that were undone are gone."""
@@ -77,8 +69,10 @@ class GraphDraft:
     def _take(self, change: Change) -> None:
         self.done.append(change)
         self.floor = changed(self.floor, change)
-        self._ids.update(vertex.id for _, vertex in change.vertices if vertex is not None)
-        self._edge_ids.update(edge.id for _, edge in change.edges if edge is not None)
+        made = [vertex.id for _, vertex in change.vertices if vertex is not None]
+        self.vertex_id = max(self.vertex_id, next_id(made, "0"), key=int)
+        drawn = [edge.id for _, edge in change.edges if edge is not None]
+        self.edge_id = max(self.edge_id, next_id(drawn, "0"), key=int)
 
 
 def changed(floor: DocumentFloor, change: Change) -> DocumentFloor:

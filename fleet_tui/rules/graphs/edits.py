@@ -1,6 +1,5 @@
 """The steps of a graph editor, as changes of a draft."""
 
-import math
 from collections.abc import Iterable
 
 from msgspec.structs import replace
@@ -78,6 +77,8 @@ def snapped(floor: DocumentFloor, x: float, y: float, near: float) -> tuple[floa
 
 
 def _in_line(value: float, others: Iterable[float], near: float, step: float) -> float:
-    nearest = min(others, key=lambda other: abs(other - value), default=math.inf)
+    in_line = [other for other in others if -near <= other - value <= near]
+    if in_line:
+        return min(in_line, key=lambda other: abs(other - value))
     # Multiples of 0.1 are written as such: 0.3, not 0.30000000000000004.
-    return nearest if abs(nearest - value) <= near else round(round(value / step) * step, 6)
+    return round(round(value / step) * step, 6)

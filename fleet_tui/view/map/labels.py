@@ -101,8 +101,10 @@ class CellOccupancy:
         return column, row
 
     def _apart(self, x: int, y: int, cells: int) -> bool:
+        if not (0 <= y < self._height and x >= 0 and x + cells <= self._width):
+            return False
         start, end = max(x - 1, 0), min(x + cells + 1, self._width)
-        return self.free(x, y, cells) and self.free(start, y, end - start)
+        return self.free(start, y, end - start)
 
 
 class Label(NamedTuple):

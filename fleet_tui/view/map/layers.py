@@ -1,6 +1,10 @@
 """The map's layers, one function each, drawn in the order of the lists in `picture`."""
 
 from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
 
 from fleet_tui.model.graph import Role
 from fleet_tui.model.order import natural
@@ -10,10 +14,13 @@ from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.glyphs import vertex_glyph
 from fleet_tui.view.map.labels import CellOccupancy, Label, draw_label
-from fleet_tui.view.map.places import seen_vertices
+from fleet_tui.view.map.places import Same, cells_of_vertices
 from fleet_tui.view.map.raster import ground
 from fleet_tui.view.map.scene import Scene, SceneVertex
 from fleet_tui.view.roles import StyleRole
+
+CELLS_OF_LABEL = 32
+"""Cells of the view for each label that is tried: more would fill it, and take long."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,12 +52,29 @@ def draw_ground(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) ->
 def draw_vertices(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
     """Draw the vertices by role, the important ones over the others. On the current way a plain one is part
     of the line."""
-    placed = seen_vertices(scene, camera)
-    for vertex, (x, y) in sorted(placed, key=lambda at: vertex_glyph(at[0], look.plain)[1]):
-        glyph, role = vertex_glyph(vertex, look.plain)
-        if role is StyleRole.VERTEX and cells.roles[y, x] in (StyleRole.MISSION, StyleRole.MISSION_THROUGH):
-            glyph, role = ("*" if look.plain else "•"), StyleRole.MISSION
-        cells.write(x, y, glyph, StyleRole.TARGET if vertex.id in scene.target_vertices else role)
+    indices, places = cells_of_vertices(scene, camera)
+    all_codes, all_roles = _glyphs(Same(scene.vertices), look.plain)
+    order = np.argsort(all_roles[indices], kind="stable")
+    indices, (x, y) = indices[order], places[order].T
+    codes, roles = all_codes[indices], all_roles[indices]
+    below = cells.roles[y, x]
+    on_way = (below == StyleRole.MISSION) | (below == StyleRole.MISSION_THROUGH)
+    on_way &= roles == StyleRole.VERTEX
+    codes[on_way], roles[on_way] = ord("*" if look.plain else "•"), StyleRole.MISSION
+    if targets := scene.target_vertices:
+        roles[[scene.vertices[i].id in targets for i in indices.tolist()]] = StyleRole.TARGET
+    cells.codes[y, x], cells.roles[y, x] = codes, roles
+
+
+@lru_cache(maxsize=4)
+def _glyphs(
+    vertices: Same[tuple[SceneVertex, ...]], plain: bool
+) -> tuple[NDArray[np.uint32], NDArray[np.uint8]]:
+    """Return the code points and roles of vertices."""
+    glyphs = [vertex_glyph(vertex, plain) for vertex in vertices.rows]
+    return np.array([ord(glyph) for glyph, _ in glyphs], np.uint32), np.array(
+        [role for _, role in glyphs], np.uint8
+    )
 
 
 def draw_labels(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> tuple[Label, ...]:
@@ -62,15 +86,18 @@ def draw_labels(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) ->
     """
     if not look.labels:
         return ()
-    placed = seen_vertices(scene, camera)
     occupancy = CellOccupancy(camera.width, camera.height)
-    for vertex, (x, y) in placed:
-        if vertex.role is not Role.PLAIN or vertex.label:
-            occupancy.take(x, y, 1)
+    indices, places = cells_of_vertices(scene, camera)
+    ranked, is_marked = _ranks(Same(scene.vertices))
+    for x, y in places[is_marked[indices]].tolist():
+        occupancy.take(x, y, 1)
+    at = dict(zip(indices.tolist(), places.tolist(), strict=True))
+    labelled = [(scene.vertices[i], at[i]) for i in ranked if i in at]
     targets = scene.target_vertices
-    labelled = [at for at in placed if at[0].label]
+    # The others are in their order already.
+    labelled.sort(key=lambda seen: (seen[0].id not in targets, seen[0].id != look.pointed))
     drawn: list[Label] = []
-    for vertex, (x, y) in sorted(labelled, key=lambda at: _rank(at[0], targets, look)):
+    for vertex, (x, y) in labelled[: camera.width * camera.height // CELLS_OF_LABEL + 1]:
         text = sanitize(vertex.label)
         if look.plain:
             text = text.encode("ascii", "replace").decode()
@@ -81,9 +108,15 @@ def draw_labels(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) ->
     return tuple(drawn)
 
 
-def _rank(vertex: SceneVertex, targets: tuple[str, ...], look: MapOptions) -> tuple[bool, bool, bool, object]:
-    """Return the sort key of a label, the smallest first."""
-    return vertex.id not in targets, vertex.id != look.pointed, vertex.role is Role.PLAIN, natural(vertex.id)
+@lru_cache(maxsize=4)
+def _ranks(vertices: Same[tuple[SceneVertex, ...]]) -> tuple[tuple[int, ...], NDArray[np.bool_]]:
+    """Return the indices of labelled vertices in the order of their labels, and the vertices that no label
+    may cover."""
+    plain = Role.PLAIN
+    labelled = [i for i, vertex in enumerate(vertices.rows) if vertex.label]
+    labelled.sort(key=lambda i: (vertices.rows[i].role is plain, natural(vertices.rows[i].id)))
+    marked = [bool(vertex.label) or vertex.role is not plain for vertex in vertices.rows]
+    return tuple(labelled), np.array(marked, np.bool_)
 
 
 def draw_cursor(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +11,7 @@ from fleet_tui.model.geometry import Line
 from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.layers import MapOptions
-from fleet_tui.view.map.places import Points, pixels
+from fleet_tui.view.map.places import Points, Same, pixels
 from fleet_tui.view.map.raster import BRAILLE, pack
 from fleet_tui.view.map.scene import Scene, SceneRobot
 from fleet_tui.view.roles import StyleRole
@@ -59,8 +60,13 @@ def _dots(scene: Scene, camera: Camera, points: Points) -> Points:
     return pixels(scene.frame, points) / camera.scale - (left * DOTS_X, top * DOTS_Y)
 
 
+@lru_cache(maxsize=8)
+def _as_array(lines: Same[tuple[Line, ...]]) -> Points:
+    return np.array(lines.rows, np.float64)
+
+
 def _ends(scene: Scene, camera: Camera, lines: tuple[Line, ...]) -> tuple[Points, Points]:
-    ends = np.array(lines, np.float64)
+    ends = _as_array(Same(lines))
     return _dots(scene, camera, ends[:, :2]), _dots(scene, camera, ends[:, 2:])
 
 

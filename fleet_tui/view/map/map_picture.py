@@ -109,7 +109,7 @@ class MapPicture:
 
     def _still(self, scene: Scene, camera: Camera) -> Backdrop:
         """Return the backdrop of the robots, redrawn only on a change."""
-        under = pointed(scene, camera, self.options.cursor)
+        under = pointed(scene, camera, self.options.cursor) if self.mode.points else None
         key = (scene, camera, replace(self.options, cursor=None, trails=False, pointed=under))
         if self._backdrop is None or self._backdrop_of is None or not _same(self._backdrop_of, key):
             self._backdrop = backdrop(*key)

@@ -1,5 +1,8 @@
 """World positions in the view. Invalid coordinates are outside it."""
 
+from functools import lru_cache
+from typing import Generic, TypeVar
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -8,8 +11,30 @@ from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 
 Points = NDArray[np.float64]
+Indices = NDArray[np.intp]
 Place = tuple[int, int]
 """A cell (x, y) of the view."""
+Rows = TypeVar("Rows", bound=tuple[object, ...])
+
+
+class Same(Generic[Rows]):
+    """A tuple as a key of a cache, equal only to itself: comparing thousands of elements takes too long."""
+
+    __slots__ = ("rows",)
+
+    def __init__(self, rows: Rows) -> None:
+        self.rows = rows
+
+    def __hash__(self) -> int:
+        return id(self.rows)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Same) and self.rows is other.rows
+
+
+@lru_cache(maxsize=4)
+def _points(vertices: Same[tuple[SceneVertex, ...]]) -> Points:
+    return np.array([(vertex.x, vertex.y) for vertex in vertices.rows], np.float64).reshape(-1, 2)
 
 
 def seen_robots(scene: Scene, camera: Camera) -> list[tuple[SceneRobot, Place]]:
@@ -19,26 +44,30 @@ def seen_robots(scene: Scene, camera: Camera) -> list[tuple[SceneRobot, Place]]:
         scene.robots,
         key=lambda one: (not one.selected, one.online and not (one.obstacle or one.alarmed), one.number),
     )
-    points = [(robot.pose.x, robot.pose.y) for robot in robots]
-    return [(robots[i], place) for i, place in _seen(scene.frame, camera, points)]
+    points = np.array([(robot.pose.x, robot.pose.y) for robot in robots], np.float64).reshape(-1, 2)
+    indices, places = _seen(scene.frame, camera, points)
+    return [(robots[i], (x, y)) for i, (x, y) in zip(indices.tolist(), places.tolist(), strict=True)]
 
 
 def seen_vertices(scene: Scene, camera: Camera) -> list[tuple[SceneVertex, Place]]:
     """Return the vertices in the view with their cells."""
-    points = [(vertex.x, vertex.y) for vertex in scene.vertices]
-    return [(scene.vertices[i], place) for i, place in _seen(scene.frame, camera, points)]
+    indices, places = cells_of_vertices(scene, camera)
+    vertices = scene.vertices
+    return [(vertices[i], (x, y)) for i, (x, y) in zip(indices.tolist(), places.tolist(), strict=True)]
 
 
-def _seen(frame: MapFrame, camera: Camera, points: list[tuple[float, float]]) -> list[tuple[int, Place]]:
-    """Return the index and the cell of each point in the view."""
-    if not points:
-        return []
+def cells_of_vertices(scene: Scene, camera: Camera) -> tuple[Indices, Indices]:
+    """Return the indices of the vertices in the view, and their cells (n x 2: x, y)."""
+    return _seen(scene.frame, camera, _points(Same(scene.vertices)))
+
+
+def _seen(frame: MapFrame, camera: Camera, points: Points) -> tuple[Indices, Indices]:
+    """Return the indices of the points in the view, and their cells."""
     with np.errstate(invalid="ignore"):
         cell = (DOTS_X * camera.scale, DOTS_Y * camera.scale)
-        places = np.floor(pixels(frame, np.array(points)) / cell) - camera.origin
+        places = np.floor(pixels(frame, points) / cell) - camera.origin
         inside = ((places >= 0) & (places < (camera.width, camera.height))).all(axis=1)
-    cells = places[inside].astype(np.intp).tolist()
-    return [(i, (x, y)) for i, (x, y) in zip(np.flatnonzero(inside).tolist(), cells, strict=True)]
+    return np.flatnonzero(inside), places[inside].astype(np.intp)
 
 
 def pixels(frame: MapFrame, points: Points) -> Points:

@@ -6,7 +6,8 @@ from dataclasses import replace
 import numpy as np
 
 from fleet_tui.model.geometry import Line
-from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor
+from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor, DocumentVertex
+from fleet_tui.model.graphs.draft import Change
 from fleet_tui.model.graphs.live import role_of
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.layers import draw_cursor
@@ -24,32 +25,54 @@ class EditMode:
     vertex or edge, empty for none; `held`: the selected vertex moves to the next place."""
 
     layers: tuple[Layer, ...] = (draw_cursor,)
+    points = False
 
     def __init__(self, floor: DocumentFloor, cursor: Point) -> None:
         self.cursor, self.note = cursor, ""
+        self._made = dict[str, SceneVertex]()
+        self._lines = dict[str, Line]()
         self.selected = self.edge = ""
         self.held = False
         self._grasped = ""
         self.show(floor)
 
-    def show(self, floor: DocumentFloor) -> None:
-        """Show the draft as it is now; a selected element that is gone is not selected any more."""
+    def show(self, floor: DocumentFloor, change: Change | None = None) -> None:
+        """Show the draft as it is now, after a change if that was all; a selected element that is gone is not
+        selected any more."""
         self.floor = floor
         self.selected = self.selected if self.selected in floor.vertices else ""
         self.edge = self.edge if self.edge in floor.edges else ""
         self.held = self.held and bool(self.selected)
-        self._vertices = tuple(
-            SceneVertex(vertex.id, vertex.x, vertex.y, role_of(vertex.type), sanitize(vertex.label))
-            for vertex in floor.vertices.values()
-        )
-        known = [edge for edge in floor.edges.values() if {edge.start, edge.end} <= floor.vertices.keys()]
-        self._edges = tuple(map(self._line, known))
-        self._ids = tuple(edge.id for edge in known)
-        self._one_way = tuple(self._line(edge) for edge in known if not edge.two_way)
+        if change is None:
+            self._made = {id_: _shown(vertex) for id_, vertex in floor.vertices.items()}
+            self._lines = {id_: line for id_, edge in floor.edges.items() if (line := self._line(edge))}
+        else:
+            self._renew(change)
+        self._vertices, self._edges = tuple(self._made.values()), tuple(self._lines.values())
+        self._one_way = tuple(line for id_, line in self._lines.items() if not floor.edges[id_].two_way)
 
-    def _line(self, edge: DocumentEdge) -> Line:
-        start, end = self.floor.vertices[edge.start], self.floor.vertices[edge.end]
-        return start.x, start.y, end.x, end.y
+    def _renew(self, change: Change) -> None:
+        """Make only what has changed anew: of thousands one or two."""
+        floor = self.floor
+        touched = {one.id for pair in change.vertices for one in pair if one is not None}
+        edges = {one.id for pair in change.edges for one in pair if one is not None}
+        if touched & self._made.keys():
+            edges.update(
+                id_ for id_, one in floor.edges.items() if one.start in touched or one.end in touched
+            )
+        for id_ in touched:
+            self._made.pop(id_, None)
+            if id_ in floor.vertices:
+                self._made[id_] = _shown(floor.vertices[id_])
+        for id_ in edges:
+            self._lines.pop(id_, None)
+            if id_ in floor.edges and (line := self._line(floor.edges[id_])):
+                self._lines[id_] = line
+
+    def _line(self, edge: DocumentEdge) -> Line | None:
+        """Return the line of an edge, None if one of its vertices is unknown."""
+        start, end = self.floor.vertices.get(edge.start), self.floor.vertices.get(edge.end)
+        return None if start is None or end is None else (start.x, start.y, end.x, end.y)
 
     @property
     def banner(self) -> str:
@@ -67,8 +90,7 @@ class EditMode:
         """Return the scene with the draft's graph, the selected edge as a way; other floors as they are."""
         if scene.floor != self.floor.name:
             return scene
-        edge = self.floor.edges.get(self.edge)
-        way = Mission((self._line(edge),)) if edge is not None else None
+        way = Mission((self._lines[self.edge],)) if self.edge in self._lines else None
         chosen = (self.selected,) if self.selected else ()
         return replace(
             scene,
@@ -114,7 +136,11 @@ class EditMode:
         along = np.clip(((place - start) * way).sum(axis=1) / length, 0.0, 1.0)
         away = np.hypot(*(start + way * along[:, None] - place).T)
         nearest = int(np.argmin(away))
-        return self._ids[nearest] if away[nearest] <= NEAR * cell_metres(view, scene) else ""
+        return list(self._lines)[nearest] if away[nearest] <= NEAR * cell_metres(view, scene) else ""
+
+
+def _shown(vertex: DocumentVertex) -> SceneVertex:
+    return SceneVertex(vertex.id, vertex.x, vertex.y, role_of(vertex.type), sanitize(vertex.label))
 
 
 def cell_metres(view: Viewport, scene: Scene) -> float:

@@ -17,6 +17,8 @@ class MapMode(Protocol):
 
     layers: tuple[Layer, ...]
     """Drawn over everything else."""
+    points: bool
+    """The label of the vertex under its cursor precedes others."""
 
     @property
     def cursor(self) -> Point | None:
@@ -47,6 +49,7 @@ class PlainMode:
     """The map as it is: the mouse pans, and picks what is there."""
 
     layers: tuple[Layer, ...] = ()
+    points = True
     cursor: Point | None = None
 
     @property

@@ -3,6 +3,8 @@
 import pytest
 
 from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor, DocumentVertex
+from fleet_tui.model.graphs.draft import GraphDraft
+from fleet_tui.rules.graphs import edits
 from fleet_tui.view.map.modes.edit import EditMode, cell_metres
 from fleet_tui.view.map.viewport import Viewport
 from tests.support.map_pane import SCENE
@@ -82,3 +84,21 @@ def test_a_cell_is_some_decimetres_high_here() -> None:
 def test_another_floor_is_shown_as_it_is() -> None:
     mode = EditMode(DocumentFloor("floor_1"), (0.0, 0.0))
     assert mode.adjusted(SCENE) is SCENE
+
+
+def test_after_a_change_the_picture_is_as_if_all_were_drawn_anew() -> None:
+    mode, draft = EditMode(FLOOR, (0.0, 0.0)), GraphDraft(FLOOR)
+    steps = (
+        edits.renewed(FLOOR.vertices["8"], DocumentVertex("8", 11.0, 2.0, "Store")),
+        edits.connected("4", "7", "9"),
+        edits.turned(FLOOR.edges["1"]),
+        edits.removed(FLOOR, "9"),
+        edits.added(DocumentVertex("?", 1.0, 1.0)),
+    )
+    for step in steps:
+        draft.do(step)
+        mode.show(draft.floor, step)
+        anew = EditMode(draft.floor, (0.0, 0.0)).adjusted(SCENE)
+        scene = mode.adjusted(SCENE)
+        assert sorted(scene.vertices, key=str) == sorted(anew.vertices, key=str)
+        assert sorted(scene.edges) == sorted(anew.edges) and sorted(scene.one_way) == sorted(anew.one_way)
