@@ -1,10 +1,11 @@
 """The characters of the map, each with its plain ASCII substitute."""
 
 import math
+from functools import lru_cache
 
 from fleet_tui.model.graph import Role
 from fleet_tui.text.durations import age
-from fleet_tui.view.map.scene import SceneRobot, SceneVertex
+from fleet_tui.view.map.scene import SceneRobot
 from fleet_tui.view.roles import StyleRole
 
 # East first, then counter-clockwise in steps of 45 degrees. A loaded robot is a filled arrow.
@@ -54,12 +55,13 @@ def robot_roles(robot: SceneRobot) -> tuple[StyleRole, StyleRole]:
     return (StyleRole.ROBOT_SELECTED if robot.selected else state), state
 
 
-def vertex_glyph(vertex: SceneVertex, plain: bool) -> tuple[str, StyleRole]:
+@lru_cache(maxsize=32)
+def vertex_glyph(role: Role, is_labelled: bool, plain: bool) -> tuple[str, StyleRole]:
     """Return the glyph of a vertex by its role; without a role by whether it has a label."""
-    if vertex.role is Role.ELEVATOR:
+    if role is Role.ELEVATOR:
         return ("E" if plain else "↕"), StyleRole.ELEVATOR
-    if vertex.role is Role.DOCKING:
+    if role is Role.DOCKING:
         return ("D" if plain else "⌂"), StyleRole.DOCKING
-    if vertex.label:
+    if is_labelled:
         return "o", StyleRole.VERTEX_LABELLED
     return ("'" if plain else "·"), StyleRole.VERTEX

@@ -17,6 +17,9 @@ _HELD = np.zeros(len(StyleRole), np.bool_)
 _HELD[StyleRole.VERTEX : StyleRole.TARGET + 1] = True  # vertices and labels
 
 
+_HIDES = bytes(role > StyleRole.UNKNOWN for role in range(256))
+
+
 class CellOccupancy:
     """Occupancy of a view's cells; `below` are those that numbers should not cover.
 
@@ -188,4 +191,5 @@ def _margins(width: int, height: int) -> int:
 
 def _hidden(roles: Roles) -> int:
     """Return the number of cells that hold something: a wall, an edge, a vertex."""
-    return int(np.count_nonzero(roles > StyleRole.UNKNOWN))
+    # As bytes: of so few cells they are counted ten times as fast.
+    return roles.tobytes().translate(_HIDES).count(1)

@@ -19,7 +19,7 @@ from fleet_tui.view.map.raster import ground
 from fleet_tui.view.map.scene import Scene, SceneVertex
 from fleet_tui.view.roles import StyleRole
 
-CELLS_OF_LABEL = 32
+CELLS_OF_LABEL = 48
 """Cells of the view for each label that is tried: more would fill it, and take long."""
 
 
@@ -71,7 +71,7 @@ def _glyphs(
     vertices: Same[tuple[SceneVertex, ...]], plain: bool
 ) -> tuple[NDArray[np.uint32], NDArray[np.uint8]]:
     """Return the code points and roles of vertices."""
-    glyphs = [vertex_glyph(vertex, plain) for vertex in vertices.rows]
+    glyphs = [vertex_glyph(vertex.role, bool(vertex.label), plain) for vertex in vertices.rows]
     return np.array([ord(glyph) for glyph, _ in glyphs], np.uint32), np.array(
         [role for _, role in glyphs], np.uint8
     )

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator
 from functools import lru_cache
+from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
@@ -62,7 +63,9 @@ def _dots(scene: Scene, camera: Camera, points: Points) -> Points:
 
 @lru_cache(maxsize=8)
 def _as_array(lines: Same[tuple[Line, ...]]) -> Points:
-    return np.array(lines.rows, np.float64)
+    # Twice as fast as from a list of tuples.
+    numbers = np.fromiter(chain.from_iterable(lines.rows), np.float64, 4 * len(lines.rows))
+    return numbers.reshape(-1, 4)
 
 
 def _ends(scene: Scene, camera: Camera, lines: tuple[Line, ...]) -> tuple[Points, Points]:

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Role
 from fleet_tui.view.map.glyphs import robot_glyph, robot_roles, robot_tag, vertex_glyph
-from fleet_tui.view.map.scene import SceneRobot, SceneVertex
+from fleet_tui.view.map.scene import SceneRobot
 from fleet_tui.view.roles import StyleRole
 
 HERE = Pose(0.0, 0.0)
@@ -44,9 +44,8 @@ def test_trouble_goes_before_selection_and_selection_shows_in_the_arrow() -> Non
 
 
 def test_a_vertex_by_its_role_then_by_its_label() -> None:
-    lift = SceneVertex("1", 0.0, 0.0, Role.ELEVATOR, "Lift")
-    assert (vertex_glyph(lift, False)[0], vertex_glyph(lift, True)[0]) == ("↕", "E")
-    assert vertex_glyph(SceneVertex("1", 0.0, 0.0, Role.PLAIN, "Base"), False)[0] == "o"
+    assert [vertex_glyph(Role.ELEVATOR, True, plain)[0] for plain in (False, True)] == ["↕", "E"]
+    assert vertex_glyph(Role.PLAIN, True, False)[0] == "o"
 
 
 @given(st.floats(-9, 9) | st.just(math.nan), st.floats(-9, 9), st.booleans())
