@@ -15,9 +15,10 @@ class Feed(NamedTuple):
     """One topic to subscribe to. `robots` are all those it reports on, usually one; `key` names the value.
 
     `rate_ms`: milliseconds between two messages, 0 for every one. `latched`: late subscribers get its last
-    message. `wanted_for`: subscribed only while that is needed, a `map` on screen, or the `target` of a goal
-    that no other topic reports. `large`: requested as CBOR and decoded off the loop. `fast`: as frequent as
-    poses. `silent`: may rightly send nothing for hours. `is_shared`: one topic may report on all robots.
+    message. `wanted_for`: subscribed only while that is needed, a `map` on screen, the `target` of a goal
+    that no other topic reports, or a `stream` beside the fleet state. `large`: requested as CBOR and decoded
+    off the loop. `fast`: as frequent as poses. `silent`: may rightly send nothing for hours. `is_shared`: one
+    topic may report on all robots.
     """
 
     key: str
@@ -27,7 +28,7 @@ class Feed(NamedTuple):
     type: str
     rate_ms: int = 0
     latched: bool = False
-    wanted_for: Literal["", "map", "target"] = ""
+    wanted_for: Literal["", "map", "target", "stream"] = ""
     large: bool = False
     fast: bool = False
     silent: bool = False
@@ -82,12 +83,13 @@ class Limit(NamedTuple):
 
 class Site(NamedTuple):
     """Settings of a configuration that adapters use: milliseconds between messages, seconds of silence after
-    which a robot counts as offline, and the name of its profile's table."""
+    which a robot counts as offline, the name of its profile's table, and the frame of each floor."""
 
     pose_ms: int = 100
     status_ms: int = 500
     offline_after: float = 5.0
     table: str = "profile"
+    frames: Mapping[str, str] = {}
 
 
 class Adapter(Protocol):

@@ -12,7 +12,9 @@ class Profile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     `name` and `kind` mean the same. `fields` maps our name of a field to its path in the site's message,
     `scales` to its factor; `silence`: seconds after which a missing value is old. `origin = "added"` if the
-    stack adds the map's origin. `settings`: tables of single kinds, by kind.
+    stack adds the map's origin. `settings`: tables of single kinds, by kind. `requests`: the fields of
+    services, with {robot} in texts; `modes`: the meanings of a robot's words for its mode; `pose_frame`: the
+    frame of poses that are set, with {robot} and {floor}, empty for the usual one.
     """
 
     name: str = ""
@@ -31,3 +33,6 @@ class Profile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     directed: bool = False
     origin: Literal["ros", "added"] = "ros"
     settings: dict[str, dict[str, Any]] = {}
+    requests: dict[str, dict[str, Any]] = {}
+    modes: dict[str, Literal["mapping", "navigation"]] = {}
+    pose_frame: str = ""

@@ -4,6 +4,7 @@ import re
 from collections.abc import Sequence
 
 from fleet_tui.model.commands import Command, PauseRobot, ResumeRobot, Stage
+from fleet_tui.model.set_up.commands import SetUpCommand
 from fleet_tui.text.limits import truncate
 
 LONGEST_JUDGED = 100_000
@@ -48,6 +49,8 @@ def judge(
         return (Stage.REFUSED if refused else Stage.UNKNOWN), text
     fields = values if isinstance(values, dict) else {}
     success, detail = fields.get("success"), fields.get("status", fields.get("message"))
+    if isinstance(command, SetUpCommand) and not fields:
+        return Stage.ACCEPTED, ""  # of a service that has no answer
     if not isinstance(success, bool) and not ("success" not in fields and isinstance(detail, str)):
         return Stage.UNKNOWN, f"unrecognised reply: {truncate(said(values))}"
     text = detail if isinstance(detail, str) else ""

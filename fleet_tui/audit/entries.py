@@ -12,6 +12,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.order import Stop, pose_text
 from fleet_tui.model.robot import Robot
+from fleet_tui.model.set_up.commands import SetUpCommand, heading_text
 from fleet_tui.rules.commands.batches import pauses, summary
 
 TEXT_KEPT = 1000
@@ -127,6 +128,9 @@ def _arguments(robot: Robot | None, command: commands.Command) -> dict[str, Any]
             return {"what": "pause"}
         case commands.ResumeRobot():
             return {"what": "resume"}
+        case SetUpCommand():
+            place = {"end": heading_text(command.place)} if command.place else {}
+            return {"what": command.text if not place else command.what, **place}
         case _:
             assert_never(command)
 

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from fleet_tui.adapters.adapter import Site
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.registry import DEFAULT_KIND, KINDS, Registered
+from fleet_tui.adapters.ros.set_up import names as set_up
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.robot import Robot
 
@@ -14,11 +15,11 @@ VERSION = 1
 
 
 def _of(registered: Registered) -> tuple[Kind, Kind]:
-    """Return a kind without a profile, with a placeholder for every unnamed topic."""
-    unnamed = {
-        key: f"/{{robot}}/{key}" for key, (name, _) in registered.vocabulary.topics.items() if not name
-    }
-    usual, whole = Profile(), Profile(topics=unnamed)
+    """Return a kind without a profile, with a placeholder for every unnamed topic and set-up service."""
+    words = registered.vocabulary
+    unnamed = {key: f"/{{robot}}/{key}" for key, (name, _) in words.topics.items() if not name}
+    services = {key: f"/{{robot}}/{key}" for key in set_up.SERVICES if not words.services[key][0]}
+    usual, whole = Profile(), Profile(topics=unnamed, services=services)
     return registered.adapter(usual, Site()).kind, registered.adapter(whole, Site()).kind
 
 
@@ -49,6 +50,9 @@ def _values(name: str, usual: Kind, whole: Kind) -> dict[str, object]:
         "reports": list(usual.reports),
         "can_report": [value for value in whole.reports if value not in usual.reports],
         "accepts": list(usual.accepts),
+        "can_accept": [asked for asked in whole.accepts if asked not in usual.accepts],
+        "streams": list(usual.streams),
+        "can_stream": [key for key in whole.streams if key not in usual.streams],
         "queue_kept_here": usual.keeps_goals,
         "stops_given_here": usual.gives_stops,
         "pause_holds": usual.holds,
@@ -63,6 +67,12 @@ def _lines(name: str, usual: Kind, whole: Kind) -> Iterator[str]:
     if more:
         yield f"           with [profile.topics]: {', '.join(more)}"
     yield f"  accepts  {', '.join(usual.accepts)}"
+    if further := [asked for asked in whole.accepts if asked not in usual.accepts]:
+        yield f"           with names in [profile]: {', '.join(further)}"
+    if usual.streams:
+        yield f"  streams  {', '.join(usual.streams)}"
+    elif whole.streams:
+        yield f"  streams  with [profile.topics]: {', '.join(whole.streams)}"
     if usual.keeps_goals:
         yield "  queue    kept by the console that sent the orders"
     if usual.gives_stops:

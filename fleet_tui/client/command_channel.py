@@ -15,6 +15,7 @@ from fleet_tui.client.calls import Calls, PendingCall
 from fleet_tui.client.goal_channel import Goals
 from fleet_tui.client.heartbeat import Heartbeat
 from fleet_tui.client.publishing import Publishing
+from fleet_tui.client.set_up.listeners import check_listeners
 from fleet_tui.client.telemetry import Telemetry
 from fleet_tui.client.writer import Writer
 from fleet_tui.config.schema import Link
@@ -22,6 +23,7 @@ from fleet_tui.errors import CommandError, LinkError
 from fleet_tui.model.commands import UNANSWERED, Command, PauseRobot, PlaceOrder, Stage
 from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.link import CommandPath
+from fleet_tui.model.set_up.commands import SetUpCommand
 from fleet_tui.rules.commands.local_queue import withdrawn
 from fleet_tui.text.limits import truncate
 from fleet_tui.transports.rosbridge.connection import Connection
@@ -105,7 +107,7 @@ class CommandChannel:
         commands behind it; a pause never waits.
         """
         LOG.info("command %d: %s", command_id, command)
-        waits = self._services.is_new or self._in_turn.locked()
+        waits = self._services.is_new or self._in_turn.locked() or isinstance(command, SetUpCommand)
         if isinstance(command, PauseRobot) or not waits:
             self._submit(command_id, command, given_at)
         else:
@@ -114,11 +116,25 @@ class CommandChannel:
     async def _submit_in_turn(self, command_id: int, command: Command, given_at: float) -> None:
         async with self._in_turn:
             await self._services.settle()
+            if isinstance(command, SetUpCommand) and not await self._has_listeners(command_id, command):
+                return
             # A pause waits for nothing: the goal that it overtook must not drive the robot on.
             if reason := withdrawn(self._writer.store.state, command_id, given_at):
                 self._advance(command_id, Stage.NOT_SENT, reason)
                 return
             self._submit(command_id, command, given_at)
+
+    async def _has_listeners(self, command_id: int, command: Command) -> bool:
+        """Prepare the topics of a command, and tell whether to send it: a bridge drops silently what no node
+        takes."""
+        try:
+            outgoing = self._outgoing(command, command_id, 0.0)
+            waits = [self._publishing.prepare(one) for one in outgoing if isinstance(one, Publication)]
+            await asyncio.gather(check_listeners(self._calls, outgoing), asyncio.sleep(max(waits, default=0)))
+        except (LinkError, CommandError) as problem:
+            self._advance(command_id, Stage.NOT_SENT, str(problem))
+            return False
+        return True
 
     def _submit(self, command_id: int, command: Command, given_at: float) -> None:
         at = time.monotonic()

@@ -45,10 +45,15 @@ class Publishing:
         self._connection.send(operations.advertise(topic, type_))
         self._advertised[topic] = time.monotonic()
 
-    def send(self, one: Publication) -> None:
-        """Publish now, and once more if the first message may be lost. Raises LinkError."""
+    def prepare(self, one: Publication) -> float:
+        """Advertise a topic, and return the seconds until its subscribers are connected. Raises LinkError."""
         if one.address not in self._advertised:
             self._advertise(one.address, one.type)
+        return max(0.0, self._advertised[one.address] + KNOWN_AFTER - time.monotonic())
+
+    def send(self, one: Publication) -> None:
+        """Publish now, and once more if the first message may be lost. Raises LinkError."""
+        self.prepare(one)
         frame = operations.publish(one.address, one.type, one.message)
         self._connection.send(frame)
         known_at = self._advertised[one.address] + KNOWN_AFTER

@@ -8,6 +8,7 @@ import msgspec
 
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.registry import KINDS, kind_of
+from fleet_tui.adapters.ros.names import Vocabulary
 from fleet_tui.config.fleet import adapters_of, shared_topics
 from fleet_tui.config.schema import DEFAULT_LINK, Config, link_key
 from fleet_tui.errors import did_you_mean
@@ -50,6 +51,14 @@ def _profile(where: str, profile: Profile) -> Iterator[str]:
         yield f"{where}.{key}: unknown kind {kind!r}{did_you_mean(kind, KINDS)}"
         return
     known = KINDS[kind].vocabulary
+    yield from _unknown_keys(where, profile, known)
+    yield from _numbers(where, profile)
+    yield from _placeholders(where, profile, known.floor_topics)
+    yield from _refusals(where, profile)
+    yield from _settings(where, profile, kind)
+
+
+def _unknown_keys(where: str, profile: Profile, known: Vocabulary) -> Iterator[str]:
     fields = {f"{message}.{field}" for message, names in known.fields.items() for field in names}
     tables: tuple[tuple[str, Mapping[str, object], object], ...] = (
         ("topics", profile.topics, known.topics),
@@ -58,6 +67,7 @@ def _profile(where: str, profile: Profile) -> Iterator[str]:
         ("service_types", profile.service_types, known.services),
         ("actions", profile.actions, known.actions),
         ("action_types", profile.action_types, known.actions),
+        ("requests", profile.requests, known.requests),
         ("fields", profile.fields, fields),
         ("scales", profile.scales, known.scales),
         ("silence", profile.silence, set(known.topics) - known.floor_topics),
@@ -67,10 +77,6 @@ def _profile(where: str, profile: Profile) -> Iterator[str]:
         for key in given:
             if key not in names:
                 yield f"{where}.{table}.{key}: unknown key{did_you_mean(key, names)}"
-    yield from _numbers(where, profile)
-    yield from _placeholders(where, profile, known.floor_topics)
-    yield from _refusals(where, profile)
-    yield from _settings(where, profile, kind)
 
 
 def _numbers(where: str, profile: Profile) -> Iterator[str]:

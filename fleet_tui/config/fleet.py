@@ -27,7 +27,8 @@ def adapters_of(config: Config) -> dict[str, Adapter]:
     for robot in config.robots:
         table, profile = profile_of(config, robot)
         if table not in made:
-            site = Site(config.ui.pose_ms, config.ui.status_ms, config.alarms.offline_after, table)
+            frames = {floor.name: floor.frame for floor in config.floors}
+            site = Site(config.ui.pose_ms, config.ui.status_ms, config.alarms.offline_after, table, frames)
             made[table] = KINDS[kind_of(profile)].adapter(profile, site)
         found[robot.name] = made[table]
     return found

@@ -8,6 +8,7 @@ from msgspec.structs import replace
 
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.order import Order, Stop
+from fleet_tui.model.set_up.commands import SetUp
 
 
 class PlaceOrder(Struct, frozen=True, tag=True):
@@ -58,7 +59,7 @@ class ResumeRobot(Struct, frozen=True, tag=True):
     robot: str
 
 
-Command = PlaceOrder | CancelOrder | ClearOrders | PauseRobot | ResumeRobot
+Command = PlaceOrder | CancelOrder | ClearOrders | PauseRobot | ResumeRobot | SetUp
 
 
 class Stage(Enum):

@@ -11,6 +11,8 @@ if TYPE_CHECKING:
 
 
 MAX_PIXELS = 100_000_000
+UNKNOWN, FREE, OCCUPIED = 0, 1, 2
+"""The classes of cells."""
 
 
 class OccupancyGrid:
@@ -25,6 +27,14 @@ class OccupancyGrid:
     def __init__(self, frame: MapFrame, levels: tuple["NDArray[np.uint8]", ...]) -> None:
         self.frame: Final = frame
         self.levels: Final = levels
+
+
+def class_at(grid: OccupancyGrid, x: float, y: float) -> int:
+    """Return the class of the cell at a place in metres: beyond the map it is unknown."""
+    column, row = grid.frame.to_pixel(x, y)
+    if not (0.0 <= column < grid.frame.width and 0.0 <= row < grid.frame.height):
+        return UNKNOWN
+    return int(grid.levels[0][int(row), int(column)])
 
 
 def check_frame(frame: MapFrame) -> None:

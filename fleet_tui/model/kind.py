@@ -8,7 +8,22 @@ from msgspec import Struct, field
 ORDER, ORDER_TO, CANCEL, CLEAR, PAUSE, RESUME = "order", "order to", "cancel", "clear", "pause", "resume"
 """Requests that a robot may accept: an order from one place to another, one to a place alone, and so on."""
 
-_NOUNS = {ORDER: "order with a start", ORDER_TO: "order without a start"}
+POSE, LOCALISE, SETTLE, GOAL, MAPPING = "pose", "localise", "settle", "goal", "mapping"
+"""Set-up requests that a robot may accept."""
+SCAN, PATH = "scan", "path"
+"""Streams of a robot that can be watched."""
+
+_NOUNS = {
+    ORDER: "order with a start",
+    ORDER_TO: "order without a start",
+    POSE: "setting of the pose",
+    LOCALISE: "global localisation",
+    SETTLE: "refinement of the pose",
+    GOAL: "goals beside orders",
+    MAPPING: "switch of the mapping mode",
+    SCAN: "laser scan",
+    PATH: "planned path",
+}
 
 
 class Kind(Struct, frozen=True):
@@ -19,7 +34,8 @@ class Kind(Struct, frozen=True):
     names the floor. `reports_ends`: it lists how an order ended. `keeps_goals`: it drives one goal at a time
     and has no queue: this console keeps it. `holds`: a pause cancels its goal, which this console keeps
     and sends again. `takes_stops`: one order leads to any number of stops; `gives_stops`: this console
-    sends those one by one. `changes_floors`: an order can lead it to another floor."""
+    sends those one by one. `changes_floors`: an order can lead it to another floor.
+    `streams` can be watched."""
 
     name: str = ""
     reports: tuple[str, ...] = ()
@@ -33,6 +49,7 @@ class Kind(Struct, frozen=True):
     takes_stops: bool = False
     gives_stops: bool = False
     changes_floors: bool = True
+    streams: tuple[str, ...] = ()
 
     def can(self, verb: str) -> bool:
         """Tell whether it accepts the request of a verb; an order with or without a start."""
@@ -43,7 +60,7 @@ class Kind(Struct, frozen=True):
         if asked in self.unset:
             return f"{self.unset[asked]} is empty: no {_NOUNS.get(asked, asked)}"
         noun = _NOUNS.get(asked, asked)
-        if asked in _NOUNS and not self.can(ORDER):
+        if asked in (ORDER, ORDER_TO) and not self.can(ORDER):
             noun = "orders"
         return f"this kind has no {noun}"
 

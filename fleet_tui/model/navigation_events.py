@@ -95,6 +95,14 @@ class FloorReported(Struct, frozen=True, tag=True):
     floor: str
 
 
+class ModeReported(Struct, frozen=True, tag=True):
+    """The mode of a robot: `mapping`, `navigation`, or its own word."""
+
+    robot: str
+    at: float
+    mode: str
+
+
 class Unmeasured(Struct, frozen=True, tag=True):
     """The robot reports that it does not measure a value, a field of Robot."""
 
@@ -128,6 +136,7 @@ Navigation = (
     | GoalFact
     | Alive
     | FloorReported
+    | ModeReported
     | Unmeasured
 )
 Live = OdometryReported | BlockedReported | ProgressReported | Unmeasured | TargetReported | Alive

@@ -9,9 +9,10 @@ from numpy.typing import NDArray
 
 from fleet_tui.errors import MapError
 from fleet_tui.model.geometry import MapFrame
+from fleet_tui.model.grid import FREE as FREE
+from fleet_tui.model.grid import OCCUPIED as OCCUPIED
+from fleet_tui.model.grid import UNKNOWN as UNKNOWN
 from fleet_tui.model.grid import OccupancyGrid, check_frame
-
-UNKNOWN, FREE, OCCUPIED = 0, 1, 2
 
 Classes = NDArray[np.uint8]
 

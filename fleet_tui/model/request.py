@@ -12,10 +12,11 @@ from fleet_tui.model.order import at_vertices
 
 class Request(Struct, frozen=True):
     """One request of an operator: commands in sequence. `floors`: the floor of each vertex chosen by name,
-    since the wire has only ids, and floors may share ids."""
+    since the wire has only ids, and floors may share ids. `alone`: only for robots without orders."""
 
     commands: tuple[Command, ...]
     floors: Mapping[str, str] = field(default_factory=dict)
+    alone: bool = False
 
 
 def chain(

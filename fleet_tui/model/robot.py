@@ -63,8 +63,10 @@ class Robot(Struct, frozen=True, eq=False):
     floor it reports; `held` is the reason that this console sends it no waiting order, empty while it does,
     and `released_at` when the operator last released them; `named` is a goal that this console named and that
     is not listed yet; `target` the last reported target of a goal it had just begun; `unmeasured` are values
-    that it reports as not measured; `counts_percent`: its battery was seen to count to 100; `size` is its
-    length and width in metres, None if not configured."""
+    that it reports as not measured; `located_at`: the time of `located`; `mode` is the mode that it reports,
+    `mapping_by_us` that this console switched mapping on; `counts_percent`: its battery was seen to count to
+    100; `size` is its length and width in metres, None if not configured; `laser` is the pose of its laser on
+    it, None if unknown, `laser_flipped` that it hangs upside down."""
 
     name: str
     number: int
@@ -85,6 +87,7 @@ class Robot(Struct, frozen=True, eq=False):
     goals: Mapping[str, tuple[Goal, ...]] = field(default_factory=dict)
     odometry: Pose | None = None
     located: Pose | None = None
+    located_at: float | None = None
     anchor: Pose | None = None
     variance: Reading[float] | None = None
     blocked: Reading[Blocked] | None = None
@@ -96,6 +99,8 @@ class Robot(Struct, frozen=True, eq=False):
     target: Reading[Pose] | None = None
     traces: Mapping[str, OrderTrace] = field(default_factory=dict)
     gone: tuple[GoneOrder, ...] = ()
+    mode: Reading[str] | None = None
+    mapping_by_us: bool = False
     says_paused: bool = False
     kind: Kind = Kind()
     paused: Reading[bool] | None = None
@@ -108,6 +113,8 @@ class Robot(Struct, frozen=True, eq=False):
     last_fault: str = ""
     fault_at: float | None = None
     size: tuple[float, float] | None = None
+    laser: Pose | None = None
+    laser_flipped: bool = False
 
     @property
     def has_cargo(self) -> bool:

@@ -93,9 +93,10 @@ def _poses(robot: SimRobot, dialect: Dialect) -> Callable[[float], Payload]:
     said = count(1)
 
     def payload(now: float) -> Payload:
-        half = robot.pose.yaw / 2.0
+        pose = robot.belief.of(robot.pose)
+        half = pose.yaw / 2.0
         header = dialect.header(next(said), now, robot.floor.name)
-        position = {"x": robot.pose.x, "y": robot.pose.y, "z": 0.0}
+        position = {"x": pose.x, "y": pose.y, "z": 0.0}
         orientation = {"x": 0.0, "y": 0.0, "z": math.sin(half), "w": math.cos(half)}
         message = {"header": header, "pose": {"position": position, "orientation": orientation}}
         return raw_payload(dialect, "geometry_msgs/PoseStamped", now, message)

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from fleet_tui.model.geometry import Pose
+from fleet_tui.simulator.senses.belief import Belief
 from fleet_tui.simulator.warehouse import Building, SimFloor
 
 STEP = 0.05  # seconds of world time per step
@@ -76,6 +77,7 @@ class SimRobot(Obstructed):
         self.bound: int | None = None
         """The id of the vertex it drives to, None while it is at `vertex`."""
         self.pose = Pose(*self._spot(vertex), yaw=rng.uniform(-math.pi, math.pi))
+        self.belief = Belief()
         self.battery = rng.uniform(28.0, 33.0) if index == 1 and not quiet else rng.uniform(45.0, 95.0)
         self.cargo = False
         self.paused = False
@@ -125,7 +127,15 @@ class SimRobot(Obstructed):
         self._use_battery()
         held = self.paused or (self.stuck and self.current_order_id != -1)
         if not self._blocked(not (self._quiet or self.paused) and self._driving) and not held:
+            before = self.pose
             next(self._work)
+            self.belief.carry(before, self.pose)
+
+    def visit(self, pose: Pose) -> None:
+        """Drive to a pose beside the graph, unless it has orders: to the nearest vertex, then straight."""
+        if not self.orders:
+            self._restart()
+            self._work = _visit(self, pose)
 
     def _restart(self) -> None:
         self._driving = False
@@ -183,22 +193,10 @@ class SimRobot(Obstructed):
         x, y = self._spot(vertex)
         if math.dist((x, y), (self.pose.x, self.pose.y)) < 1e-9:
             return
-        wanted = math.atan2(y - self.pose.y, x - self.pose.x)
-        while abs(left := math.remainder(wanted - self.pose.yaw, math.tau)) > 1e-9:
-            turned = math.copysign(min(abs(left), TURN * STEP), left)
-            yaw = math.remainder(self.pose.yaw + turned, math.tau)
-            self.pose = Pose(self.pose.x, self.pose.y, yaw)
-            yield
+        yield from _face(self, math.atan2(y - self.pose.y, x - self.pose.x))
 
     def _roll(self, vertex: int) -> Work:
-        x, y = self._spot(vertex)
-        self._driving = True
-        while (left := math.dist((x, y), (self.pose.x, self.pose.y))) > 1e-9:
-            part = min(1.0, SPEED * STEP / left)
-            at = self.pose
-            self.pose = Pose(at.x + part * (x - at.x), at.y + part * (y - at.y), at.yaw)
-            yield
-        self._driving = False
+        yield from _roll_to(self, *self._spot(vertex))
 
     def _spot(self, vertex: int) -> tuple[float, float]:
         found = self._building.graph.vertices[vertex]
@@ -214,3 +212,33 @@ class SimRobot(Obstructed):
 def _wait(seconds: float) -> Work:
     for _ in range(round(seconds / STEP)):
         yield
+
+
+def _visit(robot: SimRobot, pose: Pose) -> Work:
+    vertices = robot.floor.graph.vertices.values()
+    near = min(vertices, key=lambda one: math.dist((one.x, one.y), (pose.x, pose.y)))
+    yield from robot._drive(near.id)
+    yield from _face(robot, math.atan2(pose.y - robot.pose.y, pose.x - robot.pose.x))
+    yield from _roll_to(robot, pose.x, pose.y)
+    yield from _face(robot, pose.yaw)
+    while not robot.orders:
+        yield
+    yield from robot._live()
+
+
+def _face(robot: SimRobot, wanted: float) -> Work:
+    while abs(left := math.remainder(wanted - robot.pose.yaw, math.tau)) > 1e-9:
+        turned = math.copysign(min(abs(left), TURN * STEP), left)
+        yaw = math.remainder(robot.pose.yaw + turned, math.tau)
+        robot.pose = Pose(robot.pose.x, robot.pose.y, yaw)
+        yield
+
+
+def _roll_to(robot: SimRobot, x: float, y: float) -> Work:
+    robot._driving = True
+    while (left := math.dist((x, y), (robot.pose.x, robot.pose.y))) > 1e-9:
+        part = min(1.0, SPEED * STEP / left)
+        at = robot.pose
+        robot.pose = Pose(at.x + part * (x - at.x), at.y + part * (y - at.y), at.yaw)
+        yield
+    robot._driving = False

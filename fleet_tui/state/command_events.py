@@ -17,6 +17,7 @@ from fleet_tui.model.commands import (
     Step,
 )
 from fleet_tui.model.fleet import FleetState, with_robot
+from fleet_tui.model.set_up.commands import SetMapping, SetUpCommand
 from fleet_tui.rules.commands.confirmation import before, confirm
 from fleet_tui.rules.commands.follow_up import follow_up
 from fleet_tui.rules.commands.local_queue import next_id
@@ -64,7 +65,9 @@ def _after_step(state: FleetState, record: CommandRecord) -> FleetState:
             return with_robot(state, released)
         case PlaceOrder(_, stops) if record.order_id is not None:
             return with_robot(state, know_stops(robot, record.order_id, stops, is_ours=True))
-        case PlaceOrder() | CancelOrder() | ClearOrders():
+        case SetMapping(_, on):
+            return with_robot(state, replace(robot, mapping_by_us=on))
+        case PlaceOrder() | CancelOrder() | ClearOrders() | SetUpCommand():
             return state
         case _:
             assert_never(record.command)

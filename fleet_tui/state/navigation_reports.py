@@ -34,6 +34,8 @@ def apply_navigation(robot: Robot, event: navigation_events.Navigation) -> Robot
             return with_sign_of_life(robot, event.at)
         case navigation_events.FloorReported():
             return replace(robot, own_floor=truncate(event.floor, LONGEST_NAME))
+        case navigation_events.ModeReported():
+            return replace(robot, mode=Reading(truncate(event.mode, LONGEST_NAME), event.at))
         case navigation_events.Unmeasured():
             names = robot.unmeasured
             new = names if event.value in names else (*names, event.value)
@@ -68,13 +70,24 @@ def _take_odometry(robot: Robot, event: navigation_events.OdometryReported) -> R
     return apply_report(robot, events.PoseReported(robot.name, event.at, placed, robot.frame_id, event.stamp))
 
 
+SCAN_DELAY = 0.3
+"""Seconds by which a localised pose is stamped earlier: with the time of the scan that it is from."""
+
+
+def _true_at(robot: Robot, event: navigation_events.LocalisationReported) -> float:
+    """Return the time of a localised pose: a latched one may be old."""
+    if event.stamp is None or robot.clock is None:
+        return event.at
+    return min(event.at, event.stamp + robot.clock.offset + SCAN_DELAY)
+
+
 def _take_localisation(robot: Robot, event: navigation_events.LocalisationReported) -> Robot:
     """Apply a localised pose. It is latched: no sign of life, and possibly old. With wheel odometry, that
     gives its time."""
     if event.variance is not None:
         robot = replace(robot, variance=Reading(event.variance, event.at))
     frame_id = truncate(event.frame_id.lstrip("/"), LONGEST_NAME)
-    robot = replace(robot, located=event.pose, frame_id=frame_id)
+    robot = replace(robot, located=event.pose, located_at=_true_at(robot, event), frame_id=frame_id)
     if robot.odometry is not None:
         robot = replace(robot, anchor=event.pose.after(robot.odometry.inverse))
         return replace(robot, pose=Reading(event.pose, robot.pose.at)) if robot.pose else robot

@@ -3,7 +3,7 @@
 import pytest
 
 from fleet_tui.errors import CommandError
-from fleet_tui.rules.language.grammar import find_robot
+from fleet_tui.rules.language.words import find_robot
 from fleet_tui.rules.marks import marks_of
 from tests.support.fleets import fleet
 

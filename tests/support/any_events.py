@@ -17,6 +17,7 @@ from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.navigation import Goal, Progress
 from fleet_tui.model.occupancy import grid_from_ros
 from fleet_tui.model.order import Order, OrderQueue, OrderState, Stop
+from fleet_tui.model.set_up.commands import Localise, SendGoal, SetMapping, SetPose, Settle
 from tests.support.fleets import LINK, T0
 
 AT = st.floats(T0, T0 + 1e4)
@@ -58,7 +59,9 @@ QUEUES = st.builds(OrderQueue, NUMBERED, IDS, st.lists(ORDERS, max_size=4).map(t
 COMMANDS = st.one_of(
     st.builds(PlaceOrder, ROBOTS, STOPS.filter(len)),
     st.builds(CancelOrder, ROBOTS, IDS),
-    *(st.builds(kind, ROBOTS) for kind in (ClearOrders, PauseRobot, ResumeRobot)),
+    *(st.builds(kind, ROBOTS) for kind in (ClearOrders, PauseRobot, ResumeRobot, Localise, Settle)),
+    *(st.builds(kind, ROBOTS, FLOORS, PLACES) for kind in (SetPose, SendGoal)),
+    st.builds(SetMapping, ROBOTS, st.booleans()),
 )
 
 
@@ -107,6 +110,9 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
     navigation_events.TargetReported: st.builds(navigation_events.TargetReported, ROBOTS, AT, PLACES),
     navigation_events.Alive: st.builds(navigation_events.Alive, ROBOTS, AT),
     navigation_events.Unmeasured: st.builds(navigation_events.Unmeasured, ROBOTS, AT, st.text(max_size=4)),
+    navigation_events.ModeReported: st.builds(
+        navigation_events.ModeReported, ROBOTS, AT, st.sampled_from(["mapping", "idle"])
+    ),
     navigation_events.FloorReported: st.builds(navigation_events.FloorReported, ROBOTS, AT, FLOORS),
     navigation_events.QueueHeld: st.builds(navigation_events.QueueHeld, ROBOTS, st.text(max_size=4)),
     navigation_events.GoalAnswered: st.builds(

@@ -37,7 +37,7 @@ class MoveBase(NavigationAdapter):
         self.kind = self._kind()
 
     def _kind(self) -> Kind:
-        kind = kind_of_goals("move_base", self.names, self.pauses, ("map", "queue"), {})
+        kind = kind_of_goals("move_base", self.names, self.pauses, self.set_up, ("map", "queue"), {})
         kind = msgspec.structs.replace(kind, gives_stops=True)
         if "pose" in kind.reports or not self.names.topic("feedback", "robot"):
             return kind
@@ -56,6 +56,7 @@ class MoveBase(NavigationAdapter):
         yield from feeds.feed(names, robot, slow._replace(silent=True), "feedback")
         yield from feeds.battery(names, site, robot)
         yield from feeds.surroundings(names, robot, floors)
+        yield from self.set_up.feeds(robot)
 
     def publications(self, robot: str) -> Iterable[tuple[str, str]]:
         """Return name and type of the topics of goals, of cancellations and of a lock."""

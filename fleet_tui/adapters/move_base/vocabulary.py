@@ -2,6 +2,7 @@
 
 from fleet_tui.adapters.ros.fields import GRID, HEADER, alike, placed
 from fleet_tui.adapters.ros.names import Vocabulary
+from fleet_tui.adapters.ros.set_up import names as set_up
 
 VOCABULARY = Vocabulary(
     topics={
@@ -17,9 +18,22 @@ VOCABULARY = Vocabulary(
         "floor": ("", "std_msgs/String"),
         "pause_navigation": ("", "std_msgs/Bool"),
         "map": ("/map", "nav_msgs/OccupancyGrid"),
+        **set_up.with_names(set_up.TOPICS, {"initial_pose": "/{robot}/initialpose", "scan": "/{robot}/scan"}),
     },
     floor_topics=frozenset({"map"}),
-    services={"pause": ("", "std_srvs/Trigger"), "resume": ("", "std_srvs/Trigger")},
+    services={
+        "pause": ("", "std_srvs/Trigger"),
+        "resume": ("", "std_srvs/Trigger"),
+        **set_up.with_names(
+            set_up.SERVICES,
+            {
+                "localise": "/{robot}/global_localization",
+                "settle": "/{robot}/request_nomotion_update",
+                **dict.fromkeys(("mapping_on", "mapping_off"), "/{robot}/pause_mapping"),
+            },
+        ),
+    },
+    requests=set_up.INVERSE,
     fields={
         "status": alike("status_list"),
         "feedback": placed("feedback.base_position.pose."),
@@ -30,6 +44,7 @@ VOCABULARY = Vocabulary(
         "battery": alike("percentage"),
         "floor": alike("data"),
         "map": GRID,
+        "mode": alike("data"),
     },
     scales=frozenset({"odometry", "pose", "battery"}),
 )

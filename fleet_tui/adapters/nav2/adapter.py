@@ -18,6 +18,7 @@ from fleet_tui.adapters.ros_navigation.kinds import kind_of_goals
 from fleet_tui.adapters.service_outcome import judge
 from fleet_tui.model import commands, events, navigation_events
 from fleet_tui.model.robot import Robot
+from fleet_tui.model.set_up.commands import SetUpCommand
 
 REPORTS = ("blocked", "map", "queue", "progress")
 """Values besides position and charge; the last two are from the actions."""
@@ -44,7 +45,7 @@ class Nav2(NavigationAdapter):
             **{f"{action} feedback": reading.read_feedback() for action in FEEDBACK_TYPES},
         }
         silence = {"queue": math.inf, "blocked": math.inf}
-        self.kind = kind_of_goals("nav2", self.names, self.pauses, REPORTS, silence)
+        self.kind = kind_of_goals("nav2", self.names, self.pauses, self.set_up, REPORTS, silence)
 
     def feeds(self, robot: str, floors: Sequence[str]) -> Iterable[Feed]:
         """Return the topics to subscribe to, the most urgent first. A bridge subscribes one by one: goals
@@ -58,6 +59,7 @@ class Nav2(NavigationAdapter):
         yield from self._statuses(robot, [action for action in ACTIONS if action not in DRIVES])
         yield from feeds.feed(names, robot, Feed("", (robot,), "", "", "", silent=True), "blocked")
         yield from feeds.surroundings(names, robot, floors)
+        yield from self.set_up.feeds(robot)
 
     def _statuses(self, robot: str, actions: Iterable[str]) -> Iterable[Feed]:
         for action in actions:
@@ -81,7 +83,7 @@ class Nav2(NavigationAdapter):
         """Return the stage of a command that an answer leads to; `status` is that of a goal."""
         if status is not None:
             return judge_goal(values, status, result)
-        if isinstance(values, dict) and "success" in values:
+        if isinstance(command, SetUpCommand) or (isinstance(values, dict) and "success" in values):
             return judge(command, values, result, ())
         return judge_cancel(command, values, result)
 

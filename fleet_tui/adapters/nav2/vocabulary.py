@@ -2,6 +2,7 @@
 
 from fleet_tui.adapters.ros.fields import GRID, HEADER, alike, placed
 from fleet_tui.adapters.ros.names import Vocabulary
+from fleet_tui.adapters.ros.set_up import names as set_up
 
 ACTIONS = ("follow_waypoints", "navigate_through_poses", "navigate_to_pose", "dock_robot", "undock_robot")
 """In the order of cancelling: the first drives by goals of others."""
@@ -16,13 +17,23 @@ VOCABULARY = Vocabulary(
         "pause_navigation": ("", "std_msgs/Bool"),
         "plan": ("/{robot}/plan", "nav_msgs/Path"),
         "map": ("/map", "nav_msgs/OccupancyGrid"),
+        **set_up.with_names(set_up.TOPICS, {"initial_pose": "/{robot}/initialpose", "scan": "/{robot}/scan"}),
     },
     floor_topics=frozenset({"map"}),
     services={
         "pause": ("", "std_srvs/Trigger"),
         "resume": ("", "std_srvs/Trigger"),
         "is_active": ("/{robot}/lifecycle_manager_navigation/is_active", "std_srvs/Trigger"),
+        **set_up.with_names(
+            set_up.SERVICES,
+            {
+                "localise": "/{robot}/reinitialize_global_localization",
+                "settle": "/{robot}/request_nomotion_update",
+                **dict.fromkeys(("mapping_on", "mapping_off"), "/{robot}/slam_toolbox/set_localization_mode"),
+            },
+        ),
     },
+    requests=set_up.INVERSE,
     actions={
         "follow_waypoints": ("/{robot}/follow_waypoints", "nav2_msgs/action/FollowWaypoints"),
         "navigate_through_poses": (
@@ -41,6 +52,7 @@ VOCABULARY = Vocabulary(
         "floor": alike("data"),
         "plan": alike("poses"),
         "map": GRID,
+        "mode": alike("data"),
     },
     scales=frozenset({"odometry", "pose", "battery"}),
 )

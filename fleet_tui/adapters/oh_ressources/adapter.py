@@ -5,7 +5,7 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import Literal
 
-from fleet_tui.adapters.adapter import Feed, ServiceCall, Site
+from fleet_tui.adapters.adapter import Feed, Outgoing, ServiceCall, Site
 from fleet_tui.adapters.oh_ressources.calls import call_of
 from fleet_tui.adapters.oh_ressources.reading import read_graph, read_labels, read_queue
 from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
@@ -20,10 +20,13 @@ from fleet_tui.adapters.ros.facts import (
     read_pose,
 )
 from fleet_tui.adapters.ros.names import Names
+from fleet_tui.adapters.ros.set_up.reading import read_mode
+from fleet_tui.adapters.ros.set_up.requests import SetUpRequests
 from fleet_tui.adapters.service_outcome import judge
 from fleet_tui.model import events, kind
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.robot import Robot
+from fleet_tui.model.set_up.commands import SetUpCommand
 
 KEYS = ("pose", "queue", "obstacle", "battery", "cargo", "paused", "graph", "labels", "map_metadata", "map")
 """Topics, the most urgent first."""
@@ -56,17 +59,21 @@ class OhRessources:
             "labels": read_labels(names),
             "map_metadata": read_metadata(names),
             "map": read_map(names),
+            "mode": read_mode(names),
         }
-        self.kind = kind.Kind(
+        self._set_up = SetUpRequests(names, site, frames_are_floors=True)
+        self.kind = self._kind()
+
+    def _kind(self) -> kind.Kind:
+        names, set_up = self.names, self._set_up
+        missing = [key for key in ABILITIES if not names.service(key, "robot")]
+        return kind.Kind(
             "oh_ressources",
-            tuple(key for key in KEYS if names.topic(key, "robot", "floor")),
-            tuple(asked for key, asked in ABILITIES.items() if names.service(key, "robot")),
-            profile.silence,
-            {
-                asked: f"{names.table}.services.{key}"
-                for key, asked in ABILITIES.items()
-                if not names.service(key, "robot")
-            },
+            tuple(key for key in (*KEYS, "mode") if names.topic(key, "robot", "floor")),
+            (*(asked for key, asked in ABILITIES.items() if key not in missing), *set_up.accepted),
+            {"mode": math.inf, **names.profile.silence},
+            {**{ABILITIES[key]: f"{names.table}.services.{key}" for key in missing}, **set_up.unset},
+            streams=set_up.streams,
         )
 
     def feeds(self, robot: str, floors: Sequence[str]) -> Iterable[Feed]:
@@ -79,14 +86,17 @@ class OhRessources:
                 if topic:
                     wanted: Literal["", "map"] = "map" if is_map else ""
                     yield Feed(key, (robot,), floor, topic, type_, rate, per_floor, wanted, is_map, is_pose)
+        yield from self._set_up.feeds(robot)
 
     def read(self, feed: Feed, msg: object, at: float) -> Iterable[events.Event]:
-        """Return the one event of a message. Raises WireError."""
+        """Return the one event of a message, none of a stream. Raises WireError."""
+        if feed.wanted_for == "stream":
+            return ()
         return (self._readers[feed.key](feed.robot, feed.floor, msg, at),)
 
     def services(self, robot: str) -> Iterable[tuple[str, str, str]]:
         """Return key, name and type of each service, pauses first."""
-        keys = sorted(VOCABULARY.services, key=lambda key: key != "pause")
+        keys = sorted(ABILITIES, key=lambda key: key != "pause")
         named = ((key, self.names.service(key, robot), self.names.service_type(key)) for key in keys)
         return (service for service in named if service[1])
 
@@ -100,8 +110,10 @@ class OhRessources:
 
     def outgoing(
         self, command: Command, command_id: int, robot: Robot, unique: str = ""
-    ) -> Sequence[ServiceCall]:
-        """Return the call of a command. Raises CommandError for one that must not be sent."""
+    ) -> Sequence[Outgoing]:
+        """Return the call or message of a command. Raises CommandError for one that must not be sent."""
+        if isinstance(command, SetUpCommand):
+            return self._set_up.outgoing(command, robot)
         return (call_of(self.names, command, command_id),)
 
     def outcome(

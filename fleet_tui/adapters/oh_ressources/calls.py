@@ -12,9 +12,17 @@ from fleet_tui.model import commands
 from fleet_tui.model.order import Stop
 
 INT32_MAX = 2**31 - 1
+Called = (
+    commands.PlaceOrder
+    | commands.CancelOrder
+    | commands.ClearOrders
+    | commands.PauseRobot
+    | commands.ResumeRobot
+)
+"""Commands to the queue of orders."""
 
 
-def call_of(names: Names, command: commands.Command, request_id: int) -> ServiceCall:
+def call_of(names: Names, command: Called, request_id: int) -> ServiceCall:
     """Return the service call of a command. Raises CommandError for one that must not be sent."""
     args: dict[str, object]
 

@@ -5,10 +5,14 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from fleet_tui.adapters.discovery import Discovery, Listed
 from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
+from fleet_tui.adapters.ros.set_up import names as set_up
 from fleet_tui.adapters.ros.type_names import plain_type, same_type
 from fleet_tui.model.order import natural
 
-TOPICS, SERVICES, FLOOR_TOPICS = VOCABULARY.topics, VOCABULARY.services, VOCABULARY.floor_topics
+FLOOR_TOPICS = VOCABULARY.floor_topics
+TOPICS = {key: named for key, named in VOCABULARY.topics.items() if key not in {"goal", *set_up.TOPICS}}
+SERVICES = {key: named for key, named in VOCABULARY.services.items() if key not in set_up.SERVICES}
+"""Those of every such robot: what set-up uses is named in a profile."""
 QUEUE, POSE = TOPICS["queue"][1], TOPICS["pose"][1]
 PAUSED = "{robot}/paused"
 # Types whose one field is read alike.

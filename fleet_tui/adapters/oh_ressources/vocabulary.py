@@ -2,6 +2,7 @@
 
 from fleet_tui.adapters.ros.fields import GRID, METADATA, POSE, alike
 from fleet_tui.adapters.ros.names import Vocabulary
+from fleet_tui.adapters.ros.set_up import names as set_up
 
 VOCABULARY = Vocabulary(
     topics={
@@ -15,6 +16,8 @@ VOCABULARY = Vocabulary(
         "graph": ("/{robot}/{floor}/graph", "OH_ressources/Graph"),
         "labels": ("/{robot}/{floor}/labeled_vertices", "OH_ressources/LabeledVertices"),
         "map": ("/{robot}/{floor}/map", "nav_msgs/OccupancyGrid"),
+        "goal": ("", "geometry_msgs/PoseStamped"),
+        **set_up.TOPICS,
     },
     floor_topics=frozenset({"map_metadata", "graph", "labels", "map"}),
     services={
@@ -27,6 +30,7 @@ VOCABULARY = Vocabulary(
         "clear": ("/{robot}/Application_layout/Clear_orders", "OH_ressources/Clear_orders"),
         "pause": ("/{robot}/Application_layout/Pause", "std_srvs/Trigger"),
         "resume": ("/{robot}/Application_layout/Resume", "std_srvs/Trigger"),
+        **set_up.SERVICES,
     },
     fields={
         "pose": POSE,
@@ -36,6 +40,7 @@ VOCABULARY = Vocabulary(
         "paused": alike("data"),
         "map_metadata": METADATA,
         "map": GRID,
+        "mode": alike("data"),
         "graph": alike("vertices", "edges"),
         "vertex": alike("id", "x", "y", "type"),
         "edge": alike("id", "start", "end"),
@@ -47,6 +52,7 @@ VOCABULARY = Vocabulary(
         "cargo_call": alike("request_id", "agent", "end_point"),
         "cancel_call": alike("robot", "ind"),
     },
+    requests=set_up.REQUESTS,
     scales=frozenset({"pose", "obstacle", "battery", "vertex"}),
     # A robot refuses in the text of an answer to a successful call.
     refusals=(

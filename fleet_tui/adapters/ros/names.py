@@ -3,6 +3,7 @@ site."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 from fleet_tui.adapters.profile import Profile, VertexRole
 
@@ -21,6 +22,7 @@ class Vocabulary:
     scales: frozenset[str] = frozenset()
     refusals: tuple[str, ...] = ()
     vertex_types: Mapping[str, VertexRole] = field(default_factory=dict)
+    requests: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +49,13 @@ class Names:
     def service_type(self, key: str) -> str:
         """The ROS type of a service. Calls don't name it."""
         return self.profile.service_types.get(key, self.vocabulary.services[key][1])
+
+    def request(self, key: str, robot: str) -> Mapping[str, Any]:
+        """Return the fields of a service's request."""
+        chosen = self.profile.requests.get(key, self.vocabulary.requests.get(key, {}))
+        return {
+            name: _filled(value, robot) if isinstance(value, str) else value for name, value in chosen.items()
+        }
 
     def action(self, key: str, robot: str) -> str:
         """Return the name of an action, empty if this site has none."""

@@ -9,12 +9,15 @@ from fleet_tui.adapters.adapter import Feed, Outgoing, ServiceCall, Site
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros.facts import read_map
 from fleet_tui.adapters.ros.names import Names, Vocabulary
+from fleet_tui.adapters.ros.set_up.reading import read_mode
+from fleet_tui.adapters.ros.set_up.requests import SetUpRequests
 from fleet_tui.adapters.ros_navigation.kinds import READERS
 from fleet_tui.adapters.ros_navigation.pauses import Pauses, PauseSettings
 from fleet_tui.adapters.ros_navigation.reading import Read
 from fleet_tui.model import commands, events
 from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Robot
+from fleet_tui.model.set_up.commands import SetUpCommand
 
 
 class GoalMessages(NamedTuple):
@@ -48,11 +51,17 @@ class NavigationAdapter:
         self.pauses = Pauses(self.names, msgspec.convert(profile.settings.get(kind, {}), settings))
         self.readers: Mapping[str, Read] = {key: make(self.names) for key, make in READERS.items()}
         self._read_map = read_map(self.names)
+        self._read_mode = read_mode(self.names)
+        self.set_up = SetUpRequests(self.names, site, frames_are_floors=False)
 
     def read(self, feed: Feed, msg: object, at: float) -> Iterable[events.Event]:
-        """Return the events of a message. Raises WireError."""
+        """Return the events of a message, none of a stream. Raises WireError."""
+        if feed.wanted_for == "stream":
+            return ()
         if feed.key == "map":
             return (self._read_map(feed.robot, feed.floor, msg, at),)
+        if feed.key == "mode":
+            return (self._read_mode(feed.robot, "", msg, at),)
         return self.readers[feed.key](feed.robot, msg, at)
 
     def services(self, robot: str) -> Iterable[tuple[str, str, str]]:
@@ -79,6 +88,8 @@ class NavigationAdapter:
                 return self.pauses.switch("pause", robot.name) or self._goals.cancel_all(self.names, robot)
             case commands.ResumeRobot():
                 return self.pauses.switch("resume", robot.name)
+            case SetUpCommand():
+                return self.set_up.outgoing(command, robot)
             case _:
                 assert_never(command)
 

@@ -4,6 +4,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 
 from fleet_tui.adapters.ros.names import Names
+from fleet_tui.adapters.ros.set_up.requests import SetUpRequests
 from fleet_tui.adapters.ros_navigation import reading
 from fleet_tui.adapters.ros_navigation.pauses import Pauses
 from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, Kind
@@ -22,26 +23,32 @@ READERS: Mapping[str, Callable[[Names], reading.Read]] = {
 
 
 def kind_of_goals(
-    name: str, names: Names, pauses: Pauses, reports: Sequence[str], silence: Mapping[str, float]
+    name: str,
+    names: Names,
+    pauses: Pauses,
+    set_up: SetUpRequests,
+    reports: Sequence[str],
+    silence: Mapping[str, float],
 ) -> Kind:
     """Return a kind of robots that drive one goal at a time. `reports` are its values besides position,
     charge and maps, `silence` theirs."""
-    usual = {"battery": BATTERY_SILENCE, **silence}
+    usual = {"battery": BATTERY_SILENCE, "mode": math.inf, **silence}
     if not _has(names, "odometry"):
         # The localisation of a robot at rest is silent: only odometry shows that it is online.
         usual["pose"] = math.inf
     return Kind(
         name,
-        tuple(key for key in (*TOPICS, *reports) if _has(names, key)),
-        (ORDER, ORDER_TO, CANCEL, CLEAR, *pauses.accepted),
+        tuple(key for key in (*TOPICS, *reports, "mode") if _has(names, key)),
+        (ORDER, ORDER_TO, CANCEL, CLEAR, *pauses.accepted, *set_up.accepted),
         {**usual, **names.profile.silence},
-        pauses.unset,
+        {**pauses.unset, **set_up.unset},
         frames_are_floors=False,
         reports_ends=True,
         keeps_goals=True,
         holds=pauses.holds,
         takes_stops=True,
         changes_floors=False,
+        streams=set_up.streams,
     )
 
 

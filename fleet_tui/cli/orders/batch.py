@@ -11,7 +11,8 @@ from fleet_tui.config.schema import Config
 from fleet_tui.errors import CommandError
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.request import Request
-from fleet_tui.rules.language.grammar import find_robot, parse, tokens
+from fleet_tui.rules.language.grammar import parse
+from fleet_tui.rules.language.words import find_robot, tokens
 from fleet_tui.text.sanitize import sanitize
 
 Line = tuple[int, str]

@@ -14,6 +14,8 @@ from fleet_tui.log_file import log_to_file
 
 F = TypeVar("F", bound=Callable[..., Any])
 
+NEGATIVE = {"ignore_unknown_options": True}
+"""A negative number is no option."""
 TIMEOUT, DRIVE_TIMEOUT = 15.0, 3600.0
 ALL = "all"
 
@@ -98,6 +100,53 @@ def cancel(robot: str, id: str, options: OrderOptions) -> None:
 def clear(robot: str, options: OrderOptions) -> None:
     """Clear all orders of a robot."""
     _give(["clear", robot], options)
+
+
+@orders.command(context_settings=NEGATIVE)
+@click.argument("robot")
+@click.argument("place", nargs=-1, required=True, metavar="PLACE | X Y [YAW]")
+@_takes_options
+def goto(robot: str, place: tuple[str, ...], options: OrderOptions) -> None:
+    """Send a robot without orders to a label or vertex id, or to a pose: metres, and degrees
+    counter-clockwise. Refused on occupied and unknown ground."""
+    _give(["goto", robot, *place], options)
+
+
+@orders.command("set-pose", context_settings=NEGATIVE)
+@click.argument("robot")
+@click.argument("x")
+@click.argument("y")
+@click.argument("yaw")
+@_takes_options
+def set_pose(robot: str, x: str, y: str, yaw: str, options: OrderOptions) -> None:
+    """Tell a standing robot its pose on the map: metres, and degrees counter-clockwise. Sent with --yes, or
+    after a question."""
+    _give(["set-pose", robot, x, y, yaw], options)
+
+
+@orders.command()
+@click.argument("robot")
+@_takes_options
+def localise(robot: str, options: OrderOptions) -> None:
+    """Let a standing robot search its pose on the whole map. Sent with --yes, or after a question."""
+    _give(["localise", robot], options)
+
+
+@orders.command()
+@click.argument("robot")
+@_takes_options
+def settle(robot: str, options: OrderOptions) -> None:
+    """Let a robot refine its pose once, without moving."""
+    _give(["settle", robot], options)
+
+
+@orders.command()
+@click.argument("robot")
+@click.argument("mode", type=click.Choice(["on", "off"]))
+@_takes_options
+def mapping(robot: str, mode: str, options: OrderOptions) -> None:
+    """Switch the mapping mode of a robot. Sent with --yes, or after a question."""
+    _give(["mapping", robot, mode], options)
 
 
 def _which(robot: str | None, every: bool) -> str:

@@ -10,6 +10,7 @@ import click
 from fleet_tui.audit.log import auditing
 from fleet_tui.cli.orders.outcome import DONE, NO_LINK, NOT_DONE, NOT_SENT, Outcome, exit_code, print_outcome
 from fleet_tui.cli.orders.sending import LINK_WITHIN, How, Sending, reaches, unreported
+from fleet_tui.cli.orders.set_up import await_set_up
 from fleet_tui.cli.session import session
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
@@ -22,7 +23,9 @@ from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.batches import summary
 from fleet_tui.rules.commands.checks import no_link
-from fleet_tui.rules.language.grammar import ALL, find_robot, parse_words
+from fleet_tui.rules.language.grammar import ALL, parse_words
+from fleet_tui.rules.language.set_up import USAGE as SET_UP
+from fleet_tui.rules.language.words import find_robot
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import command_text
 from fleet_tui.view.lines.questions import question
@@ -170,9 +173,11 @@ def command(config: Config, words: Sequence[str], asked: How, as_json: bool, say
         return unsent(reason, NOT_DONE)
     with sending(config, asked, say) as given:
         await_reports(given, robots, words[0] != "resume")
-        state = given.state
-        if reason := unreachable(state, robots):
+        if reason := unreachable(given.state, robots):
             return unsent(reason, NO_LINK)
+        if words[0] in SET_UP:
+            await_set_up(given, config, robots[0], words)
+        state = given.state
         try:
             request = parse_words(words, state)
         except CommandError as wrong:

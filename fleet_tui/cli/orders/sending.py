@@ -7,24 +7,16 @@ from functools import partial
 
 from fleet_tui.cli.orders.driving import follow_order
 from fleet_tui.cli.orders.outcome import DONE, NO_LINK, NOT_DONE, USAGE, Outcome, ended, unsent
+from fleet_tui.cli.orders.warnings import losses, unattended
 from fleet_tui.cli.session import WaitingStore
 from fleet_tui.client.fleet_link import FleetLink
-from fleet_tui.model.commands import (
-    ClearOrders,
-    Command,
-    CommandRecord,
-    PauseRobot,
-    PlaceOrder,
-    ResumeRobot,
-    Stage,
-)
+from fleet_tui.model.commands import Command, CommandRecord, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.problem import Permissions, Problem
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.checks import acceptable, problems, unaccepted
-from fleet_tui.rules.commands.local_queue import clearable
 
 LINK_WITHIN = 5.0
 """Maximum seconds to wait for a link and for a robot's reports."""
@@ -32,7 +24,7 @@ LINK_WITHIN = 5.0
 HANDOVER = 2.0
 """Maximum seconds until the link has sent a command, or refused it: later ones are refused."""
 
-CODES = {"no link": NO_LINK, "unknown vertex": USAGE, "unattended": USAGE}
+CODES = {"no link": NO_LINK, "unknown vertex": USAGE, "unattended": USAGE, "no place": USAGE}
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,24 +57,6 @@ def reaches(state: FleetState, robot: Robot) -> bool:
     return link.phase is Phase.UP and link.command_path in (CommandPath.ALIVE, CommandPath.UNREGISTERED)
 
 
-def _losses(state: FleetState, request: Request) -> Iterator[Problem]:
-    """Return the warnings of a clear: on the command line no queue is visible."""
-    for command in request.commands:
-        robot = state.robots.get(command.robot)
-        if isinstance(command, ClearOrders) and robot is not None and (count := len(clearable(state, robot))):
-            text = f"{robot.name} would lose {count} order{'s' * (count != 1)}"
-            yield Problem("losses", text, blocks=False)
-
-
-def _unattended(state: FleetState, request: Request) -> Iterator[Problem]:
-    """Return the orders whose later stops would not be sent once this command has ended."""
-    for command in request.commands:
-        robot = state.robots.get(command.robot)
-        if isinstance(command, PlaceOrder) and robot and robot.kind.gives_stops and len(command.stops) > 1:
-            text = f"{robot.name} takes one stop at a time: use --until-done to send the others"
-            yield Problem("unattended", text)
-
-
 def divide(state: FleetState, request: Request) -> tuple[Request, list[Outcome]]:
     """Return the part of a request that the robots' kinds accept, and the outcomes of the rest."""
     able = acceptable(state, request)[0]
@@ -97,7 +71,7 @@ class Sending:
     """Sends commands on a session, and keeps the record of each: the state drops old ones."""
 
     def __init__(self, link: FleetLink, store: WaitingStore, how: How) -> None:
-        self._link = link
+        self.link = link
         self.store = store
         self._how = how
         self._records: dict[int, CommandRecord] = {}
@@ -143,7 +117,7 @@ class Sending:
         if wrong:
             yield from self._hold_back(request.commands, wrong)
         elif len({command.robot for command in request.commands}) > 1:
-            yield from self.await_ends([self._link.submit(command) for command in request.commands])
+            yield from self.await_ends([self.link.submit(command) for command in request.commands])
         else:
             yield from self._one_after_the_other(request.commands)
 
@@ -163,9 +137,9 @@ class Sending:
         self.begin()
 
     def _problems(self, request: Request) -> list[Problem]:
-        found = [*problems(self.state, request, self._how.permissions), *_losses(self.state, request)]
+        found = [*problems(self.state, request, self._how.permissions), *losses(self.state, request)]
         if not self._how.until_done:
-            found += _unattended(self.state, request)
+            found += unattended(self.state, request)
         asked = [command for command in request.commands if not isinstance(command, PauseRobot | ResumeRobot)]
         for name in dict.fromkeys(command.robot for command in asked):
             absent = unreported(self.state.robots[name])
@@ -181,7 +155,7 @@ class Sending:
 
     def _one_after_the_other(self, commands: Sequence[Command]) -> Iterator[Outcome]:
         for number, command in enumerate(commands):
-            command_id = self._link.submit(command)
+            command_id = self.link.submit(command)
             (outcome,) = self.await_ends([command_id])
             if outcome.code == DONE and self._how.until_done:
                 self._driven[command_id] = outcome
@@ -206,7 +180,7 @@ class Sending:
         until = time.monotonic() + min(LINK_WITHIN, self.left)
         while waiting:
             now = self._reached(waiting, until - time.monotonic())
-            ids += [self._link.submit(PauseRobot(name)) for name in now]
+            ids += [self.link.submit(PauseRobot(name)) for name in now]
             waiting = [name for name in waiting if name not in now]
         yield from self.await_ends(ids)
 

@@ -20,6 +20,7 @@ from fleet_tui.model.order import PENDING
 from fleet_tui.model.problem import Permissions, Problem
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
+from fleet_tui.model.set_up.commands import SetUpCommand
 from fleet_tui.rules.commands.local_queue import all_orders, clearable
 from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.rules.commands.route_checks import (
@@ -30,6 +31,7 @@ from fleet_tui.rules.commands.route_checks import (
     same_place,
     unknown_vertex,
 )
+from fleet_tui.rules.commands.set_up import checks as set_up
 from fleet_tui.text.durations import age
 from fleet_tui.text.limits import some
 
@@ -62,6 +64,8 @@ def ability_for(command: Command) -> str:
             return PAUSE
         case ResumeRobot():
             return RESUME
+        case SetUpCommand():
+            return command.ability
         case _:
             assert_never(command)
 
@@ -168,6 +172,7 @@ def cargo(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem
 
 CHECKS: tuple[Check, ...] = (
     no_link,
+    *set_up.CHECKS,
     unknown_vertex,
     same_place,
     no_path,
@@ -222,6 +227,7 @@ def problems(state: FleetState, request: Request, allowed: Permissions) -> list[
             found += check(state, robot, command)
         if robot.name not in asked:
             found += mistakable(robot, request.floors)
+            found += set_up.busy(state, robot) if request.alone else ()
         asked.add(robot.name)
     return sorted(dict.fromkeys(found), key=lambda problem: not problem.blocks)
 

@@ -13,6 +13,7 @@ from fleet_tui.model.alarm import Condition, Key, Priority
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import route_text
 from fleet_tui.model.robot import Robot
+from fleet_tui.model.set_up.commands import SetUpCommand
 from fleet_tui.rules.commands.batches import batches
 from fleet_tui.text.details import detail_text
 
@@ -43,6 +44,8 @@ def _request_text(robot: Robot, command: commands.Command) -> str:
             return "pause"
         case commands.ResumeRobot():
             return "resume"
+        case SetUpCommand():
+            return command.text
         case _:
             assert_never(command)
 

@@ -18,9 +18,11 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import Order
 from fleet_tui.model.order_life import STARTED_OVER, GoneOrder, latest, listed_end
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.commands.confirmation import find_order, is_repeated
+from fleet_tui.model.set_up.commands import SetUpCommand
+from fleet_tui.rules.commands.confirmation import is_repeated
 from fleet_tui.rules.commands.local_queue import next_id
 from fleet_tui.rules.commands.newest import last_command
+from fleet_tui.rules.commands.order_search import find_order
 from fleet_tui.rules.commands.pauses import is_overtaken
 from fleet_tui.text.durations import age
 
@@ -48,7 +50,7 @@ def follow_up(state: FleetState, record: CommandRecord) -> CommandRecord:
             return _lost_pause(state, robot, record)
         case PlaceOrder():
             return _ended(state, robot, record) if record.has_open_order else record
-        case CancelOrder() | ClearOrders() | ResumeRobot():
+        case CancelOrder() | ClearOrders() | ResumeRobot() | SetUpCommand():
             return record
         case _:
             assert_never(record.command)
@@ -159,7 +161,7 @@ def _removes(record: CommandRecord, order: Order) -> bool:
         case ClearOrders():
             last = record.before.last_serial
             return last is None or order.serial <= last
-        case PlaceOrder() | PauseRobot() | ResumeRobot():
+        case PlaceOrder() | PauseRobot() | ResumeRobot() | SetUpCommand():
             return False
         case _:
             assert_never(record.command)
@@ -186,6 +188,8 @@ def _carried_out_late(state: FleetState, robot: Robot, record: CommandRecord) ->
             happened = _reports_pause(state, robot, record, True)
         case ResumeRobot():
             happened = _reports_pause(state, robot, record, False)
+        case SetUpCommand():
+            return record  # what is reported later need not be its effect
         case _:
             assert_never(record.command)
     if not happened or state.now - record.at > LATE_OTHER:

@@ -5,12 +5,13 @@ from collections.abc import Iterator
 
 from msgspec.structs import replace
 
-from fleet_tui.model.commands import ClearOrders, CommandRecord, PauseRobot, PlaceOrder, Stage
+from fleet_tui.model.commands import ClearOrders, Command, CommandRecord, PauseRobot, PlaceOrder, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
 from fleet_tui.model.navigation_events import QueueHeld
 from fleet_tui.model.order import Order, Stop
 from fleet_tui.model.robot import Robot
+from fleet_tui.model.set_up.commands import SendGoal
 from fleet_tui.rules.commands.goals import own_ids
 
 PREFIX = "k"
@@ -119,8 +120,7 @@ def withdrawn(state: FleetState, command_id: int, since: float) -> str:
     """Return the reason not to send a goal any more that was given a moment ago, at `since` (monotonic);
     empty if it may be sent, and for any other command."""
     record = next((one for one in state.commands if one.id == command_id), None)
-    is_order = record is not None and isinstance(record.command, PlaceOrder)
-    if record and not (is_order and state.robots[record.command.robot].kind.keeps_goals):
+    if record and not _drives(state, record.command):
         return ""
     if record is None or record.stage not in (Stage.CHECKED, Stage.WAITING):
         return "cancelled before it was sent"
@@ -132,6 +132,12 @@ def withdrawn(state: FleetState, command_id: int, since: float) -> str:
             if isinstance(other.command, ClearOrders):
                 return "robot's orders cleared before it was sent"
     return ""
+
+
+def _drives(state: FleetState, command: Command) -> bool:
+    """Tell whether a command is a goal, which a pause must overtake."""
+    is_order = isinstance(command, PlaceOrder)
+    return isinstance(command, SendGoal) or (is_order and state.robots[command.robot].kind.keeps_goals)
 
 
 def hold_all(state: FleetState, reason: str) -> Iterator[QueueHeld]:

@@ -12,6 +12,7 @@ from fleet_tui.model.graph import Role, RouteGraph
 from fleet_tui.model.order import vertices_of
 from fleet_tui.model.problem import Problem
 from fleet_tui.model.robot import Robot
+from fleet_tui.model.set_up.commands import SetUpCommand
 
 
 def _name(robot: Robot, vertex: str) -> str:
@@ -24,6 +25,8 @@ def ends_of(command: commands.Command) -> tuple[str, ...]:
         case commands.PlaceOrder(_, stops):
             return vertices_of(stops)
         case commands.CancelOrder() | commands.ClearOrders() | commands.PauseRobot() | commands.ResumeRobot():
+            return ()
+        case SetUpCommand():
             return ()
         case _:
             assert_never(command)

@@ -6,8 +6,11 @@ from fleet_tui.errors import CommandError
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.local_queue import all_orders
-from fleet_tui.rules.language.grammar import ALL, USAGE, Token, find_robot, tokens
+from fleet_tui.rules.language.grammar import ALL, USAGE
 from fleet_tui.rules.language.lookup import places, recent_ends
+from fleet_tui.rules.language.set_up import USAGE as SET_UP
+from fleet_tui.rules.language.set_up import ability_of
+from fleet_tui.rules.language.words import Token, find_robot, tokens
 from fleet_tui.rules.marks import numbered_robots
 
 
@@ -38,6 +41,8 @@ def complete(line: str, state: FleetState, selected: str = "") -> list[str]:
         return _order(line, named, start, verb, state)
     if verb == "cancel":
         return _cancel(line, named, start, state, selected)
+    if verb in SET_UP:
+        return _set_up(line, named, start, verb, state)
     if named:
         return []
     robots = _able(state, verb)
@@ -46,7 +51,11 @@ def complete(line: str, state: FleetState, selected: str = "") -> list[str]:
 
 def _able(state: FleetState, verb: str) -> list[str]:
     """Return the robots that accept the request of a verb."""
-    return [name for name, robot in state.robots.items() if robot.kind.can(verb)]
+    return [name for name, robot in state.robots.items() if _can(robot, verb)]
+
+
+def _can(robot: Robot, verb: str) -> bool:
+    return robot.kind.can(ability_of(verb, robot.kind) if verb in SET_UP else verb)
 
 
 def _robot(token: Token, state: FleetState) -> Robot | None:
@@ -73,6 +82,18 @@ def _cancel(line: str, named: Sequence[Token], start: int, state: FleetState, se
     ids = [order.id for order in all_orders(state, robot)] if robot and robot.kind.can("cancel") else []
     found = _lines(line, start, ids, last=True)
     return found if named else [*found, *_lines(line, start, _able(state, "cancel"))]
+
+
+def _set_up(line: str, named: Sequence[Token], start: int, verb: str, state: FleetState) -> list[str]:
+    if not named:
+        return _lines(line, start, _able(state, verb), last=verb in ("localise", "settle"))
+    robot = _robot(named[0], state)
+    if robot is None or len(named) > 1 or not _can(robot, verb):
+        return []
+    if verb == "mapping":
+        return _lines(line, start, ["on", "off"], last=True)
+    labels = [place.name for place in places(robot)] if verb == "goto" else []
+    return _lines(line, start, [_quoted(name) if " " in name else name for name in labels], last=True)
 
 
 def _order(line: str, named: Sequence[Token], start: int, verb: str, state: FleetState) -> list[str]:

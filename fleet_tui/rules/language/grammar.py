@@ -5,25 +5,26 @@
     order robot_0 Base Consumidores      the same without `>`; labels with spaces in quotes
     cancel 12, cancel robot_0 12         clear robot_0
     pause robot_0, pause all             resume robot_0, resume all
+    goto robot_0 Base, goto robot_0 3.5 2 90   to a place, or metres and degrees counter-clockwise
+    set-pose robot_0 3.5 2 90            mapping robot_0 on; localise robot_0; settle robot_0
 
 A robot is its name or its number, a place its label or its vertex id; `id=7` is always the id.
 """
 
-import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from typing import assert_never
 
-from msgspec import Struct
-
-from fleet_tui.errors import CommandError, did_you_mean
+from fleet_tui.errors import CommandError
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.order import natural, vertices_of
+from fleet_tui.model.order import vertices_of
 from fleet_tui.model.request import Request, chain
 from fleet_tui.model.robot import Robot
+from fleet_tui.model.set_up.commands import SetUpCommand
 from fleet_tui.rules.commands.local_queue import all_orders
-from fleet_tui.rules.language.lookup import NUMBER, called, no_graphs, places, plain_id
-from fleet_tui.rules.marks import numbered_robots
+from fleet_tui.rules.language import set_up
+from fleet_tui.rules.language.lookup import NUMBER, plain_id
+from fleet_tui.rules.language.words import Token, find_robot, quoted, said, tokens, vertex_of, word_of
 
 USAGE = {
     "order": "order ROBOT FROM TO, or ROBOT FROM > TO",
@@ -31,32 +32,9 @@ USAGE = {
     "clear": "clear ROBOT",
     "pause": "pause ROBOT, or pause all",
     "resume": "resume ROBOT, or resume all",
+    **set_up.USAGE,
 }
 ALL = "all"
-
-# A `-` belongs to the `>` after it only if it is separate: labels may end with one.
-_TOKEN = re.compile(
-    r"""(?P<to>(?<![^\s>])->|>)|"(?P<two>[^"]*)"(?=[\s>]|$)|'(?P<one>[^']*)'(?=[\s>]|$)|[^\s>]+"""
-)
-
-
-class Token(Struct, frozen=True):
-    """A word of a line, without its quotes, from `start` to `end`; `>` separates places."""
-
-    text: str
-    start: int
-    end: int
-    separates: bool = False
-
-
-def tokens(line: str) -> list[Token]:
-    """Return the words of a line. A quote that is never closed is an ordinary letter."""
-    found = []
-    for match in _TOKEN.finditer(line):
-        quoted = match["two"] if match["two"] is not None else match["one"]
-        text = match[0] if quoted is None else quoted
-        found.append(Token(text, match.start(), match.end(), match["to"] is not None))
-    return found
 
 
 def parse(line: str, state: FleetState, selected: str = "") -> Request:
@@ -83,29 +61,16 @@ def parse_words(words: Sequence[str], state: FleetState, selected: str = "") -> 
             return Request((CancelOrder(robot.name, _order_id(state, robot, number)),))
         case "clear", [name]:
             return Request((ClearOrders(find_robot(name, state).name),))
-        case "pause", [name]:
-            return Request(tuple(map(PauseRobot, _robots(name, state))))
-        case "resume", [name]:
-            return Request(tuple(map(ResumeRobot, _robots(name, state))))
+        case "pause" | "resume", [name]:
+            kind = PauseRobot if verb == "pause" else ResumeRobot
+            return Request(tuple(map(kind, _robots(name, state))))
+        case _, [name, *values] if verb in set_up.USAGE:
+            if request := set_up.parse_set_up(verb, find_robot(name, state), values):
+                return request
     if verb in USAGE:
         raise CommandError(f"usage: {USAGE[verb]}")
     name = find_robot(words[0], state, [*state.robots, *USAGE]).name
     raise CommandError(f"usage: {name} FROM > TO")
-
-
-def find_robot(word: str, state: FleetState, known: Iterable[str] = ()) -> Robot:
-    """Return a robot by its name, in any case if unambiguous, or by its number: of its key, or on the map."""
-    same = [name for name in state.robots if name.casefold() == word.casefold()]
-    for name in [word] if word in state.robots else same if len(same) == 1 else []:
-        return state.robots[name]
-    numbered = numbered_robots(word, state)
-    if len(numbered) > 1:
-        names = " or ".join(robot.name for robot in numbered)
-        raise CommandError(f"{_said(word)} is ambiguous: {names}; type the name")
-    if numbered:
-        return numbered[0]
-    near = did_you_mean(word, known or state.robots)
-    raise CommandError(f"unknown robot{' or command' if known else ''} {_said(word)}{near}")
 
 
 def _robots(word: str, state: FleetState) -> list[str]:
@@ -119,46 +84,13 @@ def _order_id(state: FleetState, robot: Robot, word: str) -> str:
     if any(order.id == word for order in all_orders(state, robot)):
         return word
     if not NUMBER.fullmatch(word):
-        raise CommandError(f"{_said(word)} is not an order id: copy it from the queue")
+        raise CommandError(f"{said(word)} is not an order id: copy it from the queue")
     return plain_id(word)
-
-
-def _said(word: str) -> str:
-    return repr(word if len(word) <= 40 else word[:39] + "…")
-
-
-def _vertex_id(robot: Robot, word: str) -> str:
-    """Return the vertex id of a word, empty for none: one of the robot's graphs, or any number."""
-    if robot.name_of(word) is not None:
-        return word
-    return plain_id(word) if NUMBER.fullmatch(word) else ""
-
-
-def _vertex(robot: Robot, word: str) -> tuple[str, str]:
-    """Return the vertex of a word, and its floor if it was named by its label."""
-    id_ = _vertex_id(robot, word.removeprefix("id="))
-    if word.startswith("id=") and id_:
-        return id_, ""
-    if NUMBER.fullmatch(word) and word.startswith("-"):
-        id_ = ""  # a negative number is an id only if marked as one
-    found = {place.vertex: place for place in called(robot, word)}
-    if not found and id_:
-        return id_, ""
-    if id_ and robot.name_of(id_) is not None:
-        found.setdefault(id_, next(iter(found.values())))
-    if not found:
-        near = did_you_mean(word, [place.name for place in places(robot)]) or no_graphs(robot)
-        raise CommandError(f"{robot.name} has no place {_said(word)}{near}")
-    if len(found) > 1:
-        ids = " or ".join(_id_word(vertex) for vertex in sorted(found, key=natural))
-        raise CommandError(f"{_said(word)} is ambiguous for {robot.name}: use {ids}")
-    ((vertex, place),) = found.items()
-    return vertex, place.floor
 
 
 def _order(robot: Robot, named: Sequence[str], only_to: bool = False) -> Request:
     """Return an order. A single place is the destination of the cargo on board."""
-    found = [_vertex(robot, word) for word in named]
+    found = [vertex_of(robot, word) for word in named]
     vertices = [vertex for vertex, _ in found]
     floors = {vertex: floor for vertex, floor in found if floor}
     return Request(chain(robot.name, vertices, only_to or len(named) == 1, robot.kind.takes_stops), floors)
@@ -202,44 +134,18 @@ def written(command: Command, state: FleetState) -> str:
     match command:
         case PlaceOrder(name, stops):
             robot = state.robots[name]
-            return " ".join(["order", name, *(_word(robot, vertex) for vertex in vertices_of(stops))])
+            if (goal := stops[-1].pose) is not None:
+                return f"goto {name} {set_up.written_pose(goal)}"
+            return " ".join(["order", name, *(word_of(robot, vertex) for vertex in vertices_of(stops))])
         case CancelOrder(name, order_id):
-            return f"cancel {name} {_quoted(order_id)}"
+            return f"cancel {name} {quoted(order_id)}"
         case ClearOrders(name):
             return f"clear {name}"
         case PauseRobot(name):
             return f"pause {name}"
         case ResumeRobot(name):
             return f"resume {name}"
+        case SetUpCommand():
+            return set_up.written_set_up(command)
         case _:
             assert_never(command)
-
-
-def _word(robot: Robot, vertex: str) -> str:
-    """Return the label, in quotes if needed, else the id."""
-    name = robot.name_of(vertex)
-    if name is None or not (word := next(_spellings(name), "")):
-        return _id_word(vertex)
-    try:
-        return word if _vertex(robot, name)[0] == vertex else _id_word(vertex)
-    except CommandError:
-        return _id_word(vertex)
-
-
-def _id_word(vertex: str) -> str:
-    return _quoted(f"id={vertex}")
-
-
-def _quoted(text: str) -> str:
-    """Return a text as one word of a line, as far as possible."""
-    return next(_spellings(text), text)
-
-
-def _spellings(text: str) -> Iterator[str]:
-    """Return the words of a line that parse to this text."""
-    # One that begins with a quote might end at a quote in the next word.
-    plain = [] if text.startswith(("'", '"')) else [text]
-    for word in [*plain, f'"{text}"', f"'{text}'"]:
-        found = tokens(word)
-        if len(found) == 1 and found[0].text == text and not found[0].separates and found[0].end == len(word):
-            yield word

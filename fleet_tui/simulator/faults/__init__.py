@@ -58,6 +58,7 @@ FAULTS: Faults = {
     "silent": ("sends nothing", world.silent),
     "paused": ("paused from the start", world.paused),
     "battery": (f"battery never above {world.FLAT:g} %", world.battery),
+    "mislocalised": ("believes to be 4 m away and turned, until its pose is set", world.mislocalised),
     "jumping": (f"pose jumps by {world.JUMP:g} m, does not drive", world.jumping),
 }
 """The faults of robots of the source's stack."""

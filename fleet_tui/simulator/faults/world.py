@@ -4,6 +4,8 @@ from typing import TYPE_CHECKING
 
 from msgspec import structs
 
+from fleet_tui.simulator.senses.belief import DRIFT
+
 if TYPE_CHECKING:
     # The command line lists the faults: it must not wait for the server to be imported.
     from fleet_tui.simulator.server import RosbridgeServer
@@ -92,6 +94,12 @@ def battery(server: "RosbridgeServer", robot_name: str) -> None:
         robot.battery = min(robot.battery, FLAT)
 
     server.world.troubles.append(step)
+
+
+def mislocalised(server: "RosbridgeServer", robot_name: str) -> None:
+    """Let the robot believe to be elsewhere until its pose is set."""
+    robot = server.world.robots[robot_name]
+    robot.belief.place(robot.pose.after(DRIFT), robot.pose)
 
 
 def jumping(server: "RosbridgeServer", robot_name: str) -> None:

@@ -12,6 +12,7 @@ from fleet_tui.simulator.move_base.faults import FAULTS
 from fleet_tui.simulator.move_base.topics import CANCEL, GOAL, NODE, POSE, TYPES, MoveBaseNews, steady_topics
 from fleet_tui.simulator.move_base.world import MoveBaseWorld
 from fleet_tui.simulator.navigating.diagnostics import health
+from fleet_tui.simulator.navigating.set_up import initial_poses
 from fleet_tui.simulator.navigating.topics import map_topics
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
@@ -40,7 +41,7 @@ class MoveBaseFleet(MoveBaseWorld):
 
     def subscriptions(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
         """The goals, poses and cancellations for each robot."""
-        return {
+        return initial_poses(self.robots) | {
             f"/{name}/{part}": (TYPES[part], take)
             for name, navigation in self.navigation.items()
             for part, take in (

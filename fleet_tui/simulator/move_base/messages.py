@@ -29,5 +29,5 @@ def result(status: GoalReport, header: Message) -> Message:
 
 def feedback(status: GoalReport, robot: NavigatingRobot, header: Message, at: Message) -> Message:
     """move_base_msgs/MoveBaseActionFeedback; `at` is the header of the robot's pose."""
-    position = {"header": at, "pose": solid(robot.pose)}
+    position = {"header": at, "pose": solid(robot.belief.of(robot.pose))}
     return {"header": header, "status": goal_status(status), "feedback": {"base_position": position}}

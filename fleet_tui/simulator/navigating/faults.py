@@ -4,6 +4,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from fleet_tui.simulator.faults import Faults, wire
+from fleet_tui.simulator.senses.belief import DRIFT
 
 if TYPE_CHECKING:
     # The command line lists the faults: it must not wait for the server to be imported.
@@ -74,6 +75,12 @@ def _lost(navigation: "Navigating") -> None:
     navigation.robot.lose()
 
 
+def _mislocalised(navigation: "Navigating") -> None:
+    """Let it believe to be elsewhere: the published pose follows at once."""
+    robot = navigation.robot
+    robot.place(robot.pose.after(DRIFT))
+
+
 def _obstacle(navigation: "Navigating") -> None:
     navigation.robot.block()
 
@@ -105,6 +112,7 @@ BODY: Faults = {
     "foreign-cancel": (f"another client cancels every goal after {AWHILE:g} s", often(_foreign_cancel)),
     "no-odom": ("no odometry", at_once(_no_odom)),
     "lost": ("localisation uncertain and wrong", at_once(_lost)),
+    "mislocalised": ("believes to be 4 m away and turned, until its pose is set", at_once(_mislocalised)),
     "obstacle": ("stops at a permanent obstacle", at_once(_obstacle)),
     "battery": (f"battery never above {FLAT:g} %", often(_battery, idle=True)),
     "unmeasured": ("battery percentage NaN", at_once(_unmeasured)),

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.navigating.paths import NoPathError, Spot, length, plan
 from fleet_tui.simulator.robot import CHARGE, DRAIN, DRAIN_STANDING, SPEED, STEP, TURN, Obstructed
+from fleet_tui.simulator.senses.belief import Belief
 from fleet_tui.simulator.warehouse import SimFloor
 
 SLIP, SKID = 1.01, 1.004  # odometry measured per metre and per radian
@@ -58,6 +59,8 @@ class NavigatingRobot(Obstructed):
         self._stood = 0.0
         self._obstacle_in = rng.uniform(25.0, 90.0)
         self._work: Iterator[None] = iter(())
+        self._was_placed = False
+        self.belief = Belief()
 
     @property
     def distance_remaining(self) -> float:
@@ -90,6 +93,11 @@ class NavigatingRobot(Obstructed):
         """Make its localisation unsure, and wrong by as much."""
         self.variance = LOST
 
+    def place(self, pose: Pose) -> None:
+        """Take its pose from outside, and publish it."""
+        self.belief.place(pose, self.pose)
+        self.variance, self._was_placed = SURE, True
+
     def step(self) -> None:
         """Advance by STEP seconds."""
         self.silence = max(0.0, self.silence - STEP)
@@ -103,16 +111,19 @@ class NavigatingRobot(Obstructed):
         self.moving = self.driving and self.pose != before
         self._watch_progress()
         self._count_wheels(before)
+        self.belief.carry(before, self.pose)
         rate = CHARGE if self.docked else -DRAIN if self.moving else -DRAIN_STANDING
         self.battery = min(100.0, max(0.0, self.battery + rate * STEP))
 
     def localise(self) -> bool:
         """Tell whether the localisation publishes a pose: only once the robot has moved far enough."""
-        at, last = self.pose, self.estimate
+        at, last = self.belief.of(self.pose), self.estimate
         off = math.sqrt(self.variance) if self.variance >= LOST else 0.0
         turned = abs(math.remainder(at.yaw - last.yaw, math.tau))
-        if turned < self.turned and math.dist((at.x + off, at.y), (last.x, last.y)) < self.moved:
+        metres = math.dist((at.x + off, at.y), (last.x, last.y))
+        if turned < self.turned and metres < self.moved and not self._was_placed:
             return False
+        self._was_placed = False
         self.estimate = Pose(at.x + off, at.y, at.yaw)
         return True
 

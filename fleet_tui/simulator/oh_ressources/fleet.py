@@ -1,6 +1,7 @@
 """A World as the bridge sees it."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import partial
 from typing import Any
 
 from fleet_tui.simulator.faults import FAULTS
@@ -8,6 +9,7 @@ from fleet_tui.simulator.fleets import Line
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Message, Topic, topics_of
 from fleet_tui.simulator.oh_ressources.logs import Changes, health
+from fleet_tui.simulator.oh_ressources.set_up import SUBSCRIPTIONS
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.robot import SimRobot
 from fleet_tui.simulator.ros.dialect import Dialect
@@ -18,7 +20,7 @@ DESK = "Application_layout"
 
 
 class OhFleet:
-    """The robots of a World on the wire. They have no actions and listen to no topic."""
+    """The robots of a World on the wire. They have no actions."""
 
     faults = FAULTS
 
@@ -41,8 +43,12 @@ class OhFleet:
         return topics_of(self.world, loaded_at, dialect)
 
     def subscriptions(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
-        """Nothing."""
-        return {}
+        """The topics of each robot on which its pose is set, and a goal beside its orders."""
+        return {
+            f"/{name}/{topic}": (type_, partial(take, robot))
+            for name, robot in self.robots.items()
+            for topic, (type_, take) in SUBSCRIPTIONS.items()
+        }
 
     def services(self, dialect: Dialect) -> Mapping[str, ServiceType]:
         """The services of every robot."""

@@ -5,5 +5,11 @@ from typing import Any
 
 
 def profile(_floors: int) -> Mapping[str, Any]:
-    """Return the topic on which they report a pause."""
-    return {"topics": {"paused": "/{robot}/paused"}}
+    """Return the topics on which they report a pause, and those of set-up."""
+    topics = ("paused", "goal")
+    return {
+        "topics": {
+            **{key: f"/{{robot}}/{key}" for key in topics},
+            "initial_pose": "/{robot}/initialpose",
+        },
+    }

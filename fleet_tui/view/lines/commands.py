@@ -5,6 +5,7 @@ from typing import assert_never
 
 from fleet_tui.model import commands
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.set_up.commands import SetUpCommand
 from fleet_tui.rules.commands.batches import TOGETHER, pauses, summary
 from fleet_tui.text.details import detail_text
 from fleet_tui.text.durations import age
@@ -47,6 +48,8 @@ def command_text(state: FleetState, command: commands.Command) -> str:
             return f"{name} pause"
         case commands.ResumeRobot(name):
             return f"{name} resume"
+        case SetUpCommand(name):
+            return f"{name} {command.text}"
         case _:
             assert_never(command)
 

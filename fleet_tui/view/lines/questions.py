@@ -7,8 +7,10 @@ from fleet_tui.model.commands import CancelOrder, ClearOrders, PauseRobot, Place
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.problem import Problem
 from fleet_tui.model.request import Request
+from fleet_tui.model.set_up.commands import SetUpCommand
 from fleet_tui.rules.commands.batches import batch_name
 from fleet_tui.rules.commands.local_queue import all_orders, clearable
+from fleet_tui.rules.commands.set_up.losses import set_up_losses
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import command_text
 from fleet_tui.view.tables.fleet import mission
@@ -31,6 +33,8 @@ def losses(state: FleetState, request: Request) -> Iterator[str]:
                 yield from (f"  {sanitize(order.id)}  {mission(robot, order)}" for order in orders[:SHOWN])
                 if len(orders) > SHOWN:
                     yield f"  and {len(orders) - SHOWN} more"
+            case SetUpCommand():
+                yield from set_up_losses(state, robot, command)
             case PlaceOrder() | PauseRobot() | ResumeRobot():
                 pass
             case _:

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from fleet_tui.model.commands import CommandRecord, PlaceOrder, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import Order
-from fleet_tui.rules.commands.confirmation import could_be
+from fleet_tui.rules.commands.order_search import could_be
 
 NEVER_THERE = frozenset({Stage.CHECKED, Stage.WAITING, Stage.NOT_SENT, Stage.REFUSED})
 

@@ -7,8 +7,8 @@ from fleet_tui.model.commands import CancelOrder, ClearOrders, CommandRecord, Pl
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import Order, vertices_of
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.commands.confirmation import find_order
 from fleet_tui.rules.commands.local_queue import all_orders
+from fleet_tui.rules.commands.order_search import find_order
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.view.lines.commands import stage_text

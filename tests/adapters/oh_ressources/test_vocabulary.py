@@ -21,6 +21,11 @@ PROMISED = {
     "obstacle": ("/r/obstacle", "std_msgs/Float32"),
     "queue": ("/r/queue", "OH_ressources/ActionQueue"),
     "paused": ("", "std_msgs/Bool"),
+    "goal": ("", "geometry_msgs/PoseStamped"),
+    "initial_pose": ("", "geometry_msgs/PoseWithCovarianceStamped"),
+    "scan": ("", "sensor_msgs/LaserScan"),
+    "path": ("", "nav_msgs/Path"),
+    "mode": ("", "std_msgs/String"),
 }
 CALLED = {
     "order": "Execute_order",
@@ -40,7 +45,7 @@ def test_topics_have_the_promised_names_and_types() -> None:
 def test_services_have_the_promised_names() -> None:
     assert {key: names_of().service(key, "r") for key in SERVICES} == {
         key: f"/r/Application_layout/{name}" for key, name in CALLED.items()
-    }
+    } | dict.fromkeys(("localise", "settle", "mapping_on", "mapping_off"), "")
 
 
 @pytest.mark.parametrize("key", list(TOPICS))

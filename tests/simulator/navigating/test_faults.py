@@ -23,6 +23,7 @@ CHANGES: dict[str, Callable[[NavigatingRobot], bool]] = {
     "battery": lambda robot: robot.battery <= FLAT,
     "unmeasured": lambda robot: math.isnan(robot.percent),
     "percent": lambda robot: robot.percent == 1.0,
+    "mislocalised": lambda robot: robot.belief.misplaced is not None,
     "silent": lambda robot: math.isinf(robot.silence),
 }
 

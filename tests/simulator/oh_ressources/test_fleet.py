@@ -28,8 +28,8 @@ def test_an_answer_is_the_worlds_and_its_time_is_the_fleets() -> None:
     assert world.robots["robot_1"].pose != before
 
 
-def test_a_silent_robot_has_no_health_and_there_is_nothing_to_listen_to() -> None:
+def test_a_silent_robot_has_no_health_and_there_are_no_actions() -> None:
     fleet = OhFleet(World(2, 1, quiet=True))
     fleet.robots["robot_0"].silence = 9.0
     assert {entry["name"].partition(":")[0] for entry in fleet.health()} == {"robot_1"}
-    assert fleet.subscriptions() == {} and fleet.actions == {} and list(fleet.news(ROS1)) == []
+    assert fleet.actions == {} and list(fleet.news(ROS1)) == []

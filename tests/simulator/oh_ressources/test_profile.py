@@ -7,6 +7,7 @@ from fleet_tui.simulator.ros.ros1 import ROS1
 
 
 def test_every_topic_of_the_profile_is_one_of_theirs() -> None:
-    names = {topic.name for topic in OhFleet(World(1, 2)).topics(0.0, ROS1)}
+    fleet = OhFleet(World(1, 2))
+    names = {topic.name for topic in fleet.topics(0.0, ROS1)} | set(fleet.subscriptions())
     for floors in (1, 2):
         assert {topic.format(robot="robot_0") for topic in profile(floors)["topics"].values()} <= names

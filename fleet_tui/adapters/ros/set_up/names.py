@@ -1,0 +1,28 @@
+"""Names of set-up: topics and services that a kind has only if it, or a site's profile, names them."""
+
+from collections.abc import Mapping
+from typing import Any
+
+TOPICS: Mapping[str, tuple[str, str]] = {
+    "initial_pose": ("", "geometry_msgs/PoseWithCovarianceStamped"),
+    "scan": ("", "sensor_msgs/LaserScan"),
+    "path": ("", "nav_msgs/Path"),
+    "mode": ("", "std_msgs/String"),
+}
+SERVICES: Mapping[str, tuple[str, str]] = {
+    "localise": ("", "std_srvs/Empty"),
+    "settle": ("", "std_srvs/Empty"),
+    "mapping_on": ("", "std_srvs/SetBool"),
+    "mapping_off": ("", "std_srvs/SetBool"),
+}
+REQUESTS: Mapping[str, Mapping[str, Any]] = {"mapping_on": {"data": True}, "mapping_off": {"data": False}}
+"""Fields of the services that have any."""
+INVERSE: Mapping[str, Mapping[str, Any]] = {"mapping_on": {"data": False}, "mapping_off": {"data": True}}
+"""The same for services that switch mapping off."""
+
+
+def with_names(
+    usual: Mapping[str, tuple[str, str]], given: Mapping[str, str]
+) -> Mapping[str, tuple[str, str]]:
+    """Return these topics or services with the names that a kind gives to some of them."""
+    return {key: (given.get(key, name), type_) for key, (name, type_) in usual.items()}

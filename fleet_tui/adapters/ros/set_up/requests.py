@@ -1,0 +1,131 @@
+"""Set-up commands as messages and calls."""
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import assert_never
+
+from fleet_tui.adapters.adapter import Feed, Outgoing, Publication, ServiceCall, Site
+from fleet_tui.adapters.ros.facts import is_place
+from fleet_tui.adapters.ros.names import Names
+from fleet_tui.errors import CommandError
+from fleet_tui.model.geometry import Pose
+from fleet_tui.model.kind import GOAL, LOCALISE, MAPPING, PATH, POSE, SCAN, SETTLE
+from fleet_tui.model.robot import Robot
+from fleet_tui.model.set_up import commands
+
+XY, YAW = 0.25, (math.pi / 12) ** 2
+"""RViz's variances of a pose set by hand: square metres of x and of y, square radians."""
+SCAN_MS, PATH_MS = 200, 1000
+"""Milliseconds between two scans, and between two paths."""
+
+
+def solid(pose: Pose) -> Mapping[str, object]:
+    """Return a geometry_msgs/Pose, its quaternion of unit length. Raises CommandError for a pose on no
+    map."""
+    if not is_place(pose.x, pose.y) or not math.isfinite(pose.yaw):
+        raise CommandError("the pose is not finite")
+    half = math.remainder(pose.yaw, math.tau) / 2
+    return {
+        "position": {"x": pose.x, "y": pose.y, "z": 0.0},
+        "orientation": {"x": 0.0, "y": 0.0, "z": math.sin(half), "w": math.cos(half)},
+    }
+
+
+class SetUpRequests:
+    """The set-up of one site's robots, as far as its profile names topics and services for it."""
+
+    def __init__(self, names: Names, site: Site, frames_are_floors: bool) -> None:
+        """`frames_are_floors`: the frame of a pose names its floor; otherwise it is that of the robot's own
+        poses, and goals are orders."""
+        self._names, self._site, self._frames_are_floors = names, site, frames_are_floors
+        table = names.table
+        keys = {POSE: "topics.initial_pose", LOCALISE: "services.localise", SETTLE: "services.settle"}
+        if frames_are_floors:
+            keys[GOAL] = "topics.goal"
+        self._keys = {ability: f"{table}.{key}" for ability, key in keys.items()}
+        self.streams = tuple(key for key in (SCAN, PATH) if self._stream_topic(key, "robot"))
+        """The streams that can be watched."""
+
+    @property
+    def accepted(self) -> tuple[str, ...]:
+        """Return the set-up requests that such robots accept."""
+        there = [ability for ability, key in self._keys.items() if self._named(key.rpartition(".")[2])]
+        return (*there, MAPPING) if self._named("mapping_on") and self._named("mapping_off") else (*there,)
+
+    @property
+    def unset(self) -> dict[str, str]:
+        """Return by request or stream that is not accepted the key of the profile that is empty."""
+        table, accepted = self._names.table, self.accepted
+        missing = {ability: key for ability, key in self._keys.items() if ability not in accepted}
+        missing |= {key: f"{table}.topics.{key}" for key in (SCAN, PATH) if key not in self.streams}
+        if MAPPING not in accepted:
+            key = "mapping_off" if self._named("mapping_on") else "mapping_on"
+            missing[MAPPING] = f"{table}.services.{key}"
+        return missing
+
+    def _named(self, key: str) -> bool:
+        names = self._names
+        named = names.topic if key in names.vocabulary.topics else names.service
+        return bool(named(key, "robot"))
+
+    def _stream_topic(self, key: str, robot: str) -> str:
+        """Return the topic of a stream. The path of a kind whose goals have a plan is that plan."""
+        names = self._names
+        own = names.topic(key, robot)
+        is_plan = key == PATH and "plan" in names.vocabulary.topics
+        return own or (names.topic("plan", robot) if is_plan else "")
+
+    def feeds(self, robot: str) -> Iterator[Feed]:
+        """Return the mode, and the streams. A path that is the plan of a goal has its feed already."""
+        names = self._names
+        if topic := names.topic("mode", robot):
+            yield Feed("mode", (robot,), "", topic, names.type("mode"), latched=True, silent=True)
+        plan = names.topic("plan", robot) if "plan" in names.vocabulary.topics else ""
+        for key, rate in ((SCAN, SCAN_MS), (PATH, PATH_MS)):
+            topic = names.topic(key, robot)
+            if topic and topic != plan:
+                yield Feed(key, (robot,), "", topic, names.type(key), rate, wanted_for="stream", silent=True)
+
+    def outgoing(self, command: commands.SetUp, robot: Robot) -> Sequence[Outgoing]:
+        """Return the message or call of a command. Raises CommandError for one that must not be sent."""
+        match command:
+            case commands.SetPose(_, floor, pose):
+                covariance = [0.0] * 36
+                covariance[0] = covariance[7] = XY
+                covariance[35] = YAW
+                placed = {"pose": solid(pose), "covariance": covariance}
+                return self._publish("initial_pose", robot, floor, placed)
+            case commands.SendGoal(_, floor, pose):
+                return self._publish("goal", robot, floor, solid(pose))
+            case commands.Localise(name):
+                return self._call("localise", name)
+            case commands.Settle(name):
+                return self._call("settle", name)
+            case commands.SetMapping(name, on):
+                return self._call("mapping_on" if on else "mapping_off", name)
+            case _:
+                assert_never(command)
+
+    def _frame(self, robot: Robot, floor: str) -> str:
+        """Return the frame of a floor: a pose in a foreign one is dropped without a word."""
+        if chosen := self._names.profile.pose_frame:
+            return chosen.replace("{robot}", robot.name).replace("{floor}", floor)
+        if self._frames_are_floors:
+            return self._site.frames.get(floor, floor)
+        return robot.frame_id or "map"
+
+    def _publish(self, key: str, robot: Robot, floor: str, pose: Mapping[str, object]) -> tuple[Publication]:
+        names = self._names
+        topic = names.topic(key, robot.name)
+        if not topic:
+            raise CommandError(f"{names.table}.topics.{key} is empty")
+        # Without a stamp: the bridge fills in its own time, ours may be hours off.
+        header = {"frame_id": self._frame(robot, floor)}
+        return (Publication(topic, names.type(key), {"header": header, "pose": pose}),)
+
+    def _call(self, key: str, robot: str) -> tuple[ServiceCall]:
+        names = self._names
+        service = names.service(key, robot)
+        if not service:
+            raise CommandError(f"{names.table}.services.{key} is empty")
+        return (ServiceCall(service, names.service_type(key), names.request(key, robot)),)

@@ -1,0 +1,1 @@
+"""Set-up of robots: commands, laser scans and planned paths."""

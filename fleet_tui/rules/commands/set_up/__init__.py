@@ -1,0 +1,1 @@
+"""Set-up commands: their checks, and their confirmation by telemetry."""

@@ -1,0 +1,119 @@
+"""Checks of poses and goals before they leave. A missing map proves nothing."""
+
+import math
+from collections.abc import Iterator
+
+from fleet_tui.model.commands import Command, PlaceOrder
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.geometry import Pose
+from fleet_tui.model.grid import FREE, OCCUPIED, OccupancyGrid, class_at
+from fleet_tui.model.order import BEGUN
+from fleet_tui.model.problem import Problem
+from fleet_tui.model.robot import Robot, RobotMap
+from fleet_tui.model.set_up.commands import Localise, SendGoal, SetPose, SetUpCommand
+from fleet_tui.rules.commands.local_queue import waiting
+from fleet_tui.rules.commands.pauses import STANDS_AFTER
+from fleet_tui.rules.commands.set_up.mode import mapping_text
+
+FARTHEST = 1e6
+"""Metres from the origin of a map beyond which a pose is a slip of the keyboard."""
+
+
+def map_of(state: FleetState, robot: Robot, floor: str) -> OccupancyGrid | None:
+    """Return the map of a floor in the coordinates of a robot, None if there is none."""
+    known, robot_map = state.floors.get(floor), robot.maps.get(floor, RobotMap())
+    if known is not None and known.grid is not None:
+        frame = robot_map.frame
+        if known.tied:
+            return known.grid
+        if frame and (frame.width, frame.height) == (known.grid.frame.width, known.grid.frame.height):
+            return OccupancyGrid(frame, known.grid.levels)
+        return None
+    return robot_map.grid or (known.live if known else None)
+
+
+def goal_of(command: Command) -> Pose | None:
+    """Return the pose to which a command leads, None if it leads to none or to a vertex."""
+    if isinstance(command, PlaceOrder):
+        return command.stops[-1].pose if command.stops else None
+    return command.pose if isinstance(command, SendGoal) else None
+
+
+def no_place(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+    """Check that a pose can be on a map: a bridge drops NaN without a word."""
+    poses = [command.place] if isinstance(command, SetUpCommand) else []
+    poses += [stop.pose for stop in command.stops] if isinstance(command, PlaceOrder) else []
+    for pose in poses:
+        if pose is None:
+            continue
+        finite = all(map(math.isfinite, (pose.x, pose.y, pose.yaw)))
+        if not finite or max(abs(pose.x), abs(pose.y)) > FARTHEST:
+            yield Problem("no place", f"({pose.x:g}, {pose.y:g}, {pose.yaw:g}) is no pose on a map")
+    floor = command.floor if isinstance(command, SetPose | SendGoal) else ""
+    if floor and floor not in robot.maps:
+        yield Problem(
+            "no place", f"{robot.name} has no floor {floor}: its floors are {', '.join(robot.maps)}"
+        )
+
+
+def driving(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+    """Check that the robot stands: its pose must not change while it drives by it."""
+    if not isinstance(command, SetPose | Localise):
+        return
+    current = robot.orders.current
+    has_begun = current is not None and current.state in BEGUN and not state.is_paused(robot)
+    moves = robot.standing is not None and state.now - robot.standing.at < STANDS_AFTER
+    if moves and state.is_fresh(robot, "pose"):
+        yield Problem("driving", f"{robot.name} is driving: pause it first")
+    elif has_begun and current is not None:
+        yield Problem("driving", f"{robot.name} has order {current.id} in process: pause it first")
+
+
+def blocked_goal(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+    """Check that a goal is on free ground."""
+    pose = goal_of(command)
+    if pose is None:
+        return
+    floor = command.floor if isinstance(command, SendGoal) else robot.floor or ""
+    grid = map_of(state, robot, floor)
+    if grid is None:
+        yield Problem("no map", f"no map of {floor or 'its floor'}: the goal can't be checked", blocks=False)
+    elif (found := class_at(grid, pose.x, pose.y)) != FREE:
+        what = "occupied" if found == OCCUPIED else "unknown ground"
+        yield Problem("blocked goal", f"({pose.x:.2f}, {pose.y:.2f}) is {what} on the map")
+
+
+def occupied_pose(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+    """Check that a robot is not placed into a wall."""
+    if not isinstance(command, SetPose):
+        return
+    pose, grid = command.pose, map_of(state, robot, command.floor)
+    if grid is not None and class_at(grid, pose.x, pose.y) == OCCUPIED:
+        text = f"({pose.x:.2f}, {pose.y:.2f}) is occupied on the map"
+        yield Problem("occupied", text, blocks=False)
+
+
+def busy(state: FleetState, robot: Robot) -> Iterator[Problem]:
+    """Check that a robot has no orders: a goal would drive it away from them."""
+    count = len(robot.orders.open) + len(waiting(state, robot))
+    if count:
+        yield Problem("busy", f"{robot.name} has {count} order{'s' * (count > 1)}: cancel or clear first")
+
+
+def mapped(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+    """Check that an order does not drive a robot that maps."""
+    if isinstance(command, PlaceOrder | SendGoal) and (text := mapping_text(robot)):
+        yield Problem("mapping", f"{robot.name} is {text}", blocks=False)
+
+
+def goal_beside_orders(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+    """Check that a goal beside the queue meets no order, and no pause."""
+    if not isinstance(command, SendGoal):
+        return
+    yield from busy(state, robot)
+    if state.is_paused(robot):
+        yield Problem("paused", f"{robot.name} is paused", blocks=False)
+
+
+CHECKS = (no_place, driving, blocked_goal, occupied_pose, mapped, goal_beside_orders)
+"""The checks of set-up commands, and of orders to poses."""

@@ -1,0 +1,102 @@
+"""Confirmation of set-up commands: the evidence in telemetry that they were carried out."""
+
+import math
+from typing import assert_never
+
+from fleet_tui.model.commands import CommandRecord, Stage, Step
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.geometry import Pose
+from fleet_tui.model.robot import Reading, Robot
+from fleet_tui.model.set_up.commands import Localise, SendGoal, SetMapping, SetPose, Settle, SetUp
+from fleet_tui.rules.commands.set_up.mode import is_in_mode
+
+SET_WITHIN, SET_TURN = 0.5, math.radians(15.0)
+"""Metres and radians within which a reported pose is the one that was set."""
+
+
+def believed(robot: Robot) -> Reading[Pose] | None:
+    """Return the newest pose that a robot reported by itself, not one carried on by its wheels here."""
+    if robot.located is not None and robot.located_at is not None:
+        return Reading(robot.located, robot.located_at)
+    return robot.pose
+
+
+def difference(one: Pose, other: Pose) -> tuple[float, float]:
+    """Return metres and radians between two poses."""
+    turn = abs(
+        math.remainder(math.remainder(one.yaw, math.tau) - math.remainder(other.yaw, math.tau), math.tau)
+    )
+    return math.dist((one.x, one.y), (other.x, other.y)), turn
+
+
+def difference_text(one: Pose, other: Pose) -> str:
+    """Return the difference of two poses in words."""
+    metres, turn = difference(one, other)
+    return f"{metres:.2f} m and {math.degrees(turn):.0f}°"
+
+
+def is_near(one: Pose, other: Pose) -> bool:
+    """Tell whether a reported pose counts as the one that was set."""
+    metres, turn = difference(one, other)
+    return metres <= SET_WITHIN and turn <= SET_TURN
+
+
+def _since(robot: Robot, record: CommandRecord, floor: str) -> Pose | None:
+    """Return the pose on a floor that the robot reported after the command had been sent."""
+    pose, sent = believed(robot), record.time_of(Stage.SENT)
+    there = (floor,) if robot.kind.frames_are_floors else (floor, None)
+    if pose is None or sent is None or pose.at <= sent or robot.floor not in there:
+        return None
+    return pose.value
+
+
+def set_up_seen(state: FleetState, robot: Robot, record: CommandRecord, command: SetUp) -> Step | None:
+    """Return the evidence for a set-up command."""
+    unseen = Step(Stage.UNVERIFIABLE, state.now) if record.stage is Stage.ACCEPTED else None
+    match command:
+        case SetPose(_, floor, wanted):
+            pose = _since(robot, record, floor)
+            if pose is None or not is_near(pose, wanted):
+                return None
+            return Step(Stage.CONFIRMED, state.now, f"reported within {difference_text(pose, wanted)}")
+        case SendGoal():
+            return _goal_seen(state, robot, record, command)
+        case SetMapping(_, on):
+            if "mode" not in robot.kind.reports:
+                return unseen
+            seen = is_in_mode(robot, on, record.time_of(Stage.SENT) if unseen is None else None)
+            return Step(Stage.CONFIRMED, state.now, "by the robot") if seen else None
+        case Localise() | Settle():
+            return unseen
+        case _:
+            assert_never(command)
+
+
+def _goal_seen(state: FleetState, robot: Robot, record: CommandRecord, command: SendGoal) -> Step | None:
+    """Return the evidence that a robot drives to a goal: no topic lists it."""
+    pose, sent = _since(robot, record, command.floor), record.time_of(Stage.SENT)
+    if pose is None or sent is None or robot.standing is None:
+        return None
+    if is_near(pose, command.pose):
+        return Step(Stage.CONFIRMED, state.now, "the robot is there")
+    if robot.standing.at > sent and not record.before.moving:
+        return Step(Stage.CONFIRMED, state.now, "the robot moves")
+    return None
+
+
+def instead_of_set_up(robot: Robot, record: CommandRecord, command: SetUp) -> str:
+    """Return the evidence of telemetry if a set-up command can't be seen to have been carried out."""
+    match command:
+        case SetPose(_, floor, wanted):
+            pose = _since(robot, record, floor)
+            if pose is None:
+                return f"no pose on {floor} received since"
+            return f"the robot reported a pose {difference_text(pose, wanted)} from it"
+        case SendGoal():
+            return "the robot did not move"
+        case SetMapping():
+            return f"the robot reports {robot.mode.value}" if robot.mode else "no mode received"
+        case Localise() | Settle():
+            return "no evidence in telemetry"
+        case _:
+            assert_never(command)

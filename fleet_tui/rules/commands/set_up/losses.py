@@ -1,0 +1,33 @@
+"""Set-up commands that are confirmed once: what a robot believes, or how it drives, changes."""
+
+from collections.abc import Iterator
+from typing import assert_never
+
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.robot import Robot
+from fleet_tui.model.set_up.commands import Localise, SendGoal, SetMapping, SetPose, Settle, SetUp
+from fleet_tui.rules.commands.set_up.confirmation import believed, difference_text
+from fleet_tui.text.durations import age
+
+OLD = 5.0
+"""Seconds after which the age of a pose is said."""
+
+
+def set_up_losses(state: FleetState, robot: Robot, command: SetUp) -> Iterator[str]:
+    """Return the question and the difference to now, one line each; empty for a harmless command."""
+    match command:
+        case SetPose(name, floor, pose):
+            yield f"{name}: {command.text} on {floor}?"
+            if (now := believed(robot)) is not None:
+                since = f", reported {age(state.now - now.at)} ago" if state.now - now.at > OLD else ""
+                yield f"{difference_text(now.value, pose)} from its present pose{since}"
+        case Localise(name):
+            yield f"{name}: forget its pose and search on the whole map?"
+        case SetMapping(name, on):
+            yield f"{name}: {command.text}?"
+            if on:
+                yield "its live map replaces the known one until mapping is off"
+        case Settle() | SendGoal():
+            return
+        case _:
+            assert_never(command)

@@ -1,0 +1,117 @@
+"""Set-up in the command language: poses in metres and degrees, goals, modes."""
+
+import math
+import re
+from collections.abc import Sequence
+from typing import assert_never
+
+from fleet_tui.errors import CommandError
+from fleet_tui.model.commands import PlaceOrder
+from fleet_tui.model.geometry import Pose
+from fleet_tui.model.kind import GOAL, LOCALISE, MAPPING, ORDER_TO, POSE, SETTLE, Kind
+from fleet_tui.model.order import Stop
+from fleet_tui.model.request import Request
+from fleet_tui.model.robot import Robot
+from fleet_tui.model.set_up.commands import Localise, SendGoal, SetMapping, SetPose, Settle, SetUp
+from fleet_tui.rules.language.words import vertex_of
+
+USAGE = {
+    "goto": "goto ROBOT PLACE, or goto ROBOT X Y [YAW]",
+    "set-pose": "set-pose ROBOT X Y YAW",
+    "localise": "localise ROBOT",
+    "settle": "settle ROBOT",
+    "mapping": "mapping ROBOT on, or mapping ROBOT off",
+}
+_ABILITIES = {"set-pose": POSE, "localise": LOCALISE, "settle": SETTLE, "mapping": MAPPING}
+_NUMBER = re.compile(r"[-+]?([0-9]{1,9}(\.[0-9]{0,9})?|\.[0-9]{1,9})", re.ASCII)
+
+
+def ability_of(verb: str, kind: Kind) -> str:
+    """Return the ability that robots of a kind need for a verb of set-up."""
+    if verb == "goto":
+        return ORDER_TO if kind.keeps_goals else GOAL
+    return _ABILITIES[verb]
+
+
+def parse_set_up(verb: str, robot: Robot, values: Sequence[str]) -> Request | None:
+    """Return the request of a verb, None for values that do not fit it. Raises CommandError."""
+    match verb, values:
+        case "set-pose", [_, _, _]:
+            return Request((SetPose(robot.name, floor_of(robot), _pose(values)),))
+        case "goto", [place]:
+            return _to_place(robot, place)
+        case "goto", [_, _] | [_, _, _]:
+            return Request((_to_pose(robot, _pose(values)),), alone=True)
+        case "localise", []:
+            return Request((Localise(robot.name),))
+        case "settle", []:
+            return Request((Settle(robot.name),))
+        case "mapping", ["on" | "off" as mode]:
+            return Request((SetMapping(robot.name, mode == "on"),))
+    return None
+
+
+def floor_of(robot: Robot) -> str:
+    """Return the floor that a robot is on. Raises CommandError if it is unknown."""
+    if robot.floor is not None:
+        return robot.floor
+    if len(robot.maps) == 1:
+        return next(iter(robot.maps))
+    raise CommandError(f"the floor of {robot.name} is unknown: it has {', '.join(robot.maps)}")
+
+
+def _pose(values: Sequence[str]) -> Pose:
+    for value in values:
+        if not _NUMBER.fullmatch(value):
+            raise CommandError(f"{value[:40]!r} is not a number: metres, and degrees counter-clockwise")
+    x, y, degrees = (*map(float, values), 0.0)[:3]
+    return Pose(x, y, math.remainder(math.radians(degrees), math.tau))
+
+
+def _to_place(robot: Robot, place: str) -> Request:
+    """Return a goal at a vertex: an order where goals are orders, else a pose with the heading of the way
+    there."""
+    vertex, floor = vertex_of(robot, place)
+    if ability_of("goto", robot.kind) == ORDER_TO:
+        order = PlaceOrder(robot.name, (Stop(vertex),))
+        return Request((order,), {vertex: floor} if floor else {}, alone=True)
+    if GOAL not in robot.kind.accepts:  # the check names the missing key
+        return Request((SendGoal(robot.name, floor or floor_of(robot), Pose(0.0, 0.0)),))
+    floor = floor or floor_of(robot)
+    graph = robot.maps[floor].graph
+    if graph is None or vertex not in graph.vertices:
+        raise CommandError(f"the position of {place} on {floor} is unknown")
+    x, y = graph.vertices[vertex].x, graph.vertices[vertex].y
+    here = robot.pose.value if robot.pose else Pose(x, y)
+    yaw = math.atan2(y - here.y, x - here.x) if math.dist((x, y), (here.x, here.y)) > 0.1 else here.yaw
+    return Request((SendGoal(robot.name, floor, Pose(x, y, yaw)),))
+
+
+def _to_pose(robot: Robot, pose: Pose) -> PlaceOrder | SendGoal:
+    if ability_of("goto", robot.kind) == ORDER_TO:
+        return PlaceOrder(robot.name, (Stop(pose=pose),))
+    floor = floor_of(robot) if GOAL in robot.kind.accepts else ""
+    return SendGoal(robot.name, floor, pose)
+
+
+def written_pose(pose: Pose) -> str:
+    """Return a pose as it is typed."""
+    written = (f"{value:.6f}".rstrip("0").rstrip(".") for value in (pose.x, pose.y, math.degrees(pose.yaw)))
+    return " ".join(written)
+
+
+def written_set_up(command: SetUp) -> str:
+    """Return a command as a line that is parsed to it."""
+    match command:
+        case SetPose(name, _, pose):
+            return f"set-pose {name} {written_pose(pose)}"
+        case SendGoal(name, _, pose):
+            return f"goto {name} {written_pose(pose)}"
+        case Localise(name):
+            return f"localise {name}"
+        case Settle(name):
+            return f"settle {name}"
+        case SetMapping(name, on):
+            return f"mapping {name} {'on' if on else 'off'}"
+        case _:
+            assert_never(command)

@@ -1,0 +1,114 @@
+"""Confirmation of set-up by telemetry: only by a pose that came after the command."""
+
+import math
+
+from msgspec.structs import replace
+
+from fleet_tui.model.commands import Command, Stage
+from fleet_tui.model.events import Event, PoseReported
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.geometry import Pose
+from fleet_tui.model.kind import Kind
+from fleet_tui.model.navigation_events import LocalisationReported, ModeReported, OdometryReported
+from fleet_tui.model.set_up.commands import Localise, SendGoal, SetMapping, SetPose
+from fleet_tui.rules.commands.set_up.confirmation import difference, is_near
+from tests.support.fleets import F0, R0, T0, commanded, fleet, link_up, of_kinds, reduced, tick
+
+WANTED = Pose(3.0, 4.0, 1.0)
+SET = SetPose(R0, F0, WANTED)
+Before = tuple[Event, ...]
+NAVIGATES = Kind("nav2", ("odometry", "pose"), ("pose",), frames_are_floors=False)
+
+
+def at(pose: Pose, when: float, stamp: float | None = None) -> PoseReported:
+    return PoseReported(R0, when, pose, F0, stamp)
+
+
+def after(
+    command: Command, *facts: Event, kind: Kind | None = None, before: tuple[Event, ...] = ()
+) -> FleetState:
+    state = of_kinds(fleet(), kind) if kind else fleet()
+    state = reduced(state, link_up(T0 - 100), *before, tick(T0))
+    return reduced(state, *commanded(1, command, Stage.SENT, Stage.ACCEPTED), *facts)
+
+
+def stage(state: FleetState) -> tuple[Stage, str]:
+    (record,) = state.commands
+    return record.stage, record.detail
+
+
+def test_a_pose_since_confirms() -> None:
+    state = after(SET, at(Pose(3.3, 4.0, 1.2), T0 + 1), tick(T0 + 1.1))
+    assert stage(state) == (Stage.CONFIRMED, "reported within 0.30 m and 11°")
+
+
+def test_an_earlier_pose_does_not() -> None:
+    state = after(SET, tick(T0 + 1), before=(at(WANTED, T0 - 1),))
+    assert stage(state)[0] is Stage.ACCEPTED
+    assert stage(reduced(state, tick(T0 + 6)))[0] is Stage.NOT_CONFIRMED
+
+
+def test_a_pose_stamped_before_it_does_not_confirm_however_late_it_comes() -> None:
+    before = (at(Pose(0.0, 0.0), T0 - 1, stamp=50.0),)
+    state = after(SET, at(WANTED, T0 + 1, stamp=50.9), tick(T0 + 2), before=before)
+    assert stage(state)[0] is Stage.ACCEPTED
+
+
+def test_one_elsewhere_is_named() -> None:
+    state = after(SET, at(Pose(0.0, 0.0, 1.0), T0 + 1), tick(T0 + 6))
+    assert stage(state) == (
+        Stage.NOT_CONFIRMED,
+        "accepted; the robot reported a pose 5.00 m and 0° from it",
+    )
+
+
+def test_another_floor_proves_nothing() -> None:
+    other = PoseReported(R0, T0 + 1, WANTED, "attic", None)
+    assert stage(after(SET, other, tick(T0 + 2)))[0] is Stage.ACCEPTED
+
+
+def test_wheels_alone_do_not_confirm_a_localised_pose() -> None:
+    known = LocalisationReported(R0, T0 - 5, WANTED, "map", None, None)
+    moved = OdometryReported(R0, T0 + 1, Pose(0.0, 0.0), None)
+    state = after(SET, moved, tick(T0 + 2), kind=NAVIGATES, before=(known,))
+    assert stage(state)[0] is Stage.ACCEPTED
+    localised = LocalisationReported(R0, T0 + 2, WANTED, "map", None, None)
+    assert stage(reduced(state, localised, tick(T0 + 3)))[0] is Stage.CONFIRMED
+
+
+def test_a_latched_pose_that_comes_again_is_as_old_as_its_stamp() -> None:
+    clock = OdometryReported(R0, T0 - 2, Pose(0.0, 0.0), 100.0)
+    again = LocalisationReported(R0, T0 + 1, WANTED, "map", 90.0, None)
+    state = after(SET, again, tick(T0 + 2), kind=NAVIGATES, before=(clock,))
+    assert stage(state)[0] is Stage.ACCEPTED
+
+
+def test_a_goal_is_confirmed_by_motion() -> None:
+    goal = SendGoal(R0, F0, WANTED)
+    still = (at(Pose(0.0, 0.0), T0 - 5), at(Pose(0.0, 0.0), T0 - 1))
+    state = after(goal, at(Pose(0.0, 0.0), T0 + 1), tick(T0 + 2), before=still)
+    assert stage(state)[0] is Stage.ACCEPTED
+    assert stage(reduced(state, tick(T0 + 6)))[1].endswith("the robot did not move")
+    assert stage(reduced(state, at(Pose(0.4, 0.0), T0 + 3), tick(T0 + 3.1)))[0] is Stage.CONFIRMED
+
+
+def test_what_no_topic_shows_is_said_so() -> None:
+    assert stage(after(Localise(R0), tick(T0 + 1)))[0] is Stage.UNVERIFIABLE
+    state = after(SetMapping(R0, True), tick(T0 + 1))
+    assert stage(state)[0] is Stage.UNVERIFIABLE and state.robots[R0].mapping_by_us
+
+
+def test_a_reported_mode_confirms() -> None:
+    tells = replace(NAVIGATES, reports=("mode",))
+    state = after(SetMapping(R0, True), tick(T0 + 1), kind=tells)
+    assert stage(state)[0] is Stage.ACCEPTED
+    on = reduced(state, ModeReported(R0, T0 + 2, "mapping"), tick(T0 + 2))
+    assert stage(on) == (Stage.CONFIRMED, "by the robot")
+    off = reduced(state, ModeReported(R0, T0 + 2, "navigation"), tick(T0 + 9))
+    assert stage(off) == (Stage.NOT_CONFIRMED, "accepted; the robot reports navigation")
+
+
+def test_a_difference_goes_the_short_way_round() -> None:
+    metres, turn = difference(Pose(0.0, 0.0, math.pi - 0.1), Pose(0.0, 0.0, -math.pi + 0.1))
+    assert (metres, round(turn, 6)) == (0.0, 0.2)
+    assert is_near(Pose(0.0, 0.0, 0.0), Pose(0.5, 0.0, 0.26)) and not is_near(Pose(0.0, 0.0), Pose(0.51, 0.0))

@@ -1,0 +1,25 @@
+"""The questions of set-up commands."""
+
+from fleet_tui.model.geometry import Pose
+from fleet_tui.model.set_up.commands import Localise, SendGoal, SetMapping, SetPose, Settle
+from fleet_tui.rules.commands.set_up.losses import set_up_losses
+from tests.support.fleets import F0, R0, T0, fleet, pose, reduced, tick
+
+
+def test_a_pose_is_compared_with_the_present_one() -> None:
+    state = reduced(fleet(), pose(T0, 3.0, 4.0), tick(T0))
+    lines = list(set_up_losses(state, state.robots[R0], SetPose(R0, F0, Pose(0.0, 0.0, 0.5))))
+    assert lines == ["robot_0: set pose (0.00, 0.00) 29° on floor_0?", "5.00 m and 29° from its present pose"]
+    later = reduced(state, tick(T0 + 60))
+    assert list(set_up_losses(later, later.robots[R0], SetPose(R0, F0, Pose(0.0, 0.0))))[1].endswith(
+        "present pose, reported 60 s ago"
+    )
+
+
+def test_the_harmless_ones_do_not_ask() -> None:
+    state = fleet()
+    robot = state.robots[R0]
+    for command in (Settle(R0), SendGoal(R0, F0, Pose(0.0, 0.0))):
+        assert list(set_up_losses(state, robot, command)) == []
+    assert len(list(set_up_losses(state, robot, Localise(R0)))) == 1
+    assert len(list(set_up_losses(state, robot, SetMapping(R0, True)))) == 2
