@@ -181,6 +181,17 @@ class FileActions(Struct, frozen=True):
     save: Act
 
 
+class PlaceActions(Struct, frozen=True):
+    """Actions of the choice of a place with a heading."""
+
+    pose: Act
+    goal: Act
+    turn: Step
+    """By degrees, counter-clockwise."""
+    send: Act
+    leave: Act
+
+
 class EditActions(Struct, frozen=True):
     """Actions of the graph editor: on the draft, and on what is selected in it."""
 
@@ -208,5 +219,6 @@ class Actions(Struct, frozen=True):
     alarms: AlarmActions
     files: FileActions
     map: MapActions
+    place: PlaceActions
     edit: EditActions
     play: Play

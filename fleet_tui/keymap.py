@@ -46,9 +46,9 @@ def _types_nothing(key: str) -> bool:
 def _same_place(one: Key[Any], other: Key[Any]) -> bool:
     """Tell whether two panes' keys can be pressed at the same moment."""
     panes = {one.pane, other.pane}
-    if Pane.EDIT in panes:
-        # While a draft is edited its keys take precedence.
-        return panes <= {Pane.EDIT, Pane.ANYWHERE}
+    if any(pane.is_mode for pane in panes):
+        # While the map is in a mode its keys take precedence.
+        return len(panes) == 1 or Pane.ANYWHERE in panes
     if Pane.DIAGNOSTICS in panes:
         # The console's keys don't work in there; it is made of one table.
         return panes <= {Pane.DIAGNOSTICS, Pane.ROWS, Pane.ANYWHERE}

@@ -8,18 +8,17 @@ from fleet_tui.keys.diagnostics import DIAGNOSTICS, PAGES
 from fleet_tui.keys.edit import EDIT
 from fleet_tui.keys.key import LISTS, Key, Pane, by_id
 from fleet_tui.keys.map import MAP
+from fleet_tui.keys.place import PLACE
 from fleet_tui.keys.recording import RECORDING
 from fleet_tui.keys.rows import ROWS
 
 __all__ = ["BY_ID", "DIAGNOSTICS", "KEYS", "LISTS", "PAGES", "ROWS", "Key", "Pane", "by_id", "overruled"]
 
-KEYS: tuple[Key[Any], ...] = (*CONSOLE, *RECORDING, *MAP, *EDIT, *DIAGNOSTICS, *ROWS)
+KEYS: tuple[Key[Any], ...] = (*CONSOLE, *RECORDING, *MAP, *PLACE, *EDIT, *DIAGNOSTICS, *ROWS)
 BY_ID = {key.id: key for key in KEYS}
 
 
-def overruled(chosen: Mapping[str, tuple[str, ...]]) -> frozenset[str]:
-    """Return the ids of the keys that do something else while a graph is edited."""
-    taken = {key for one in EDIT if one.pane is Pane.EDIT for key in chosen[one.id]}
-    return frozenset(
-        one.id for one in KEYS if one.pane not in (Pane.EDIT, Pane.ANYWHERE) and taken & {*chosen[one.id]}
-    )
+def overruled(chosen: Mapping[str, tuple[str, ...]], mode: Pane) -> frozenset[str]:
+    """Return the ids of the keys that would come before those of a mode of the map."""
+    taken = {key for one in KEYS if one.pane is mode for key in chosen[one.id]}
+    return frozenset(one.id for one in KEYS if one.eager and taken & {*chosen[one.id]})

@@ -23,10 +23,17 @@ class Pane(Enum):
     RECORDING = "The recording"
     """Everywhere, while a recording is played."""
     MAP = "Map"
+    PLACE = "Pose (I), goal (G)"
+    """On the map, while a place with a heading is chosen: they take precedence over all others."""
     EDIT = "Graph editor (E)"
     """On the map, while a draft is edited: they take precedence over all others."""
     ROWS = "Tables: fleet, alarms, queue"
     DIAGNOSTICS = "Diagnostics (d)"
+
+    @property
+    def is_mode(self) -> bool:
+        """Tell whether its keys belong to a mode of the map."""
+        return self in (Pane.PLACE, Pane.EDIT)
 
     @property
     def is_everywhere(self) -> bool:

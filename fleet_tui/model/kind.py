@@ -52,8 +52,10 @@ class Kind(Struct, frozen=True):
     streams: tuple[str, ...] = ()
 
     def can(self, verb: str) -> bool:
-        """Tell whether it accepts the request of a verb; an order with or without a start."""
-        return verb in self.accepts or (verb == ORDER and ORDER_TO in self.accepts)
+        """Tell whether it accepts the request of a verb; an order with or without a start, a goal also as an
+        order."""
+        orders = verb == ORDER or (verb == GOAL and self.keeps_goals)
+        return verb in self.accepts or (orders and ORDER_TO in self.accepts)
 
     def lack(self, asked: str) -> str:
         """Return the text for a request that it does not accept."""

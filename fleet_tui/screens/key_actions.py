@@ -13,6 +13,7 @@ from fleet_tui.actions import (
     CommandActions,
     EditActions,
     FileActions,
+    PlaceActions,
     ViewActions,
 )
 from fleet_tui.controllers.incident import Cancelled, IncidentPacking
@@ -44,6 +45,13 @@ def key_actions(screen: "MainScreen", rest: "Rest") -> Actions:
         files=_file_actions(screen, rest),
         alarms=AlarmActions(rest.alarms.acknowledge, rest.alarms.acknowledge_all),
         map=rest.map_controls,
+        place=PlaceActions(
+            pose=rest.placing.pose,
+            goal=rest.placing.goal,
+            turn=rest.placing.turn,
+            send=rest.placing.send,
+            leave=rest.placing.leave,
+        ),
         edit=_edit_actions(rest),
         play=screen.session.play,
     )

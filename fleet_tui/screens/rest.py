@@ -11,6 +11,7 @@ from fleet_tui.controllers.editing.values import VertexValues
 from fleet_tui.controllers.map import MapControls
 from fleet_tui.controllers.offers import Offers
 from fleet_tui.controllers.orders import OrderRequests
+from fleet_tui.controllers.placing import Placing
 from fleet_tui.controllers.robots import RobotRequests
 from fleet_tui.controllers.save import SaveCommand
 from fleet_tui.keys import Key, Pane, overruled
@@ -86,7 +87,9 @@ class Rest:
         )
 
     def _edit_with(self, parts: EditorParts) -> None:
-        self._overruled = overruled(self._screen.settings.keys)
+        keys = self._screen.settings.keys
+        self._overruled = {pane: overruled(keys, pane) for pane in Pane if pane.is_mode}
+        self.placing = Placing(*parts[:4], self.confirm.ask, self.map_controls, self.map.picture)
         self.editor = GraphEditor(parts, self.map_controls, self.map.picture, self._screen.files.draft)
         self.values = VertexValues(parts, self.editor)
         self.drawing = GraphDrawing(parts, self.editor, self.values)
@@ -120,14 +123,19 @@ class Rest:
     @property
     def map_pane(self) -> Pane:
         """Return the pane of the keys that work on the map now."""
-        return Pane.EDIT if self.editor.is_open else Pane.MAP
+        if self.editor.is_open:
+            return Pane.EDIT
+        return Pane.PLACE if self.placing.mode is not None else Pane.MAP
 
     def blocks(self, key: Key[Any]) -> bool:
-        """Tell whether a key does nothing now: on the map the graph editor takes precedence while it is open,
-        and its keys do nothing else."""
-        if self.editor.is_open and (self._screen.focused is self.map or key.id in CURSORS):
-            return key.id in self._overruled or key.id in CURSORS
-        return key.pane is Pane.EDIT
+        """Tell whether a key does nothing now: keys of modes work in theirs alone, and take precedence there
+        while the map has the focus."""
+        mode = self.map_pane
+        if mode.is_mode and key.id in CURSORS:
+            return True
+        if not mode.is_mode or self._screen.focused is not self.map:
+            return key.pane.is_mode
+        return key.id in self._overruled[mode] or (key.pane.is_mode and key.pane is not mode)
 
     def draft(self) -> Drafted | None:
         """Return the order that is being typed and its way, and show its length in the form."""
@@ -146,6 +154,7 @@ class Rest:
             case messages.VertexPicked():
                 self.orders.start_at(event.id, self._navigation.floor)
             case messages.PlacePicked():
+                # A pose or goal is where the mouse was; only a draft does something with it.
                 self.drawing.clicked(event.dragged)
             case messages.RowPicked():
                 # The fleet's cursor selects. It may have moved since.

@@ -19,7 +19,7 @@ from fleet_tui.widgets.messages import PlacePicked, RobotPicked, VertexPicked
 class MapView(CellsView, can_focus=True):
     """Shows a Scene at every tick; wheel zooms, drag pans, click picks."""
 
-    BINDINGS = [*bindings(Pane.EDIT), *bindings(Pane.MAP)]  # noqa: RUF012  # as Textual declares it
+    BINDINGS = [*bindings(Pane.PLACE), *bindings(Pane.EDIT), *bindings(Pane.MAP)]  # noqa: RUF012  # as Textual declares it
     DEFAULT_CSS: ClassVar[str] = "MapView { width: 1fr; height: 1fr; }"
 
     def __init__(self, styles: Mapping[StyleRole, Style] | None = None, *, id: str | None = None) -> None:

@@ -41,7 +41,7 @@ def parse_set_up(verb: str, robot: Robot, values: Sequence[str]) -> Request | No
         case "goto", [place]:
             return _to_place(robot, place)
         case "goto", [_, _] | [_, _, _]:
-            return Request((_to_pose(robot, _pose(values)),), alone=True)
+            return Request((to_pose(robot, _pose(values)),), alone=True)
         case "localise", []:
             return Request((Localise(robot.name),))
         case "settle", []:
@@ -87,7 +87,8 @@ def _to_place(robot: Robot, place: str) -> Request:
     return Request((SendGoal(robot.name, floor, Pose(x, y, yaw)),))
 
 
-def _to_pose(robot: Robot, pose: Pose) -> PlaceOrder | SendGoal:
+def to_pose(robot: Robot, pose: Pose) -> PlaceOrder | SendGoal:
+    """Return the goal at a pose: an order where goals are orders. Raises CommandError."""
     if ability_of("goto", robot.kind) == ORDER_TO:
         return PlaceOrder(robot.name, (Stop(pose=pose),))
     floor = floor_of(robot) if GOAL in robot.kind.accepts else ""

@@ -14,7 +14,16 @@ from fleet_tui.view.tables.table import Button, Run, width_of
 Pages = Mapping[str, Sequence[HelpSection]]
 """The sections of each page, by its name."""
 
-SECTIONS = (Pane.RECORDING, Pane.CONSOLE, Pane.MAP, Pane.EDIT, Pane.ROWS, Pane.DIAGNOSTICS, Pane.ANYWHERE)
+SECTIONS = (
+    Pane.RECORDING,
+    Pane.CONSOLE,
+    Pane.MAP,
+    Pane.PLACE,
+    Pane.EDIT,
+    Pane.ROWS,
+    Pane.DIAGNOSTICS,
+    Pane.ANYWHERE,
+)
 
 TYPED = {
     "order": (

@@ -61,8 +61,9 @@ class PlainMode:
         """Change nothing."""
         return scene
 
-    def press(self, view: Viewport, scene: Scene, at: Point) -> None:
+    def press(self, view: Viewport, scene: Scene, at: Point) -> bool | None:
         """Leave it to the map."""
+        return None
 
     def drag(self, at: Point) -> None:
         """Do nothing."""

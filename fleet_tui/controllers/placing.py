@@ -1,0 +1,109 @@
+"""Poses and goals that are chosen on the map."""
+
+from fleet_tui.controllers.dispatch import Ask, Dispatch
+from fleet_tui.controllers.map import MapControls
+from fleet_tui.controllers.navigation import Navigation
+from fleet_tui.controllers.notices import Notices
+from fleet_tui.errors import CommandError
+from fleet_tui.model.geometry import Pose
+from fleet_tui.model.kind import GOAL, POSE
+from fleet_tui.model.request import Request
+from fleet_tui.model.robot import Robot
+from fleet_tui.model.set_up.commands import SetPose, heading_text
+from fleet_tui.rules.language.set_up import floor_of, to_pose
+from fleet_tui.state.store import Store
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.map.map_picture import MapPicture
+from fleet_tui.view.map.modes.place import PlaceMode
+
+SET_POSE, GO_TO = "POSE", "GOAL"
+
+
+class Placing:
+    """Opens the mode of the map in which a place is chosen, and sends it after a question."""
+
+    def __init__(
+        self,
+        store: Store,
+        dispatch: Dispatch,
+        navigation: Navigation,
+        notices: Notices,
+        ask: Ask,
+        controls: MapControls,
+        picture: MapPicture,
+    ) -> None:
+        self._store, self._dispatch, self._navigation, self._notices = store, dispatch, navigation, notices
+        self._ask, self._controls, self._picture = ask, controls, picture
+
+    @property
+    def mode(self) -> PlaceMode | None:
+        """Return the mode while a place is chosen."""
+        mode = self._picture.mode
+        return mode if isinstance(mode, PlaceMode) else None
+
+    def pose(self) -> None:
+        """Choose a pose for the selected robot."""
+        self._start(SET_POSE, POSE)
+
+    def goal(self) -> None:
+        """Choose a goal for the selected robot."""
+        self._start(GO_TO, GOAL)
+
+    def _start(self, title: str, ability: str) -> None:
+        robot = self._store.state.robots[self._navigation.robot]
+        refusal = self._dispatch.set_up_refusal()
+        if refusal or not robot.kind.can(ability):
+            self._notices.say(refusal or robot.kind.lack(ability))
+            return
+        floor, scene = self._floor(robot), self._picture.scene
+        if floor != self._navigation.floor:
+            self._navigation.find_floor(floor)
+            scene = self._picture.scene
+        if scene is None or scene.floor != floor:
+            self._notices.say(f"{sanitize(floor)} is not shown yet: press again")
+            return
+        here = robot.pose.value if robot.pose is not None and robot.floor == floor else None
+        start = here or Pose(*self._picture.viewport.middle(scene))
+        self._controls.enter(PlaceMode(title, robot.name, floor, start))
+
+    def _floor(self, robot: Robot) -> str:
+        """Return the floor that a robot is on, else the shown one."""
+        try:
+            return floor_of(robot)
+        except CommandError:
+            return self._navigation.floor
+
+    def turn(self, degrees: int) -> None:
+        """Turn the heading counter-clockwise."""
+        if (mode := self.mode) is not None:
+            mode.turn(degrees)
+            self._controls.enter(mode)
+
+    def leave(self) -> None:
+        """Leave without sending."""
+        self._controls.leave_mode()
+
+    def send(self) -> None:
+        """Ask, then send."""
+        mode = self.mode
+        if mode is None:
+            return
+        if mode.floor != self._navigation.floor:
+            self._notices.say(f"the place is on {sanitize(mode.floor)}: go to that floor first")
+            return
+        if mode.title == SET_POSE:
+            command = SetPose(mode.robot, mode.floor, mode.pose)
+            self._give(Request((command,)))
+            return
+        robot = self._store.state.robots[mode.robot]
+        try:
+            request = Request((to_pose(robot, mode.pose),), alone=True)
+        except CommandError as problem:
+            self._notices.say(str(problem))
+            return
+        question = f"{mode.robot}: go to {heading_text(mode.pose)} on {mode.floor}?"
+        self._ask(lambda: sanitize(question), lambda: self._give(request))
+
+    def _give(self, request: Request) -> None:
+        if problem := self._dispatch.give(request, self.leave):
+            self._notices.say(problem)

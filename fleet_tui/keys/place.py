@@ -1,0 +1,56 @@
+"""Keys of the choice of a pose or goal on the map. They take precedence there while one is chosen."""
+
+from collections.abc import Callable
+
+from fleet_tui.actions import Actions, PlaceActions
+from fleet_tui.keys.key import Key, Pane
+
+TURN, FINE_TURN = 5, 1
+"""Degrees of a step."""
+
+
+def _place(
+    name: str, keys: tuple[str, ...], do: Callable[[PlaceActions], object], text: str, hint: str = ""
+) -> Key[Actions]:
+    return Key(
+        f"place_{name}",
+        keys,
+        lambda actions: do(actions.place),
+        text,
+        pane=Pane.PLACE,
+        hint=hint,
+        in_palette=False,
+        only_live=True,
+    )
+
+
+PLACE: tuple[Key[Actions], ...] = (
+    Key(
+        "pose",
+        ("I",),
+        lambda do: do.place.pose(),
+        "Set the robot's pose: cursor and heading on the map",
+        needs="pose",
+        commands=True,
+        only_live=True,
+    ),
+    Key(
+        "goal",
+        ("G",),
+        lambda do: do.place.goal(),
+        "Send the robot to a place with a heading",
+        needs="goal",
+        commands=True,
+        only_live=True,
+    ),
+    _place("send", ("enter",), lambda do: do.send(), "Ask, then send the pose or goal", "send"),
+    _place(
+        "left", ("h",), lambda do: do.turn(TURN), f"Turn the heading {TURN} degrees to the left", "turn left"
+    ),
+    _place(
+        "right", ("l",), lambda do: do.turn(-TURN), f"Turn the heading {TURN} degrees to the right", "right"
+    ),
+    _place("fine_left", ("H",), lambda do: do.turn(FINE_TURN), f"Turn {FINE_TURN} degree to the left"),
+    _place("fine_right", ("L",), lambda do: do.turn(-FINE_TURN), f"Turn {FINE_TURN} degree to the right"),
+    _place("leave", ("escape",), lambda do: do.leave(), "Leave without sending", "back"),
+)

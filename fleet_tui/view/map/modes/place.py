@@ -1,0 +1,81 @@
+"""The map mode in which a place with a heading is chosen: a pose of a robot, or a goal."""
+
+import math
+
+from fleet_tui.model.geometry import Pose
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.map.camera import Camera
+from fleet_tui.view.map.cells import Cells
+from fleet_tui.view.map.layers import MapOptions
+from fleet_tui.view.map.modes.mode import PlainMode
+from fleet_tui.view.map.picture import Layer
+from fleet_tui.view.map.scene import Scene
+from fleet_tui.view.map.viewport import Point, Viewport
+from fleet_tui.view.roles import StyleRole
+
+_ARROWS = ("→↗↑↖←↙↓↘", ">/^\\</v\\")
+"""East first, then counter-clockwise in steps of 45 degrees; the second in ASCII."""
+_LENGTH = 3
+"""Cells of the line that shows the heading, in a row."""
+
+
+class PlaceMode(PlainMode):
+    """Arrows move the cursor; `yaw` is the heading in radians. `title` names what is placed."""
+
+    points = False
+
+    def __init__(self, title: str, robot: str, floor: str, pose: Pose) -> None:
+        self.title, self.robot, self.floor = title, robot, floor
+        self.cursor: Point = (pose.x, pose.y)
+        self.yaw = pose.yaw
+        self.layers: tuple[Layer, ...] = (self._draw,)
+
+    @property
+    def pose(self) -> Pose:
+        """Return the chosen pose."""
+        return Pose(*self.cursor, self.yaw)
+
+    @property
+    def banner(self) -> str:
+        """Return the chosen pose."""
+        # Adding 0 turns -0.0 into 0.0.
+        x, y = (round(metres, 2) + 0.0 for metres in self.cursor)
+        degrees = round(math.degrees(self.yaw)) + 0
+        return f"{self.title} {sanitize(self.robot)}: {x:.2f}, {y:.2f} m, {degrees} degrees"
+
+    def turn(self, degrees: float) -> None:
+        """Turn counter-clockwise."""
+        self.yaw = math.remainder(self.yaw + math.radians(degrees), math.tau)
+
+    def move(self, view: Viewport, scene: Scene, dx: int, dy: int) -> None:
+        """Move the cursor; at the edge the view moves with it."""
+        self.cursor = view.stepped(scene, self.cursor, dx, dy)
+
+    def pick(self, view: Viewport, scene: Scene) -> None:
+        """Pick nothing: Enter sends."""
+
+    def press(self, view: Viewport, scene: Scene, at: Point) -> bool:
+        """Put the cursor there; a drag from there sets the heading."""
+        self.cursor = at
+        return True
+
+    def drag(self, at: Point) -> None:
+        """Turn the heading to a place."""
+        if math.dist(at, self.cursor) > 0:
+            self.yaw = math.atan2(at[1] - self.cursor[1], at[0] - self.cursor[0])
+
+    def _draw(self, cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
+        """Draw the chosen pose: an arrow, and dots along its heading."""
+        if scene.floor != self.floor:
+            return
+        frame, (x, y) = scene.frame, self.cursor
+        cell = 2 * camera.scale * frame.resolution
+        for step in range(_LENGTH, 0, -1):
+            ahead = x + math.cos(self.yaw) * cell * 2 * step, y + math.sin(self.yaw) * cell * 2 * step
+            column, row = camera.to_cell(*frame.to_pixel(*ahead))
+            if camera.shows(column, row):
+                cells.write(column, row, "*" if look.plain else "•", StyleRole.TARGET)
+        column, row = camera.to_cell(*frame.to_pixel(x, y))
+        if camera.shows(column, row):
+            eighth = round((self.yaw - frame.origin.yaw) / (math.pi / 4)) % 8
+            cells.write(column, row, _ARROWS[look.plain][eighth], StyleRole.CURSOR)

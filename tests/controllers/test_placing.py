@@ -1,0 +1,83 @@
+"""Poses and goals chosen on the map: opened where the kind takes them, sent after a question."""
+
+import pytest
+from msgspec.structs import replace
+
+from fleet_tui.controllers.placing import Placing
+from fleet_tui.model.events import Event
+from fleet_tui.model.kind import GOAL, POSE, Kind
+from fleet_tui.model.problem import Permissions
+from fleet_tui.model.set_up.commands import SendGoal, SetPose
+from fleet_tui.view.map.floor_scene import floor_scene
+from tests.support.desk import Desk, ready
+from tests.support.fleets import T0, of_kinds, pose, queue, reduced, tick
+from tests.support.map_pane import Pane
+
+PLAIN = ready().robots["robot_0"].kind
+KIND = replace(PLAIN, accepts=(*PLAIN.accepts, POSE, GOAL))
+
+
+def placing(
+    pane: Pane, kind: Kind = KIND, may: Permissions | None = None, *events: Event
+) -> tuple[Desk, Placing]:
+    desk = Desk(reduced(of_kinds(ready(), kind), *events), may)
+    picture = pane.map.picture
+    pane.map.show(floor_scene(desk.store.state, desk.navigation.selection))
+    parts = (desk.store, desk.dispatch, desk.navigation, desk.notices, desk.ask, pane.controls, picture)
+    return desk, Placing(*parts)
+
+
+async def test_a_pose_begins_at_the_robot_is_turned_asked_and_sent() -> None:
+    async with Pane().run_test(size=(100, 30)) as pilot:
+        assert isinstance(pilot.app, Pane)
+        stands = (queue(T0 + 1), pose(T0 + 1), pose(T0 + 9), tick(T0 + 9))
+        desk, it = placing(pilot.app, KIND, None, *stands)
+        it.pose()
+        assert it.mode is not None and it.mode.cursor == (0.0, 0.0)
+        it.turn(5)
+        chosen = it.mode.pose
+        it.send()
+        assert desk.backend.submitted == [] and len(desk.answers) == 1
+        desk.say_yes()
+        assert desk.backend.submitted == [SetPose("robot_0", "floor_0", chosen)]
+        assert it.mode is None
+
+
+async def test_a_goal_is_asked_too() -> None:
+    async with Pane().run_test(size=(100, 30)) as pilot:
+        assert isinstance(pilot.app, Pane)
+        desk, it = placing(pilot.app)
+        state = desk.store.state
+        robot = state.robots["robot_0"]
+        assert robot.orders.open
+        it.goal()
+        it.send()
+        desk.say_yes()
+        assert not any(isinstance(one, SendGoal) for one in desk.backend.submitted)
+        assert "cancel or clear first" in desk.notices.text
+
+
+@pytest.mark.parametrize(
+    ("may", "kind", "said"),
+    [
+        (Permissions(read_only=True), KIND, "read-only"),
+        (Permissions(armed=False), KIND, "not armed"),
+        (Permissions(), replace(KIND, accepts=()), "no setting of the pose"),
+    ],
+)
+async def test_it_says_why_not(may: Permissions, kind: Kind, said: str) -> None:
+    async with Pane().run_test(size=(100, 30)) as pilot:
+        assert isinstance(pilot.app, Pane)
+        desk, it = placing(pilot.app, kind, may)
+        it.pose()
+        assert it.mode is None and said in desk.notices.text
+
+
+async def test_escape_sends_nothing() -> None:
+    async with Pane().run_test(size=(100, 30)) as pilot:
+        assert isinstance(pilot.app, Pane)
+        desk, it = placing(pilot.app)
+        it.goal()
+        it.leave()
+        it.send()
+        assert it.mode is None and not desk.answers and not desk.backend.submitted

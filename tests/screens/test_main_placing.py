@@ -1,0 +1,58 @@
+"""Poses and goals by keyboard, on simulated robots with Nav2."""
+
+import math
+
+from fleet_tui.model.commands import Stage
+from fleet_tui.model.set_up.commands import SetPose
+from fleet_tui.simulator.faults import play
+from tests.support.console_pilot import console
+from tests.support.nav2_site import Site, placed
+
+
+async def test_a_mislocalised_robot_is_put_right_by_keys_alone(site: Site) -> None:
+    robot = site.navigation().robot
+    play(site.server, [("mislocalised", "robot_0")])
+    async with console(site.config) as it:
+        await it.until(lambda state: state.robots["robot_0"].still_for > 3)
+        await it.press("I")
+        await it.shows("POSE robot_0", "map")
+        mode, truth = it.app.main.rest.placing.mode, robot.pose
+        assert mode is not None
+        mode.cursor, mode.yaw = (truth.x, truth.y), truth.yaw  # as arrows do, cell by cell
+        await it.press("right", "left", "h", "l", "H", "L", "enter", "y")
+        await it.until(lambda state: any(isinstance(one.command, SetPose) for one in state.commands))
+        found = await it.until(
+            lambda state: [
+                one for one in state.commands if isinstance(one.command, SetPose) and one.is_decided
+            ]
+        )
+        assert found.commands[-1].stage is Stage.CONFIRMED
+        assert robot.belief.misplaced is None
+        assert it.app.main.rest.placing.mode is None
+
+
+async def test_a_goal_is_an_order_to_a_pose(site: Site) -> None:
+    async with console(site.config) as it:
+        await it.press("G")
+        await it.shows("GOAL robot_0", "map")
+        mode = it.app.main.rest.placing.mode
+        assert mode is not None
+        mode.cursor, mode.yaw = (8.0, 0.0), math.pi / 2
+        await it.press("enter")
+        await it.shows("go to (8.00, 0.00) 90")
+        await it.press("n")
+        await it.shows("GOAL robot_0", "map")
+        await it.press("enter", "y")
+        await it.until(placed)
+
+
+async def test_arrows_move_and_escape_leaves(site: Site) -> None:
+    async with console(site.config) as it:
+        await it.press("I")
+        mode = it.app.main.rest.placing.mode
+        assert mode is not None
+        before = mode.cursor
+        await it.press("right", "up")
+        assert mode.cursor != before
+        await it.press("p", "escape")
+        assert it.app.main.rest.placing.mode is None
