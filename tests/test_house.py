@@ -15,7 +15,18 @@ from fleet_tui.model.events import Event
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "fleet_tui"
 FILES = sorted(PACKAGE.rglob("*.py"))
-PURE = ["text", "model", "rules", "state", "view", "adapters", "keys", "actions.py", "keymap.py"]
+PURE = [
+    "text",
+    "model",
+    "rules",
+    "graph_files",
+    "state",
+    "view",
+    "adapters",
+    "keys",
+    "actions.py",
+    "keymap.py",
+]
 PURE_SIMULATOR = [
     *(
         "oh_ressources/world.py",

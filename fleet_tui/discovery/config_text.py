@@ -95,7 +95,7 @@ def _floors(found: Found, frames: Mapping[str, str], placed: Mapping[str, str]) 
         shown = "the live map is used; or a" if floor in live else "no live map:"
         yield f'# map = "maps/{floor}.yaml"   # {shown} map_server YAML, or a plain PNG/PGM'
         if floor in needs_graph:
-            yield f'# graph = "maps/{floor}.geojson"   # of Nav2 (GeoJSON), for robots that publish none'
+            yield f'# graph = "maps/{floor}.geojson"   # route graph, for robots that publish none'
         yield ""
     if strange and len(floors) > 1:
         yield from (

@@ -16,7 +16,7 @@ def graph_file_finding(floor: FloorEntry, file: FloorGraphLoaded | None, needing
         absent = (
             f"none, and {needing} of its robots publish{'es' * (needing == 1)} no graph: places have no names"
         )
-        remedy = "set floors.graph of this floor to a Nav2 route graph (GeoJSON)"
+        remedy = "set floors.graph of this floor to a graph file, such as GeoJSON"
         return Finding(floor.name, "graph file", Verdict.WARN, absent, remedy)
     if file.graph is not None and not needing:
         unused = f"{floor.graph} unused: all robots of the floor publish a graph"

@@ -1,6 +1,5 @@
-"""Route graphs from files: GeoJSON as Nav2's route server reads it."""
+"""Route graphs from files: GeoJSON as Nav2's route server reads it, element by element; others as a whole."""
 
-import re
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Annotated, Any
@@ -11,24 +10,15 @@ from fleet_tui.adapters.parts import read_all
 from fleet_tui.adapters.ros.facts import is_place
 from fleet_tui.config.small_file import read_text
 from fleet_tui.errors import GraphError, WireError
+from fleet_tui.graph_files.json_text import in_line
 from fleet_tui.model.events import FloorGraphLoaded
-from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
+from fleet_tui.model.graph import Edge, RouteGraph, Vertex
+from fleet_tui.model.graphs.live import role_of
 from fleet_tui.text.limits import LONGEST_NAME, MOST_EDGES, MOST_VERTICES, too_many, truncate
 
 MAX_FILE = 40_000_000
 """Maximum bytes: some 500 for each of the maximum vertices and edges."""
 LINES = ("LineString", "MultiLineString")
-ROLES: Mapping[str, Role] = {
-    "elevator": Role.ELEVATOR,
-    "lift": Role.ELEVATOR,
-    "charger": Role.DOCKING,
-    "charging_station": Role.DOCKING,
-    "dock": Role.DOCKING,
-    "docking": Role.DOCKING,
-    "docking_station": Role.DOCKING,
-}
-"""Roles by vertex class; all others are plain."""
-
 _Id = Annotated[int, msgspec.Meta(ge=0, lt=2**32)]
 
 
@@ -70,16 +60,26 @@ def load_floor_graph(floor: str, path: Path) -> FloorGraphLoaded:
 
 
 def _read(floor: str, path: Path) -> FloorGraphLoaded:
-    faults = list[str]()
-    raw = _features(path)
+    text, faults = _text_of(path), list[str]()
+    raw = _features(text)
+    if raw is None:
+        # Only for other formats: their parsers would delay the start of every console.
+        from fleet_tui.maps.site_graphs import read_site_graph
+
+        graph, labels, faults = read_site_graph(floor, text)
+    else:
+        graph, labels = _read_features(raw, faults)
+    problem = f"graph {path.name}: {_summary(faults)}" if faults else ""
+    return FloorGraphLoaded(floor, graph, labels, problem)
+
+
+def _read_features(raw: list[msgspec.Raw], faults: list[str]) -> tuple[RouteGraph, dict[str, str]]:
     features = read_all(_feature, raw, "features", MOST_VERTICES + MOST_EDGES, faults)
     vertices, labels = _vertices((one for one in features if one.geometry.type == "Point"), faults)
     if not vertices:
         reason = f": {faults[0]}" if faults else ""
         raise GraphError(f"has no vertices{reason}: expected features with an id and a Point")
-    graph = _graph(vertices, (one for one in features if one.geometry.type in LINES), faults)
-    problem = f"graph {path.name}: {_summary(faults)}" if faults else ""
-    return FloorGraphLoaded(floor, graph, labels, problem)
+    return _graph(vertices, (one for one in features if one.geometry.type in LINES), faults), labels
 
 
 def _summary(faults: list[str]) -> str:
@@ -87,37 +87,28 @@ def _summary(faults: list[str]) -> str:
     return f"{truncate(faults[0])}{more}"
 
 
-def _features(path: Path) -> list[msgspec.Raw]:
-    """Return the features of a file, still encoded. Raises GraphError."""
+def _text_of(path: Path) -> str:
     try:
-        text = read_text(path, MAX_FILE)
+        return read_text(path, MAX_FILE)
     except FileNotFoundError:
         raise GraphError("no such file") from None
     except (OSError, ValueError) as problem:
         raise GraphError(f"unreadable: {problem}") from None
+
+
+def _features(text: str) -> list[msgspec.Raw] | None:
+    """Return the features of a file, still encoded; None if it is no GeoJSON. Raises GraphError."""
+    if not text.lstrip().startswith("{"):
+        return None
     try:
         found = msgspec.json.decode(text, type=_Collection)
     except msgspec.ValidationError:
-        found = _Collection()
+        return None
     except (msgspec.DecodeError, ValueError) as problem:
-        raise GraphError(f"not JSON: {_in_line(str(problem), text)}; {_FORMATS}") from None
+        raise GraphError(f"not JSON: {in_line(str(problem), text)}") from None
     except RecursionError:
         raise GraphError("nested too deep") from None
-    if found.type != "FeatureCollection" or found.features is None:
-        raise GraphError(f"not a GeoJSON FeatureCollection; {_FORMATS}")
-    return found.features
-
-
-_FORMATS = "only Nav2 route graphs (GeoJSON) are supported"
-
-
-def _in_line(problem: str, text: str) -> str:
-    """Name the line instead of the byte."""
-    found = re.search(r"\(byte (\d+)\)", problem)
-    if found is None:
-        return problem
-    line = text.encode()[: int(found.group(1))].count(b"\n") + 1
-    return f"{problem[: found.start()]}in line {line}".removeprefix("JSON is malformed: ")
+    return found.features if found.type == "FeatureCollection" else None
 
 
 def _feature(raw: msgspec.Raw) -> _Feature:
@@ -148,7 +139,7 @@ def _vertices(points: Iterable[_Feature], faults: list[str]) -> tuple[dict[str, 
             faults.append(f"vertex {id_} duplicated: the last one is used")
             labels.pop(id_, None)
         type_ = _text(metadata.class_)
-        vertices[id_] = Vertex(id_, x, y, ROLES.get(type_, Role.PLAIN), type_)
+        vertices[id_] = Vertex(id_, x, y, role_of(type_), type_)
         if label := _text(metadata.name):
             labels[id_] = label
     return vertices, labels

@@ -53,7 +53,10 @@ def test_a_graph_file_that_is_none(tmp_path: Path) -> None:
     (tmp_path / "config.toml").write_text(text)
     done = run("check", cwd=tmp_path)
     assert done.returncode == 2
-    assert "config.toml: floors[0].graph: graph g.json: not a GeoJSON FeatureCollection" in done.stderr
+    assert (
+        "config.toml: floors[0].graph: graph g.json: has the floors none: none is called floor_0"
+        in done.stderr
+    )
 
 
 def test_a_theme_and_a_map_that_are_not_there(tmp_path: Path) -> None:

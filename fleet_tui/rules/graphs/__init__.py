@@ -1,1 +1,1 @@
-"""Decisions about graphs as documents: edits, checks, differences."""
+"""Decisions about graphs as documents: edits, checks, differences. Checks need numpy: import them late."""

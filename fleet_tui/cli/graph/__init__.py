@@ -1,0 +1,1 @@
+"""The `graph` commands: lint, diff, convert and show graph files."""

@@ -1,0 +1,148 @@
+"""Reads the values of graph files: each error names the place in the file."""
+
+from collections.abc import Callable, Iterable
+from typing import Any, TypeVar
+
+from fleet_tui.errors import GraphError
+from fleet_tui.graph_files.yaml_text import PlainText, settled
+from fleet_tui.model.graphs.document import Site, is_number, next_id, unused
+from fleet_tui.text.limits import LONGEST_NAME, MOST_EDGES, MOST_VERTICES, truncate
+
+LONGEST_TEXT = 5 * LONGEST_NAME
+"""Maximum characters of an id or a name; longer ones are no names."""
+MOST_FLOORS = 500
+Found = TypeVar("Found")
+Table = dict[str, Any]
+
+
+def _is_no(value: Any, expected: str, where: str) -> GraphError:
+    found = settled(value)
+    shown = {dict: "a mapping", list: "a list", type(None): "nothing"}.get(type(found))
+    return GraphError(f"{where}: {shown or truncate(repr(found), 40)} instead of {expected}")
+
+
+def mapping(value: Any, where: str) -> Table:
+    """Return a mapping. Raises GraphError."""
+    if not isinstance(value, dict):
+        raise _is_no(value, "a mapping", where)
+    return value
+
+
+def optional_mapping(value: Any, where: str) -> Table:
+    """Return a mapping, empty for a missing one. Raises GraphError."""
+    return {} if value is None or value == "" else mapping(value, where)
+
+
+def elements(value: Any, where: str, most: int) -> list[Any]:
+    """Return a list, empty for a missing one. Raises GraphError for another value or too many."""
+    if value is None or (isinstance(value, PlainText) and not value):
+        return []
+    if not isinstance(value, list):
+        raise _is_no(value, "a list", where)
+    if len(value) > most:
+        raise GraphError(f"{where}: {len(value):,} elements, at most {most:,} are supported")
+    return value
+
+
+def vertex_elements(value: Any, where: str) -> list[Any]:
+    """Return a list of vertices."""
+    return elements(value, where, MOST_VERTICES)
+
+
+def edge_elements(value: Any, where: str) -> list[Any]:
+    """Return a list of edges, each in one direction."""
+    return elements(value, where, 2 * MOST_EDGES)
+
+
+def text(value: Any, where: str) -> str:
+    """Return a name as it is written. Raises GraphError."""
+    if isinstance(value, int) and not isinstance(value, bool):
+        value = str(value)
+    if not isinstance(value, str):
+        raise _is_no(value, "text", where)
+    if len(value) > LONGEST_TEXT:
+        raise GraphError(f"{where}: a text of {len(value):,} characters, at most {LONGEST_TEXT:,}")
+    return str(value)
+
+
+def identifier(value: Any, where: str) -> str:
+    """Return an id. Raises GraphError."""
+    id_ = text(value, where)
+    if not id_:
+        raise GraphError(f"{where}: empty id")
+    return id_
+
+
+def number(value: Any, where: str) -> float:
+    """Return a number, finite or not. Raises GraphError."""
+    found = settled(value)
+    if isinstance(found, bool) or not isinstance(found, int | float):
+        raise _is_no(value, "a number", where)
+    try:
+        return float(found)
+    except OverflowError:
+        raise GraphError(f"{where}: a number of {len(str(value)):,} digits") from None
+
+
+def index(value: Any, size: int, where: str) -> int:
+    """Return the number of an element in a list of that size, from 0 on. Raises GraphError."""
+    found = settled(value)
+    if isinstance(found, bool) or not isinstance(found, int):
+        raise _is_no(value, "a whole number", where)
+    if not 0 <= found < size:
+        raise GraphError(f"{where}: unknown vertex {truncate(str(found), 40)}, the last one is {size - 1}")
+    return found
+
+
+def flag(value: Any, where: str) -> bool:
+    """Return true or false. Raises GraphError: numbers are neither."""
+    found = settled(value)
+    if not isinstance(found, bool):
+        raise _is_no(value, "true or false", where)
+    return found
+
+
+def place(value: Any, where: str) -> Site:
+    """Return x, y and yaw. Raises GraphError."""
+    parts = [number(one, where) for one in elements(value, where, 3)]
+    if len(parts) != 3:
+        raise GraphError(f"{where}: must be [x, y, yaw]")
+    return parts[0], parts[1], parts[2]
+
+
+def optional(table: Table, key: str, read: Callable[[Any, str], Found], where: str) -> Found | None:
+    """Take a value out of a table; None for a missing one."""
+    value = table.pop(key, None)
+    return None if settled(value) is None else read(value, f"{where} {key}")
+
+
+def required(table: Table, key: str, read: Callable[[Any, str], Found], where: str) -> Found:
+    """Take a value out of a table. Raises GraphError for a missing one."""
+    if key not in table:
+        raise GraphError(f"{where}: no {key}")
+    return read(table.pop(key), f"{where} {key}")
+
+
+def rest(format_: str, table: Table) -> dict[str, Any]:
+    """Return what remains of a table as the `extra` of a format."""
+    return {format_: settled(table)} if table else {}
+
+
+def distinct(ids: Iterable[str]) -> list[tuple[str, str]]:
+    """Return for each id a distinct one, and the id in the file where it had to change.
+
+    Of several elements with one id the last keeps it, as in the readers of these formats.
+    """
+    wanted = list(ids)
+    last = {id_: n for n, id_ in enumerate(wanted)}
+    used, free = set(last), int(next_id(last))
+    found = []
+    for n, id_ in enumerate(wanted):
+        if last[id_] == n:
+            found.append((id_, ""))
+            continue
+        other = str(free) if is_number(id_) else unused(f"{id_}-2", used)
+        free += is_number(id_)
+        used.add(other)
+        found.append((other, id_))
+    return found

@@ -1,0 +1,197 @@
+"""Reads layouts of VDMA's LIF 1.0: JSON, metres, a layout for each floor, values for each type of vehicle."""
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+from fleet_tui.errors import GraphError
+from fleet_tui.graph_files import fields
+from fleet_tui.graph_files.fields import Table
+from fleet_tui.graph_files.graph_file import GraphFile, ReadChoices
+from fleet_tui.graph_files.lif_units import in_si_units
+from fleet_tui.model.graphs.document import (
+    DocumentEdge,
+    DocumentFloor,
+    DocumentVertex,
+    GraphDocument,
+    GraphFormat,
+    Motion,
+    Polyline,
+    Station,
+    merge_opposites,
+)
+
+OWN = GraphFormat.LIF.value
+ON_NODES, ON_EDGES = "vehicleTypeNodeProperties", "vehicleTypeEdgeProperties"
+CHARGING = "startCharging"
+ORIENTATIONS = {0.0: Motion.FORWARD, 180.0: Motion.BACKWARD}
+"""Motions by a tangential orientation in degrees."""
+MOST_TYPES = 1000
+
+
+def read(tree: Any, choices: ReadChoices) -> GraphFile:
+    """Return the document of a file. Raises GraphError."""
+    tree, notes = in_si_units(fields.mapping(tree, "file"), choices)
+    table = dict(tree)
+    meta = fields.optional_mapping(table.get("metaInformation"), "metaInformation")
+    layouts = fields.elements(table.pop("layouts", None), "layouts", fields.MOST_FLOORS)
+    floors, stations = dict[str, DocumentFloor](), list[Station]()
+    for n, layout in enumerate(layouts):
+        floor, at = _layout(dict(fields.mapping(layout, f"layouts[{n}]")), n, choices.vehicle_type)
+        if floor.name in floors:
+            raise GraphError(f"layouts[{n}]: layoutId {floor.name[:40]!r} twice: rename one")
+        floors[floor.name] = floor
+        stations += at
+    types = {type_ for floor in floors.values() for type_ in vehicle_types(floor)}
+    if choices.vehicle_type and types and choices.vehicle_type not in types:
+        listed = ", ".join(sorted(types)[:5])
+        raise GraphError(f"no vehicle type {choices.vehicle_type[:40]!r} in the file: it has {listed}")
+    name = str(meta.get("projectIdentification") or "")
+    document = GraphDocument(name, floors, (), tuple(stations), extra=fields.rest(OWN, table))
+    return GraphFile(GraphFormat.LIF, document, notes)
+
+
+def vehicle_types(floor: DocumentFloor) -> set[str]:
+    """Return the types of vehicles that a floor names."""
+    found = {type_ for edge in floor.edges.values() for type_ in edge.per_vehicle}
+    return found | {
+        str(entry.get("vehicleTypeId")) for vertex in floor.vertices.values() for entry in entries_of(vertex)
+    }
+
+
+def entries_of(vertex: DocumentVertex) -> list[Table]:
+    """Return the values of a vertex for each type of vehicle, as the file has them."""
+    own = vertex.extra.get(OWN, {})
+    return list(own.get(ON_NODES, [])) if isinstance(own, dict) else []
+
+
+def _layout(table: Table, n: int, vehicle: str) -> tuple[DocumentFloor, list[Station]]:
+    name = fields.required(table, "layoutId", fields.identifier, f"layouts[{n}]")
+    where = f"layout {name[:40]}"
+    nodes = fields.vertex_elements(table.pop("nodes", None), f"{where} nodes")
+    edges = fields.edge_elements(table.pop("edges", None), f"{where} edges")
+    parts = fields.vertex_elements(table.pop("stations", None), f"{where} stations")
+    stations = [_station(dict(fields.mapping(one, f"{where} station")), name, where) for one in parts]
+    named = station_labels(tuple(stations), name)
+    vertices = {one.id: one for one in _vertices(nodes, where, vehicle, named)}
+    found = merge_opposites(_edges(edges, where, vehicle, vertices))
+    return DocumentFloor(name, vertices, found, extra=fields.rest(OWN, table)), stations
+
+
+def station_labels(stations: tuple[Station, ...], floor: str) -> dict[str, str]:
+    """Return the names of stations with one vertex, by that vertex: labels of vertices without a name."""
+    found = dict[str, str]()
+    for station in stations:
+        if len(station.stops) == 1 and station.stops[0][0] == floor:
+            found.setdefault(station.stops[0][1], station.name)
+    return found
+
+
+def _tables(parts: list[Any], key: str, where: str) -> Iterator[tuple[str, str, Table]]:
+    """Yield each element with its distinct id and the id of the file where that differs."""
+    tables = [dict(fields.mapping(one, f"{where} element {n}")) for n, one in enumerate(parts)]
+    ids = [
+        fields.required(one, key, fields.identifier, f"{where} element {n}") for n, one in enumerate(tables)
+    ]
+    for (id_, source), table in zip(fields.distinct(ids), tables, strict=True):
+        yield id_, source, table
+
+
+def _entries(table: Table, key: str, where: str) -> list[Table]:
+    entries = fields.elements(table.get(key), f"{where} {key}", MOST_TYPES)
+    return [dict(fields.mapping(entry, f"{where} {key}")) for entry in entries]
+
+
+def agreed(entries: list[Table], key: str, vehicle: str, where: str) -> float | None:
+    """Return a vehicle type's value; without a chosen type the one on which all that have it agree."""
+    chosen = [one for one in entries if not vehicle or one.get("vehicleTypeId") == vehicle]
+    values = {fields.number(one[key], f"{where} {key}") for one in chosen if one.get(key) is not None}
+    return values.pop() if len(values) == 1 else None
+
+
+def _vertices(parts: list[Any], where: str, vehicle: str, named: dict[str, str]) -> Iterator[DocumentVertex]:
+    for id_, source, table in _tables(parts, "nodeId", f"{where} nodes"):
+        at = f"{where} node {(source or id_)[:40]}"
+        position = dict(fields.required(table, "nodePosition", fields.mapping, at))
+        x, y = (fields.required(position, axis, fields.number, at) for axis in ("x", "y"))
+        if position:
+            table["nodePosition"] = position
+        entries = _entries(table, ON_NODES, at)
+        label = fields.optional(table, "nodeName", fields.text, at) or named.get(id_, "")
+        actions = {
+            str(fields.mapping(action, f"{at} actions").get("actionType"))
+            for entry in entries
+            for action in fields.elements(entry.get("actions"), f"{at} actions", MOST_TYPES)
+        }
+        type_ = "charger" if CHARGING in actions else ""
+        heading = agreed(entries, "theta", vehicle, at)
+        yield DocumentVertex(id_, x, y, label, type_, heading, source, fields.rest(OWN, table))
+
+
+def _edges(
+    parts: list[Any], where: str, vehicle: str, vertices: dict[str, DocumentVertex]
+) -> Iterator[DocumentEdge]:
+    for id_, source, table in _tables(parts, "edgeId", f"{where} edges"):
+        at = f"{where} edge {(source or id_)[:40]}"
+        start, end = (
+            fields.required(table, key, fields.identifier, at) for key in ("startNodeId", "endNodeId")
+        )
+        entries = _entries(table, ON_EDGES, at)
+        table.pop(ON_EDGES, None)
+        types = [fields.required(dict(one), "vehicleTypeId", fields.text, at) for one in entries]
+        if len(set(types)) < len(types):
+            raise GraphError(f"{at}: a vehicle type is listed twice: remove one")
+        turn = agreed([one for one in entries if _is_tangential(one)], "vehicleOrientation", vehicle, at)
+        yield DocumentEdge(
+            id_,
+            start,
+            end,
+            two_way=False,
+            speed=agreed(entries, "maxSpeed", vehicle, at),
+            motion=Motion.ANY if turn is None else ORIENTATIONS.get(turn, Motion.ANY),
+            control_points=_curve(entries, vehicle, at, vertices.get(start), vertices.get(end)),
+            per_vehicle={
+                type_: {key: value for key, value in entry.items() if key != "vehicleTypeId"}
+                for type_, entry in zip(types, entries, strict=True)
+            },
+            source_id=source,
+            extra=fields.rest(OWN, table),
+        )
+
+
+def _is_tangential(entry: Table) -> bool:
+    return bool(entry.get("orientationType", "TANGENTIAL") == "TANGENTIAL")
+
+
+def _curve(
+    entries: list[Table], vehicle: str, where: str, start: DocumentVertex | None, end: DocumentVertex | None
+) -> Polyline:
+    """Return the inner control points of the first trajectory; those on the vertices are left out."""
+    for entry in entries:
+        is_other = vehicle and entry.get("vehicleTypeId") != vehicle
+        if is_other or not isinstance(entry.get("trajectory"), dict):
+            continue
+        points = fields.elements(entry["trajectory"].get("controlPoints"), f"{where} trajectory", 1000)
+        tables = [fields.mapping(point, f"{where} trajectory") for point in points]
+        places = [(fields.number(one.get("x"), where), fields.number(one.get("y"), where)) for one in tables]
+        if start and places and math.dist(places[0], (start.x, start.y)) < 1e-6:
+            places = places[1:]
+        if end and places and math.dist(places[-1], (end.x, end.y)) < 1e-6:
+            places = places[:-1]
+        return tuple(places)
+    return ()
+
+
+def _station(table: Table, floor: str, where: str) -> Station:
+    id_ = fields.required(table, "stationId", fields.identifier, f"{where} station")
+    at = f"{where} station {id_[:40]}"
+    name = fields.optional(table, "stationName", fields.text, at)
+    nodes = fields.vertex_elements(table.pop("interactionNodeIds", None), f"{at} interactionNodeIds")
+    stops = tuple((floor, fields.identifier(node, at)) for node in nodes)
+    position = dict(fields.optional_mapping(table.pop("stationPosition", None), at))
+    x, y, yaw = (fields.optional(position, key, fields.number, at) for key in ("x", "y", "theta"))
+    height = fields.optional(table, "stationHeight", fields.number, at)
+    if position:
+        table["stationPosition"] = position
+    own = {"stationId": id_, "layoutId": floor, **table, **({} if name is not None else {"unnamed": True})}
+    return Station(name if name is not None else id_, stops, x, y, yaw, height, {OWN: own})

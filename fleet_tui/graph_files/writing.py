@@ -1,0 +1,55 @@
+"""Writes documents in any format that can be written, after what it loses is known."""
+
+import math
+from collections.abc import Callable
+
+from fleet_tui.errors import GraphError
+from fleet_tui.graph_files import geojson, lif_text, native_text, oh, rmf
+from fleet_tui.graph_files.graph_file import MissingChoiceError, WriteChoices
+from fleet_tui.model.graphs.document import DocumentFloor, GraphDocument, GraphFormat
+from fleet_tui.text.limits import truncate
+
+Write = Callable[[GraphDocument, WriteChoices], str]
+WRITERS: dict[GraphFormat, Write] = {
+    GraphFormat.NATIVE: native_text.write,
+    GraphFormat.OH: oh.write,
+    GraphFormat.RMF: rmf.write,
+    GraphFormat.GEOJSON: geojson.write,
+    GraphFormat.LIF: lif_text.write,
+}
+ONE_FLOOR = frozenset({GraphFormat.OH, GraphFormat.GEOJSON})
+"""The formats with a file for each floor."""
+
+
+def write_graph(document: GraphDocument, format_: GraphFormat, choices: WriteChoices) -> str:
+    """Return the text of a file. Raises GraphError for what the format can't hold, MissingChoiceError for
+    what it needs."""
+    if format_ not in WRITERS:
+        writable = ", ".join(one.value for one in WRITERS)
+        raise GraphError(f"{format_.value} can be read, not written: choose one of {writable}")
+    if format_ in ONE_FLOOR and len(document.floors) != 1:
+        names = tuple(document.floors)
+        text = f"{format_.value} has a file for each floor: choose one of {', '.join(names[:10]) or 'none'}"
+        raise MissingChoiceError(text, "--floor", names)
+    if format_ is not GraphFormat.NATIVE:
+        for floor in document.floors.values():
+            _check(floor)
+    try:
+        return WRITERS[format_](document, choices)
+    except (TypeError, ValueError, LookupError, AttributeError) as problem:
+        # Only `extra` is unchecked: a native file may have anything there.
+        text = (
+            f"contents kept for {format_.value} are not as the format has them: {truncate(str(problem), 80)}"
+        )
+        raise GraphError(text) from problem
+
+
+def _check(floor: DocumentFloor) -> None:
+    """Raise GraphError for what no format but our own can hold."""
+    for vertex in floor.vertices.values():
+        if not (math.isfinite(vertex.x) and math.isfinite(vertex.y)):
+            raise GraphError(f"vertex {vertex.id} on {floor.name}: x or y is not finite: correct it first")
+    for edge in floor.edges.values():
+        lost = [end for end in (edge.start, edge.end) if end not in floor.vertices]
+        if lost:
+            raise GraphError(f"edge {edge.id} on {floor.name}: unknown vertex {lost[0]}: correct it first")

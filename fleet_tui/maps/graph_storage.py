@@ -1,0 +1,80 @@
+"""Graph files on the disk: read with bounds, written whole, with the old version beside the new one."""
+
+import os
+import shutil
+import tempfile
+from contextlib import suppress
+from pathlib import Path
+
+from fleet_tui.config.small_file import read_text
+from fleet_tui.errors import GraphError
+from fleet_tui.graph_files.graph_file import GraphFile, ReadChoices
+from fleet_tui.graph_files.reading import LARGEST, read_graph
+from fleet_tui.model.graphs.document import GraphFormat
+
+BACKUP = ".bak"
+
+
+def graph_text(path: Path) -> str:
+    """Return the text of a graph file. Raises GraphError."""
+    try:
+        return read_text(path, LARGEST)
+    except FileNotFoundError:
+        raise GraphError("no such file") from None
+    except UnicodeDecodeError as problem:
+        raise GraphError(f"not UTF-8 at byte {problem.start:,}: save it as UTF-8") from None
+    except IsADirectoryError:
+        raise GraphError("is a folder: name a file") from None
+    except OSError as problem:
+        raise GraphError(f"unreadable: {problem.strerror or problem}") from None
+    except ValueError as problem:
+        raise GraphError(f"unreadable: {problem}") from None
+
+
+def load_graph_file(path: Path, format_: GraphFormat | None, choices: ReadChoices) -> GraphFile:
+    """Return the document of a file. Raises GraphError, MissingChoiceError."""
+    return read_graph(graph_text(path), format_, choices)
+
+
+def save_graph_file(path: Path, text: str) -> Path | None:
+    """Write a file whole or not at all; return the name of its old version, if there was one.
+
+    Raises GraphError.
+    """
+    path = path.resolve()
+    if path.is_dir():
+        raise GraphError("is a folder: name a file")
+    if path.exists() and not path.is_file():
+        raise GraphError("not a regular file")
+    try:
+        return _replaced(path, text)
+    except OSError as problem:
+        raise GraphError(f"cannot be written: {problem.strerror or problem}") from None
+
+
+def _replaced(path: Path, text: str) -> Path | None:
+    number, name = tempfile.mkstemp(dir=path.parent, prefix=".fleet-tui-")
+    made, kept = Path(name), None
+    try:
+        with os.fdopen(number, "w", encoding="utf-8") as file:
+            file.write(text)
+            file.flush()
+            os.fsync(file.fileno())
+        if path.exists():
+            kept = path.with_name(path.name + BACKUP)
+            shutil.copy2(path, kept)
+            shutil.copymode(path, made)
+        else:
+            made.chmod(0o666 & ~_umask())
+        made.replace(path)
+    except OSError:
+        with suppress(OSError):
+            made.unlink()
+        raise
+    return kept
+
+
+def _umask() -> int:
+    mask = os.umask(0o077)
+    os.umask(mask)
+    return mask

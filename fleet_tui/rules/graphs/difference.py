@@ -1,0 +1,84 @@
+"""The difference of two graphs of a floor, by id."""
+
+import math
+from collections.abc import Mapping
+
+from msgspec import Struct
+
+from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor
+from fleet_tui.model.order import natural
+from fleet_tui.rules.graphs.elements import named
+from fleet_tui.text.sanitize import sanitize
+
+MOVED = 0.01
+"""Metres from which a vertex is moved."""
+
+
+class GraphChange(Struct, frozen=True):
+    """One change. kind: added, removed, moved, relabelled, retyped or rewired; ids as in the graph."""
+
+    kind: str
+    text: str
+    vertex: str = ""
+    edge: str = ""
+
+
+def difference(before: DocumentFloor, after: DocumentFloor) -> tuple[GraphChange, ...]:
+    """Return the changes from one graph to another: of vertices, then of edges."""
+    found = list[GraphChange]()
+    for id_ in sorted({*before.vertices, *after.vertices}, key=natural):
+        found += _of_vertex(before, after, id_)
+    old, new = _ways(before.edges), _ways(after.edges)
+    for id_ in sorted({*old, *new}, key=natural):
+        found += _of_edge(old.get(id_), new.get(id_), id_)
+    return tuple(found)
+
+
+def _of_vertex(before: DocumentFloor, after: DocumentFloor, id_: str) -> list[GraphChange]:
+    old, new = before.vertices.get(id_), after.vertices.get(id_)
+    if old is None or new is None:
+        one = new or old
+        kind = "removed" if new is None else "added"
+        return [GraphChange(kind, f"vertex {named(one) if one else id_}", id_)]
+    found = []
+    metres = math.dist((old.x, old.y), (new.x, new.y))
+    both_nowhere = not math.isfinite(metres) and str((old.x, old.y)) == str((new.x, new.y))
+    if not metres <= MOVED and not both_nowhere:
+        found.append(GraphChange("moved", f"vertex {named(new)}: {metres:.2f} m", id_))
+    if old.label != new.label:
+        text = f"vertex {id_}: {_quoted(old.label)} -> {_quoted(new.label)}"
+        found.append(GraphChange("relabelled", text, id_))
+    if old.type != new.type:
+        text = f"vertex {named(new)}: {old.type or 'plain'} -> {new.type or 'plain'}"
+        found.append(GraphChange("retyped", text, id_))
+    return found
+
+
+def _quoted(label: str) -> str:
+    return f'"{sanitize(label)}"' if label else "no label"
+
+
+_Way = tuple[str, str, bool]
+
+
+def _ways(edges: Mapping[str, DocumentEdge]) -> dict[str, _Way]:
+    """Return start, end and both-ways of each edge. Its other id is the same edge, and no other one."""
+    return {id_: (edge.start, edge.end, edge.two_way) for id_, edge in edges.items()}
+
+
+def _of_edge(old: _Way | None, new: _Way | None, id_: str) -> list[GraphChange]:
+    if old is None or new is None:
+        kind, way = ("removed", old) if new is None else ("added", new)
+        return [GraphChange(kind, f"edge {id_} {_way_text(way)}", "", id_)] if way else []
+    if _unordered(old) == _unordered(new):
+        return []
+    return [GraphChange("rewired", f"edge {id_}: {_way_text(old)} -> {_way_text(new)}", "", id_)]
+
+
+def _unordered(way: _Way) -> tuple[object, bool]:
+    """Return a way for comparison: one that leads both ways has no start."""
+    return (frozenset(way[:2]) if way[2] else way[:2]), way[2]
+
+
+def _way_text(way: _Way) -> str:
+    return f"{way[0]} {'<>' if way[2] else '>'} {way[1]}"

@@ -1,0 +1,81 @@
+"""Lint by the format or robot stack that a graph is for."""
+
+import math
+from collections.abc import Iterator
+from itertools import combinations, pairwise
+
+from fleet_tui.model.geometry import Pose
+from fleet_tui.model.graphs.document import DocumentFloor, GraphDocument, GraphFormat, Lift
+from fleet_tui.rules.graphs.finding import GraphFinding, LintInputs
+
+LIFT_STOPS = 0.1
+"""Metres by which the stops of a lift may be apart in the site's frame."""
+UINT16 = 65535
+
+
+def of_target(document: GraphDocument, inputs: LintInputs) -> Iterator[GraphFinding]:
+    """Return what the target refuses or can't report."""
+    if inputs.target is GraphFormat.RMF:
+        yield from _labels_of_site(document)
+        yield from _lifts(document)
+    elif inputs.target is GraphFormat.GEOJSON:
+        for floor in document.floors.values():
+            yield from _nav2(floor)
+    elif inputs.target is GraphFormat.LIF and not inputs.vehicle_type:
+        for floor in document.floors.values():
+            yield from _vehicles(floor)
+
+
+def _labels_of_site(document: GraphDocument) -> Iterator[GraphFinding]:
+    taken = dict[str, tuple[str, str]]()
+    for floor in document.floors.values():
+        for id_, label in floor.labels.items():
+            other = taken.setdefault(label, (floor.name, id_))
+            if other[0] != floor.name:
+                text = f"vertex {id_}: label {label!r} is taken on {other[0]}; RMF has one for a site"
+                yield GraphFinding("site label", text, True, floor.name, (id_,))
+
+
+def _lifts(document: GraphDocument) -> Iterator[GraphFinding]:
+    for lift in document.lifts:
+        places = list(_stops(document, lift))
+        for one, other in pairwise(places):
+            metres = math.dist(one[2], other[2])
+            if metres > LIFT_STOPS:
+                text = f"lift {lift.name}: its stops on {one[0]} and {other[0]} are {metres:.2f} m apart"
+                yield GraphFinding("lift stops", text, True, other[0], (other[1],))
+        for one, other in combinations(places, 2):
+            if one[0] == other[0]:
+                text = f"lift {lift.name}: two stops on {one[0]}"
+                yield GraphFinding("lift stops", text, True, one[0], (one[1], other[1]))
+
+
+def _stops(document: GraphDocument, lift: Lift) -> Iterator[tuple[str, str, tuple[float, float]]]:
+    """Yield floor, vertex and place in the site of each stop, in the order of the floors."""
+    for name, floor in document.floors.items():
+        for at, id_ in lift.stops:
+            vertex = floor.vertices.get(id_)
+            if at == name and vertex is not None:
+                place = Pose(*floor.to_site).after(Pose(vertex.x, vertex.y))
+                yield name, id_, (place.x, place.y)
+
+
+def _nav2(floor: DocumentFloor) -> Iterator[GraphFinding]:
+    if not floor.vertices or not floor.edges:
+        what = "edge" if floor.vertices else "vertex"
+        yield GraphFinding("empty", f"no {what}: Nav2 loads no such graph", True, floor.name)
+    for kind, ids in (("vertex", floor.vertices), ("edge", floor.edges)):
+        for id_ in ids:
+            if id_.isascii() and id_.isdecimal() and (len(id_) > 9 or int(id_) > UINT16):
+                text = f"{kind} {id_}: id over {UINT16}, which Nav2's messages can't name"
+                of_vertex, of_edge = ((id_,), ()) if kind == "vertex" else ((), (id_,))
+                yield GraphFinding("nav2 id", text, True, floor.name, of_vertex, of_edge)
+
+
+def _vehicles(floor: DocumentFloor) -> Iterator[GraphFinding]:
+    own, key = GraphFormat.LIF.value, "vehicleTypeNodeProperties"
+    bare = tuple(id_ for id_, vertex in floor.vertices.items() if not vertex.extra.get(own, {}).get(key))
+    edges = tuple(id_ for id_, edge in floor.edges.items() if not edge.per_vehicle)
+    if bare or edges:
+        text = f"no vehicle type at {len(bare)} vertices and {len(edges)} edges: nothing may use them"
+        yield GraphFinding("vehicle type", text, True, floor.name, bare[:10], edges[:10])

@@ -1,0 +1,9 @@
+"""The number of findings is limited."""
+
+from fleet_tui.rules.graphs.finding import MOST, GraphFinding, limited
+
+
+def test_many_findings_of_a_rule_are_counted() -> None:
+    few = [GraphFinding("x", str(n), False) for n in range(MOST)]
+    assert limited(few) == few
+    assert limited([*few, *few])[MOST:] == [GraphFinding("x", f"and {MOST} more", False)]
