@@ -208,6 +208,8 @@ class EditActions(Struct, frozen=True):
     name: Act
     undo: Act
     redo: Act
+    lint: Act
+    compare: Act
 
 
 class Actions(Struct, frozen=True):

@@ -214,7 +214,7 @@ def _edge(n: int, start: str, end: str, params: Table) -> DocumentEdge:
         start,
         end,
         two_way=params.get("bidirectional") is True,
-        speed=float(speed) if isinstance(speed, int | float) and 0 < speed < math.inf else None,
+        speed=float(speed) if isinstance(speed, int | float) and 0 < speed < 1e300 else None,
         motion=_MOTIONS.get(motion, Motion.ANY) if isinstance(motion, str) else Motion.ANY,
     )
 

@@ -46,11 +46,11 @@ def key_actions(screen: "MainScreen", rest: "Rest") -> Actions:
         alarms=AlarmActions(rest.alarms.acknowledge, rest.alarms.acknowledge_all),
         map=rest.map_controls,
         place=PlaceActions(
-            pose=rest.placing.pose,
-            goal=rest.placing.goal,
-            turn=rest.placing.turn,
-            send=rest.placing.send,
-            leave=rest.placing.leave,
+            pose=rest.poses.pose,
+            goal=rest.poses.goal,
+            turn=rest.poses.turn,
+            send=rest.poses.send,
+            leave=rest.poses.leave,
         ),
         edit=_edit_actions(rest),
         play=screen.session.play,
@@ -130,6 +130,8 @@ def _edit_actions(rest: "Rest") -> EditActions:
         name=values.name,
         undo=editor.undo,
         redo=editor.redo,
+        lint=rest.checks.show_findings,
+        compare=rest.checks.compare,
     )
 
 

@@ -1,17 +1,19 @@
 """Parts of the main screen after its first paint: the map, the overlays, and the controllers that need
 them."""
 
+from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING, Any, assert_never
 
 from fleet_tui.controllers.alarms import AlarmResponses
+from fleet_tui.controllers.editing.checks import DraftChecks
 from fleet_tui.controllers.editing.drawing import GraphDrawing
 from fleet_tui.controllers.editing.editor import EditorParts, GraphEditor
 from fleet_tui.controllers.editing.values import VertexValues
 from fleet_tui.controllers.map import MapControls
 from fleet_tui.controllers.offers import Offers
 from fleet_tui.controllers.orders import OrderRequests
-from fleet_tui.controllers.placing import Placing
+from fleet_tui.controllers.poses import PoseRequests
 from fleet_tui.controllers.robots import RobotRequests
 from fleet_tui.controllers.save import SaveCommand
 from fleet_tui.keys import Key, Pane, overruled
@@ -89,8 +91,9 @@ class Rest:
     def _edit_with(self, parts: EditorParts) -> None:
         keys = self._screen.settings.keys
         self._overruled = {pane: overruled(keys, pane) for pane in Pane if pane.is_mode}
-        self.placing = Placing(*parts[:4], self.confirm.ask, self.map_controls, self.map.picture)
+        self.poses = PoseRequests(*parts[:4], self.confirm.ask, self.map_controls, self.map.picture)
         self.editor = GraphEditor(parts, self.map_controls, self.map.picture, self._screen.files.draft)
+        self.checks = DraftChecks(parts, self.editor, partial(_in_background, self._screen))
         self.values = VertexValues(parts, self.editor)
         self.drawing = GraphDrawing(parts, self.editor, self.values)
 
@@ -125,7 +128,7 @@ class Rest:
         """Return the pane of the keys that work on the map now."""
         if self.editor.is_open:
             return Pane.EDIT
-        return Pane.PLACE if self.placing.mode is not None else Pane.MAP
+        return Pane.PLACE if self.poses.mode is not None else Pane.MAP
 
     def blocks(self, key: Key[Any]) -> bool:
         """Tell whether a key does nothing now: keys of modes work in theirs alone, and take precedence there
@@ -186,6 +189,16 @@ class Rest:
                 self.orders.ask_cancel(robot, order_id)
             case _, "clear", _:
                 self.orders.clear()
+
+
+def _in_background(screen: "MainScreen", work: Callable[[], object], then: Callable[[object], None]) -> None:
+    """Do work in a thread, then call with its result on the loop."""
+
+    def run() -> None:
+        result = work()
+        screen.app.call_from_thread(then, result)
+
+    screen.run_worker(run, thread=True, exit_on_error=False)
 
 
 def _press_hint(screen: "MainScreen", id_: str) -> None:

@@ -16,7 +16,7 @@ async def test_a_mislocalised_robot_is_put_right_by_keys_alone(site: Site) -> No
         await it.until(lambda state: state.robots["robot_0"].still_for > 3)
         await it.press("I")
         await it.shows("POSE robot_0", "map")
-        mode, truth = it.app.main.rest.placing.mode, robot.pose
+        mode, truth = it.app.main.rest.poses.mode, robot.pose
         assert mode is not None
         mode.cursor, mode.yaw = (truth.x, truth.y), truth.yaw  # as arrows do, cell by cell
         await it.press("right", "left", "h", "l", "H", "L", "enter", "y")
@@ -28,14 +28,14 @@ async def test_a_mislocalised_robot_is_put_right_by_keys_alone(site: Site) -> No
         )
         assert found.commands[-1].stage is Stage.CONFIRMED
         assert robot.belief.misplaced is None
-        assert it.app.main.rest.placing.mode is None
+        assert it.app.main.rest.poses.mode is None
 
 
 async def test_a_goal_is_an_order_to_a_pose(site: Site) -> None:
     async with console(site.config) as it:
         await it.press("G")
         await it.shows("GOAL robot_0", "map")
-        mode = it.app.main.rest.placing.mode
+        mode = it.app.main.rest.poses.mode
         assert mode is not None
         mode.cursor, mode.yaw = (8.0, 0.0), math.pi / 2
         await it.press("enter")
@@ -49,10 +49,10 @@ async def test_a_goal_is_an_order_to_a_pose(site: Site) -> None:
 async def test_arrows_move_and_escape_leaves(site: Site) -> None:
     async with console(site.config) as it:
         await it.press("I")
-        mode = it.app.main.rest.placing.mode
+        mode = it.app.main.rest.poses.mode
         assert mode is not None
         before = mode.cursor
         await it.press("right", "up")
         assert mode.cursor != before
         await it.press("p", "escape")
-        assert it.app.main.rest.placing.mode is None
+        assert it.app.main.rest.poses.mode is None

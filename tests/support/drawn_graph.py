@@ -4,6 +4,7 @@ from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from pathlib import Path
 
+from fleet_tui.controllers.editing.checks import DraftChecks
 from fleet_tui.controllers.editing.drawing import GraphDrawing
 from fleet_tui.controllers.editing.editor import EditorParts, GraphEditor
 from fleet_tui.controllers.editing.values import VertexValues
@@ -25,7 +26,7 @@ class DrawnGraph:
         self.pane, self.desk, self.lines = pane, Desk(state, may), list[str]()
         self.picture = pane.map.picture
         desk = self.desk
-        parts = EditorParts(
+        parts = self.parts = EditorParts(
             desk.store, desk.dispatch, desk.navigation, desk.notices, desk.open_menu, self.lines.append
         )
         self.editor = GraphEditor(
@@ -34,6 +35,7 @@ class DrawnGraph:
             self.picture,
             lambda floor: None if folder is None else DraftFile(folder, "site", floor),
         )
+        self.checks = DraftChecks(parts, self.editor, lambda work, then: then(work()))
         self.values = VertexValues(parts, self.editor)
         self.drawing = GraphDrawing(parts, self.editor, self.values)
         pane.map.show(floor_scene(state, desk.navigation.selection))

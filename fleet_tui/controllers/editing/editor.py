@@ -12,9 +12,10 @@ from fleet_tui.controllers.notices import Notices
 from fleet_tui.controllers.typed import OpenMenu
 from fleet_tui.maps.draft_file import Done, DraftFile, Line, Redone, Undone
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.graphs.document import DocumentFloor
 from fleet_tui.model.graphs.draft import Change, GraphDraft
-from fleet_tui.model.graphs.live import floor_of
+from fleet_tui.model.graphs.live import floor_of, roles_of
 from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.floor_scene import map_owner
@@ -101,12 +102,18 @@ class GraphEditor:
             self._notices.say(f"not edited: another floor than {sanitize(draft.floor.name)} is shown")
             return False
         self.draft, self._file = draft, file
-        self.mode = EditMode(draft.floor, view.middle(scene))
+        self.mode = EditMode(draft.floor, view.middle(scene), roles_of(self.live_graph()))
         self._edges = self.picture.options.edges
         self.picture.options = replace(self.picture.options, edges=True)
         self._controls.enter(self.mode)
         self.changed(draft.floor)
         return True
+
+    def live_graph(self) -> RouteGraph | None:
+        """Return the graph that the robots have of the shown floor, None if none has one."""
+        selection = self._navigation.selection
+        owner = map_owner(self._store.state, selection)
+        return owner.maps[selection.floor].graph if owner is not None else None
 
     def leave(self) -> None:
         """Put a held vertex back, else clear the selection, else leave; the draft stays on disk."""

@@ -29,6 +29,12 @@ def role_of(type_: str) -> Role:
     return ROLES.get(type_, Role.PLAIN)
 
 
+def roles_of(graph: RouteGraph | None) -> Callable[[str], Role]:
+    """Return a function from types to roles: as the robots' graph has them, else the usual ones."""
+    known = {vertex.type: vertex.role for vertex in graph.vertices.values()} if graph is not None else {}
+    return lambda type_: known.get(type_) or role_of(type_)
+
+
 def route_graph(
     floor: DocumentFloor, roles: Callable[[str], Role] = role_of
 ) -> tuple[RouteGraph, dict[str, str]]:

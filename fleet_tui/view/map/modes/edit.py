@@ -1,11 +1,13 @@
 """The map mode of the graph editor: a draft in place of the live graph, and a cursor."""
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
 
 from fleet_tui.model.geometry import Line
+from fleet_tui.model.graph import Role
 from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor, DocumentVertex
 from fleet_tui.model.graphs.draft import Change
 from fleet_tui.model.graphs.live import role_of
@@ -27,8 +29,8 @@ class EditMode:
     layers: tuple[Layer, ...] = (draw_cursor,)
     points = False
 
-    def __init__(self, floor: DocumentFloor, cursor: Point) -> None:
-        self.cursor, self.note = cursor, ""
+    def __init__(self, floor: DocumentFloor, cursor: Point, roles: Callable[[str], Role] = role_of) -> None:
+        self.cursor, self.note, self._roles = cursor, "", roles
         self._made = dict[str, SceneVertex]()
         self._lines = dict[str, Line]()
         self.selected = self.edge = ""
@@ -44,7 +46,7 @@ class EditMode:
         self.edge = self.edge if self.edge in floor.edges else ""
         self.held = self.held and bool(self.selected)
         if change is None:
-            self._made = {id_: _shown(vertex) for id_, vertex in floor.vertices.items()}
+            self._made = {id_: self._shown(vertex) for id_, vertex in floor.vertices.items()}
             self._lines = {id_: line for id_, edge in floor.edges.items() if (line := self._line(edge))}
         else:
             self._renew(change)
@@ -63,11 +65,14 @@ class EditMode:
         for id_ in touched:
             self._made.pop(id_, None)
             if id_ in floor.vertices:
-                self._made[id_] = _shown(floor.vertices[id_])
+                self._made[id_] = self._shown(floor.vertices[id_])
         for id_ in edges:
             self._lines.pop(id_, None)
             if id_ in floor.edges and (line := self._line(floor.edges[id_])):
                 self._lines[id_] = line
+
+    def _shown(self, vertex: DocumentVertex) -> SceneVertex:
+        return SceneVertex(vertex.id, vertex.x, vertex.y, self._roles(vertex.type), sanitize(vertex.label))
 
     def _line(self, edge: DocumentEdge) -> Line | None:
         """Return the line of an edge, None if one of its vertices is unknown."""
@@ -137,10 +142,6 @@ class EditMode:
         away = np.hypot(*(start + way * along[:, None] - place).T)
         nearest = int(np.argmin(away))
         return list(self._lines)[nearest] if away[nearest] <= NEAR * cell_metres(view, scene) else ""
-
-
-def _shown(vertex: DocumentVertex) -> SceneVertex:
-    return SceneVertex(vertex.id, vertex.x, vertex.y, role_of(vertex.type), sanitize(vertex.label))
 
 
 def cell_metres(view: Viewport, scene: Scene) -> float:

@@ -19,7 +19,7 @@ from fleet_tui.view.map.modes.place import PlaceMode
 SET_POSE, GO_TO = "POSE", "GOAL"
 
 
-class Placing:
+class PoseRequests:
     """Opens the mode of the map in which a place is chosen, and sends it after a question."""
 
     def __init__(

@@ -3,7 +3,7 @@
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.controllers.placing import Placing
+from fleet_tui.controllers.poses import PoseRequests
 from fleet_tui.model.events import Event
 from fleet_tui.model.kind import GOAL, POSE, Kind
 from fleet_tui.model.problem import Permissions
@@ -19,12 +19,12 @@ KIND = replace(PLAIN, accepts=(*PLAIN.accepts, POSE, GOAL))
 
 def placing(
     pane: Pane, kind: Kind = KIND, may: Permissions | None = None, *events: Event
-) -> tuple[Desk, Placing]:
+) -> tuple[Desk, PoseRequests]:
     desk = Desk(reduced(of_kinds(ready(), kind), *events), may)
     picture = pane.map.picture
     pane.map.show(floor_scene(desk.store.state, desk.navigation.selection))
     parts = (desk.store, desk.dispatch, desk.navigation, desk.notices, desk.ask, pane.controls, picture)
-    return desk, Placing(*parts)
+    return desk, PoseRequests(*parts)
 
 
 async def test_a_pose_begins_at_the_robot_is_turned_asked_and_sent() -> None:
