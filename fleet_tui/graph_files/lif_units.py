@@ -9,7 +9,6 @@ from fleet_tui.graph_files.graph_file import MissingChoiceError, ReadChoices
 
 FARTHEST = 2000.0
 """Metres; a layout that extends farther has probably another unit."""
-LARGEST_FLOAT = 1e300
 LENGTHS = {"m": 1.0, "mm": 0.001}
 ANGLES = {"rad": 1.0, "deg": math.pi / 180}
 _PLACES = ("nodePosition", "stationPosition", "controlPoints")
@@ -62,8 +61,8 @@ def _list(value: Any) -> list[Any]:
 
 
 def _is_number(value: Any) -> bool:
-    # An integer may be too large for a float: its field is reported when it is read.
-    return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) < LARGEST_FLOAT
+    """Tell whether a value is a number of a size that a float can have."""
+    return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) < 1e300
 
 
 def _scaled(value: Any, length: float, angle: float, placed: bool, depth: int) -> Any:

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from enum import Enum
+from functools import cache
 from typing import Any
 
 from msgspec import Struct
@@ -54,14 +55,20 @@ def _split(extra: Mapping[str, Any]) -> tuple[Table, Table]:
 def _set(part: Struct, *without: str) -> Table:
     """Return the values that differ from their defaults; those without a default always."""
     found: Table = {}
-    for field in fields_of(type(part)):
-        value = getattr(part, field.name)
-        if field.name in without or field.name == "extra":
+    for name, required, default in _fields(type(part)):
+        if name in without or name == "extra":
             continue
-        if field.required or not (value in _EMPTY or value == field.default):
-            found[field.name] = _plain(value)
+        value = getattr(part, name)
+        if required or not (value in _EMPTY or value == default):
+            found[name] = _plain(value)
     own, more = _split(getattr(part, "extra", {}))
     return {**found, **({"extra": more} if more else {}), **own}
+
+
+@cache
+def _fields(kind: type[Struct]) -> list[tuple[str, bool, Any]]:
+    """Return name, whether it is required, and the default of each field."""
+    return [(one.name, one.required, one.default) for one in fields_of(kind)]
 
 
 def _plain(value: Any) -> Any:

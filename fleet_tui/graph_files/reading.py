@@ -81,8 +81,9 @@ def _is_building(tree: dict[str, Any]) -> bool:
     levels = [level for level in tree["levels"].values() if isinstance(level, dict)]
     if any(level.keys() & {"drawing", "walls", "measurements", "fiducials", "elevation"} for level in levels):
         return True
-    vertices = [one for level in levels for one in (level.get("vertices") or []) if isinstance(one, list)]
-    return bool(vertices) and len(vertices[0]) > 3
+    lists = [level.get("vertices") for level in levels]
+    first = next((one[0] for one in lists if isinstance(one, list) and one), None)
+    return isinstance(first, list) and len(first) > 3
 
 
 def _reader(format_: GraphFormat) -> Read:

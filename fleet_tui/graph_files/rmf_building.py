@@ -23,8 +23,8 @@ from fleet_tui.model.graphs.document import (
     Stop,
 )
 
-GRAPHS = 9
-"""The graphs that one building can have are numbered from 0 to 8."""
+FASTEST = 1e6
+"""Metres per second; a larger limit is none."""
 OTHERS = ("walls", "doors", "models", "floors", "measurements", "layers", "features", "holes")
 _IMAGE = "reference_image"
 _MOTIONS = {"forward": Motion.FORWARD, "backward": Motion.BACKWARD}
@@ -214,7 +214,7 @@ def _edge(n: int, start: str, end: str, params: Table) -> DocumentEdge:
         start,
         end,
         two_way=params.get("bidirectional") is True,
-        speed=float(speed) if isinstance(speed, int | float) and 0 < speed < 1e300 else None,
+        speed=float(speed) if isinstance(speed, int | float) and 0 < speed < FASTEST else None,
         motion=_MOTIONS.get(motion, Motion.ANY) if isinstance(motion, str) else Motion.ANY,
     )
 

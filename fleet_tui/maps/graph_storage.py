@@ -41,6 +41,9 @@ def save_graph_file(path: Path, text: str) -> Path | None:
 
     Raises GraphError.
     """
+    # A stream that happens to be a file would be replaced under the hands of whoever reads it.
+    if path.absolute().parts[1:2] in (("dev",), ("proc",)):
+        raise GraphError("not a regular file")
     path = path.resolve()
     if path.is_dir():
         raise GraphError("is a folder: name a file")

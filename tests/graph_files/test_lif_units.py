@@ -41,5 +41,6 @@ def test_other_units_are_converted() -> None:
 
 
 def test_other_structures_are_no_concern_here() -> None:
+    assert in_si_units(tree(10**400, 10**400), ReadChoices())[1] == ()
     assert in_si_units({"layouts": 7}, ReadChoices())[1] == ()
     assert in_si_units({"layouts": [7, {"nodes": [{"nodePosition": []}]}]}, ReadChoices())[1] == ()

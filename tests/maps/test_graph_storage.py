@@ -39,6 +39,8 @@ def test_what_cannot_be_written(tmp_path: Path) -> None:
         save_graph_file(tmp_path / "no" / "g", "")
     with pytest.raises(GraphError, match="not a regular file"):
         save_graph_file(Path("/dev/null"), "")
+    with pytest.raises(GraphError, match="not a regular file"):
+        save_graph_file(Path("/dev/stdout"), "")
     (tmp_path / "g").write_text("old")
     (tmp_path / "g.bak").mkdir()
     (tmp_path / "g.bak" / "g").mkdir()
