@@ -210,6 +210,7 @@ class EditActions(Struct, frozen=True):
     redo: Act
     lint: Act
     compare: Act
+    write: Act
 
 
 class Actions(Struct, frozen=True):

@@ -87,7 +87,12 @@ def _files(
         recent = files.recordings.recent() if files.recordings is not None else []
         return pack_incident(config, state_folder(), shot, recent, is_over)
 
-    files = ConsoleFiles(open_them, pack, saving, partial(draft_of, state_folder(), config, demo))
+    def graph_file(floor: str) -> Path | None:
+        named = next((one.graph for one in config.floors if one.name == floor), "")
+        return config.beside(named) if named else None
+
+    drafts = partial(draft_of, state_folder(), config, demo)
+    files = ConsoleFiles(open_them, pack, saving, drafts, graph_file)
     return files
 
 

@@ -23,10 +23,13 @@ class ConsoleFiles:
         pack: Pack | None = None,
         saving: "Saving | None" = None,
         draft: "Callable[[str], DraftFile | None]" = lambda _floor: None,
+        graph_file: Callable[[str], Path | None] = lambda _floor: None,
     ) -> None:
         """`open_them` opens the audit log and the recordings: after the first picture, before the link.
-        `draft` returns the file of a floor's drawn graph."""
-        self._open_them, self.pack, self.saving, self.draft = open_them, pack, saving, draft
+        `draft` returns the file of a floor's drawn graph, `graph_file` that of its own graph if it has
+        one."""
+        self._open_them, self.pack, self.saving = open_them, pack, saving
+        self.draft, self.graph_file = draft, graph_file
         self.audit: Audit | None = None
         self.recordings: Recordings | None = None
 

@@ -17,6 +17,14 @@ WRITERS: dict[GraphFormat, Write] = {
     GraphFormat.GEOJSON: geojson.write,
     GraphFormat.LIF: lif_text.write,
 }
+ENDINGS: dict[str, GraphFormat] = {
+    ".building.yaml": GraphFormat.RMF_BUILDING,
+    ".geojson": GraphFormat.GEOJSON,
+    ".lif.json": GraphFormat.LIF,
+    ".lif": GraphFormat.LIF,
+    ".xml": GraphFormat.OPENTCS,
+}
+"""The format that the end of a file's name tells."""
 ONE_FLOOR = frozenset({GraphFormat.OH, GraphFormat.GEOJSON})
 """The formats with a file for each floor."""
 
@@ -42,6 +50,11 @@ def write_graph(document: GraphDocument, format_: GraphFormat, choices: WriteCho
             f"contents kept for {format_.value} are not as the format has them: {truncate(str(problem), 80)}"
         )
         raise GraphError(text) from problem
+
+
+def named_format(name: str) -> GraphFormat | None:
+    """Return the format that a file's name tells, None if several have such names."""
+    return next((format_ for end, format_ in ENDINGS.items() if name.lower().endswith(end)), None)
 
 
 def _check(floor: DocumentFloor) -> None:

@@ -132,6 +132,7 @@ def _edit_actions(rest: "Rest") -> EditActions:
         redo=editor.redo,
         lint=rest.checks.show_findings,
         compare=rest.checks.compare,
+        write=rest.draft_files.write,
     )
 
 

@@ -9,6 +9,7 @@ from fleet_tui.controllers.alarms import AlarmResponses
 from fleet_tui.controllers.editing.checks import DraftChecks
 from fleet_tui.controllers.editing.drawing import GraphDrawing
 from fleet_tui.controllers.editing.editor import EditorParts, GraphEditor
+from fleet_tui.controllers.editing.files import DraftFiles
 from fleet_tui.controllers.editing.values import VertexValues
 from fleet_tui.controllers.map import MapControls
 from fleet_tui.controllers.offers import Offers
@@ -16,6 +17,7 @@ from fleet_tui.controllers.orders import OrderRequests
 from fleet_tui.controllers.poses import PoseRequests
 from fleet_tui.controllers.robots import RobotRequests
 from fleet_tui.controllers.save import SaveCommand
+from fleet_tui.controllers.typed import Typed
 from fleet_tui.keys import Key, Pane, overruled
 from fleet_tui.keys.key import key_name
 from fleet_tui.rules.routes.order_draft import Drafted, draft_route
@@ -75,7 +77,7 @@ class Rest:
         offers = Offers(
             store, dispatch, navigation, screen.session, self.save, settings.themes, partial(_run, screen)
         )
-        self.palette = Palette(offers.entries, lambda line: self.values.typed(line) or offers.typed(line))
+        self.palette = Palette(offers.entries, lambda line: self._typed_on_draft(line) or offers.typed(line))
         self._edit_with(EditorParts(store, dispatch, navigation, notices, menu, self.palette.show))
         self.simple = self._simple_switch(screen)
         self.actions = key_actions(screen, self)
@@ -94,8 +96,14 @@ class Rest:
         self.poses = PoseRequests(*parts[:4], self.confirm.ask, self.map_controls, self.map.picture)
         self.editor = GraphEditor(parts, self.map_controls, self.map.picture, self._screen.files.draft)
         self.checks = DraftChecks(parts, self.editor, partial(_in_background, self._screen))
+        files, ask = self._screen.files, self.confirm.ask
+        self.draft_files = DraftFiles(parts, self.editor, self.checks, files, ask)
         self.values = VertexValues(parts, self.editor)
         self.drawing = GraphDrawing(parts, self.editor, self.values)
+
+    def _typed_on_draft(self, line: str) -> Typed | None:
+        """Parse a typed line that is about the draft, None for any other."""
+        return self.values.typed(line) or self.draft_files.typed(line)
 
     async def mount(self, screen: "MainScreen") -> None:
         """Mount all widgets, the focus on the map. The audit log starts before there is a link."""

@@ -7,7 +7,9 @@ from pathlib import Path
 from fleet_tui.controllers.editing.checks import DraftChecks
 from fleet_tui.controllers.editing.drawing import GraphDrawing
 from fleet_tui.controllers.editing.editor import EditorParts, GraphEditor
+from fleet_tui.controllers.editing.files import DraftFiles
 from fleet_tui.controllers.editing.values import VertexValues
+from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.maps.draft_file import DraftFile
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graphs.document import DocumentFloor
@@ -36,6 +38,9 @@ class DrawnGraph:
             lambda floor: None if folder is None else DraftFile(folder, "site", floor),
         )
         self.checks = DraftChecks(parts, self.editor, lambda work, then: then(work()))
+        self.graph_file: Path | None = None
+        files = ConsoleFiles(graph_file=lambda _floor: self.graph_file)
+        self.files = DraftFiles(parts, self.editor, self.checks, files, desk.ask)
         self.values = VertexValues(parts, self.editor)
         self.drawing = GraphDrawing(parts, self.editor, self.values)
         pane.map.show(floor_scene(state, desk.navigation.selection))
@@ -57,7 +62,7 @@ class DrawnGraph:
 
     def typed(self, line: str) -> None:
         """Type a line into the palette, and press Enter."""
-        typed = self.values.typed(line)
+        typed = self.values.typed(line) or self.files.typed(line)
         assert typed is not None
         typed.entries[0][1]()
 

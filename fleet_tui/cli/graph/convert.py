@@ -13,20 +13,12 @@ from fleet_tui.errors import GraphError
 from fleet_tui.graph_files.graph_file import GraphFile, MissingChoiceError, WriteChoices
 from fleet_tui.graph_files.losses import losses
 from fleet_tui.graph_files.reading import format_named, recognised
-from fleet_tui.graph_files.writing import ONE_FLOOR, WRITERS, write_graph
+from fleet_tui.graph_files.writing import ONE_FLOOR, WRITERS, named_format, write_graph
 from fleet_tui.maps.graph_storage import graph_text, save_graph_file
 from fleet_tui.model.graphs.document import GraphDocument, GraphFormat
 from fleet_tui.rules.graphs.finding import LintInputs
 from fleet_tui.rules.graphs.targets import of_target
 from fleet_tui.text.sanitize import sanitize
-
-_ENDINGS = {
-    ".building.yaml": GraphFormat.RMF_BUILDING,
-    ".geojson": GraphFormat.GEOJSON,
-    ".lif.json": GraphFormat.LIF,
-    ".lif": GraphFormat.LIF,
-    ".xml": GraphFormat.OPENTCS,
-}
 
 
 def convert(
@@ -70,9 +62,8 @@ def _format_of(target: str) -> GraphFormat:
     path = Path(target)
     if path.is_file() and (found := _existing(path)):
         return found
-    for ending, format_ in _ENDINGS.items():
-        if path.name.lower().endswith(ending):
-            return format_
+    if (named := named_format(path.name)) is not None:
+        return named
     choices = tuple(one.value for one in WRITERS)
     raise MissingChoiceError(f"no format is known for {path.name}: {', '.join(choices)}", "--to", choices)
 

@@ -1,0 +1,141 @@
+"""Writes the draft of a graph to a file, after what it loses and what is wrong with it is known."""
+
+from datetime import UTC, datetime
+from functools import partial
+from pathlib import Path
+
+from fleet_tui.config.schema import expanded
+from fleet_tui.controllers.dispatch import Ask
+from fleet_tui.controllers.editing.checks import DraftChecks, counts_text
+from fleet_tui.controllers.editing.editor import EditorParts, GraphEditor
+from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.controllers.typed import Typed
+from fleet_tui.errors import GraphError
+from fleet_tui.graph_files.graph_file import MissingChoiceError, ReadChoices, WriteChoices
+from fleet_tui.graph_files.losses import losses
+from fleet_tui.graph_files.reading import HAS_FLOORS, format_named, recognised
+from fleet_tui.graph_files.writing import WRITERS, named_format, write_graph
+from fleet_tui.maps.graph_storage import graph_text, load_graph_file, save_graph_file
+from fleet_tui.model.graphs.document import DocumentFloor, GraphDocument, GraphFormat, of_floor
+from fleet_tui.rules.graphs.lint import lint
+from fleet_tui.text.sanitize import sanitize
+
+WORD = "write"
+"""First word of a typed line that writes the draft."""
+USUAL = GraphFormat.NATIVE
+"""The format of a new file whose name tells none."""
+
+
+class DraftFiles:
+    """Writes to the floor's own graph file, or to one whose name is typed: `write FILE [FORMAT [VEHICLE]]`.
+    LIF wants the type of the vehicles."""
+
+    def __init__(
+        self, parts: EditorParts, editor: GraphEditor, checks: DraftChecks, files: ConsoleFiles, ask: Ask
+    ) -> None:
+        self._parts, self._editor, self._checks, self._files, self._ask = parts, editor, checks, files, ask
+
+    def write(self) -> None:
+        """Write to the floor's graph file; without one ask for a name."""
+        opened = self._editor.opened
+        if opened is None:
+            return
+        path = self._files.graph_file(opened[0].floor.name)
+        if path is None:
+            self._parts.begin(f"{WORD} {opened[0].floor.name}.yaml")
+        else:
+            self._write(path, None, "")
+
+    def typed(self, line: str) -> Typed | None:
+        """Parse a typed line as a file to write to, None if it is none."""
+        word, _, rest = line.strip().partition(" ")
+        if word != WORD or not self._editor.is_open:
+            return None
+        name, wanted, vehicle = (*rest.split(None, 2), "", "", "")[:3]
+        formats = ", ".join(format_.value for format_ in WRITERS)
+        if not name:
+            return Typed(problem=f"a file, then a format if its name tells none: {formats}")
+        try:
+            format_ = format_named(wanted) if wanted else None
+        except GraphError as problem:
+            return Typed(problem=sanitize(str(problem)))
+        shown = f" as {format_.value}" if format_ is not None else ""
+        return Typed(
+            [
+                (
+                    f"Write the draft to {sanitize(name)}{shown}",
+                    partial(self._write, expanded(name), format_, vehicle),
+                )
+            ]
+        )
+
+    def _write(self, path: Path, wanted: GraphFormat | None, vehicle: str) -> None:
+        """Write, after a question if a file is replaced, something is lost or wrong."""
+        opened = self._editor.opened
+        if opened is None:
+            return
+        floor = opened[0].floor
+        try:
+            format_ = wanted or _format_of(path)
+            document = _joined(path, format_, floor)
+            at = datetime.now(UTC).strftime("%Y-%m-%dT%H:%M:%SZ")
+            text = write_graph(document, format_, WriteChoices(vehicle, at))
+        except MissingChoiceError as missing:
+            self._parts.notices.say(sanitize(f"not written: {missing}: write FILE lif VEHICLE"))
+            return
+        except GraphError as problem:
+            self._parts.notices.say(sanitize(f"not written: {problem}"))
+            return
+        doubts = [f"lost: {loss}" for loss in losses(document, format_)]
+        if found := lint(of_floor(floor), self._checks.inputs(floor, format_)):
+            doubts.append(f"{counts_text(found)}: ! lists them")
+        if path.exists():
+            doubts.append("the old file is kept as .bak")
+        save = partial(self._save, path, format_, text, floor)
+        if not doubts:
+            save()
+            return
+        question = "\n".join([f"Write {path.name} as {format_.value}?", *doubts])
+        self._ask(lambda: sanitize_lines(question), save)
+
+    def _save(self, path: Path, format_: GraphFormat, text: str, floor: DocumentFloor) -> None:
+        try:
+            kept = save_graph_file(path, text)
+        except GraphError as problem:
+            self._parts.notices.say(sanitize(f"{path}: {problem}"))
+            return
+        where = str(path).replace(str(Path.home()), "~", 1)
+        counts = f"{len(floor.vertices)} vertices, {len(floor.edges)} edges"
+        said = f"{where}: {format_.value}, {counts}"
+        if kept is not None:
+            said += f"; the old file is {kept.name}"
+        if self._files.audit is not None:
+            self._files.audit.log_console("graph written", f"{floor.name}: {said}")
+        self._parts.notices.say(sanitize(said))
+
+
+def sanitize_lines(text: str) -> str:
+    """Return text with its control characters made visible, but for its own line ends."""
+    return "\n".join(map(sanitize, text.split("\n")))
+
+
+def _format_of(path: Path) -> GraphFormat:
+    """Return the format of an existing file, else the one that its name tells."""
+    try:
+        found = recognised(graph_text(path)) if path.is_file() else None
+    except GraphError:
+        found = None  # what is unreadable is replaced, and kept beside it
+    if found in WRITERS:
+        return found
+    return named_format(path.name) or USUAL
+
+
+def _joined(path: Path, format_: GraphFormat, floor: DocumentFloor) -> GraphDocument:
+    """Return the draft as a document, with the other floors of a file that has them."""
+    if format_ not in HAS_FLOORS or not path.is_file():
+        return of_floor(floor)
+    try:
+        document = load_graph_file(path, None, ReadChoices(floor.name)).document
+    except GraphError:
+        return of_floor(floor)
+    return document.with_floor(floor) if floor.name in document.floors else of_floor(floor)
