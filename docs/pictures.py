@@ -52,6 +52,7 @@ FRAME = 0.5
 COLOURS = 64
 
 ESC = "Escape"
+DRAW = ["E", "'iL", "Up", "'eJ", "Down", "'eHH", "'e"]
 CONSOLES = {
     "start": Console(["--robots", "12"], {"first": []}, wait=1.2),
     "fleet": Console(
@@ -84,8 +85,9 @@ CONSOLES = {
     "ascii": Console(["--robots", "12", "--drawing", "ascii"], {"calm": []}),
     "nav2": Console(
         ["--robots", "3", "--kind", "nav2", "--fault", "foreign-goal:robot_1"],
-        {"calm": [], "order": ["o", "'Ba"]},
+        {"calm": [], "order": ["o", "'Ba"], "pose": [ESC, ESC, "'IL", "Right", "Up", "'hh"]},
     ),
+    "edit": Console(["--robots", "3"], {"drawn": DRAW, "checks": ["exclam"], "menu": [ESC, "Return"]}),
 }
 
 ORDER = ["o", "'Ba", "Return", "'Con", "Return"]
@@ -99,6 +101,7 @@ DOCS = {
             {"theme": ["colon", "'theme light", "Return"], "trails": ["t"], "paused": ["'P"]},
         ),
     ),
+    "editing": ((100, 28), Console(["--robots", "3"], {"drawn": DRAW}, wait=8)),
     "nav2": (
         (100, 34),
         Console(

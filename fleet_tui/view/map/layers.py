@@ -61,6 +61,10 @@ def draw_vertices(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) 
     on_way = (below == StyleRole.MISSION) | (below == StyleRole.MISSION_THROUGH)
     on_way &= roles == StyleRole.VERTEX
     codes[on_way], roles[on_way] = ord("*" if look.plain else "•"), StyleRole.MISSION
+    if look.edges:
+        # Who looks at edges looks at what they join.
+        bare = roles == StyleRole.VERTEX
+        codes[bare], roles[bare] = ord("*" if look.plain else "•"), StyleRole.VERTEX_LABELLED
     if targets := scene.target_vertices:
         roles[[scene.vertices[i].id in targets for i in indices.tolist()]] = StyleRole.TARGET
     cells.codes[y, x], cells.roles[y, x] = codes, roles

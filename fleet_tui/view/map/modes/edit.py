@@ -33,6 +33,8 @@ class EditMode:
         self.cursor, self.note, self._roles = cursor, "", roles
         self._made = dict[str, SceneVertex]()
         self._lines = dict[str, Line]()
+        self._changed = set[str]()
+        """Edges that were drawn, turned or moved since the mode was entered."""
         self.selected = self.edge = ""
         self.held = False
         self._grasped = ""
@@ -51,6 +53,7 @@ class EditMode:
         else:
             self._renew(change)
         self._vertices, self._edges = tuple(self._made.values()), tuple(self._lines.values())
+        self._drawn = tuple(line for id_, line in self._lines.items() if id_ in self._changed)
         self._one_way = tuple(line for id_, line in self._lines.items() if not floor.edges[id_].two_way)
 
     def _renew(self, change: Change) -> None:
@@ -62,6 +65,7 @@ class EditMode:
             edges.update(
                 id_ for id_, one in floor.edges.items() if one.start in touched or one.end in touched
             )
+        self._changed |= edges
         for id_ in touched:
             self._made.pop(id_, None)
             if id_ in floor.vertices:
@@ -83,19 +87,22 @@ class EditMode:
     def banner(self) -> str:
         """Return the cursor's place, and the distance from the selected vertex."""
         x, y = (round(metres, 2) + 0.0 for metres in self.cursor)
-        text = f"EDIT {x:.2f}, {y:.2f} m"
+        # The counts first: the cursor is seen on the map.
+        text = f"EDIT {self.note + ', ' if self.note else ''}{x:.2f}, {y:.2f} m"
         if self.selected:
             vertex = self.floor.vertices[self.selected]
             away = math.dist((vertex.x, vertex.y), self.cursor)
             name = sanitize(vertex.label or vertex.id)
             text += f", {'moving' if self.held else 'from'} {name} {away:.1f} m"
-        return ", ".join(part for part in (text, self.note) if part)
+        return text
 
     def adjusted(self, scene: Scene) -> Scene:
-        """Return the scene with the draft's graph, the selected edge as a way; other floors as they are."""
+        """Return the scene with the draft's graph, the selected edge as a way, and those that were drawn or
+        moved as the next one; other floors as they are."""
         if scene.floor != self.floor.name:
             return scene
-        way = Mission((self._lines[self.edge],)) if self.edge in self._lines else None
+        chosen_edge = (self._lines[self.edge],) if self.edge in self._lines else ()
+        way = Mission(chosen_edge, self._drawn) if chosen_edge or self._drawn else None
         chosen = (self.selected,) if self.selected else ()
         return replace(
             scene,

@@ -64,7 +64,7 @@ def test_the_banner_says_where_the_cursor_is_and_how_far_from_the_selected_verte
     mode = EditMode(FLOOR, (2.0, 5.0))
     assert mode.banner == "EDIT 2.00, 5.00 m"
     mode.selected, mode.note = "7", "2 errors"
-    assert mode.banner == "EDIT 2.00, 5.00 m, from Dock 3.0 m, 2 errors"
+    assert mode.banner == "EDIT 2 errors, 2.00, 5.00 m, from Dock 3.0 m"
     mode.held = True
     assert "moving Dock" in mode.banner
 
