@@ -89,8 +89,8 @@ def check(config_file: str | None, debug: bool, file: str | None) -> None:
 
 def _graph_problems(config: Config) -> list[str]:
     """Return the errors in existing graph files."""
-    files = [(n, config.beside(floor.graph)) for n, floor in enumerate(config.floors) if floor.graph]
-    loaded = [(n, load_floor_graph("", path)) for n, path in files if path.is_file()]
+    files = [(n, one.name, config.beside(one.graph)) for n, one in enumerate(config.floors) if one.graph]
+    loaded = [(n, load_floor_graph(name, path)) for n, name, path in files if path.is_file()]
     return [f"floors[{n}].graph: {graph.problem}" for n, graph in loaded if graph.problem]
 
 
