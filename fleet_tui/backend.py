@@ -9,6 +9,7 @@ from fleet_tui.config.schema import Config
 from fleet_tui.model.commands import Command
 from fleet_tui.model.events import Event
 from fleet_tui.state.store import Store
+from fleet_tui.state.streams import Streams
 
 if TYPE_CHECKING:
     from fleet_tui.client.tap import Tap
@@ -25,6 +26,16 @@ class Backend(Protocol):
     @property
     def counters(self) -> "Mapping[str, LinkCounter]":
         """Return the counters of each link. They change all the time."""
+
+    @property
+    def streams(self) -> Streams:
+        """Return the newest values of the watched streams."""
+
+    def watch(self, robot: str, key: str) -> None:
+        """Subscribe to a stream of a robot, `scan` or `path`; its values are in `streams`."""
+
+    def unwatch(self, robot: str, key: str) -> None:
+        """Unsubscribe from a stream."""
 
     def open(self) -> None:
         """Start to feed the store. May take long: called in a thread of its own."""
@@ -101,6 +112,7 @@ class LiveBackend:
 
     def __init__(self, config: Config, store: Store, connect: Connect = connect_live) -> None:
         self._config, self._store, self._connect = config, store, connect
+        self.streams = store.streams
         self.links: OpenLinks | None = None
         self._map: tuple[str, str] | None = None
         self._reads_logs = self._closed = False
@@ -139,6 +151,14 @@ class LiveBackend:
         if self.links is not None:
             self.links.post(event)
         return ""
+
+    def watch(self, robot: str, key: str) -> None:
+        """Subscribe to a stream of a robot."""
+        self.streams.watch(robot, key)
+
+    def unwatch(self, robot: str, key: str) -> None:
+        """Unsubscribe from a stream."""
+        self.streams.unwatch(robot, key)
 
     def show_map(self, robot: str, floor: str) -> None:
         """Subscribe to the live map of one robot's floor."""

@@ -1,14 +1,21 @@
 """The adapter protocol: reports and requests of a kind of robots, and their messages."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Literal, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Literal, NamedTuple, Protocol
 
 from fleet_tui.adapters.probes import Probe
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.events import Event
-from fleet_tui.model.kind import Kind
+from fleet_tui.model.kind import PATH, SCAN, Kind
 from fleet_tui.model.robot import Robot
+
+if TYPE_CHECKING:
+    from fleet_tui.model.set_up.streams import LaserScan, PlannedPath
+
+
+STREAM_KEYS = {SCAN: SCAN, PATH: PATH, "plan": PATH}
+"""Streams by the keys of their topics."""
 
 
 class Feed(NamedTuple):
@@ -38,6 +45,11 @@ class Feed(NamedTuple):
     def robot(self) -> str:
         """The first robot it reports on."""
         return self.robots[0]
+
+    @property
+    def stream_key(self) -> str:
+        """The key of the stream that it feeds, empty for none."""
+        return STREAM_KEYS.get(self.key, "")
 
     @property
     def on_demand(self) -> bool:
@@ -108,6 +120,9 @@ class Adapter(Protocol):
 
     def read(self, feed: Feed, msg: object, at: float) -> Iterable[Event]:
         """Return the events of a message, still encoded. `at`: monotonic seconds. Raises WireError."""
+
+    def stream(self, feed: Feed, msg: object) -> "LaserScan | PlannedPath":
+        """Return the value of a stream, a path also in the plan of a goal. Raises WireError."""
 
     def services(self, robot: str) -> Iterable[tuple[str, str, str]]:
         """Return key, name and type of each service that is called, the most urgent first."""

@@ -5,6 +5,7 @@ import asyncio
 import logging
 import random
 from collections.abc import Callable, Iterable, Mapping, Set
+from contextlib import suppress
 
 from fleet_tui.adapters.adapter import Adapter, Feed
 from fleet_tui.adapters.ros import operations
@@ -141,9 +142,8 @@ class Subscriber:
         return [
             one
             for one in self._feeds
-            if any(robot in robots for robot in one.robots)
-            and (not one.on_demand or one is self._map or one in self._watched)
-        ]
+            if any(robot in robots for robot in one.robots) and (not one.on_demand or one is self._map)
+        ] + [one for one in self._watched if one.robot in robots]
 
     def _subscribe_to(self, robots: Set[str]) -> None:
         for wanted in self._of(robots):
@@ -174,13 +174,13 @@ class Subscriber:
                 self._report(events.MessageRejected(wanted.robot, problem))
             return
         self._reading.counter.topics[wanted.address].not_subscribed = ""
-        topic = wanted.address
+        topic, is_large = wanted.address, wanted.large or wanted.wanted_for == "stream"
         asked = operations.Subscription(
             topic,
             # ROS 2 writes the same type with a middle part: the bridge expects its own spelling.
             self.types.get(topic, wanted.type),
             wanted.rate_ms,
-            "cbor" if wanted.large and topic not in self._as_json else "none",
+            "cbor" if is_large and topic not in self._as_json else "none",
             latched=wanted.latched and self._is_ros2 and self._latched.wants_qos(topic),
         )
         try:
@@ -190,19 +190,22 @@ class Subscriber:
         # If rosapi answers, it shows whether there is a map at all.
         if asked.compression == "cbor" and (topic in self.types or not self.types):
             patience = CBOR_PATIENCE_ROS2 if self._is_ros2 and self.types else CBOR_PATIENCE
-            self._json_timer = asyncio.get_running_loop().call_later(patience, self._request_as_json, wanted)
+            count, loop = self._reading.counter.topics[topic].count, asyncio.get_running_loop()
+            timer = loop.call_later(patience, self._request_as_json, wanted, count)
+            self._json_timer = timer if wanted.large else self._json_timer
 
-    def _request_as_json(self, wanted: Feed) -> None:
-        if self._map is wanted and wanted.address not in self._reading.maps_received:
+    def _request_as_json(self, wanted: Feed, count: int) -> None:
+        has_come = self._reading.counter.topics[wanted.address].count > count
+        if wanted.large:
+            has_come = wanted.address in self._reading.maps_received
+        if (self._map is wanted or wanted in self._watched) and not has_come:
             self._unsubscribe(wanted)
             self._as_json.add(wanted.address)
             self._subscribe(wanted)
 
     def _unsubscribe(self, wanted: Feed) -> None:
-        try:
+        with suppress(LinkError):
             self._connection.send(operations.unsubscribe(wanted.address))
-        except LinkError:
-            return
 
     def watch(self, feeds: Iterable[Feed]) -> None:
         """Subscribe to these on-demand feeds, and unsubscribe from the earlier ones."""
@@ -216,14 +219,8 @@ class Subscriber:
 
     def show_map(self, robot: str, floor: str) -> None:
         """Subscribe to one robot's live map of a floor, and unsubscribe from the earlier one; "" for none."""
-        wanted = next(
-            (
-                feed
-                for feed in self._feeds
-                if feed.wanted_for == "map" and feed.floor == floor and robot in feed.robots
-            ),
-            None,
-        )
+        maps = (feed for feed in self._feeds if feed.wanted_for == "map" and feed.floor == floor)
+        wanted = next((feed for feed in maps if robot in feed.robots), None)
         if wanted is self._map:
             return
         if self._map is not None:

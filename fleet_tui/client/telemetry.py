@@ -3,19 +3,27 @@
 import asyncio
 import logging
 import time
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 
-from fleet_tui.adapters.adapter import Adapter
+from fleet_tui.adapters.adapter import Adapter, Feed
 from fleet_tui.adapters.ros import operations
 from fleet_tui.adapters.ros.fragments import Fragments
 from fleet_tui.adapters.ros.operations import topic_of
-from fleet_tui.adapters.ros.reading import DIAGNOSTICS, ROSOUT, WORTH_A_PROCESS, FrameReader, Read
+from fleet_tui.adapters.ros.reading import (
+    DIAGNOSTICS,
+    ROSOUT,
+    WORTH_A_PROCESS,
+    FrameReader,
+    Read,
+    StreamTaken,
+)
 from fleet_tui.client.backlog import Backlog, Frame
 from fleet_tui.client.calls import Calls
 from fleet_tui.client.memory import trim
 from fleet_tui.client.services import Services
+from fleet_tui.client.set_up.stream_writer import StreamWriter
 from fleet_tui.client.sourcing import Sourcing
 from fleet_tui.client.subscriber import Subscriber
 from fleet_tui.client.writer import Writer
@@ -25,7 +33,7 @@ from fleet_tui.errors import WireError
 from fleet_tui.maps.map_process import decode_apart
 from fleet_tui.model import events
 from fleet_tui.model.link import Phase
-from fleet_tui.model.navigation_events import Live
+from fleet_tui.model.navigation_events import Live, LocalisationReported, OdometryReported
 from fleet_tui.text.limits import truncate
 from fleet_tui.transports.rosbridge.connection import Connection
 
@@ -39,6 +47,7 @@ TRIM_AFTER = 1.0
 MOST_WAITING = 64 * 2**20
 # Topics of which every message counts, not only the newest.
 LOGS = frozenset({ROSOUT, DIAGNOSTICS})
+_PLACES = events.PoseReported | OdometryReported | LocalisationReported
 # Seconds between checks for silent robots.
 CHECK_EVERY = 0.2
 
@@ -51,25 +60,28 @@ class Telemetry:
         self._writer = writer
         self._logged: set[str] = set()
         self._waiting = 0
-        self._received_at = self._reported_at = self._active_at = 0.0
+        self._received_at = self._reported_at = self._active_at = self._next_check = 0.0
         self._last_messages: dict[str, float] = {}
-        self._next_check = 0.0
         self._decoder = ThreadPoolExecutor(1, thread_name_prefix="fleet-tui-decode")
         bridge = config.bridge(link)
         feeds = feeds_of(config, adapters, link)
         self.connection = Connection(bridge, self)
         self._calls = Calls(self.connection)
-        self._reading = FrameReader(link, limit_of(config, link), adapters, feeds, decode_apart, LOG.warning)
+        self._streams, limit = writer.store.streams, limit_of(config, link)
+        sink = StreamWriter(writer.store)
+        self._reading = FrameReader(link, limit, adapters, feeds, decode_apart, LOG.warning, sink)
         self._subscriber = Subscriber(
             self.connection, self._calls, feeds, adapters, self._reading, self._take
         )
-        self._targets = [feed for feed in feeds if feed.wanted_for == "target"]
+        self._on_demand = [feed for feed in feeds if feed.wanted_for in ("target", "stream")]
         self.services = Services(self._calls, services_of(config, adapters, link))
         self._sourcing = Sourcing(
             link, self._calls, feeds, self._reading, lambda: self._subscriber.types, writer.apply
         )
-        self.show_map = self._subscriber.show_map
-        self.subscribe_logs = self._subscriber.log_subscription.listen
+        self.show_map, self.subscribe_logs = (
+            self._subscriber.show_map,
+            self._subscriber.log_subscription.listen,
+        )
         self.counter = self._reading.counter
         self._fragments = Fragments(int(bridge.max_message_mb * 1e6))
         self._backlog = Backlog(self.connection, self._reading, self._read_frame)
@@ -84,7 +96,14 @@ class Telemetry:
             self._next_check = now + CHECK_EVERY
             self._subscriber.check(now, self._last_messages)
             self.services.note_active(self._last_messages)
-            self._subscriber.watch(feed for feed in self._targets if self._wants_target(feed.robot))
+            self._subscriber.watch(self._wanted_feeds())
+
+    def _wanted_feeds(self) -> Iterator[Feed]:
+        for feed in self._on_demand:
+            if self._streams.wants(feed.robot, feed.stream_key):
+                yield feed._replace(wanted_for="stream")
+            elif feed.wanted_for == "target" and self._wants_target(feed.robot):
+                yield feed
 
     def _wants_target(self, robot: str) -> bool:
         """Tell whether a robot drives a goal with an unknown target."""
@@ -167,6 +186,8 @@ class Telemetry:
     def _take_frame(self, payload: bytes, is_binary: bool, at: float, read: Read) -> None:
         """Apply the events of a frame that arrived at `at`. Only whole messages are recorded, not
         fragments."""
+        if isinstance(read, StreamTaken):
+            return  # not recorded: ten minutes of scans are larger than a day of everything else
         if self._writer.tap is not None and not isinstance(read, operations.Fragment):
             self._writer.tap.on_received(self._link, "topics", payload, is_binary, at)
         if isinstance(read, operations.ServiceResponse):
@@ -183,6 +204,9 @@ class Telemetry:
         elif isinstance(event, events.Telemetry | Live):
             self._last_messages[event.robot] = event.at
         self._writer.store.apply(event)
+        robots = self._writer.store.state.robots
+        if isinstance(event, _PLACES) and event.robot in robots:
+            self._streams.note(robots[event.robot])
 
     def _put_together(self, piece: operations.Fragment) -> None:
         try:

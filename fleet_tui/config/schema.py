@@ -16,6 +16,7 @@ LINK_FILES = ("ca_file", "client_cert", "client_key", "authorization_file", "ros
 
 Positive = Annotated[float, msgspec.Meta(gt=0, lt=1e6)]
 NotNegative = Annotated[float, msgspec.Meta(ge=0, lt=1e6)]
+Offset = Annotated[float, msgspec.Meta(ge=-100, le=100)]
 Percent = Annotated[float, msgspec.Meta(ge=0, le=100)]
 
 
@@ -78,13 +79,16 @@ class FloorEntry(msgspec.Struct, frozen=True):
 
 class RobotEntry(msgspec.Struct, frozen=True):
     """`[[robots]]`; no floors means every floor, no link the one of `[rosbridge]`; `profile` names a table of
-    `[profiles]` or a kind, by default that of its link, else `[profile]`; size in metres."""
+    `[profiles]` or a kind, by default that of its link, else `[profile]`; size in metres; `laser` is the pose
+    of its laser on it, in metres and radians, upside down if `laser_flipped`."""
 
     name: str
     floors: list[str] = []
     link: str = DEFAULT_LINK
     profile: str = ""
     size: tuple[Positive, Positive] | None = None
+    laser: tuple[Offset, Offset, Offset] | None = None
+    laser_flipped: bool = False
 
 
 class Operator(msgspec.Struct, frozen=True):

@@ -3,6 +3,7 @@
 from fleet_tui.config.fleet import adapters_of
 from fleet_tui.config.schema import Config
 from fleet_tui.model.fleet import FleetState, Floor, Limits
+from fleet_tui.model.geometry import Pose
 from fleet_tui.model.link import LinkState
 from fleet_tui.model.robot import Robot, RobotMap
 
@@ -43,6 +44,8 @@ def _robots(config: Config) -> dict[str, Robot]:
             says_paused="paused" in adapters[robot.name].kind.reports,
             kind=adapters[robot.name].kind,
             size=robot.size,
+            laser=Pose(*robot.laser) if robot.laser else None,
+            laser_flipped=robot.laser_flipped,
         )
         for number, robot in enumerate(config.robots, 1)
     }

@@ -7,6 +7,7 @@ A real bridge takes about 20 ms for each query in sequence. Pure.
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from fleet_tui.adapters.registry import KINDS
+from fleet_tui.adapters.ros.set_up import names as set_up
 from fleet_tui.adapters.ros.type_names import same_type
 
 EXAMPLES = 2
@@ -28,8 +29,14 @@ Alike = Sequence[Space]
 
 
 def telling_topics(topics: Mapping[str, str]) -> dict[str, str]:
-    """Return the topics of types that some kind of robots has: the others carry no information."""
-    types = {type_ for kind in KINDS.values() for _, type_ in kind.vocabulary.topics.values()}
+    """Return the topics of types that some kind of robots has: the others carry no information, nor do those
+    that only set-up uses."""
+    types = {
+        type_
+        for kind in KINDS.values()
+        for key, (_, type_) in kind.vocabulary.topics.items()
+        if key not in set_up.TOPICS
+    }
     known = {other: any(same_type(other, type_) for type_ in types) for other in set(topics.values())}
     return {name: type_ for name, type_ in topics.items() if known[type_]}
 

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Collection, Iterable, Mapping
+from difflib import get_close_matches
 
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros.type_names import plain_type, same_type
@@ -29,7 +30,7 @@ def near_topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> str:
     free = set(filter(bridge.rosapi.has, types)) - {one.topic for one in bridge.topics}
     fitting = [topic for topic in free if same_type(types[topic], wanted.type)]
     own = [topic for topic in fitting if topic.startswith(f"/{wanted.robot}/")]
-    near = nearest(facts.topic, own) or nearest(facts.topic, fitting) or nearest(facts.topic, free)
+    near = nearest(facts.topic, own) or nearest(facts.topic, fitting) or _alike(facts.topic, free)
     if not near:
         return ""
     meant = f"did you mean {listed(near)}?"
@@ -40,6 +41,12 @@ def near_topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> str:
         return f"{meant} Rename floor {wanted.floor} to {floor}"
     template = near[0].replace(f"/{wanted.robot}/", "/{robot}/").replace(f"/{wanted.floor}/", "/{floor}/")
     return f'{meant} Set [{bridge.table(wanted.robot)}.topics] {wanted.key} = "{template}"'
+
+
+def _alike(topic: str, free: Collection[str]) -> list[str]:
+    """Return the nearest names of any type: only if their last parts are alike, too."""
+    last = topic.rpartition("/")[2]
+    return nearest(topic, [one for one in free if get_close_matches(last, [one.rpartition("/")[2]])])
 
 
 def _floor_in(names: Names, facts: TopicFacts, topic: str) -> str:

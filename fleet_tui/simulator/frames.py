@@ -14,6 +14,7 @@ from typing import Any, Literal
 import cbor2
 import msgspec
 import numpy as np
+from numpy.typing import NDArray
 from PIL import Image
 
 Frame = str | bytes
@@ -24,7 +25,16 @@ Compression = Literal["none", "png", "cbor", "cbor-raw"]
 TAGS = {"int8": 72, "float32": 85, "float64": 86}  # the CBOR tags of RFC 8746 for little-endian arrays
 
 
+class Floats:
+    """A float32 array of any length: a list with nulls in JSON, a typed array in CBOR."""
+
+    def __init__(self, values: NDArray[np.float32]) -> None:
+        self.values = values
+
+
 def _as_list(value: Any) -> Any:
+    if isinstance(value, Floats):
+        return value.values.tolist()
     if isinstance(value, np.ndarray):
         if value.dtype == np.uint8:
             return base64.standard_b64encode(value.tobytes()).decode()
@@ -36,6 +46,8 @@ def _as_list(value: Any) -> Any:
 
 
 def _as_tag(encoder: cbor2.CBOREncoder, value: Any) -> None:
+    if isinstance(value, Floats):
+        value = value.values
     if not isinstance(value, np.ndarray):
         raise TypeError(f"{type(value)} has no place in a ROS message")
     if value.dtype == np.uint8:

@@ -8,7 +8,7 @@ from functools import partial
 from itertools import count
 from typing import TYPE_CHECKING, Any
 
-from fleet_tui.simulator.floorplan import HEIGHT, ORIGIN, RESOLUTION, WIDTH
+from fleet_tui.simulator.floorplan import HEIGHT, ORIGIN, RESOLUTION, WIDTH, Cells
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.robot import SimRobot
@@ -43,7 +43,17 @@ class Topic:
     due: Callable[[], bool] | None = None
 
 
-def topics_of(world: World, loaded_at: float, dialect: Dialect = ROS1) -> Iterator[Topic]:
+CellsOf = Callable[[SimFloor], tuple[Cells, tuple[float, float]]]
+"""Returns the cells of a floor's map, and the place of its lower left corner."""
+
+
+def _whole(floor: SimFloor) -> tuple[Cells, tuple[float, float]]:
+    return floor.cells, ORIGIN
+
+
+def topics_of(
+    world: World, loaded_at: float, dialect: Dialect = ROS1, cells: CellsOf = _whole
+) -> Iterator[Topic]:
     """Every topic of a world whose maps were loaded at this wall time."""
     for robot in world.robots.values():
         type_ = dialect.message_type("geometry_msgs/PoseStamped")
@@ -56,12 +66,33 @@ def topics_of(world: World, loaded_at: float, dialect: Dialect = ROS1) -> Iterat
             ("map_metadata", "nav_msgs/MapMetaData", _metadata(loaded_at, dialect)),
             ("graph", "OH_ressources/Graph", _graph(floor)),
             ("labeled_vertices", "OH_ressources/LabeledVertices", _labels(floor)),
-            ("map", "nav_msgs/OccupancyGrid", _map(floor, loaded_at, dialect)),
         ):
             always = partial(_always, raw_payload(dialect, type_, loaded_at, value))
             for robot in world.robots.values():
                 topic = f"/{robot.name}/{floor.name}/{name}"
                 yield Topic(topic, dialect.message_type(type_), always, latched=True)
+        yield from _maps(world, floor, loaded_at, dialect, cells)
+
+
+def _maps(
+    world: World, floor: SimFloor, loaded_at: float, dialect: Dialect, cells: CellsOf
+) -> Iterator[Topic]:
+    """The map of a floor, of each robot."""
+    type_ = "nav_msgs/OccupancyGrid"
+    loaded = raw_payload(dialect, type_, loaded_at, map_of(floor, loaded_at, dialect, cells))
+
+    def payload(now: float) -> Payload:
+        is_loaded = cells(floor)[0] is floor.cells
+        return loaded if is_loaded else Payload(map_of(floor, now, dialect, cells))
+
+    for robot in world.robots.values():
+        yield Topic(f"/{robot.name}/{floor.name}/map", dialect.message_type(type_), payload, latched=True)
+
+
+def headers_of(robot: SimRobot, dialect: Dialect) -> Callable[[float], Message]:
+    """The headers of the scans of a robot."""
+    said = count(1)
+    return lambda now: dialect.header(next(said), now, f"{robot.name}/laser")
 
 
 def raw_payload(dialect: Dialect, type_: str, now: float, value: Message) -> Payload:
@@ -142,13 +173,18 @@ _TELEMETRY: Mapping[str, tuple[str, Callable[[SimRobot], Message]]] = {
 }
 
 
-def _metadata(loaded_at: float, dialect: Dialect) -> Message:
-    x, y = ORIGIN
+def _metadata(
+    loaded_at: float,
+    dialect: Dialect,
+    origin: tuple[float, float] = ORIGIN,
+    shape: tuple[int, ...] = (HEIGHT, WIDTH),
+) -> Message:
+    x, y = origin
     return {
         "map_load_time": dialect.time(loaded_at),
         "resolution": float32(RESOLUTION),
-        "width": WIDTH,
-        "height": HEIGHT,
+        "width": shape[1],
+        "height": shape[0],
         "origin": {
             "position": {"x": x, "y": y, "z": 0.0},
             "orientation": {"x": 0.0, "y": 0.0, "z": 0.0, "w": 1.0},
@@ -170,6 +206,8 @@ def _labels(floor: SimFloor) -> Message:
     return {"vertices": [{"label": label, "vertex_id": id_} for id_, label in floor.labels.items()]}
 
 
-def _map(floor: SimFloor, loaded_at: float, dialect: Dialect) -> Message:
-    header = dialect.header(1, loaded_at, floor.name)
-    return {"header": header, "info": _metadata(loaded_at, dialect), "data": floor.cells.ravel()}
+def map_of(floor: SimFloor, at: float, dialect: Dialect, cells: CellsOf) -> Message:
+    """nav_msgs/OccupancyGrid, as a robot knows a floor now."""
+    known, origin = cells(floor)
+    info = _metadata(at, dialect, origin, known.shape)
+    return {"header": dialect.header(1, at, floor.name), "info": info, "data": known.ravel()}

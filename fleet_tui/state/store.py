@@ -5,6 +5,7 @@ from collections.abc import Callable
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.state import reducer
+from fleet_tui.state.streams import Streams
 
 Watcher = Callable[[FleetState, FleetState], None]
 
@@ -12,11 +13,12 @@ Watcher = Callable[[FleetState, FleetState], None]
 class Store:
     """Holds the newest state. Only the writer's thread calls `apply`; any thread reads `state`, which is one
     reference, swapped whole. A watcher is called with the state before and after an event that changed a
-    command or an alarm, before anything else happens."""
+    command or an alarm, before anything else happens. `streams` are beside the state."""
 
     def __init__(self, state: FleetState) -> None:
         self.state = state
         self.watchers: list[Watcher] = []
+        self.streams = Streams()
 
     def apply(self, event: Event) -> None:
         """Apply one event."""

@@ -57,7 +57,7 @@ async def test_what_one_client_offers_another_calls(
         answer = await call(client, "/light", {"dark": 1})
         assert answer["values"] == "Message type std_srvs/SetBoolRequest does not have a field dark"
         answer = await call(client, "/rosapi/services_for_type", {"type": "std_srvs/SetBool"})
-        assert answer["values"] == {"services": ["/light"]}
+        assert answer["values"] == {"services": ["/robot_0/set_mapping", "/robot_1/set_mapping", "/light"]}
         await send(other, "unadvertise_service", service="/light")
         await frames_before_an_answer(other)
         assert (await call(client, "/light"))["values"] == "Service /light does not exist"

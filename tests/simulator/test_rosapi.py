@@ -21,7 +21,7 @@ async def test_rosapi_keeps_params_and_tells_of_nodes(client: ClientConnection) 
     await call(client, "/rosapi/delete_param", {"name": "/speed"})
     assert (await call(client, "/rosapi/has_param", {"name": "/speed"}))["values"] == {"exists": False}
     details = (await call(client, "/rosapi/node_details", {"node": "/fleet"}))["values"]
-    assert POSE in details["publishing"] and details["subscribing"] == []
+    assert POSE in details["publishing"] and "/robot_0/initialpose" in details["subscribing"]
     assert "/robot_0/Application_layout/Pause" in details["services"]
     raw = (await call(client, "/rosapi/topics_and_raw_types"))["values"]
     text = raw["typedefs_full_text"][raw["topics"].index("/robot_0/battery")]
@@ -59,4 +59,6 @@ async def test_rosapi_knows_who_subscribes(client: ClientConnection) -> None:
     answer = await call(client, "/rosapi/subscribers", {"topic": GRAPH})
     assert answer["values"] == {"subscribers": ["/rosbridge_websocket"]}
     answer = await call(client, "/rosapi/topics_for_type", {"type": "geometry_msgs/PoseStamped"})
-    assert answer["values"] == {"topics": ["/robot_0/pose", "/robot_1/pose"]}
+    assert answer["values"] == {
+        "topics": ["/robot_0/goal", "/robot_1/goal", "/robot_0/pose", "/robot_1/pose"]
+    }

@@ -17,6 +17,7 @@ from fleet_tui.model.link import CommandPath
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
 from fleet_tui.state.store import Store
+from fleet_tui.state.streams import Streams
 from tests.support.fleets import (
     LINK,
     R0,
@@ -38,6 +39,11 @@ class CollectingBackend:
     def __init__(self, refusal: str = "") -> None:
         self.refusal, self.submitted, self.events = refusal, list[Command](), list[Event]()
         self.counters: Mapping[str, LinkCounter] = {}
+        self.streams = Streams()
+
+    def watch(self, robot: str, key: str) -> None: ...
+
+    def unwatch(self, robot: str, key: str) -> None: ...
 
     def open(self) -> None: ...
 

@@ -3,7 +3,7 @@
 import math
 import re
 from collections.abc import Iterable, Sequence
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from fleet_tui.adapters.adapter import Feed, Outgoing, ServiceCall, Site
 from fleet_tui.adapters.oh_ressources.calls import call_of
@@ -27,6 +27,9 @@ from fleet_tui.model import events, kind
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetUpCommand
+
+if TYPE_CHECKING:
+    from fleet_tui.model.set_up.streams import LaserScan, PlannedPath
 
 KEYS = ("pose", "queue", "obstacle", "battery", "cargo", "paused", "graph", "labels", "map_metadata", "map")
 """Topics, the most urgent first."""
@@ -93,6 +96,10 @@ class OhRessources:
         if feed.wanted_for == "stream":
             return ()
         return (self._readers[feed.key](feed.robot, feed.floor, msg, at),)
+
+    def stream(self, feed: Feed, msg: object) -> "LaserScan | PlannedPath":
+        """Return the value of a stream. Raises WireError."""
+        return self._set_up.stream(feed, msg)
 
     def services(self, robot: str) -> Iterable[tuple[str, str, str]]:
         """Return key, name and type of each service, pauses first."""

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from msgspec.structs import replace
 
@@ -15,12 +15,30 @@ from fleet_tui.model import events
 from fleet_tui.model.counters import LinkCounter, Raw, TopicCounter
 from fleet_tui.text.limits import truncate
 
+if TYPE_CHECKING:
+    from fleet_tui.model.set_up.streams import LaserScan, PlannedPath
+
 ROSOUT, DIAGNOSTICS = "/rosout", "/diagnostics"
 WORTH_A_PROCESS = 4 * 2**20
 """Bytes of a JSON map above which it is decoded in a separate process: smaller ones take less time than
 starting one."""
 
-Read = Sequence[events.Event] | operations.ServiceResponse | operations.Fragment
+
+class StreamTaken:
+    """A message of a stream: its value went to the sink of streams."""
+
+
+class StreamSink(Protocol):
+    """Takes the values of watched streams."""
+
+    def wants(self, robot: str, key: str) -> bool:
+        """Tell whether a stream is watched."""
+
+    def put(self, robot: str, key: str, value: "LaserScan | PlannedPath", at: float) -> None:
+        """Take a value that arrived at a monotonic second."""
+
+
+Read = Sequence[events.Event] | operations.ServiceResponse | operations.Fragment | StreamTaken
 DecodeApart = Callable[[Profile, Feed, bytes], events.GridReceived]
 
 # The start of a CBOR map: the key, then its text, shorter than 24 bytes or than 256.
@@ -40,9 +58,11 @@ class FrameReader:
         feeds: Iterable[Feed],
         decode_apart: DecodeApart,
         warn: Callable[[str], None] = lambda _text: None,
+        streams: StreamSink | None = None,
     ) -> None:
         """`adapters` by robot; `decode_apart` decodes a large map in another process, and raises WireError;
-        `warn` logs a line."""
+        `warn` logs a line; without `streams` none is read."""
+        self._streams = streams
         self._link, self._limit, self._adapters = link, limit, adapters
         self._feeds = {feed.address: feed for feed in feeds}
         self._decode_apart, self._warn = decode_apart, warn
@@ -77,7 +97,9 @@ class FrameReader:
                 if counter is None:
                     return ()
                 counter.count_frame(payload, is_binary, at)
-                return self._translate(counter, msg, at)
+                found = self._translate(counter, msg, at)
+                feed = self._feeds.get(topic)
+                return StreamTaken() if feed and feed.wanted_for == "stream" and not found else found
             case operations.Status(level, text):
                 self._warn(f"bridge ({truncate(level)}): {truncate(text)}")
                 return (events.FrameRejected(self._link, f"bridge: {text}"),)
@@ -103,6 +125,7 @@ class FrameReader:
             if feed is None:
                 self._read_log(counter.topic, msg, at)
                 return ()
+            self._stream(feed, msg, at)
             found = tuple(self._adapters[feed.robot].read(feed, msg, at))
         except WireError as problem:
             counter.failed(str(problem))
@@ -114,6 +137,12 @@ class FrameReader:
             self.counter.keep_one_map(counter)
             self.maps_received.add(feed.address)
         return found if not feed.is_shared else _of_none(found)
+
+    def _stream(self, feed: Feed, msg: object, at: float) -> None:
+        """Pass on the value of a watched stream. Raises WireError."""
+        key = feed.stream_key
+        if key and self._streams is not None and self._streams.wants(feed.robot, key):
+            self._streams.put(feed.robot, key, self._adapters[feed.robot].stream(feed, msg), at)
 
     def _read_log(self, topic: str, msg: object, at: float) -> None:
         """Take messages that don't affect the fleet state."""

@@ -1,7 +1,7 @@
 """The common part of the adapters of both navigation stacks."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import NamedTuple, assert_never
+from typing import TYPE_CHECKING, NamedTuple, assert_never
 
 import msgspec
 
@@ -18,6 +18,9 @@ from fleet_tui.model import commands, events
 from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetUpCommand
+
+if TYPE_CHECKING:
+    from fleet_tui.model.set_up.streams import LaserScan, PlannedPath
 
 
 class GoalMessages(NamedTuple):
@@ -63,6 +66,10 @@ class NavigationAdapter:
         if feed.key == "mode":
             return (self._read_mode(feed.robot, "", msg, at),)
         return self.readers[feed.key](feed.robot, msg, at)
+
+    def stream(self, feed: Feed, msg: object) -> "LaserScan | PlannedPath":
+        """Return the value of a stream. Raises WireError."""
+        return self.set_up.stream(feed, msg)
 
     def services(self, robot: str) -> Iterable[tuple[str, str, str]]:
         """Return key, name and type of each service, pauses first. Those of actions are in no list."""

@@ -16,6 +16,13 @@ class ReplayBackend:
 
     def __init__(self, player: Player, store: Store) -> None:
         self._player, self._store = player, store
+        self.streams = store.streams
+
+    def watch(self, _robot: str, _key: str) -> None:
+        """Do nothing: streams are not recorded."""
+
+    def unwatch(self, _robot: str, _key: str) -> None:
+        """Do nothing."""
 
     def open(self) -> None:
         """Start to play."""

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from functools import reduce
 
 from fleet_tui.adapters.ros.operations import Fragment, ServiceResponse
-from fleet_tui.adapters.ros.reading import FrameReader
+from fleet_tui.adapters.ros.reading import FrameReader, StreamTaken
 from fleet_tui.config.fleet import adapters_of, feeds_of, limit_of
 from fleet_tui.config.schema import Config
 from fleet_tui.maps.map_process import decode_apart
@@ -44,6 +44,6 @@ class Frames:
             case ReceivedFrame(channel="topics", link=link) if link in self._readings:
                 at = record.at if record.came is None else record.came
                 read = self._readings[link].read(record.payload, record.binary, at)
-                if not isinstance(read, ServiceResponse | Fragment):
+                if not isinstance(read, ServiceResponse | Fragment | StreamTaken):
                     return reduce(apply, read, state)
         return state

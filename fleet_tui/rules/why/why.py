@@ -11,6 +11,8 @@ POSSIBLE: would explain it, and so would much else; and all reports of a robot t
 A robot that moves has no reason to stand. Without any evidence, the order that it should drive is named.
 """
 
+from typing import TYPE_CHECKING
+
 from msgspec.structs import replace
 
 from fleet_tui.model.fleet import FleetState
@@ -39,6 +41,9 @@ from fleet_tui.rules.why.robot import (
     stale_pose,
 )
 
+if TYPE_CHECKING:  # numpy
+    from fleet_tui.rules.localisation.match import Match
+
 DEAF: tuple[Rule, ...] = (no_link, silent_robot)
 """If one of these holds, everything else is an earlier report."""
 
@@ -64,15 +69,21 @@ def _held(rules: tuple[Rule, ...], state: FleetState, robot: Robot) -> list[Reas
     return [reason for rule in rules if (reason := rule(state, robot)) is not None]
 
 
-def reasons(state: FleetState, robot: Robot) -> list[Reason]:
+def _misplaced(match: "Match | None") -> list[Reason]:
+    """Return the reason of a scan that does not fit the map: only while a scan is watched."""
+    return [Reason("not localised", match.text)] if match is not None and match.is_poor else []
+
+
+def reasons(state: FleetState, robot: Robot, match: "Match | None" = None) -> list[Reason]:
     """Return the reasons for standing still, the likeliest first: at least one. A moving robot has only the
-    reason that it moves."""
+    reason that it moves. `match`: that of its watched scan with the map, None without one."""
     deaf, others = _held(DEAF, state, robot), _held(RULES, state, robot)
     if deaf:
         return deaf + [replace(reason, strength=Strength.POSSIBLE) for reason in others]
     moving = moves(state, robot)
     if moving is not None and jumps(state, robot) is None:
         return [moving]
+    others = _misplaced(match) + others
     if all(reason.strength is Strength.POSSIBLE for reason in others):
         others += _held((unexplained,), state, robot)
     return sorted(others, key=lambda reason: reason.strength)

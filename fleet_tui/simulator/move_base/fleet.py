@@ -12,8 +12,7 @@ from fleet_tui.simulator.move_base.faults import FAULTS
 from fleet_tui.simulator.move_base.topics import CANCEL, GOAL, NODE, POSE, TYPES, MoveBaseNews, steady_topics
 from fleet_tui.simulator.move_base.world import MoveBaseWorld
 from fleet_tui.simulator.navigating.diagnostics import health
-from fleet_tui.simulator.navigating.set_up import initial_poses
-from fleet_tui.simulator.navigating.topics import map_topics
+from fleet_tui.simulator.navigating.set_up import SetUpDesk, initial_poses
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
 from fleet_tui.simulator.ros_types import ServiceType, service_type
@@ -31,11 +30,12 @@ class MoveBaseFleet(MoveBaseWorld):
         self, robots: int, floors: int, seed: int = 0, quiet: bool = False, first: int = 0, step: int = 1
     ) -> None:
         super().__init__(robots, floors, seed, quiet, first, time.time_ns, step)
+        self._set_up = SetUpDesk(self, "global_localization", "pause_mapping")
         self._news = MoveBaseNews(self)
 
     def topics(self, loaded_at: float, dialect: Dialect) -> Iterator[Topic]:
         """Every topic; the maps were loaded at this wall time."""
-        yield from map_topics(self.building, self.robots, loaded_at, dialect)
+        yield from self._set_up.topics(loaded_at, dialect)
         yield from chain.from_iterable(steady_topics(each, dialect) for each in self.navigation.values())
         yield from self._news.topics(dialect)
 
@@ -55,15 +55,16 @@ class MoveBaseFleet(MoveBaseWorld):
         """Return for each robot the service that clears its costmaps, which does nothing here."""
         return {
             f"/{name}/{NODE}/clear_costmaps": service_type(dialect, "std_srvs/Empty") for name in self.robots
-        }
+        } | self._set_up.services(dialect)
 
     def answer(self, service: str, args: Mapping[str, Any]) -> Message:
-        """Nothing."""
-        return {}
+        """The answer of a service of set-up, nothing for any other."""
+        return self._set_up.answer(service, args) or {}
 
     def news(self, dialect: Dialect) -> Iterator[tuple[str, Payload]]:
         """Return all changes since the last call, and the status at regular intervals."""
-        return self._news.take(dialect)
+        yield from self._news.take(dialect)
+        yield from self._set_up.news(dialect)
 
     def feedback(self, server: ActionServer, goal: ServedGoal, dialect: Dialect) -> Message | None:
         """Do nothing: such robots have no ROS 2 actions."""

@@ -17,14 +17,15 @@ from fleet_tui.simulator.nav2.topics import Nav2News, steady_topics
 from fleet_tui.simulator.nav2.world import Nav2World
 from fleet_tui.simulator.navigating.diagnostics import health
 from fleet_tui.simulator.navigating.poses import FRAME
-from fleet_tui.simulator.navigating.set_up import initial_poses
-from fleet_tui.simulator.navigating.topics import map_topics
+from fleet_tui.simulator.navigating.set_up import SetUpDesk, initial_poses
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
 from fleet_tui.simulator.ros_types import ServiceType, service_type
 
 Message = dict[str, Any]
 
+SERVICES = "reinitialize_global_localization", "slam_toolbox/set_localization_mode"
+"""Names of global localisation, and of the switch that ends mapping."""
 ACTIVE = "lifecycle_manager_navigation/is_active"
 CANCEL = "_action/cancel_goal"
 
@@ -40,6 +41,7 @@ class Nav2Fleet(Nav2World):
         super().__init__(robots, floors, seed, quiet, first, time.time_ns, step)
         if robots > 1:
             self.robots[next(reversed(self.robots))].percent = float("nan")
+        self._set_up = SetUpDesk(self, *SERVICES)
         self._news = Nav2News(self)
         self._changes = Nav2Changes(self)
 
@@ -54,7 +56,7 @@ class Nav2Fleet(Nav2World):
 
     def topics(self, loaded_at: float, dialect: Dialect) -> Iterator[Topic]:
         """Every topic; the maps were loaded at this wall time."""
-        yield from map_topics(self.building, self.robots, loaded_at, dialect)
+        yield from self._set_up.topics(loaded_at, dialect)
         yield from chain.from_iterable(steady_topics(each, dialect) for each in self.navigation.values())
         yield from self._news.topics(dialect)
 
@@ -72,13 +74,16 @@ class Nav2Fleet(Nav2World):
             service_type(dialect, name) for name in ("std_srvs/Trigger", "action_msgs/CancelGoal")
         )
         return {f"/{name}/{ACTIVE}": trigger for name in self.robots} | {
-            f"{action}/{CANCEL}": cancel for action in self.actions
+            **{f"{action}/{CANCEL}": cancel for action in self.actions},
+            **self._set_up.services(dialect),
         }
 
     def answer(self, service: str, args: Mapping[str, Any]) -> Message:
         """The answer of a service; `args` complete and of the right types."""
         if service.endswith(ACTIVE):
             return {"success": self.navigation[service.split("/")[1]].active, "message": ""}
+        if (answer := self._set_up.answer(service, args)) is not None:
+            return answer
         info = args["goal_info"]
         stamp = info["stamp"]["sec"] * messages.GIGA + info["stamp"]["nanosec"]
         server = self.actions[service.removesuffix(f"/{CANCEL}")]
@@ -88,7 +93,8 @@ class Nav2Fleet(Nav2World):
 
     def news(self, dialect: Dialect) -> Iterator[tuple[str, Payload]]:
         """Return all changes since the last call: positions, obstacles, goal states."""
-        return self._news.take(dialect)
+        yield from self._news.take(dialect)
+        yield from self._set_up.news(dialect)
 
     def feedback(self, server: ActionServer, goal: ServedGoal, dialect: Dialect) -> Message | None:
         """Return the feedback on a goal, None if the action sends none."""

@@ -8,13 +8,12 @@ from typing import Any
 import numpy as np
 
 from fleet_tui.model.geometry import Pose
-from fleet_tui.simulator.floorplan import HEIGHT, ORIGIN, RESOLUTION, WIDTH
+from fleet_tui.simulator.floorplan import RESOLUTION, Cells
 from fleet_tui.simulator.messages import float32
 from fleet_tui.simulator.navigating.poses import FRAME, solid
 from fleet_tui.simulator.navigating.robot import NavigatingRobot
 from fleet_tui.simulator.robot import SPEED
 from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.warehouse import SimFloor
 
 Message = dict[str, Any]
 Header = Callable[[float], Message]
@@ -73,16 +72,17 @@ def path(robot: NavigatingRobot, header: Message) -> Message:
     return {"header": header, "poses": [{"header": header, "pose": solid(Pose(*spot))} for spot in spots]}
 
 
-def grid(floor: SimFloor, header: Message, loaded: Message) -> Message:
-    """nav_msgs/OccupancyGrid."""
+def grid(cells: Cells, origin: tuple[float, float], header: Message, loaded: Message) -> Message:
+    """nav_msgs/OccupancyGrid; `origin` is the place of its lower left corner."""
+    height, width = cells.shape
     info = {
         "map_load_time": loaded,
         "resolution": float32(RESOLUTION),
-        "width": WIDTH,
-        "height": HEIGHT,
-        "origin": solid(Pose(*ORIGIN)),
+        "width": width,
+        "height": height,
+        "origin": solid(Pose(*origin)),
     }
-    return {"header": header, "info": info, "data": floor.cells.ravel()}
+    return {"header": header, "info": info, "data": cells.ravel()}
 
 
 def _diagonal(dialect: Dialect, *values: float) -> object:

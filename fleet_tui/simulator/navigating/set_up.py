@@ -1,15 +1,24 @@
-"""Set-up of robots that navigate: their poses, set from outside."""
+"""Set-up of robots that navigate: poses set from outside, localisation, mapping."""
 
-from collections.abc import Callable, Mapping
+import time
+from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from typing import Any
 
+from fleet_tui.simulator.frames import Payload
+from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.navigating.poses import FRAME, flat
 from fleet_tui.simulator.navigating.robot import NavigatingRobot
+from fleet_tui.simulator.navigating.topics import grid_of, map_topic, map_topics
+from fleet_tui.simulator.navigating.world import NavigatingWorld
+from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.ros_types import ServiceType, service_type
+from fleet_tui.simulator.senses.mapping import Surveys
 
 Message = dict[str, Any]
 Subscriptions = dict[str, tuple[str, Callable[[Message], None]]]
 POSE = "geometry_msgs/PoseWithCovarianceStamped"
+SETTLE = "request_nomotion_update"
 UNIT = 0.01
 """Deviation of a quaternion from unit length above which it is dropped."""
 
@@ -17,6 +26,44 @@ UNIT = 0.01
 def initial_poses(robots: Mapping[str, NavigatingRobot]) -> Subscriptions:
     """Return the topic of each robot on which its pose is set."""
     return {f"/{name}/initialpose": (POSE, partial(_take, robot)) for name, robot in robots.items()}
+
+
+class SetUpDesk:
+    """The set-up of a fleet's robots: their maps, modes and services. `localise` and `switch` are the last
+    parts of the names of services: global localisation, and mapping, which is on after a call with False."""
+
+    def __init__(self, world: NavigatingWorld[Any], localise: str, switch: str) -> None:
+        self._robots, self._building = world.robots, world.building
+        self._localise, self._switch = localise, switch
+        self.surveys = Surveys(world.robots, lambda floor: [map_topic(world.building, floor)])
+        world.troubles.append(self.surveys.step)
+
+    def topics(self, loaded_at: float, dialect: Dialect) -> Iterator[Topic]:
+        """Return maps and modes; the maps were loaded at this wall time."""
+        yield from map_topics(self._building, self._robots, self.surveys, loaded_at, dialect)
+        yield from self.surveys.topics(dialect)
+
+    def news(self, dialect: Dialect) -> Iterator[tuple[str, Payload]]:
+        """Return the maps and modes that changed since the last call."""
+        return self.surveys.news(grid_of(self.surveys, time.time(), dialect))
+
+    def services(self, dialect: Dialect) -> dict[str, ServiceType]:
+        """Return every service with its type."""
+        empty, switch = (service_type(dialect, f"std_srvs/{name}") for name in ("Empty", "SetBool"))
+        parts = {self._localise: empty, SETTLE: empty, self._switch: switch}
+        return {f"/{name}/{part}": type_ for name in self._robots for part, type_ in parts.items()}
+
+    def answer(self, service: str, args: Mapping[str, Any]) -> Message | None:
+        """Carry out a call; None if the service is another one."""
+        name, _, part = service.removeprefix("/").partition("/")
+        robot = self._robots[name]
+        if part == self._switch:
+            self.surveys.switch(name, on=not args["data"])
+            return {"success": True, "message": ""}
+        if part not in (self._localise, SETTLE):
+            return None
+        robot.place(robot.pose if part == self._localise else robot.belief.of(robot.pose))
+        return {}
 
 
 def _take(robot: NavigatingRobot, message: Message) -> None:

@@ -9,7 +9,11 @@ from fleet_tui.simulator.messages import Topic, raw_payload
 from fleet_tui.simulator.navigating import messages
 from fleet_tui.simulator.navigating.robot import NavigatingRobot
 from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.warehouse import Building
+from fleet_tui.simulator.senses.laser import scan_topic
+from fleet_tui.simulator.senses.mapping import Surveys
+from fleet_tui.simulator.warehouse import Building, SimFloor
+
+MAP = "nav_msgs/OccupancyGrid"
 
 Message = dict[str, Any]
 
@@ -22,21 +26,47 @@ class Make(Protocol):
 
 
 def map_topics(
-    building: Building, robots: dict[str, NavigatingRobot], loaded_at: float, dialect: Dialect
+    building: Building,
+    robots: dict[str, NavigatingRobot],
+    surveys: Surveys,
+    loaded_at: float,
+    dialect: Dialect,
 ) -> Iterator[Topic]:
     """The maps, loaded at this wall time; with several floors also where each robot is."""
     several = len(building.floors) > 1
     for floor in building.floors:
-        header = messages.headers(dialect)(loaded_at)
-        value = messages.grid(floor, header, dialect.time(loaded_at))
-        payload = raw_payload(dialect, "nav_msgs/OccupancyGrid", loaded_at, value)
-        name = f"/{floor.name}/map" if several else "/map"
-        type_ = dialect.message_type("nav_msgs/OccupancyGrid")
-        yield Topic(name, type_, partial(_same, payload), latched=True)
+        value = grid_of(surveys, loaded_at, dialect)(floor)
+        payload = raw_payload(dialect, MAP, loaded_at, value)
+        newest = partial(_newest, floor, surveys, payload, dialect, loaded_at)
+        yield Topic(map_topic(building, floor), dialect.message_type(MAP), newest, latched=True)
     for robot in robots.values() if several else ():
         payload = Payload({"data": robot.floor.name})
         type_ = dialect.message_type("std_msgs/String")
         yield Topic(f"/{robot.name}/floor", type_, partial(_same, payload), latched=True)
+
+
+def map_topic(building: Building, floor: SimFloor) -> str:
+    """The name of the topic with the map of a floor."""
+    return f"/{floor.name}/map" if len(building.floors) > 1 else "/map"
+
+
+def grid_of(surveys: Surveys, loaded_at: float, dialect: Dialect) -> Callable[[SimFloor], Message]:
+    """Makes the present map of a floor."""
+    header = messages.headers(dialect)
+
+    def grid(floor: SimFloor) -> Message:
+        return messages.grid(*surveys.cells(floor), header(loaded_at), dialect.time(loaded_at))
+
+    return grid
+
+
+def _newest(
+    floor: SimFloor, surveys: Surveys, loaded: Payload, dialect: Dialect, loaded_at: float, _now: float
+) -> Payload:
+    """Return the map that was loaded until a robot maps the floor anew."""
+    if surveys.cells(floor)[0] is floor.cells:
+        return loaded
+    return Payload(grid_of(surveys, loaded_at, dialect)(floor))
 
 
 def topic_maker(robot: NavigatingRobot, dialect: Dialect) -> Make:
@@ -52,7 +82,7 @@ def topic_maker(robot: NavigatingRobot, dialect: Dialect) -> Make:
 
 
 def body_topics(robot: NavigatingRobot, dialect: Dialect) -> Iterator[Topic]:
-    """Odometry and battery."""
+    """Odometry, battery and laser."""
     topic = topic_maker(robot, dialect)
     wheels, charge = messages.headers(dialect, f"{robot.name}/odom"), messages.headers(dialect, "")
     yield topic(
@@ -61,6 +91,8 @@ def body_topics(robot: NavigatingRobot, dialect: Dialect) -> Iterator[Topic]:
         fast=True,
         due=lambda: robot.odometry,
     )
+    laser = messages.headers(dialect, f"{robot.name}/laser")
+    yield scan_topic(robot, lambda: robot.floor.cells, laser, dialect)
     yield topic(
         *("battery_state", "sensor_msgs/BatteryState"),
         lambda now: messages.battery(robot, charge(now)),

@@ -1,22 +1,31 @@
 """A World as the bridge sees it."""
 
+import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import partial
 from typing import Any
 
 from fleet_tui.simulator.faults import FAULTS
 from fleet_tui.simulator.fleets import Line
+from fleet_tui.simulator.floorplan import Cells
 from fleet_tui.simulator.frames import Payload
-from fleet_tui.simulator.messages import Message, Topic, topics_of
+from fleet_tui.simulator.messages import Message, Topic, headers_of, map_of, topics_of
 from fleet_tui.simulator.oh_ressources.logs import Changes, health
 from fleet_tui.simulator.oh_ressources.set_up import SUBSCRIPTIONS
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.robot import SimRobot
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
-from fleet_tui.simulator.ros_types import ServiceType, robot_services
+from fleet_tui.simulator.ros_types import ServiceType, robot_services, service_type
+from fleet_tui.simulator.senses.laser import scan_topic
+from fleet_tui.simulator.senses.mapping import Surveys
+from fleet_tui.simulator.warehouse import SimFloor
 
-DESK = "Application_layout"
+DESK, MAPPING = "Application_layout", "set_mapping"
+
+
+def _cells_of(robot: SimRobot) -> Callable[[], Cells]:
+    return lambda: robot.floor.cells
 
 
 class OhFleet:
@@ -28,6 +37,8 @@ class OhFleet:
         self.world, self.troubles = world, world.troubles
         self.actions: Mapping[str, ActionServer] = {}
         self._changes = Changes(world.robots)
+        self._surveys = Surveys(world.robots, self._map_topics)
+        self.troubles.append(self._surveys.step)
 
     @property
     def robots(self) -> Mapping[str, SimRobot]:
@@ -40,7 +51,13 @@ class OhFleet:
 
     def topics(self, loaded_at: float, dialect: Dialect) -> Iterator[Topic]:
         """Every topic of the world."""
-        return topics_of(self.world, loaded_at, dialect)
+        yield from topics_of(self.world, loaded_at, dialect, self._surveys.cells)
+        yield from self._surveys.topics(dialect)
+        for robot in self.robots.values():
+            yield scan_topic(robot, _cells_of(robot), headers_of(robot, dialect), dialect)
+
+    def _map_topics(self, floor: SimFloor) -> list[str]:
+        return [f"/{robot}/{floor.name}/map" for robot in self.robots]
 
     def subscriptions(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
         """The topics of each robot on which its pose is set, and a goal beside its orders."""
@@ -53,10 +70,15 @@ class OhFleet:
     def services(self, dialect: Dialect) -> Mapping[str, ServiceType]:
         """The services of every robot."""
         types = robot_services(dialect).items()
-        return {f"/{robot}/{DESK}/{verb}": type_ for robot in self.robots for verb, type_ in types}
+        switch = service_type(dialect, "std_srvs/SetBool")
+        offered = {f"/{robot}/{DESK}/{verb}": type_ for robot in self.robots for verb, type_ in types}
+        return offered | {f"/{robot}/{MAPPING}": switch for robot in self.robots}
 
     def answer(self, service: str, args: Mapping[str, Any]) -> Message:
-        """The world's answer."""
+        """The world's answer, or that of the switch of mapping."""
+        if service.endswith(f"/{MAPPING}"):
+            self._surveys.switch(service.split("/")[1], on=args["data"])
+            return {"success": True, "message": ""}
         return self.world.answer(service, args)
 
     def feedback(self, server: ActionServer, goal: ServedGoal, dialect: Dialect) -> Message | None:
@@ -66,8 +88,9 @@ class OhFleet:
         """Nothing."""
 
     def news(self, dialect: Dialect) -> Iterable[tuple[str, Payload]]:
-        """Return nothing: all topics are published continuously."""
-        return ()
+        """Return modes and live maps that changed: all other topics are published continuously."""
+        now = time.time()
+        return self._surveys.news(lambda floor: map_of(floor, now, dialect, self._surveys.cells))
 
     def lines(self) -> Iterable[Line]:
         """Return the log lines for everything that happened since the last call."""

@@ -6,10 +6,11 @@ from typing import Any
 
 def profile(_floors: int) -> Mapping[str, Any]:
     """Return the topics on which they report a pause, and those of set-up."""
-    topics = ("paused", "goal")
+    topics = ("paused", "goal", "scan", "mode")
     return {
         "topics": {
             **{key: f"/{{robot}}/{key}" for key in topics},
             "initial_pose": "/{robot}/initialpose",
         },
+        "services": dict.fromkeys(("mapping_on", "mapping_off"), "/{robot}/set_mapping"),
     }

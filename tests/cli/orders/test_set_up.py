@@ -65,7 +65,10 @@ async def test_a_goal_is_an_order_on_free_ground(site: Site, tmp_path: Path) -> 
 
 async def test_what_does_not_exist_is_refused(site: Site, tmp_path: Path) -> None:
     done = await run(tmp_path, "mapping", "robot_0", "on", "--yes")
-    assert done.code == 1 and "set_localization_mode does not exist" in done.err
+    assert done.code == 0 and "accepted, but no topic shows it" in done.out
+    del site.server.bridge.services.offered["/robot_0/request_nomotion_update"]
+    done = await run(tmp_path, "settle", "robot_0")
+    assert done.code == 1 and "request_nomotion_update does not exist" in done.err
     assert (await run(tmp_path, "set-pose", "robot_0", "1", "x", "0", "--yes")).code == 2
 
 

@@ -26,7 +26,7 @@ def test_each_has_every_field_of_its_type(dialect: Dialect) -> None:
         "geometry_msgs/PoseWithCovarianceStamped": messages.localisation(it.pose, 0.5, dialect, header(1.0)),
         "sensor_msgs/BatteryState": messages.battery(it, header(1.0)),
         "nav_msgs/Path": messages.path(it, header(1.0)),
-        "nav_msgs/OccupancyGrid": messages.grid(FLOOR, header(1.0), dialect.time(1.0)),
+        "nav_msgs/OccupancyGrid": messages.grid(FLOOR.cells, (0.0, 0.0), header(1.0), dialect.time(1.0)),
     }.items():
         assert set(message) == set(MESSAGES[type_])
         assert encode(dialect, dialect.short(dialect.message_type(type_)), message)

@@ -4,5 +4,7 @@ from fleet_tui.simulator.navigating.profile import profile
 
 
 def test_topics_of_floors_are_named_only_where_there_are_several() -> None:
-    assert profile(1) == {}
-    assert profile(2) == {"topics": {"floor": "/{robot}/floor", "map": "/{floor}/map"}}
+    assert profile(1) == {"topics": {"mode": "/{robot}/mode"}}
+    assert profile(2) == {
+        "topics": {"mode": "/{robot}/mode", "floor": "/{robot}/floor", "map": "/{floor}/map"}
+    }

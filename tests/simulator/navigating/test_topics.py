@@ -3,14 +3,16 @@
 from fleet_tui.simulator.navigating.topics import body_topics, map_topics, plan_topic
 from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.ros.ros2 import ROS2
+from fleet_tui.simulator.senses.mapping import Surveys
 from fleet_tui.simulator.warehouse import build_building
 from tests.support.navigating import robot
 
 
 def test_one_floor_has_one_map_and_several_have_each_theirs_and_robots_say_where_they_are() -> None:
     robots = {f"robot_{n}": robot(n) for n in range(2)}
-    assert [one.name for one in map_topics(build_building(1), robots, 1.0, ROS1)] == ["/map"]
-    several = list(map_topics(build_building(2), robots, 1.0, ROS2))
+    surveys = Surveys(robots, lambda _: [])
+    assert [one.name for one in map_topics(build_building(1), robots, surveys, 1.0, ROS1)] == ["/map"]
+    several = list(map_topics(build_building(2), robots, surveys, 1.0, ROS2))
     names = ["/floor_0/map", "/floor_1/map", "/robot_0/floor", "/robot_1/floor"]
     assert [one.name for one in several] == names and all(one.latched for one in several)
     assert several[2].type == "std_msgs/msg/String"
@@ -20,7 +22,7 @@ def test_one_floor_has_one_map_and_several_have_each_theirs_and_robots_say_where
 
 def test_odometry_ends_with_the_wheels_and_a_plan_with_the_way() -> None:
     it = robot()
-    wheels, battery = body_topics(it, ROS1)
+    wheels, laser, battery = body_topics(it, ROS1)
     plan = plan_topic(it, ROS1, "plan")
     assert (wheels.name, battery.name, plan.name) == (
         "/robot_0/odom",
@@ -28,6 +30,7 @@ def test_odometry_ends_with_the_wheels_and_a_plan_with_the_way() -> None:
         "/robot_0/plan",
     )
     assert wheels.due is not None and plan.due is not None and wheels.fast and battery.due is None
+    assert laser.name == "/robot_0/scan" and laser.fast
     assert wheels.due() and not plan.due()
     it.odometry, it.way = False, [(1.0, 2.0)]
     assert not wheels.due() and plan.due()

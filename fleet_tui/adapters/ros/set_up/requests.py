@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from typing import assert_never
+from typing import TYPE_CHECKING, assert_never
 
 from fleet_tui.adapters.adapter import Feed, Outgoing, Publication, ServiceCall, Site
 from fleet_tui.adapters.ros.facts import is_place
@@ -12,6 +12,9 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.kind import GOAL, LOCALISE, MAPPING, PATH, POSE, SCAN, SETTLE
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up import commands
+
+if TYPE_CHECKING:
+    from fleet_tui.model.set_up.streams import LaserScan, PlannedPath
 
 XY, YAW = 0.25, (math.pi / 12) ** 2
 """RViz's variances of a pose set by hand: square metres of x and of y, square radians."""
@@ -85,6 +88,13 @@ class SetUpRequests:
             topic = names.topic(key, robot)
             if topic and topic != plan:
                 yield Feed(key, (robot,), "", topic, names.type(key), rate, wanted_for="stream", silent=True)
+
+    def stream(self, feed: Feed, msg: object) -> "LaserScan | PlannedPath":
+        """Return the value of a stream in a message of its topic. Raises WireError."""
+        # With numpy, whose import takes longer than a whole command without a screen.
+        from fleet_tui.adapters.ros.set_up.streams import read_path, read_scan
+
+        return read_scan(msg) if feed.key == SCAN else read_path(msg)
 
     def outgoing(self, command: commands.SetUp, robot: Robot) -> Sequence[Outgoing]:
         """Return the message or call of a command. Raises CommandError for one that must not be sent."""

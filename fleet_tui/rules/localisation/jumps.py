@@ -1,0 +1,21 @@
+"""Jumps of a pose that no drive explains: localisation found the robot elsewhere."""
+
+import math
+
+from fleet_tui.model.geometry import Pose
+
+JUMP, JUMP_TURN = 0.5, math.radians(30.0)
+"""Metres and radians beyond what speed explains."""
+FASTEST, FASTEST_TURN = 3.0, math.radians(180.0)
+"""Metres and radians a second that no robot here exceeds."""
+
+
+def pose_jump(before: Pose, after: Pose, seconds: float) -> str:
+    """Return the jump between two poses in words, empty if the robot may have driven that far."""
+    elapsed = max(0.0, seconds)
+    metres = math.dist((before.x, before.y), (after.x, after.y))
+    turns = math.remainder(before.yaw, math.tau), math.remainder(after.yaw, math.tau)
+    turn = abs(math.remainder(turns[0] - turns[1], math.tau))
+    if metres <= JUMP + FASTEST * elapsed and turn <= min(JUMP_TURN + FASTEST_TURN * elapsed, math.pi):
+        return ""
+    return f"{metres:.1f} m and {math.degrees(turn):.0f}°"

@@ -1,0 +1,75 @@
+"""The laser of a simulated robot: its beams end at the walls of the floor's own plan."""
+
+import math
+from collections.abc import Callable, Iterator
+from itertools import cycle
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fleet_tui.model.geometry import Pose
+from fleet_tui.simulator.floorplan import OCCUPIED, ORIGIN, RESOLUTION, Cells
+from fleet_tui.simulator.frames import Floats, Payload
+from fleet_tui.simulator.messages import Message, Topic, float32
+from fleet_tui.simulator.ros.dialect import Dialect
+
+BEAMS = 720
+RANGE = 12.0  # metres
+NEAREST = 0.1  # metres
+SCAN = "sensor_msgs/LaserScan"
+
+_ANGLES = -math.pi + 2.0 * math.pi / BEAMS * np.arange(BEAMS)
+_STEPS = np.arange(NEAREST, RANGE, RESOLUTION)
+
+
+def ends(cells: Cells, pose: Pose) -> tuple[NDArray[np.intp], NDArray[np.intp], NDArray[np.intp]]:
+    """Return rows and columns of the cells along every beam, shape (BEAMS, steps), and the step at which each
+    beam ends: the number of steps for one that hits nothing."""
+    angles = _ANGLES + pose.yaw
+    x = pose.x - ORIGIN[0] + np.outer(np.cos(angles), _STEPS)
+    y = pose.y - ORIGIN[1] + np.outer(np.sin(angles), _STEPS)
+    rows = np.clip(np.floor(y / RESOLUTION).astype(np.intp), 0, cells.shape[0] - 1)
+    columns = np.clip(np.floor(x / RESOLUTION).astype(np.intp), 0, cells.shape[1] - 1)
+    hits = cells[rows, columns] == OCCUPIED
+    first = np.where(hits.any(axis=1), hits.argmax(axis=1), len(_STEPS))
+    return rows, columns, first
+
+
+def ranges(cells: Cells, pose: Pose) -> NDArray[np.float32]:
+    """Return the range of each beam in metres, infinite for one that hits nothing."""
+    _, _, first = ends(cells, pose)
+    return np.append(_STEPS, np.inf)[first].astype(np.float32)
+
+
+def scan(cells: Cells, pose: Pose, header: Message) -> Payload:
+    """sensor_msgs/LaserScan at a pose."""
+    step = 2.0 * math.pi / BEAMS
+    return Payload(
+        {
+            "header": header,
+            "angle_min": float32(-math.pi),
+            "angle_max": float32(-math.pi + step * (BEAMS - 1)),
+            "angle_increment": float32(step),
+            "time_increment": 0.0,
+            "scan_time": float32(0.2),
+            "range_min": float32(NEAREST),
+            "range_max": float32(RANGE),
+            "ranges": Floats(ranges(cells, pose)),
+            "intensities": Floats(np.zeros(0, dtype=np.float32)),
+        }
+    )
+
+
+def scan_topic(
+    robot: Any, cells: Callable[[], Cells], header: Callable[[float], Message], dialect: Dialect
+) -> Topic:
+    """The scans of a robot, five a second at the usual rate: from its true pose, wherever it believes to be.
+    `cells` returns those of its floor."""
+
+    def payload(now: float) -> Payload:
+        return scan(cells(), robot.pose, header(now))
+
+    turns: Iterator[bool] = cycle((True, False))
+    type_ = dialect.message_type(SCAN)
+    return Topic(f"/{robot.name}/scan", type_, payload, robot, fast=True, due=lambda: next(turns))

@@ -1,0 +1,1 @@
+"""Set-up as it is shown: scans against the map."""
