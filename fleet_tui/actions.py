@@ -182,8 +182,10 @@ class FileActions(Struct, frozen=True):
 
 
 class PlaceActions(Struct, frozen=True):
-    """Actions of the choice of a place with a heading."""
+    """Actions of the choice of a place with a heading, and what helps with it."""
 
+    laser: Act
+    path: Act
     pose: Act
     goal: Act
     turn: Step

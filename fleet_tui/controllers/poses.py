@@ -6,7 +6,7 @@ from fleet_tui.controllers.navigation import Navigation
 from fleet_tui.controllers.notices import Notices
 from fleet_tui.errors import CommandError
 from fleet_tui.model.geometry import Pose
-from fleet_tui.model.kind import GOAL, POSE
+from fleet_tui.model.kind import GOAL, POSE, SCAN
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetPose, heading_text
@@ -64,7 +64,8 @@ class PoseRequests:
             return
         here = robot.pose.value if robot.pose is not None and robot.floor == floor else None
         start = here or Pose(*self._picture.viewport.middle(scene))
-        self._controls.enter(PlaceMode(title, robot.name, floor, start))
+        moves_scan = title == SET_POSE and SCAN in robot.kind.streams
+        self._controls.enter(PlaceMode(title, robot.name, floor, start, moves_scan))
 
     def _floor(self, robot: Robot) -> str:
         """Return the floor that a robot is on, else the shown one."""

@@ -26,6 +26,22 @@ def _place(
 
 PLACE: tuple[Key[Actions], ...] = (
     Key(
+        "laser",
+        ("u",),
+        lambda do: do.place.laser(),
+        "Show or hide the laser scan of the selected robot",
+        needs="scan",
+        only_live=True,
+    ),
+    Key(
+        "path",
+        ("U",),
+        lambda do: do.place.path(),
+        "Show or hide the planned path of the selected robot",
+        needs="path",
+        only_live=True,
+    ),
+    Key(
         "pose",
         ("I",),
         lambda do: do.place.pose(),

@@ -46,6 +46,8 @@ def key_actions(screen: "MainScreen", rest: "Rest") -> Actions:
         alarms=AlarmActions(rest.alarms.acknowledge, rest.alarms.acknowledge_all),
         map=rest.map_controls,
         place=PlaceActions(
+            laser=rest.streams.laser,
+            path=rest.streams.path,
             pose=rest.poses.pose,
             goal=rest.poses.goal,
             turn=rest.poses.turn,

@@ -170,7 +170,7 @@ class MainScreen(Screen[None]):
         if wanted is not None and wanted != self._mapped:
             self._mapped = wanted
             self.backend.show_map(*wanted)
-        self.rest.map.show(floor_scene(state, selection, drafted))
+        self.rest.map.show(self.rest.streams.on(floor_scene(state, selection, drafted)))
         self.panes.show_floor(self.rest.map.picture.lines_of_floor(self.rest.map.size.width))
 
     def _mark_alarm(self, state: FleetState) -> None:

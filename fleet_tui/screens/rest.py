@@ -17,6 +17,7 @@ from fleet_tui.controllers.orders import OrderRequests
 from fleet_tui.controllers.poses import PoseRequests
 from fleet_tui.controllers.robots import RobotRequests
 from fleet_tui.controllers.save import SaveCommand
+from fleet_tui.controllers.streams import ShownStreams
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.keys import Key, Pane, overruled
 from fleet_tui.keys.key import key_name
@@ -62,7 +63,8 @@ class Rest:
         self.confirm, self.menu = Confirm(id="confirm"), Menu(id="menu")
         self.order_form = OrderForm(lambda: store.state, dispatch.give)
         self.key_help = Help()
-        self.why = Why(lambda: (store.state, navigation.robot), settings.keys)
+        self.streams = ShownStreams(store, screen.backend, navigation, notices, self.map.picture)
+        self.why = Why(lambda: (store.state, navigation.robot), settings.keys, self.streams.match)
         self.audit_log = AuditLog(lambda: screen.files.audit)
         pages = Pages(lambda: store.state, screen.backend, settings.clock)
         self.diagnostics = Diagnostics(pages, screen.backend, settings.keys)

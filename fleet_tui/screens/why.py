@@ -11,6 +11,7 @@ from textual.widgets import Static
 
 from fleet_tui.keys import BY_ID, Pane
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.rules.localisation.match import Match
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.why import why_lines
@@ -36,10 +37,14 @@ class Why(Overlay, can_focus=True):
     ]
 
     def __init__(
-        self, looked_at: Callable[[], tuple[FleetState, str]], keys: Mapping[str, tuple[str, ...]]
+        self,
+        looked_at: Callable[[], tuple[FleetState, str]],
+        keys: Mapping[str, tuple[str, ...]],
+        match: Callable[[], Match | None],
     ) -> None:
+        """`match` returns that of the robot's shown scan with the map."""
         super().__init__(id="why")
-        self._looked_at, self._keys = looked_at, keys
+        self._looked_at, self._keys, self._match = looked_at, keys, match
         self._shown: list[str] = []
         self._timer: Timer | None = None
 
@@ -66,7 +71,7 @@ class Why(Overlay, can_focus=True):
         """Show the current reasons."""
         state, name = self._looked_at()
         self.border_title = Content(f"Stop reasons: {sanitize(name)}")
-        lines = why_lines(state, state.robots[name], self._keys)
+        lines = why_lines(state, state.robots[name], self._keys, self._match())
         if lines != self._shown:
             self._shown = lines
             self.query_one("#reasons", Static).update("\n".join(lines))

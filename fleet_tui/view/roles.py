@@ -14,6 +14,8 @@ class StyleRole(IntEnum):
     EDGE = auto()
     TRAIL = auto()
     TRAIL_OLD = auto()
+    SCAN = auto()
+    """The ends of the laser's beams."""
     MISSION_NEXT = auto()
     """The way of the orders after the current one."""
     MISSION = auto()

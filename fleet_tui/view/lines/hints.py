@@ -23,7 +23,9 @@ def hidden_keys(state: FleetState, selected: str) -> set[str]:
 
 
 def _serves(robot: Robot, need: str) -> bool:
-    return robot.kind.lists_orders if need == LISTS else robot.kind.can(need)
+    if need == LISTS:
+        return robot.kind.lists_orders
+    return robot.kind.can(need) or need in robot.kind.streams
 
 
 def hints(

@@ -1,6 +1,7 @@
 """The reasons why a robot stands still, as lines of text."""
 
 from collections.abc import Collection, Iterator, Mapping
+from typing import TYPE_CHECKING
 
 from fleet_tui.keys import BY_ID
 from fleet_tui.model.fleet import FleetState
@@ -14,13 +15,19 @@ from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import ago
 from fleet_tui.view.lines.hints import hidden_keys
 
+if TYPE_CHECKING:  # numpy
+    from fleet_tui.rules.localisation.match import Match
+
 SHOWN = 5
 """Number of reasons that fit on a small terminal; the weakest are dropped."""
 
 
-def why_lines(state: FleetState, robot: Robot, keys: Mapping[str, tuple[str, ...]]) -> list[str]:
-    """Return the time without movement, then each reason: name, evidence, age and the keys that help."""
-    found, hidden = reasons(state, robot), hidden_keys(state, robot.name)
+def why_lines(
+    state: FleetState, robot: Robot, keys: Mapping[str, tuple[str, ...]], match: "Match | None" = None
+) -> list[str]:
+    """Return the time without movement, then each reason: name, evidence, age and the keys that help; `match`
+    as for `reasons`."""
+    found, hidden = reasons(state, robot, match), hidden_keys(state, robot.name)
     if found and moves(state, robot) == found[0]:
         return [f"{sanitize(found[0].name)} ({found[0].evidence})"]
     lines = [_standing(state, robot)]

@@ -51,11 +51,12 @@ _THROUGH = {
 }
 
 
-def _mask(camera: Camera) -> Mask:
+def blank_mask(camera: Camera) -> Mask:
+    """Return no dots."""
     return np.zeros((camera.height * DOTS_Y, camera.width * DOTS_X), np.bool_)
 
 
-def _dots(scene: Scene, camera: Camera, points: Points) -> Points:
+def dots_of(scene: Scene, camera: Camera, points: Points) -> Points:
     """Return points in metres (n x 2) as fractions of the view's dots."""
     left, top = camera.origin
     return pixels(scene.frame, points) / camera.scale - (left * DOTS_X, top * DOTS_Y)
@@ -70,15 +71,15 @@ def _as_array(lines: Same[tuple[Line, ...]]) -> Points:
 
 def _ends(scene: Scene, camera: Camera, lines: tuple[Line, ...]) -> tuple[Points, Points]:
     ends = _as_array(Same(lines))
-    return _dots(scene, camera, ends[:, :2]), _dots(scene, camera, ends[:, 2:])
+    return dots_of(scene, camera, ends[:, :2]), dots_of(scene, camera, ends[:, 2:])
 
 
 def draw_edges(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
     """Draw the route graph's edges as thin lines that leave every wall visible."""
     if not (look.edges and scene.edges):
         return
-    mask = _mask(camera)
-    _trace(mask, *_ends(scene, camera, scene.edges))
+    mask = blank_mask(camera)
+    trace(mask, *_ends(scene, camera, scene.edges))
     bits = pack(mask)
     free = (bits > 0) & _GROUND[cells.roles]
     cells.codes[free] = ord("+") if look.plain else BRAILLE[bits[free]]
@@ -107,12 +108,12 @@ def draw_mission(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -
     if scene.mission is None:
         return
     if scene.mission.following:
-        mask = _mask(camera)
-        _trace(mask, *_ends(scene, camera, scene.mission.following), dashed=True)
+        mask = blank_mask(camera)
+        trace(mask, *_ends(scene, camera, scene.mission.following), dashed=True)
         _stroke(cells, mask, StyleRole.MISSION_NEXT, look, _NEXT)
     if scene.mission.current:
-        mask = _mask(camera)
-        _trace(mask, *_ends(scene, camera, scene.mission.current))
+        mask = blank_mask(camera)
+        trace(mask, *_ends(scene, camera, scene.mission.current))
         _stroke(cells, mask, StyleRole.MISSION, look, "*")
 
 
@@ -131,8 +132,8 @@ def draw_approach(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) 
     done = min(max(ahead / max(square, 1e-12), 0.0), 1.0)
     if math.dist((pose.x, pose.y), (x + done * along[0], y + done * along[1])) > OFF_EDGE:
         edge, done = (pose.x, pose.y, to_x, to_y), 0.0
-    mask = _mask(camera)
-    _trace(mask, *_ends(scene, camera, (edge,)), done=done)
+    mask = blank_mask(camera)
+    trace(mask, *_ends(scene, camera, (edge,)), done=done)
     _stroke(cells, mask, StyleRole.MISSION, look, "*")
 
 
@@ -140,12 +141,12 @@ def draw_trails(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) ->
     """Draw trails as dots that pale and thin out with age."""
     if scene.trail is None or not len(scene.trail):
         return
-    dots, old = _dots(scene, camera, scene.trail[:, :2]), scene.trail[:, 2] > FADED
+    dots, old = dots_of(scene, camera, scene.trail[:, :2]), scene.trail[:, 2] > FADED
     # By place, so that a dot does not flicker with its neighbours.
     thinned = old & (np.floor(dots).sum(axis=1) % 2 == 0)
     for some, role in ((old & ~thinned, StyleRole.TRAIL_OLD), (~old, StyleRole.TRAIL)):
-        mask = _mask(camera)
-        _dot(mask, dots[some])
+        mask = blank_mask(camera)
+        set_dots(mask, dots[some])
         _stroke(cells, mask, role, look, ",")
 
 
@@ -156,8 +157,8 @@ def draw_outlines(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) 
     seen = [robot for robot in near if math.isfinite(robot.pose.x + robot.pose.y + robot.pose.yaw)]
     for role in {_outline_role(robot) for robot in seen}:
         sides = [side for robot in seen if _outline_role(robot) is role for side in _sides(robot)]
-        mask = _mask(camera)
-        _trace(mask, *_ends(scene, camera, tuple(sides)))
+        mask = blank_mask(camera)
+        trace(mask, *_ends(scene, camera, tuple(sides)))
         _stroke(cells, mask, role, look, "%")
 
 
@@ -214,7 +215,7 @@ def _stroke(cells: Cells, mask: Mask, role: StyleRole, look: MapOptions, plain: 
 
 
 @np.errstate(divide="ignore", invalid="ignore", over="ignore")
-def _trace(mask: Mask, starts: Points, stops: Points, dashed: bool = False, done: float = 0.0) -> None:
+def trace(mask: Mask, starts: Points, stops: Points, dashed: bool = False, done: float = 0.0) -> None:
     """Set the dots (x, y) along each line, after cutting the lines to the mask and by the share `done`."""
     low, high = _within(mask.shape, starts, stops)
     way = stops - starts
@@ -227,10 +228,10 @@ def _trace(mask: Mask, starts: Points, stops: Points, dashed: bool = False, done
     kept = share >= done
     if dashed:
         kept &= along % 4 < 2
-    _dot(mask, (starts[line] + way[line] * share[:, None])[kept])
+    set_dots(mask, (starts[line] + way[line] * share[:, None])[kept])
 
 
-def _dot(mask: Mask, dots: Points) -> None:
+def set_dots(mask: Mask, dots: Points) -> None:
     """Set the dots at x, y, as far as they are in the mask."""
     rows, columns = mask.shape
     inside = ((dots >= 0) & (dots < (columns, rows))).all(axis=1)

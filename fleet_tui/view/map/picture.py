@@ -15,6 +15,7 @@ from fleet_tui.view.map.layers import (
 from fleet_tui.view.map.lines import draw_approach, draw_edges, draw_mission, draw_outlines, draw_trails
 from fleet_tui.view.map.robots import Arrangement, draw_robots
 from fleet_tui.view.map.scene import Scene
+from fleet_tui.view.map.streams import draw_path, draw_scan
 from fleet_tui.view.roles import StyleRole
 
 Layer = Callable[[Cells, Scene, Camera, MapOptions], None]
@@ -23,7 +24,7 @@ Layer = Callable[[Cells, Scene, Camera, MapOptions], None]
 STILL: tuple[Layer, ...] = (draw_ground, draw_edges, draw_mission, draw_vertices)
 """Below the labels. Redrawn only when the map, the graph, the mission, the camera or the options change."""
 
-MOVING: tuple[Layer, ...] = (draw_trails, draw_approach, draw_outlines)
+MOVING: tuple[Layer, ...] = (draw_trails, draw_path, draw_approach, draw_scan, draw_outlines)
 """Drawn at every tick; then the robots, and the layers of the mode on top."""
 
 

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from fleet_tui.model.geometry import Line, MapFrame, Pose
 from fleet_tui.model.graph import Role
 from fleet_tui.model.grid import OccupancyGrid
+from fleet_tui.model.set_up.streams import Points
 from fleet_tui.view.map.camera import Area
 
 
@@ -62,8 +63,9 @@ class Scene:
 
     waits: the note is no problem yet, shortly after the start; elsewhere: robots in trouble on other floors,
     in words; area: left, top, right, bottom in map pixels of the ground that is worth seeing, None for all;
-    one_way: the edges that lead only from start to end; trail: past positions of robots, rows of x, y in
-    metres and the age in seconds.
+    beams: ends of the selected robot's laser beams, in metres from the robot, seen from `beams_at`; path: its
+    planned path; one_way: the edges that lead only from start to end; trail: past positions of robots, rows
+    of x, y in metres and the age in seconds.
 
     Keep `grid`, `vertices` and `edges` the same objects while they are unchanged: the picture below the
     robots is redrawn when one of them is another object."""
@@ -83,6 +85,10 @@ class Scene:
     at: float = 0.0
     area: Area | None = None
     waits: bool = False
+    beams: Points | None = None
+    beams_at: Pose | None = None
+    beams_are_old: bool = False
+    path: Points | None = None
 
     @property
     def selected(self) -> SceneRobot | None:

@@ -1,6 +1,7 @@
 """The map mode in which a place with a heading is chosen: a pose of a robot, or a goal."""
 
 import math
+from dataclasses import replace
 
 from fleet_tui.model.geometry import Pose
 from fleet_tui.text.sanitize import sanitize
@@ -20,12 +21,14 @@ _LENGTH = 3
 
 
 class PlaceMode(PlainMode):
-    """Arrows move the cursor; `yaw` is the heading in radians. `title` names what is placed."""
+    """Arrows move the cursor; `yaw` is the heading in radians. `title` names what is placed, `note` goes with
+    the pose; with `moves_scan` the laser scan is drawn as seen from there."""
 
     points = False
 
-    def __init__(self, title: str, robot: str, floor: str, pose: Pose) -> None:
-        self.title, self.robot, self.floor = title, robot, floor
+    def __init__(self, title: str, robot: str, floor: str, pose: Pose, moves_scan: bool = False) -> None:
+        self.title, self.robot, self.floor, self.note = title, robot, floor, ""
+        self.moves_scan = moves_scan
         self.cursor: Point = (pose.x, pose.y)
         self.yaw = pose.yaw
         self.layers: tuple[Layer, ...] = (self._draw,)
@@ -41,7 +44,14 @@ class PlaceMode(PlainMode):
         # Adding 0 turns -0.0 into 0.0.
         x, y = (round(metres, 2) + 0.0 for metres in self.cursor)
         degrees = round(math.degrees(self.yaw)) + 0
-        return f"{self.title} {sanitize(self.robot)}: {x:.2f}, {y:.2f} m, {degrees} degrees"
+        note = f", {self.note}" if self.note else ""
+        return f"{self.title} {sanitize(self.robot)}: {x:.2f}, {y:.2f} m, {degrees} degrees{note}"
+
+    def adjusted(self, scene: Scene) -> Scene:
+        """Return the scene with the laser scan as it would lie with the robot at the chosen pose."""
+        if scene.floor != self.floor or not self.moves_scan or scene.beams is None:
+            return scene
+        return replace(scene, beams_at=self.pose, beams_are_old=False)
 
     def turn(self, degrees: float) -> None:
         """Turn counter-clockwise."""

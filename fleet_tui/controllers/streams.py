@@ -1,0 +1,104 @@
+"""The laser scan and the planned path of the selected robot, watched while they are shown."""
+
+from dataclasses import replace
+
+from fleet_tui.backend import Backend
+from fleet_tui.controllers.navigation import Navigation
+from fleet_tui.controllers.notices import Notices
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.kind import PATH, SCAN
+from fleet_tui.model.set_up.streams import Beams, PlannedPath, Points
+from fleet_tui.rules.localisation.match import Match
+from fleet_tui.state.store import Store
+from fleet_tui.view.map.map_picture import MapPicture
+from fleet_tui.view.map.modes.place import PlaceMode
+from fleet_tui.view.map.scene import Scene
+from fleet_tui.view.set_up.scan_match import newest_beams, scan_match, scan_pose
+
+PATH_GONE = 10.0
+"""Seconds after which a path is not drawn any more."""
+
+
+class ShownStreams:
+    """Watches the streams that are shown, of the robot that is selected, and no others: a scan costs the
+    bridge some kilobytes each time."""
+
+    def __init__(
+        self, store: Store, backend: Backend, navigation: Navigation, notices: Notices, picture: MapPicture
+    ) -> None:
+        self._store, self._backend, self._navigation = store, backend, navigation
+        self._notices, self._picture = notices, picture
+        self._shown = set[str]()
+        self._watched = set[tuple[str, str]]()
+        self._told = ""
+
+    def laser(self) -> None:
+        """Show or hide the laser scan."""
+        self._turn(SCAN, "laser scan")
+
+    def path(self) -> None:
+        """Show or hide the planned path."""
+        self._turn(PATH, "planned path")
+
+    def _turn(self, key: str, name: str) -> None:
+        kind = self._store.state.robots[self._navigation.robot].kind
+        if key in self._shown:
+            self._shown.remove(key)
+            self._notices.say(f"{name} hidden")
+        elif key not in kind.streams:
+            self._notices.say(kind.lack(key))
+        else:
+            self._shown.add(key)
+            self._notices.say(f"{name} of {self._navigation.robot}: waiting for it")
+
+    def on(self, scene: Scene) -> Scene:
+        """Return the scene with the shown streams; watch those of the robot that is selected now."""
+        state, robot = self._store.state, self._store.state.robots[self._navigation.robot]
+        mode = self._picture.mode
+        placing = {SCAN} if isinstance(mode, PlaceMode) and mode.moves_scan else set()
+        self._watch({(robot.name, key) for key in (self._shown | placing) if key in robot.kind.streams})
+        if not self._watched:
+            return scene
+        streams = self._backend.streams
+        if robot.floor == scene.floor or placing:
+            beams = newest_beams(state, robot, streams)
+            if beams is not None:
+                self._tell(robot.name, beams)
+                at = scan_pose(robot, streams)
+                here = robot.pose.value if robot.pose is not None else None
+                scene = replace(scene, beams=beams.points, beams_at=at or here, beams_are_old=at is None)
+            scene = replace(scene, path=self._path(state, robot.name))
+        if isinstance(mode, PlaceMode):
+            mode.note = _text(scan_match(state, robot, mode.floor, streams, mode.pose))
+        return scene
+
+    def _path(self, state: FleetState, robot: str) -> Points | None:
+        streamed = self._backend.streams.get(robot, PATH)
+        if streamed is None or not isinstance(streamed.value, PlannedPath):
+            return None
+        return streamed.value.points if state.now - streamed.at <= PATH_GONE else None
+
+    def match(self) -> Match | None:
+        """Return the match of the shown scan with the map, None without one."""
+        state, robot = self._store.state, self._store.state.robots[self._navigation.robot]
+        if (robot.name, SCAN) not in self._watched or robot.floor is None:
+            return None
+        return scan_match(state, robot, robot.floor, self._backend.streams)
+
+    def _watch(self, wanted: set[tuple[str, str]]) -> None:
+        for robot, key in self._watched - wanted:
+            self._backend.unwatch(robot, key)
+        for robot, key in wanted - self._watched:
+            self._backend.watch(robot, key)
+        self._watched = wanted
+
+    def _tell(self, robot: str, beams: Beams) -> None:
+        """Say once for each robot where its laser is assumed to be."""
+        if self._told != robot:
+            self._told = robot
+            place = "" if beams.is_mounted else ", laser offset unknown: set laser = [x, y, yaw] of the robot"
+            self._notices.note(f"laser scan of {robot}: {len(beams.points)} of {beams.sent} beams{place}")
+
+
+def _text(match: Match | None) -> str:
+    return "no scan to compare" if match is None else match.text
