@@ -11,6 +11,7 @@ from fleet_tui.cli.config.commands import config
 from fleet_tui.cli.duration import DurationParam
 from fleet_tui.cli.graph.commands import graph
 from fleet_tui.cli.kinds import kinds as list_kinds
+from fleet_tui.cli.map.commands import map_group
 from fleet_tui.cli.options import FileName, common, fleet, merged, timeout
 from fleet_tui.cli.orders.commands import orders
 from fleet_tui.config.schema import Config
@@ -23,7 +24,7 @@ def headless() -> None:
     """Group of the commands, which the command line lists as its own."""
 
 
-for command in (config, graph, *orders.commands.values()):
+for command in (config, graph, map_group, *orders.commands.values()):
     headless.add_command(command)
 
 

@@ -56,15 +56,12 @@ class Telemetry:
     """Receives a bridge's topics. Everything runs on the network loop unless noted otherwise."""
 
     def __init__(self, link: str, config: Config, adapters: Mapping[str, Adapter], writer: Writer) -> None:
-        self._link = link
-        self._writer = writer
-        self._logged: set[str] = set()
-        self._waiting = 0
+        self._link, self._writer = link, writer
+        self._logged, self._waiting = set[str](), 0
         self._received_at = self._reported_at = self._active_at = self._next_check = 0.0
         self._last_messages: dict[str, float] = {}
         self._decoder = ThreadPoolExecutor(1, thread_name_prefix="fleet-tui-decode")
-        bridge = config.bridge(link)
-        feeds = feeds_of(config, adapters, link)
+        bridge, feeds = config.bridge(link), feeds_of(config, adapters, link)
         self.connection = Connection(bridge, self)
         self._calls = Calls(self.connection)
         self._streams, limit = writer.store.streams, limit_of(config, link)

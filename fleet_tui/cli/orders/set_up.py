@@ -10,7 +10,7 @@ from fleet_tui.rules.commands.pauses import STANDS_AFTER
 from fleet_tui.rules.commands.set_up.checks import map_of
 from fleet_tui.rules.language.set_up import floor_of
 
-STANDING_WITHIN = STANDS_AFTER + 0.5
+STANDING_WITHIN = STANDS_AFTER + 2.0
 """Seconds until a robot at rest has been seen for long enough to count as standing."""
 MAP_WITHIN = 3.0
 

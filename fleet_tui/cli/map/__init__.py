@@ -1,0 +1,1 @@
+"""The `map` commands: facts, a picture, saving."""

@@ -1,0 +1,97 @@
+"""Saves a map as map_server's YAML with a P5 PGM beside it: at full precision, read back and compared."""
+
+import math
+import os
+import re
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+from fleet_tui.errors import MapError
+from fleet_tui.maps.images import load_floor_map
+from fleet_tui.model.grid import FREE, OCCUPIED, OccupancyGrid
+
+SHADES = {OCCUPIED: 0, FREE: 254}
+"""Brightness of the classes; unknown ground is UNKNOWN_SHADE."""
+UNKNOWN_SHADE = 205
+THRESHOLDS = "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n"
+YAML = (".yaml", ".yml")
+_PLAIN = re.compile(r"[A-Za-z0-9_.-]+")
+
+
+def map_files(path: Path) -> tuple[Path, Path]:
+    """Return the YAML and the PGM of a map that is saved as either, or under a name without an ending."""
+    stem = path.with_suffix("") if path.suffix.lower() in (*YAML, ".pgm") else path
+    yaml = path if path.suffix.lower() in YAML else stem.with_name(f"{stem.name}.yaml")
+    return yaml, stem.with_name(f"{stem.name}.pgm")
+
+
+def pgm_of(grid: OccupancyGrid) -> bytes:
+    """Return the image of a map, row 0 at the top."""
+    shades = np.full(256, UNKNOWN_SHADE, dtype=np.uint8)
+    for kind, shade in SHADES.items():
+        shades[kind] = shade
+    height, width = grid.levels[0].shape
+    return f"P5\n{width} {height}\n255\n".encode() + shades[grid.levels[0]].tobytes()
+
+
+def yaml_of(grid: OccupancyGrid, image: str) -> str:
+    """Return the YAML of a map, at full precision. Raises MapError for a frame that it can't describe."""
+    frame = grid.frame
+    if frame.added:
+        raise MapError('the map lies as origin = "added" says: map_server has no word for that')
+    if not _PLAIN.fullmatch(image):
+        raise MapError(f"{image!r}: use letters, digits, _, - and . in the name of a map")
+    numbers = frame.resolution, frame.origin.x, frame.origin.y, frame.origin.yaw
+    if not all(map(math.isfinite, numbers)):
+        raise MapError("the place of the map is not finite")
+    # Without an exponent, which YAML reads as a text; the shortest digits that read back the same.
+    resolution, x, y, yaw = (np.format_float_positional(number, trim="0") for number in numbers)
+    head = f"image: {image}\nmode: trinary\nresolution: {resolution}\norigin: [{x}, {y}, {yaw}]\n"
+    return head + THRESHOLDS
+
+
+def save_map(grid: OccupancyGrid, path: Path, report: Callable[[str], None] = lambda _step: None) -> Path:
+    """Save a map and return its YAML. Existing files stay as `.bak`. `report` gets each step. Takes long: not
+    for the loop. Raises MapError."""
+    yaml, pgm = map_files(path)
+    text = yaml_of(grid, pgm.name)
+    try:
+        report(f"writing {pgm.name}")
+        _replace(pgm, pgm_of(grid))
+        report(f"writing {yaml.name}")
+        _replace(yaml, text.encode())
+    except OSError as problem:
+        raise MapError(f"{problem.filename or yaml}: {problem.strerror or problem}") from None
+    report(f"comparing {yaml.name}")
+    _compare(grid, yaml)
+    return yaml
+
+
+def _replace(path: Path, content: bytes) -> None:
+    """Write a file so that it is whole at any time, and keep the one before as `.bak`."""
+    descriptor, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
+    temporary = Path(name)
+    try:
+        with os.fdopen(descriptor, "wb") as file:
+            file.write(content)
+            file.flush()
+            os.fsync(file.fileno())
+        # Created for its owner alone: a map is for every program of the site.
+        temporary.chmod(0o644)
+        if path.exists():
+            path.replace(path.with_name(f"{path.name}.bak"))
+        temporary.replace(path)
+    except BaseException:
+        temporary.unlink(missing_ok=True)
+        raise
+
+
+def _compare(grid: OccupancyGrid, yaml: Path) -> None:
+    loaded = load_floor_map("", yaml, added=False)
+    if loaded.grid is None:
+        raise MapError(f"{yaml}: read back: {loaded.problem}")
+    if loaded.grid.frame != grid.frame or not np.array_equal(loaded.grid.levels[0], grid.levels[0]):
+        raise MapError(f"{yaml}: differs from the map when read back: the disk may be full or faulty")
