@@ -101,4 +101,4 @@ class ShownStreams:
 
 
 def _text(match: Match | None) -> str:
-    return "no scan to compare" if match is None else match.text
+    return "no scan to compare" if match is None else f"{match.share * 100:.0f} % fit, {match.median:.2f} m"

@@ -15,7 +15,7 @@ async def test_a_mislocalised_robot_is_put_right_by_keys_alone(site: Site) -> No
     async with console(site.config) as it:
         await it.until(lambda state: state.robots["robot_0"].still_for > 3)
         await it.press("I")
-        await it.shows("POSE robot_0", "map")
+        await it.shows("POSE", "map")
         mode, truth = it.app.main.rest.poses.mode, robot.pose
         assert mode is not None
         mode.cursor, mode.yaw = (truth.x, truth.y), truth.yaw  # as arrows do, cell by cell
@@ -34,14 +34,14 @@ async def test_a_mislocalised_robot_is_put_right_by_keys_alone(site: Site) -> No
 async def test_a_goal_is_an_order_to_a_pose(site: Site) -> None:
     async with console(site.config) as it:
         await it.press("G")
-        await it.shows("GOAL robot_0", "map")
+        await it.shows("GOAL", "map")
         mode = it.app.main.rest.poses.mode
         assert mode is not None
         mode.cursor, mode.yaw = (8.0, 0.0), math.pi / 2
         await it.press("enter")
         await it.shows("go to (8.00, 0.00) 90")
         await it.press("n")
-        await it.shows("GOAL robot_0", "map")
+        await it.shows("GOAL", "map")
         await it.press("enter", "y")
         await it.until(placed)
 
@@ -56,3 +56,33 @@ async def test_arrows_move_and_escape_leaves(site: Site) -> None:
         assert mode.cursor != before
         await it.press("p", "escape")
         assert it.app.main.rest.poses.mode is None
+
+
+async def test_the_scan_shows_how_well_a_pose_fits(site: Site) -> None:
+    play(site.server, [("mislocalised", "robot_0")])
+    robot = site.navigation().robot
+    async with console(site.config) as it:
+        await it.until(lambda state: state.robots["robot_0"].still_for > 1)
+        await it.press("u")
+        await it.shows("laser offset unknown")
+        await it.press("w")
+        await it.shows("1. not localised")
+        await it.press("escape", "I")
+        mode = it.app.main.rest.poses.mode
+        assert mode is not None
+        mode.cursor, mode.yaw = (robot.pose.x, robot.pose.y), robot.pose.yaw
+        await it.shows("POSE 100 % fit")
+        streams = it.app.main.backend.streams
+        assert streams.wants("robot_0", "scan")
+        await it.press("escape", "u")
+        it.app.main.tick()
+        assert not streams.wants("robot_0", "scan")
+
+
+async def test_streams_go_along_with_the_selected_robot(site: Site) -> None:
+    async with console(site.config) as it:
+        await it.press("u", "U", "]")
+        it.app.main.tick()
+        streams = it.app.main.backend.streams
+        assert {robot for robot in ("robot_0", "robot_1") if streams.wants(robot, "scan")} == {"robot_1"}
+        assert streams.wants("robot_1", "path")

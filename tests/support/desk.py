@@ -41,9 +41,11 @@ class CollectingBackend:
         self.counters: Mapping[str, LinkCounter] = {}
         self.streams = Streams()
 
-    def watch(self, robot: str, key: str) -> None: ...
+    def watch(self, robot: str, key: str) -> None:
+        self.streams.watch(robot, key)
 
-    def unwatch(self, robot: str, key: str) -> None: ...
+    def unwatch(self, robot: str, key: str) -> None:
+        self.streams.unwatch(robot, key)
 
     def open(self) -> None: ...
 

@@ -44,8 +44,9 @@ class PlaceMode(PlainMode):
         # Adding 0 turns -0.0 into 0.0.
         x, y = (round(metres, 2) + 0.0 for metres in self.cursor)
         degrees = round(math.degrees(self.yaw)) + 0
-        note = f", {self.note}" if self.note else ""
-        return f"{self.title} {sanitize(self.robot)}: {x:.2f}, {y:.2f} m, {degrees} degrees{note}"
+        # The match first: the rest is seen on the map.
+        note = f"{self.note}, " if self.note else ""
+        return f"{self.title} {note}{x:.2f}, {y:.2f} m, {degrees} degrees, {sanitize(self.robot)}"
 
     def adjusted(self, scene: Scene) -> Scene:
         """Return the scene with the laser scan as it would lie with the robot at the chosen pose."""

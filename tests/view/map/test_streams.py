@@ -1,0 +1,59 @@
+"""The layers of the laser scan and of the planned path."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from fleet_tui.model.geometry import MapFrame, Pose
+from fleet_tui.view.map.camera import Camera
+from fleet_tui.view.map.cells import Cells
+from fleet_tui.view.map.drawing import Drawing
+from fleet_tui.view.map.layers import MapOptions
+from fleet_tui.view.map.picture import backdrop, picture
+from fleet_tui.view.map.scene import Scene
+from fleet_tui.view.roles import StyleRole
+
+FRAME = MapFrame(0.05, 400, 200)
+CAMERA = Camera.fit((400, 200), 100, 29)
+SCENE = Scene("f", FRAME)
+
+
+def drawn(scene: Scene, look: MapOptions | None = None) -> Cells:
+    look = look or MapOptions()
+    return picture(backdrop(scene, CAMERA, look), scene, CAMERA, look)
+
+
+def cell(x: float, y: float) -> tuple[int, int]:
+    column, row = CAMERA.to_cell(*FRAME.to_pixel(x, y))
+    return row, column
+
+
+def test_beams_end_where_the_robot_sees_them_from_its_pose() -> None:
+    beams = np.array([[2.0, 0.0], [0.0, 1.0], [math.nan, 0.0], [1e30, 1.0]], np.float32)
+    cells = drawn(replace(SCENE, beams=beams, beams_at=Pose(10.0, 5.0, math.pi / 2)))
+    assert cells.roles[cell(10.0, 7.0)] == StyleRole.SCAN
+    assert cells.roles[cell(9.0, 5.0)] == StyleRole.SCAN
+    assert np.count_nonzero(cells.roles == StyleRole.SCAN) == 2
+
+
+def test_beams_of_an_uncertain_pose_are_dim_and_without_a_pose_nothing_is_drawn() -> None:
+    beams = np.array([[2.0, 0.0]], np.float32)
+    old = drawn(replace(SCENE, beams=beams, beams_at=Pose(10.0, 5.0), beams_are_old=True))
+    assert StyleRole.TRAIL in old.roles and StyleRole.SCAN not in old.roles
+    assert StyleRole.SCAN not in drawn(replace(SCENE, beams=beams)).roles
+
+
+def test_a_path_is_a_line_of_its_points() -> None:
+    path = np.array([[2.0, 5.0], [2.0001, 5.0], [18.0, 5.0]], np.float32)
+    cells = drawn(replace(SCENE, path=path))
+    assert all(cells.roles[cell(x, 5.0)] == StyleRole.MISSION_NEXT for x in (3.0, 10.0, 17.0))
+    for few in (path[:1], path[:0]):
+        assert StyleRole.MISSION_NEXT not in drawn(replace(SCENE, path=few)).roles
+
+
+def test_ascii_has_characters_of_its_own() -> None:
+    beams, path = np.array([[2.0, 0.0]], np.float32), np.array([[2.0, 2.0], [18.0, 2.0]], np.float32)
+    scene = replace(SCENE, beams=beams, beams_at=Pose(10.0, 5.0), path=path)
+    text = drawn(scene, MapOptions(Drawing.ASCII)).text()
+    assert text.count("%") == 1 and text.count(":") > 20 and text.isascii()
