@@ -186,6 +186,7 @@ class PlaceActions(Struct, frozen=True):
 
     laser: Act
     path: Act
+    mapping: Act
     pose: Act
     goal: Act
     turn: Step

@@ -59,6 +59,13 @@ PLACE: tuple[Key[Actions], ...] = (
         commands=True,
         only_live=True,
     ),
+    Key(
+        "mapping",
+        ("M",),
+        lambda do: do.place.mapping(),
+        "Mapping: on, off, the live map, save it",
+        only_live=True,
+    ),
     _place("send", ("enter",), lambda do: do.send(), "Ask, then send the pose or goal", "send"),
     _place(
         "left", ("h",), lambda do: do.turn(TURN), f"Turn the heading {TURN} degrees to the left", "turn left"

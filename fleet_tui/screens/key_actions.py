@@ -48,6 +48,7 @@ def key_actions(screen: "MainScreen", rest: "Rest") -> Actions:
         place=PlaceActions(
             laser=rest.streams.laser,
             path=rest.streams.path,
+            mapping=rest.mapping.menu,
             pose=rest.poses.pose,
             goal=rest.poses.goal,
             turn=rest.poses.turn,

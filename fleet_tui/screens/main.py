@@ -22,6 +22,7 @@ from fleet_tui.controllers.session import OpenSession, SessionParts
 from fleet_tui.controllers.settings import ConsoleSettings
 from fleet_tui.keys import BY_ID, KEYS, Pane
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.rules.commands.set_up.mode import mapping_text
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.state.store import Store
 from fleet_tui.view.lines.commands import message_line
@@ -165,12 +166,14 @@ class MainScreen(Screen[None]):
             selection = replace(selection, floor=drafted[0].marked.floor)
         owner = map_owner(state, selection)
         # The live map of the shown floor, unless a file has it.
-        has_file = state.floors[selection.floor].grid is not None
+        is_mapping = bool(mapping_text(state.robots[selection.robot]))
+        has_file = state.floors[selection.floor].grid is not None and not is_mapping
         wanted = (owner.name, "" if has_file else selection.floor) if owner else None
         if wanted is not None and wanted != self._mapped:
             self._mapped = wanted
             self.backend.show_map(*wanted)
-        self.rest.map.show(self.rest.streams.on(floor_scene(state, selection, drafted)))
+        scene = floor_scene(state, selection, drafted)
+        self.rest.map.show(self.rest.mapping.on(self.rest.streams.on(scene)))
         self.panes.show_floor(self.rest.map.picture.lines_of_floor(self.rest.map.size.width))
 
     def _mark_alarm(self, state: FleetState) -> None:

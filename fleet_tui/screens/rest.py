@@ -14,10 +14,11 @@ from fleet_tui.controllers.editing.values import VertexValues
 from fleet_tui.controllers.map import MapControls
 from fleet_tui.controllers.offers import Offers
 from fleet_tui.controllers.orders import OrderRequests
-from fleet_tui.controllers.poses import PoseRequests
 from fleet_tui.controllers.robots import RobotRequests
 from fleet_tui.controllers.save import SaveCommand
-from fleet_tui.controllers.streams import ShownStreams
+from fleet_tui.controllers.set_up.mapping import MappingControls
+from fleet_tui.controllers.set_up.poses import PoseRequests
+from fleet_tui.controllers.set_up.streams import ShownStreams
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.keys import Key, Pane, overruled
 from fleet_tui.keys.key import key_name
@@ -79,8 +80,8 @@ class Rest:
         offers = Offers(
             store, dispatch, navigation, screen.session, self.save, settings.themes, partial(_run, screen)
         )
-        self.palette = Palette(offers.entries, lambda line: self._typed_on_draft(line) or offers.typed(line))
-        self._edit_with(EditorParts(store, dispatch, navigation, notices, menu, self.palette.show))
+        self.palette = Palette(offers.entries, lambda line: self._typed_set_up(line) or offers.typed(line))
+        self._set_up_with(EditorParts(store, dispatch, navigation, notices, menu, self.palette.show))
         self.simple = self._simple_switch(screen)
         self.actions = key_actions(screen, self)
 
@@ -92,7 +93,7 @@ class Rest:
             *answering, *opens, settings.keys, settings.clock, lambda: screen.alarm_cleared_at
         )
 
-    def _edit_with(self, parts: EditorParts) -> None:
+    def _set_up_with(self, parts: EditorParts) -> None:
         keys = self._screen.settings.keys
         self._overruled = {pane: overruled(keys, pane) for pane in Pane if pane.is_mode}
         self.poses = PoseRequests(*parts[:4], self.confirm.ask, self.map_controls, self.map.picture)
@@ -100,12 +101,20 @@ class Rest:
         self.checks = DraftChecks(parts, self.editor, partial(_in_background, self._screen))
         files, ask = self._screen.files, self.confirm.ask
         self.draft_files = DraftFiles(parts, self.editor, self.checks, files, ask)
+        self.mapping = MappingControls(
+            parts,
+            self.map.picture,
+            files,
+            ask,
+            partial(_in_background, self._screen),
+            partial(self._screen.app.call_from_thread, self._screen.notices.say),
+        )
         self.values = VertexValues(parts, self.editor)
         self.drawing = GraphDrawing(parts, self.editor, self.values)
 
-    def _typed_on_draft(self, line: str) -> Typed | None:
-        """Parse a typed line that is about the draft, None for any other."""
-        return self.values.typed(line) or self.draft_files.typed(line)
+    def _typed_set_up(self, line: str) -> Typed | None:
+        """Parse a typed line that is about the draft or the map, None for any other."""
+        return self.values.typed(line) or self.draft_files.typed(line) or self.mapping.typed(line)
 
     async def mount(self, screen: "MainScreen") -> None:
         """Mount all widgets, the focus on the map. The audit log starts before there is a link."""

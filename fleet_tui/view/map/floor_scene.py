@@ -12,6 +12,7 @@ from fleet_tui.model.geometry import Line, MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.robot import Robot, RobotMap
 from fleet_tui.rules.alarms.trouble import in_trouble, trouble_elsewhere
+from fleet_tui.rules.commands.set_up.mode import mapping_text
 from fleet_tui.rules.marks import marks_of
 from fleet_tui.rules.routes.order_draft import Drafted
 from fleet_tui.text.sanitize import sanitize
@@ -74,10 +75,12 @@ def _ground(state: FleetState, floor: str, vertices: tuple[SceneVertex, ...]) ->
     return MapFrame(EMPTY_RESOLUTION, *pixels, Pose(left, low))
 
 
-def _with_map(floor: Floor, robot_map: RobotMap, scene: Scene) -> Scene:
+def _with_map(floor: Floor, robot_map: RobotMap, scene: Scene, is_mapping: bool) -> Scene:
     """Return the floor's configured file first, then the live map, then empty ground with a note on the
     missing map."""
     grid, frame = floor.grid, robot_map.frame
+    if is_mapping and (robot_map.grid or floor.live) is not None:
+        grid = None  # the map that grows, not the file
     if grid is not None and floor.tied:
         note = ""
         if frame is not None and not _same_size(frame, grid.frame):
@@ -177,7 +180,7 @@ def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None
     floor = state.floors[selection.floor]
     ground = _ground(state, floor.name, vertices)
     scene = Scene(floor.name, ground, vertices=vertices, edges=edges, one_way=one_way, at=state.now)
-    scene = _with_map(floor, robot_map, scene)
+    scene = _with_map(floor, robot_map, scene, bool(mapping_text(state.robots[selection.robot])))
     tied = floor.grid is not None and floor.tied
     troubled = in_trouble(state)
     marks = marks_of(tuple(state.robots))

@@ -1,6 +1,6 @@
 """The scene: the content of the map at one moment, independent of the fleet's state."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -89,6 +89,10 @@ class Scene:
     beams_at: Pose | None = None
     beams_are_old: bool = False
     path: Points | None = None
+
+    def with_note(self, note: str) -> "Scene":
+        """Return the scene with a note that is no problem."""
+        return replace(self, note=note, waits=True)
 
     @property
     def selected(self) -> SceneRobot | None:

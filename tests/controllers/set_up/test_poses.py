@@ -3,7 +3,7 @@
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.controllers.poses import PoseRequests
+from fleet_tui.controllers.set_up.poses import PoseRequests
 from fleet_tui.model.events import Event
 from fleet_tui.model.kind import GOAL, POSE, Kind
 from fleet_tui.model.problem import Permissions

@@ -3,7 +3,7 @@
 import numpy as np
 from msgspec.structs import replace
 
-from fleet_tui.controllers.streams import ShownStreams
+from fleet_tui.controllers.set_up.streams import ShownStreams
 from fleet_tui.model.kind import PATH, SCAN
 from fleet_tui.model.set_up.streams import Beams, PlannedPath, Streamed
 from fleet_tui.view.map.floor_scene import floor_scene

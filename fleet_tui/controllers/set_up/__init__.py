@@ -1,0 +1,1 @@
+"""Set-up from the console: poses and goals, streams, mapping."""

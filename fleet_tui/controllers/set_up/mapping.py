@@ -1,0 +1,129 @@
+"""Mapping: its mode on and off, the live map in words, and saving it."""
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from fleet_tui.config.schema import expanded
+from fleet_tui.controllers.dispatch import Ask
+from fleet_tui.controllers.editing.checks import InBackground
+from fleet_tui.controllers.editing.editor import EditorParts
+from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.controllers.typed import Entry, Typed
+from fleet_tui.errors import MapError
+from fleet_tui.maps.saving import map_files, save_map
+from fleet_tui.model.grid import OccupancyGrid
+from fleet_tui.model.kind import MAPPING
+from fleet_tui.model.request import Request
+from fleet_tui.model.robot import Robot
+from fleet_tui.model.set_up.commands import SetMapping
+from fleet_tui.model.set_up.survey import survey
+from fleet_tui.rules.commands.set_up.mode import mapping_text
+from fleet_tui.text.durations import age
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.map.map_picture import MapPicture
+from fleet_tui.view.map.scene import Scene
+
+WORD = "save-map"
+"""First word of a typed line that saves the map."""
+
+
+class MappingControls:
+    """Lists what can be done about the map of the selected robot's floor, and keeps the age of its live
+    map."""
+
+    def __init__(
+        self,
+        parts: EditorParts,
+        picture: MapPicture,
+        files: ConsoleFiles,
+        ask: Ask,
+        in_background: InBackground,
+        say_from_thread: Callable[[str], None],
+    ) -> None:
+        self._parts, self._picture, self._files, self._ask = parts, picture, files, ask
+        self._in_background, self._say_from_thread = in_background, say_from_thread
+        self._grid: OccupancyGrid | None = None
+        self._text, self._changed_at = "", 0.0
+
+    @property
+    def _robot(self) -> Robot:
+        return self._parts.store.state.robots[self._parts.navigation.robot]
+
+    def on(self, scene: Scene) -> Scene:
+        """Return the scene with a note on the map that grows, while the selected robot maps."""
+        mapping = mapping_text(self._robot)
+        if not mapping or scene.grid is None:
+            return scene
+        note = f"{mapping}, {self.map_text(scene.grid)}"
+        return scene.with_note(note) if not scene.note else scene
+
+    def map_text(self, grid: OccupancyGrid) -> str:
+        """Return the known area of a map, and its age."""
+        now = self._parts.store.state.now
+        if grid is not self._grid:
+            self._grid, self._text, self._changed_at = grid, f"{survey(grid).known:.0f} m2 known", now
+        return f"{self._text}, map {age(max(0.0, now - self._changed_at))} old"
+
+    def menu(self) -> None:
+        """List the actions: mapping on or off, saving the map."""
+        robot, scene = self._robot, self._picture.scene
+        entries: list[Entry] = []
+        if robot.kind.can(MAPPING):
+            entries += [(f"Mapping {mode}", partial(self._switch, mode == "on")) for mode in ("on", "off")]
+        else:
+            self._parts.notices.note(robot.kind.lack(MAPPING))
+        lines = [f"{robot.name}: {mapping_text(robot) or 'not mapping, as far as is known'}"]
+        if scene is not None and scene.grid is not None:
+            lines.append(f"{scene.floor}: {survey(scene.grid).text}")
+            entries.append(
+                ("Save this map to a file", partial(self._parts.begin, f"{WORD} {scene.floor}.yaml"))
+            )
+        else:
+            lines.append("no map yet")
+        self._parts.open_menu(
+            "\n".join(map(sanitize, lines)), entries or [("Nothing can be done", lambda: None)]
+        )
+
+    def _switch(self, on: bool) -> None:
+        self._parts.dispatch.do(Request((SetMapping(self._robot.name, on),)))
+
+    def typed(self, line: str) -> Typed | None:
+        """Parse a typed line as a file to save the map to, None if it is none."""
+        word, _, name = line.strip().partition(" ")
+        if word != WORD:
+            return None
+        scene = self._picture.scene
+        if scene is None or scene.grid is None:
+            return Typed(problem="no map is shown")
+        if not name.strip():
+            return Typed(problem=f"a file: {WORD} maps/{scene.floor}.yaml")
+        return Typed(
+            [(f"Save the map to {sanitize(name.strip())}", partial(self._save, scene.grid, name.strip()))]
+        )
+
+    def _save(self, grid: OccupancyGrid, name: str) -> None:
+        if refusal := self._parts.dispatch.set_up_refusal():
+            self._parts.notices.say(refusal)
+            return
+        path = expanded(name)
+        save = partial(self._in_background, partial(_saved, grid, path, self._say_from_thread), self._said)
+        if any(file.exists() for file in map_files(path)):
+            self._ask(lambda: f"{sanitize(name)} exists: it is kept as .bak. Save?", save)
+        else:
+            save()
+
+    def _said(self, text: Any) -> None:
+        if self._files.audit is not None:
+            self._files.audit.log_console("map saved", str(text))
+        self._parts.notices.say(sanitize(str(text)))
+
+
+def _saved(grid: OccupancyGrid, path: Path, report: Callable[[str], None]) -> str:
+    """Save a map, and return the result in words."""
+    try:
+        yaml = save_map(grid, path, report)
+    except MapError as problem:
+        return f"map not saved: {problem}"
+    return f"map saved to {yaml}, read back and compared: {survey(grid).text}"
