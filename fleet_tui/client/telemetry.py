@@ -60,6 +60,7 @@ class Telemetry:
         self._logged, self._waiting = set[str](), 0
         self._received_at = self._reported_at = self._active_at = self._next_check = 0.0
         self._last_messages: dict[str, float] = {}
+        self._jumps: dict[str, object] = {}
         self._decoder = ThreadPoolExecutor(1, thread_name_prefix="fleet-tui-decode")
         bridge, feeds = config.bridge(link), feeds_of(config, adapters, link)
         self.connection = Connection(bridge, self)
@@ -203,7 +204,11 @@ class Telemetry:
         self._writer.store.apply(event)
         robots = self._writer.store.state.robots
         if isinstance(event, _PLACES) and event.robot in robots:
-            self._streams.note(robots[event.robot])
+            robot = robots[event.robot]
+            self._streams.note(robot)
+            if robot.relocated is not None and robot.relocated is not self._jumps.get(robot.name):
+                self._jumps[robot.name] = robot.relocated
+                LOG.warning("%s: pose jumped by %s", robot.name, robot.relocated.value)
 
     def _put_together(self, piece: operations.Fragment) -> None:
         try:

@@ -1,5 +1,4 @@
-"""Events. Each one turns a fleet state into the next one. `at` is the monotonic time in seconds at which the
-event reached this console; `wall` is Unix time."""
+"""Events: each turns a fleet state into the next. `at`: monotonic second of arrival; `wall`: Unix time."""
 
 from collections.abc import Mapping
 
@@ -104,6 +103,7 @@ class GridReceived(Struct, frozen=True, eq=False, tag=True):
     robot: str
     floor: str
     grid: OccupancyGrid
+    at: float = 0.0
 
 
 MapFactReceived = FrameReceived | GraphReceived | LabelsReceived | GridReceived

@@ -41,7 +41,7 @@ class Limits(Struct, frozen=True):
 class Floor(Struct, frozen=True, eq=False):
     """A floor of the config. `grid` is its configured map file; `tied` is False if that is a plain image
     placed by map_metadata; `problem` is the reason it can't be shown, `graph_problem` that of its graph
-    file; `live` is the map that robots share."""
+    file; `live` is the map that robots share, `live_at` the time of its arrival."""
 
     name: str
     frame_id: str
@@ -50,6 +50,7 @@ class Floor(Struct, frozen=True, eq=False):
     problem: str = ""
     graph_problem: str = ""
     live: OccupancyGrid | None = None
+    live_at: float | None = None
 
 
 class FleetState(Struct, frozen=True, eq=False):

@@ -35,12 +35,14 @@ class StampClock(Struct, frozen=True):
 
 
 class RobotMap(Struct, frozen=True, eq=False):
-    """A floor as one robot knows it. The live `grid` is set only if it was subscribed."""
+    """A floor as one robot knows it. The live `grid` is set only if it was subscribed; `grid_at` is
+    the time of its arrival."""
 
     frame: MapFrame | None = None
     graph: RouteGraph | None = None
     labels: Mapping[str, str] = field(default_factory=dict)
     grid: OccupancyGrid | None = None
+    grid_at: float | None = None
 
     def name_of(self, vertex: str) -> str | None:
         """The label of a vertex, else its id; None if the graph has no such vertex."""
@@ -55,18 +57,19 @@ class Robot(Struct, frozen=True, eq=False):
     telemetry; `floor` is the one named by the frame of its pose; `paused_at` is its pose when it accepted our
     own pause; `standing` is the pose it has not left, and since when; `place` is coarser: its place of last
     progress, and since when; `jumps` are the metres of recent impossible jumps of its pose, each with its
-    time; `fault_at` is the time of its last bad data; `says_paused`: it has a topic for that, received or
-    not; `traces` are the orders in its queue by id, `gone` those that left it, newest last; `pause_lost_at`
-    is when a restart ended our own pause; `goals` are those that its action servers list, by action;
-    `odometry` is its newest pose by its wheels, `located` its last localised pose on the map, `anchor` the
-    origin of its wheel frame on the map; `variance` that of its position in square metres; `own_floor` the
-    floor it reports; `held` is the reason that this console sends it no waiting order, empty while it does,
-    and `released_at` when the operator last released them; `named` is a goal that this console named and that
-    is not listed yet; `target` the last reported target of a goal it had just begun; `unmeasured` are values
-    that it reports as not measured; `located_at`: the time of `located`; `mode` is the mode that it reports,
-    `mapping_by_us` that this console switched mapping on; `counts_percent`: its battery was seen to count to
-    100; `size` is its length and width in metres, None if not configured; `laser` is the pose of its laser on
-    it, None if unknown, `laser_flipped` that it hangs upside down."""
+    time; `relocated` is the last jump that its localisation made, in words; `fault_at` is the time of its
+    last bad data; `says_paused`: it has a topic for that, received or not; `traces` are the orders in its
+    queue by id, `gone` those that left it, newest last; `pause_lost_at` is when a restart ended our own
+    pause; `goals` are those that its action servers list, by action; `odometry` is its newest pose by its
+    wheels, `located` its last localised pose on the map, `anchor` the origin of its wheel frame on the map;
+    `variance` that of its position in square metres; `own_floor` the floor it reports; `held` is the reason
+    that this console sends it no waiting order, empty while it does, and `released_at` when the operator last
+    released them; `named` is a goal that this console named and that is not listed yet; `target` the last
+    reported target of a goal it had just begun; `unmeasured` are values that it reports as not measured;
+    `located_at`: the time of `located`; `mode` is the mode that it reports, `mapping_by_us` that this console
+    switched mapping on; `counts_percent`: its battery was seen to count to 100; `size` is its length and
+    width in metres, None if not configured; `laser` is the pose of its laser on it, None if unknown,
+    `laser_flipped` that it hangs upside down."""
 
     name: str
     number: int
@@ -76,6 +79,7 @@ class Robot(Struct, frozen=True, eq=False):
     standing: Reading[Pose] | None = None
     place: Reading[Pose] | None = None
     jumps: tuple[Reading[float], ...] = ()
+    relocated: Reading[str] | None = None
     frame_id: str = ""
     floor: str | None = None
     battery: Reading[float] | None = None

@@ -8,7 +8,7 @@ from fleet_tui.model import events, navigation_events
 from fleet_tui.model.navigation import Blocked, Progress
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.state.goal_reports import apply_goals, with_sign_of_life
-from fleet_tui.state.reports import apply_report, set_clock
+from fleet_tui.state.reports import apply_report, relocation, set_clock
 from fleet_tui.text.limits import LONGEST_NAME, truncate
 
 
@@ -87,9 +87,10 @@ def _take_localisation(robot: Robot, event: navigation_events.LocalisationReport
     if event.variance is not None:
         robot = replace(robot, variance=Reading(event.variance, event.at))
     frame_id = truncate(event.frame_id.lstrip("/"), LONGEST_NAME)
+    jumped = relocation(robot, event.pose, frame_id, event.at)
     robot = replace(robot, located=event.pose, located_at=_true_at(robot, event), frame_id=frame_id)
     if robot.odometry is not None:
-        robot = replace(robot, anchor=event.pose.after(robot.odometry.inverse))
+        robot = replace(robot, anchor=event.pose.after(robot.odometry.inverse), relocated=jumped)
         return replace(robot, pose=Reading(event.pose, robot.pose.at)) if robot.pose else robot
     placed = events.PoseReported(robot.name, event.at, event.pose, frame_id, None)
     return replace(apply_report(robot, placed), last_received=robot.last_received)

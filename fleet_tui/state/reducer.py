@@ -91,7 +91,9 @@ def _with_live_map(state: FleetState, event: events.GridReceived) -> FleetState:
     if event.robot or event.floor not in state.floors:
         return state
     floors = {
-        name: replace(floor, live=event.grid if name == event.floor else None)
+        name: replace(floor, live=event.grid, live_at=event.at)
+        if name == event.floor
+        else replace(floor, live=None, live_at=None)
         for name, floor in state.floors.items()
     }
     return replace(state, floors=floors)

@@ -11,6 +11,7 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.order import Order, OrderQueue, vertices_of
 from fleet_tui.model.order_life import trace_movement, trace_queue
 from fleet_tui.model.robot import Reading, Robot, RobotMap, StampClock, with_fault
+from fleet_tui.rules.localisation.jumps import pose_jump
 from fleet_tui.rules.movement import JUMPS_WITHIN, jump, moved, progressed
 from fleet_tui.text.limits import LONGEST_NAME, MOST_ORDERS, truncate
 
@@ -53,6 +54,15 @@ def _jumps(robot: Robot, pose: Pose, frame_id: str, at: float) -> tuple[Reading[
     return (*recent, Reading(metres, at))[-JUMPS_KEPT:]
 
 
+def relocation(robot: Robot, pose: Pose, frame_id: str, at: float) -> Reading[str] | None:
+    """Return the last jump of a robot's pose that its speed can't explain."""
+    last = robot.pose
+    if last is None or frame_id != robot.frame_id:
+        return robot.relocated
+    text = pose_jump(last.value, pose, at - last.at)
+    return Reading(text, at) if text else robot.relocated
+
+
 def _drives_on(robot: Robot, pose: Pose) -> bool:
     """Tell whether it moves despite our pause. If the pause is only that this console holds back the next
     goal, it lasts however the robot is moved."""
@@ -81,6 +91,7 @@ def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
         standing=standing,
         place=_place(robot, pose, frame_id),
         jumps=_jumps(robot, event.pose, frame_id, true_at),
+        relocated=relocation(robot, event.pose, frame_id, true_at),
         frame_id=frame_id,
         clock=clock,
         last_received=max(robot.last_received if robot.last_received is not None else true_at, true_at),
@@ -187,7 +198,7 @@ def apply_map_fact(robot: Robot, event: events.MapFactReceived) -> Robot:
         case events.LabelsReceived():
             robot_map = replace(robot_map, labels=dict(event.labels))
         case events.GridReceived():
-            robot_map = replace(robot_map, grid=event.grid)
+            robot_map = replace(robot_map, grid=event.grid, grid_at=event.at)
         case _:
             assert_never(event)
     before = set(lost_vertices(robot, robot.orders))

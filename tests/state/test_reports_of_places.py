@@ -8,6 +8,7 @@ from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.robot import Robot, RobotMap
 from fleet_tui.rules.language.lookup import places
 from fleet_tui.state.reducer import apply
+from tests.support.fleets import R0, T0, fleet, pose, reduced
 
 
 def test_labels_are_those_of_the_floor_it_is_on_where_ids_are_the_same() -> None:
@@ -30,3 +31,11 @@ def test_an_offline_alarm_does_not_end_because_the_link_goes_too() -> None:
     state = apply(state, events.LinkChanged("l", 11.0, Phase.WAITING, "gone"))
     state = apply(state, events.TimePassed(20.0, 0.0))
     assert [alarm.text for alarm in state.alarms if alarm.condition.source == "r"] == ["offline 20 s"]
+
+
+def test_a_jump_of_localisation_is_kept_in_words_until_the_next() -> None:
+    state = reduced(fleet(), pose(T0, 0.0), pose(T0 + 0.1, 0.2), pose(T0 + 0.2, 2.2))
+    jumped = state.robots[R0].relocated
+    assert jumped is not None and (jumped.value, jumped.at) == ("2.0 m and 0°", T0 + 0.2)
+    assert reduced(state, pose(T0 + 0.3, 2.3)).robots[R0].relocated is jumped
+    assert reduced(fleet(), pose(T0, 0.0), pose(T0 + 9, 9.0)).robots[R0].relocated is None

@@ -101,14 +101,15 @@ def read_map(names: Names) -> Translate:
     """Read a nav_msgs/OccupancyGrid."""
     read, added = ros.reader(ros.OccupancyGridMessage, names.paths("map")), names.profile.origin == "added"
 
-    def translate(robot: str, floor: str, msg: object, _at: float) -> events.Event:
+    def translate(robot: str, floor: str, msg: object, at: float) -> events.Event:
         # With numpy, whose import takes longer than a whole command without a screen.
         from fleet_tui.model.occupancy import grid_from_ros
 
         message = read(msg)
         data = message.data if isinstance(message.data, bytes) else array("b", message.data).tobytes()
         try:
-            return events.GridReceived(robot, floor, grid_from_ros(frame_of(message.info, added), data))
+            grid = grid_from_ros(frame_of(message.info, added), data)
+            return events.GridReceived(robot, floor, grid, at)
         except MapError as problem:
             raise WireError(str(problem)) from None
 

@@ -112,7 +112,7 @@ class FrameReader:
         counter.count_frame(payload, False, at)
         profile = self._adapters[feed.robot].names.profile
         try:
-            event = self._decode_apart(profile, feed, payload)
+            event = replace(self._decode_apart(profile, feed, payload), at=at)
         except WireError as problem:
             counter.failed(str(problem))
             return _rejected(feed, str(problem))

@@ -1,6 +1,7 @@
 """The other end of a set-up command, as rosapi knows it: whatever is published with a wrong type, or to no
 listener, is lost without a word."""
 
+import asyncio
 from collections.abc import Sequence
 
 from fleet_tui.adapters.adapter import Outgoing, Publication, ServiceCall
@@ -8,8 +9,8 @@ from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.client.calls import Calls
 from fleet_tui.errors import CommandError, LinkError
 
-WITHIN = 0.4
-"""Seconds for each answer of rosapi; a command goes out without them."""
+WITHIN = 0.3
+"""Seconds for all answers of rosapi, so that no command gets too old; it goes out without them."""
 BRIDGE = "rosbridge"
 """Part of the names of bridges, which listen for their clients."""
 
@@ -21,16 +22,18 @@ async def check_listeners(calls: Calls, outgoing: Sequence[Outgoing]) -> None:
     """Raise CommandError for a message that no node would take."""
     for one in outgoing:
         if isinstance(one, Publication):
-            await _check(calls, one, "topic_type", {"topic": one.address})
-            nodes = await _ask(calls, "subscribers", {"topic": one.address}, "subscribers")
+            named: Args = {"topic": one.address}
+            type_, nodes = await asyncio.gather(
+                _ask(calls, "topic_type", named, "type"), _ask(calls, "subscribers", named, "subscribers")
+            )
+            _check_type(one, type_)
             if isinstance(nodes, list) and all(BRIDGE in str(node) for node in nodes):
                 raise CommandError(f"nobody listens on {one.address}")
         elif isinstance(one, ServiceCall):
-            await _check(calls, one, "service_type", {"service": one.address})
+            _check_type(one, await _ask(calls, "service_type", {"service": one.address}, "type"))
 
 
-async def _check(calls: Calls, one: Publication | ServiceCall, question: str, args: Args) -> None:
-    found = await _ask(calls, question, args, "type")
+def _check_type(one: Publication | ServiceCall, found: object) -> None:
     if isinstance(found, str) and found and not same_type(found, one.type):
         raise CommandError(f"{one.address} has type {found[:100]}, not {one.type}")
 

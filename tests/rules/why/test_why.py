@@ -22,6 +22,7 @@ from fleet_tui.model.events import (
     PausedReported,
 )
 from fleet_tui.model.kind import Kind
+from fleet_tui.rules.localisation.match import Match
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.simulator.robot import SimOrder
 from tests.support.fleets import (
@@ -195,3 +196,14 @@ def test_no_reason_is_made_of_what_is_never_reported() -> None:
     assert names(still) == ["cause unknown"]
     assert names(reduced(moved(Kind("silent")), battery(T0 + 9), tick(T0 + 9))) == ["cause unknown"]
     assert "queue unknown" in names(reduced(moved(FULL), pose(T0 + 9), tick(T0 + 9)))
+
+
+def test_a_scan_that_does_not_fit_comes_first_and_without_one_nothing_is_said() -> None:
+    state = fleet()
+    state = reduced(state, link_up(T0 - 100), pose(T0 - 60), pose(T0 - 0.1), queue(T0 - 0.1), tick(T0))
+    robot = state.robots[R0]
+    assert "not localised" not in [reason.name for reason in reasons(state, robot)]
+    assert reasons(state, robot, Match(0.9, 0.05, 600)) == reasons(state, robot)
+    first = reasons(state, robot, Match(0.1, 1.5, 600))[0]
+    assert first.name == "not localised"
+    assert first.evidence == "10% of 600 beams fit the map, median 1.50 m"

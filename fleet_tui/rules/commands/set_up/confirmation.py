@@ -8,6 +8,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.model.set_up.commands import Localise, SendGoal, SetMapping, SetPose, Settle, SetUp
+from fleet_tui.rules.commands.pauses import STANDS_AFTER
 from fleet_tui.rules.commands.set_up.mode import is_in_mode
 
 SET_WITHIN, SET_TURN = 0.5, math.radians(15.0)
@@ -79,7 +80,8 @@ def _goal_seen(state: FleetState, robot: Robot, record: CommandRecord, command: 
         return None
     if is_near(pose, command.pose):
         return Step(Stage.CONFIRMED, state.now, "the robot is there")
-    if robot.standing.at > sent and not record.before.moving:
+    # One that had moved just before may still be braking.
+    if robot.standing.at > sent + (STANDS_AFTER if record.before.moving else 0.0):
         return Step(Stage.CONFIRMED, state.now, "the robot moves")
     return None
 
