@@ -36,4 +36,4 @@ async def test_its_labels_are_on_the_map(nav2: RosbridgeServer, tmp_path: Path) 
 async def test_one_that_cannot_be_read_is_named(nav2: RosbridgeServer, tmp_path: Path) -> None:
     (tmp_path / "routes.geojson").write_text("{}")
     async with console(config_with(nav2.url, tmp_path / "routes.geojson"), wait=False) as it:
-        await it.shows("graph routes.geojson: not a GeoJSON FeatureCollection")
+        await it.shows("graph routes.geojson: no known format")
