@@ -134,6 +134,7 @@ async def test_the_sources_robots_are_set_up_where_their_profile_says_how(server
     at = server.world.robots[R0].pose
     stage, _ = await told(server, SetPose(R0, F0, at.after(Pose(5.0, 0.0))))
     assert stage is Stage.CONFIRMED and server.world.robots[R0].belief.misplaced is not None
+    server.world.robots[R0].belief.place(at, at)
     stage, _ = await told(server, SendGoal(R0, F0, at.after(Pose(1.0, 0.0))))
     assert stage is Stage.CONFIRMED
 

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
+from fleet_tui.adapters.oh_ressources.adapter import ABILITIES
 from fleet_tui.client import heartbeat, services
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.link import CommandPath, Phase
@@ -91,7 +91,7 @@ async def test_types_that_a_busy_bridge_did_not_tell_are_asked_for_again(
         await store.until(lambda _: asked_for_type(server) > 1)
         server.bridge.services.silent_services.clear()
         before = asked_for_type(server)
-        await store.until(lambda _: asked_for_type(server) > before + len(VOCABULARY.services) - 1)
+        await store.until(lambda _: asked_for_type(server) > before + len(ABILITIES) - 1)
         await finished(link, store, PauseRobot("robot_0"))
         assert (await finished(link, store, ResumeRobot("robot_0"))).stage is Stage.NOT_SENT
         server.bridge.services.offered[RESUME] = right
