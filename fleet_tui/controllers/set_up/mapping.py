@@ -30,8 +30,7 @@ WORD = "save-map"
 
 
 class MappingControls:
-    """Lists what can be done about the map of the selected robot's floor, and keeps the age of its live
-    map."""
+    """Lists what can be done about the map of the selected robot's floor; says how it grows."""
 
     def __init__(
         self,
@@ -45,7 +44,7 @@ class MappingControls:
         self._parts, self._picture, self._files, self._ask = parts, picture, files, ask
         self._in_background, self._say_from_thread = in_background, say_from_thread
         self._grid: OccupancyGrid | None = None
-        self._text, self._changed_at = "", 0.0
+        self._text = ""
 
     @property
     def _robot(self) -> Robot:
@@ -61,10 +60,12 @@ class MappingControls:
 
     def map_text(self, grid: OccupancyGrid) -> str:
         """Return the known area of a map, and its age."""
-        now = self._parts.store.state.now
         if grid is not self._grid:
-            self._grid, self._text, self._changed_at = grid, f"{survey(grid).known:.0f} m2 known", now
-        return f"{self._text}, map {age(max(0.0, now - self._changed_at))} old"
+            self._grid, self._text = grid, f"{survey(grid).known:.0f} m2 known"
+        state, floor = self._parts.store.state, self._parts.navigation.floor
+        robot_map = self._robot.maps.get(floor)
+        at = (robot_map.grid_at if robot_map is not None else None) or state.floors[floor].live_at
+        return f"{self._text}, map {age(max(0.0, state.now - at))} old" if at is not None else self._text
 
     def menu(self) -> None:
         """List the actions: mapping on or off, saving the map."""

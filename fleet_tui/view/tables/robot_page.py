@@ -66,6 +66,17 @@ def _values(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
             # In whole seconds: tenths would never be at rest.
             (f"{age(state.now - reading.at)} ago", StyleRole.WARN if is_old else StyleRole.DIM),
         )
+    yield from _movement(state, robot)
+
+
+def _movement(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
+    """Yield the last jump of its pose, and whether it stands."""
+    if robot.relocated is not None:
+        yield _named(
+            "Jumped",
+            (f"{sanitize(robot.relocated.value):<{VALUE}}", StyleRole.TEXT),
+            (f"{age(state.now - robot.relocated.at)} ago", StyleRole.DIM),
+        )
     if robot.standing is not None and state.is_fresh(robot, "pose"):
         still = robot.still_for
         text = f"standing for {age(still)}" if still >= STANDS_FROM else "moving"

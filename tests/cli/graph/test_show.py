@@ -27,7 +27,7 @@ async def test_a_picture_of_80x24(tmp_path: Path) -> None:
 def test_edges_lie_between_their_vertices() -> None:
     text = floor_picture(line_graph((0.0, 0.0), (10.0, 0.0)).floors["f"], None, 40, 9, Drawing.BRAILLE)
     (row,) = [line for line in text.splitlines() if line.strip()]
-    assert row.strip()[0] == row.strip()[-1] == "·" and " " not in row.strip()
+    assert row.strip()[0] == row.strip()[-1] == "•" and " " not in row.strip()
 
 
 def test_over_a_map() -> None:

@@ -43,6 +43,12 @@ def test_each_value_has_its_age_and_an_old_one_is_marked() -> None:
     assert StyleRole.WARN in {role for _, role in row.runs}
 
 
+def test_a_jump_of_its_pose_is_told_with_its_age() -> None:
+    assert line(received(), "Jumped") == ""
+    jumped = received(pose(T0 + 0.2, 30.0, 40.0))
+    assert "50.0 m" in line(jumped, "Jumped") and "ago" in line(jumped, "Jumped")
+
+
 def test_news_is_the_first_line_and_a_calm_robot_has_none() -> None:
     assert line(received(), "State") == ""
     assert page(reduced(received(), tick(T0 + 30))).splitlines()[1].startswith("State     offline 30 s")
