@@ -60,6 +60,8 @@ class AlarmResponses:
             self._notices.say("that alarm has just cleared: press again for the marked one")
             return
         self._post(AlarmAcknowledged(*key))
+        if key in fresh:
+            self._notices.note(f"acknowledged: {key[1]} alarm of {sanitize(key[0])}")
         if key in fresh and len(fresh) > 1:
             following = [*fresh[fresh.index(key) + 1 :], *fresh]
             self._pane.listing.cursor = following[0]

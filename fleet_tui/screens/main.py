@@ -36,7 +36,7 @@ from fleet_tui.view.tables.robot_page import robot_page
 from fleet_tui.widgets import messages
 from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.line_view import LineView
-from fleet_tui.widgets.panes import Panes, lines_below
+from fleet_tui.widgets.panes import Panes
 from fleet_tui.widgets.rows_pane import RowsPane
 from fleet_tui.widgets.runs_view import RunsView
 
@@ -128,9 +128,8 @@ class MainScreen(Screen[None]):
             alarm_table(state, clock, self.alarms.row_width),
             queue_table(state, robot, self._all_orders, self.queue.row_width),
         ]
-        covered = lines_below(self.rest.order_form) if self.is_complete else 0
         page, recent = partial(robot_page, state, robot, clock), partial(recent_table, state, clock)
-        self.panes.show(tables, page, recent, covered)
+        self.panes.show(tables, page, recent, self.rest.covered if self.is_complete else 0)
         self.status.show(*self.session.headline(state, robot))
         self.message.show(message_line(state, self.notices.text, self.notices.at, self.message.size.width))
         self._show_hints(state, robot)
@@ -154,8 +153,11 @@ class MainScreen(Screen[None]):
         return {key.id for key in KEYS if not self.session.offers(key) or (read_only and key.commands)}
 
     def _mark_robot(self, robot: str) -> None:
-        """Put the fleet's cursor on a robot; it is drawn with the next rows."""
+        """Put the cursors of fleet and alarms on a robot; they are drawn with the next rows."""
         self.fleet.listing.cursor = robot
+        # An acknowledgement after a choice means that robot.
+        for key in [one for one in unacknowledged(self.store.state) if one[0] == robot][:1]:
+            self.alarms.listing.cursor = key
 
     def _show_floor(self, state: FleetState) -> None:
         from fleet_tui.view.map.floor_scene import floor_scene, map_owner
@@ -166,14 +168,13 @@ class MainScreen(Screen[None]):
             selection = replace(selection, floor=drafted[0].marked.floor)
         owner = map_owner(state, selection)
         # The live map of the shown floor, unless a file has it.
-        is_mapping = bool(mapping_text(state.robots[selection.robot]))
-        has_file = state.floors[selection.floor].grid is not None and not is_mapping
-        wanted = (owner.name, "" if has_file else selection.floor) if owner else None
+        is_live = state.floors[selection.floor].grid is None or mapping_text(state.robots[selection.robot])
+        wanted = (owner.name, selection.floor if is_live else "") if owner else None
         if wanted is not None and wanted != self._mapped:
             self._mapped = wanted
             self.backend.show_map(*wanted)
-        scene = floor_scene(state, selection, drafted)
-        self.rest.map.show(self.rest.mapping.on(self.rest.streams.on(scene)))
+        scene = self.rest.streams.on(floor_scene(state, selection, drafted))
+        self.rest.map.show(self.rest.mapping.on(scene))
         self.panes.show_floor(self.rest.map.picture.lines_of_floor(self.rest.map.size.width))
 
     def _mark_alarm(self, state: FleetState) -> None:

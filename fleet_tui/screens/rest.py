@@ -39,6 +39,7 @@ from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.widgets import messages
 from fleet_tui.widgets.bindings import action_of, textual_key
 from fleet_tui.widgets.map_view import MapView
+from fleet_tui.widgets.panes import lines_below
 from fleet_tui.widgets.runs_view import RunsView
 
 if TYPE_CHECKING:
@@ -141,6 +142,11 @@ class Rest:
             )
 
         return SimpleSwitch(screen.panes, self.map, make, self.orders.may_order)
+
+    @property
+    def covered(self) -> int:
+        """Return the lines at the bottom that an overlay about the map covers."""
+        return max(map(lines_below, (self.order_form, self.why, self.menu)))
 
     @property
     def map_pane(self) -> Pane:

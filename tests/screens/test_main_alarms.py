@@ -70,3 +70,17 @@ async def test_the_cursor_goes_to_what_nobody_has_seen(server: RosbridgeServer) 
         await it.press("j", "a")
         assert it.app.main.alarms.listing.cursor == ("robot_0", "obstacle")
         assert it.store.state.unacknowledged == 1
+
+
+async def test_an_acknowledgement_after_a_choice_is_of_that_robot(server: RosbridgeServer) -> None:
+    for n in range(2):
+        server.bridge.muted.add(f"/robot_{n}/obstacle")
+    async with console(config_of(server.url, 2, 2)) as it:
+        await it.press("A")
+        for n in range(2):
+            server.bridge.publish_raw(f"/robot_{n}/obstacle", {"data": 44.2})
+        await it.until(lambda state: sum(alarm.condition.kind == "obstacle" for alarm in state.alarms) == 2)
+        await it.press("!")
+        chosen = it.app.main.navigation.robot
+        await it.press("a")
+        await it.shows(f"acknowledged: obstacle alarm of {chosen}")

@@ -3,7 +3,9 @@
 from collections.abc import Collection, Mapping
 from typing import Any
 
-from fleet_tui.keys import KEYS, LISTS, Key, Pane
+from msgspec.structs import replace
+
+from fleet_tui.keys import BY_ID, KEYS, LISTS, Key, Pane
 from fleet_tui.keys.key import key_name
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
@@ -39,7 +41,8 @@ def hints(
     away = {*hidden, *(key.id for key in KEYS if key.commands and not can_command)}
     offered = [key for key in KEYS if key.hint and keys[key.id] and key.id not in away]
     if pane is Pane.ANYWHERE:
-        return [key for key in offered if key.pane is pane], []
+        close = replace(BY_ID["back"], hint="close")
+        return [close, *(key for key in offered if key.pane is pane)], []
     offered.sort(key=lambda key: key.pane is not pane)
     left = [key for key in offered if key.pane in (pane, Pane.CONSOLE) and not key.always]
     return left, [key for key in offered if key.always]

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from fleet_tui.model.fleet import FleetState, behind_text
+from fleet_tui.model.kind import PAUSE
 from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.rules.lag import BEHIND
 from fleet_tui.text.durations import age
@@ -21,7 +22,9 @@ BLIND_AFTER = 2.0
 def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: float) -> list[str]:
     """Return notes on this console, such as its delay, or a stalled clock when the state is `standstill`
     seconds old."""
+    online = [robot for robot in state.robots.values() if state.is_online(robot) and robot.kind.can(PAUSE)]
     notes = {
+        "ALL PAUSED": bool(online) and all(map(state.is_paused, online)),
         "read-only": read_only,
         "not armed": not armed,
         behind_text(state): state.behind >= BEHIND,

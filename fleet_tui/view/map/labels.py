@@ -32,6 +32,7 @@ class CellOccupancy:
         self._stride = width + _MARGIN
         self._taken = _margins(width, height)
         self._texts = 0 if below is None else _bits(_HELD[below], around=False)
+        self._beyond = 0 if below is None else _bits(below == int(StyleRole.UNKNOWN), around=False)
 
     def _bit(self, x: int, y: int) -> int:
         """Return the number of a cell's bit."""
@@ -64,9 +65,14 @@ class CellOccupancy:
         if not sides:
             return 0
         spared = [side for side in sides if self.free(_start(x, arrow, cells, side), y, cells)]
-        side = before if before in sides else [*spared, *sides][0]
+        # A number beyond the floor's edge reads as one of nothing.
+        inside = [side for side in spared if not self._is_beyond(_start(x, arrow, cells, side), y, cells)]
+        side = before if before in sides else [*inside, *spared, *sides][0]
         self.take(_start(x, arrow, cells, side), y, cells)
         return side
+
+    def _is_beyond(self, x: int, y: int, cells: int) -> bool:
+        return bool(self._beyond >> self._bit(x, y) & (1 << cells) - 1)
 
     def _fits(self, x: int, y: int, arrow: int, cells: int, side: int) -> bool:
         """Tell whether a number has free cells and no neighbour but its arrow."""

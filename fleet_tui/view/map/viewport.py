@@ -67,7 +67,13 @@ class Viewport:
             about: tuple[float, float] | None = camera.to_pixel(*cell)
         else:
             about = self._robot_pixel(scene) if self.zoom_robot or self.follow else None
-        self._keep(scene, camera.zoomed(factor, about))
+        zoomed = camera.zoomed(factor, about)
+        robot = self._robot_pixel(scene)
+        if about is None and robot and _shows(camera, robot) and not _shows(zoomed, robot):
+            # The selected robot is what one looks at: it stays where it is.
+            zoomed = camera.zoomed(factor, robot)
+            zoomed = zoomed if _shows(zoomed, robot) else zoomed.centred(*robot)
+        self._keep(scene, zoomed)
 
     def fit(self, scene: Scene) -> None:
         """Show the whole floor, until it is moved by hand again."""
@@ -77,8 +83,11 @@ class Viewport:
     def centre(self, scene: Scene, at: tuple[float, float] | None = None) -> None:
         """Centre on world metres `at`, or on the selected robot."""
         pixel = scene.frame.to_pixel(*at) if at else self._robot_pixel(scene)
-        if pixel:
-            self._keep(scene, self._camera(scene).centred_within(*pixel, _area(scene)))
+        camera = self._camera(scene)
+        centred = camera.centred_within(*pixel, _area(scene)) if pixel else camera
+        # A fitted view shows all: it stays fitted, also at another size.
+        if centred != camera:
+            self._keep(scene, centred)
 
     def middle(self, scene: Scene) -> Point:
         """Return the place in the middle of the view."""
@@ -129,6 +138,10 @@ def pointed(scene: Scene, camera: Camera, cursor: Point | None) -> str | None:
         return None
     at = camera.to_cell(*scene.frame.to_pixel(*cursor))
     return next((vertex.id for vertex, place in seen_vertices(scene, camera) if place == at), None)
+
+
+def _shows(camera: Camera, pixel: tuple[float, float]) -> bool:
+    return camera.shows(*camera.to_cell(*pixel))
 
 
 def _area(scene: Scene) -> Area:

@@ -15,11 +15,11 @@ from fleet_tui.rules.commands.local_queue import all_orders, foreign
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.text.durations import age
-from fleet_tui.text.sanitize import fit, sanitize
+from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.fleet_columns import BAR, Columns, floor_text
 from fleet_tui.view.tables.progress import progress_text
-from fleet_tui.view.tables.table import LateRows, Row, Run, Table
+from fleet_tui.view.tables.table import LateRows, Row, Run, Table, width_of
 
 CARGO = "■"
 STILL_FROM = 5.0
@@ -198,6 +198,8 @@ def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Co
     current, order = robot.orders.current, ""
     if current is None:
         runs = runs or [(_without_order(state, robot), StyleRole.DIM)]
+    if sign[1] is StyleRole.GOOD and any(colour is StyleRole.WARN for _, colour in runs):
+        sign = sign[0], StyleRole.WARN
     shown = current or next((one for one in all_orders(state, robot) if not one.is_over), None)
     if shown is not None and (columns.order or shown is current):
         order = whose_mission(state, robot, shown)
@@ -208,6 +210,8 @@ def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Co
         if shown is not None and columns.state < WHOLE_ROUTES:
             order = _destinations(robot, shown) or order
         mission = "  ".join(part for part in (order, progress) if part)
+        if runs and cell_width(mission) > columns.state - width_of(runs):
+            mission = ""  # a letter of it tells nothing
         return Row(robot.name, (*_head(state, robot, sign, selected, columns), *runs, (mission, role)))
     if current is not None and not runs:
         runs = [(progress or _movement(state, robot), movement)]

@@ -32,7 +32,7 @@ def test_hints_show_the_keys_as_they_are_set(pane: Pane) -> None:
 
 def test_hints_of_an_overlay_are_the_keys_that_reach_through_it() -> None:
     chosen, _ = keymap({"help_anywhere": "f2"})
-    assert line(chosen, Pane.ANYWHERE).rstrip() == " F2 help  F12 pause all"
+    assert line(chosen, Pane.ANYWHERE).rstrip() == " Esc close  F2 help  F12 pause all"
 
 
 @pytest.mark.parametrize("pane", [Pane.MAP, Pane.ROWS, Pane.RECORDING, Pane.ANYWHERE])

@@ -134,3 +134,12 @@ def test_what_holds_is_said() -> None:
 def test_a_console_gone_blind_says_so() -> None:
     (note,) = console_notes(fleet(), read_only=False, armed=True, standstill=7.2)
     assert note == "no updates for 7 s: restart this console"
+
+
+def test_it_says_when_all_robots_are_paused() -> None:
+    paused = [events.PausedReported(f"robot_{n}", T0, True) for n in range(2)]
+    alive = [battery(T0, robot=f"robot_{n}") for n in range(2)]
+    one = reduced(fleet(2), link_up(T0), *alive, paused[0], tick(T0))
+    assert "ALL PAUSED" not in console_notes(one, read_only=False, armed=True, standstill=0.0)
+    both = reduced(one, paused[1], tick(T0))
+    assert console_notes(both, read_only=False, armed=True, standstill=0.0) == ["ALL PAUSED"]

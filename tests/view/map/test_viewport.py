@@ -37,6 +37,22 @@ def test_a_view_that_follows_keeps_the_robot_in_it_until_it_is_moved_by_hand() -
     assert not it.follow
 
 
+def test_zooming_in_does_not_lose_the_selected_robot_and_a_fitted_view_stays_fitted() -> None:
+    it, hall = view(), scene(ROBOT)
+    whole = it.camera(hall)
+    it.centre(hall)
+    it.width, it.height = 40, 10
+    assert it.camera(hall) != whole and it.camera(hall).scale > whole.scale
+    for _ in range(6):
+        it.zoom(hall, 1.5)
+        camera = it.camera(hall)
+        assert camera.shows(*camera.to_cell(*FRAME.to_pixel(35.0, 5.0)))
+    it.pan(hall, -60, 0)
+    middle = it.middle(hall)
+    it.zoom(hall, 1.2)
+    assert abs(it.middle(hall)[0] - middle[0]) < 0.5
+
+
 def test_the_place_under_the_pointer_stays_where_it_is() -> None:
     it, hall = view(), scene()
     place = it.camera(hall).to_pixel(10, 5)
