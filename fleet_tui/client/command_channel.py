@@ -106,7 +106,7 @@ class CommandChannel:
         Only on a new connection, while the types of services are being fetched, it waits briefly, with later
         commands behind it; a pause never waits.
         """
-        LOG.info("command %d: %s", command_id, command)
+        LOG.info("command %d: %s", command_id, truncate(str(command)))
         waits = self._services.is_new or self._in_turn.locked() or isinstance(command, SetUpCommand)
         if isinstance(command, PauseRobot) or not waits:
             self._submit(command_id, command, given_at)

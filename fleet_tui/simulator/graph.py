@@ -43,6 +43,10 @@ class SimGraph:
             found[edge.end].append((edge.start, length))
         return found
 
+    def nearest(self, x: float, y: float) -> int:
+        """Return the id of the vertex nearest to a place."""
+        return min(self.vertices.values(), key=lambda one: math.dist((one.x, one.y), (x, y))).id
+
     def path(self, start: int, end: int) -> tuple[int, ...]:
         """Return the shortest path as vertex ids, both ends included; empty if none exists."""
         return shortest_path(self._ways, start, end)

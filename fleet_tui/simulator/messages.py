@@ -4,7 +4,7 @@ import math
 import struct
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import partial
+from functools import lru_cache, partial
 from itertools import count
 from typing import TYPE_CHECKING, Any
 
@@ -61,17 +61,31 @@ def topics_of(
         for name, (type_, message) in _TELEMETRY.items():
             payload = partial(_now, message, robot, dialect, type_)
             yield Topic(f"/{robot.name}/{name}", dialect.message_type(type_), payload, robot)
-    for floor in world.building.floors:
+    for number, floor in enumerate(world.building.floors):
         for name, type_, value in (
-            ("map_metadata", "nav_msgs/MapMetaData", _metadata(loaded_at, dialect)),
-            ("graph", "OH_ressources/Graph", _graph(floor)),
-            ("labeled_vertices", "OH_ressources/LabeledVertices", _labels(floor)),
+            ("map_metadata", "nav_msgs/MapMetaData", lambda _floor: _metadata(loaded_at, dialect)),
+            ("graph", "OH_ressources/Graph", graph_of),
+            ("labeled_vertices", "OH_ressources/LabeledVertices", labels_of),
         ):
-            always = partial(_always, raw_payload(dialect, type_, loaded_at, value))
+            always = _of_floor(world, number, partial(_loaded, value, type_, loaded_at, dialect))
             for robot in world.robots.values():
                 topic = f"/{robot.name}/{floor.name}/{name}"
                 yield Topic(topic, dialect.message_type(type_), always, latched=True)
         yield from _maps(world, floor, loaded_at, dialect, cells)
+
+
+def _loaded(
+    value: Callable[[SimFloor], Message], type_: str, at: float, dialect: Dialect, floor: SimFloor
+) -> Payload:
+    return raw_payload(dialect, type_, at, value(floor))
+
+
+def _of_floor(
+    world: World, number: int, payload: Callable[[SimFloor], Payload]
+) -> Callable[[float], Payload]:
+    """The message of a floor, one for all robots and all subscribers until the floor is redrawn."""
+    made = lru_cache(maxsize=1)(payload)
+    return lambda _now: made(world.building.floors[number])
 
 
 def _maps(
@@ -108,10 +122,6 @@ def raw_payload(dialect: Dialect, type_: str, now: float, value: Message) -> Pay
 def float32(value: float) -> float:
     """Return a value rounded to float32."""
     return float(struct.unpack("f", struct.pack("f", value))[0])
-
-
-def _always(payload: Payload, _now: float) -> Payload:
-    return payload
 
 
 def _now(
@@ -192,7 +202,8 @@ def _metadata(
     }
 
 
-def _graph(floor: SimFloor) -> Message:
+def graph_of(floor: SimFloor) -> Message:
+    """OH_ressources/Graph."""
     return {
         "vertices": [
             {"id": vertex.id, "x": vertex.x, "y": vertex.y, "type": floor.types[vertex.id]}
@@ -202,7 +213,8 @@ def _graph(floor: SimFloor) -> Message:
     }
 
 
-def _labels(floor: SimFloor) -> Message:
+def labels_of(floor: SimFloor) -> Message:
+    """OH_ressources/LabeledVertices."""
     return {"vertices": [{"label": label, "vertex_id": id_} for id_, label in floor.labels.items()]}
 
 

@@ -111,14 +111,14 @@ class SimRobot(Obstructed):
         self.request_id = request_id
         self.orders.append(SimOrder(self.last_order_id, start, end, loaded))
         if self.current_order_id == -1:
-            self._restart()
+            self.restart()
 
     def drop(self, ids: set[int]) -> int:
         """Remove these orders and return their number. Cargo stays on board."""
         gone = [order for order in self.orders if order.id in ids]
         self.orders = [order for order in self.orders if order.id not in ids]
         if any(order.status == "W" for order in gone):
-            self._restart()
+            self.restart()
         return len(gone)
 
     def step(self) -> None:
@@ -134,10 +134,13 @@ class SimRobot(Obstructed):
     def visit(self, pose: Pose) -> None:
         """Drive to a pose beside the graph, unless it has orders: to the nearest vertex, then straight."""
         if not self.orders:
-            self._restart()
+            self.restart()
             self._work = _visit(self, pose)
 
-    def _restart(self) -> None:
+    def restart(self) -> None:
+        """Begin its work again from where it is; cargo of the order in process stays on board."""
+        for order in self.orders:
+            order.loaded |= order.status == "W" and self.cargo
         self._driving = False
         self._work = self._live()
 
@@ -145,7 +148,7 @@ class SimRobot(Obstructed):
         while True:
             if self.orders and (self.battery > EMPTY or self._quiet):
                 yield from self._carry_out(self.orders[0])
-            elif self.battery < LOW and not self._quiet:
+            elif self.battery < LOW and not self._quiet and self.floor.has("charger"):
                 yield from self._charge()
             elif self.bound is not None:
                 yield from self._go(self.bound)
@@ -176,7 +179,9 @@ class SimRobot(Obstructed):
         """Drive the shortest path. An edge that was begun is driven to its end."""
         if self.bound is not None:
             yield from self._go(self.bound)
-        for vertex in self._building.graph.path(self.vertex, target)[1:]:
+        while not (path := self._building.graph.path(self.vertex, target)):
+            yield  # no way leads there: it stands until its orders change, or the graph
+        for vertex in path[1:]:
             yield from self._go(vertex)
 
     def _go(self, vertex: int) -> Work:
@@ -215,9 +220,7 @@ def _wait(seconds: float) -> Work:
 
 
 def _visit(robot: SimRobot, pose: Pose) -> Work:
-    vertices = robot.floor.graph.vertices.values()
-    near = min(vertices, key=lambda one: math.dist((one.x, one.y), (pose.x, pose.y)))
-    yield from robot._drive(near.id)
+    yield from robot._drive(robot.floor.graph.nearest(pose.x, pose.y))
     yield from _face(robot, math.atan2(pose.y - robot.pose.y, pose.x - robot.pose.x))
     yield from _roll_to(robot, pose.x, pose.y)
     yield from _face(robot, pose.yaw)

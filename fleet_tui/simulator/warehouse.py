@@ -48,27 +48,41 @@ class SimFloor:
     types: Mapping[int, str]
 
     def vertex_of(self, type_: str) -> int:
-        """The id of the first vertex of this wire type."""
+        """The id of the first vertex of this wire type. Raises StopIteration if there is none."""
         return next(id_ for id_, other in self.types.items() if other == type_)
 
+    def has(self, type_: str) -> bool:
+        """Tell whether a vertex has this wire type: a drawn graph may have none."""
+        return type_ in self.types.values()
 
-@dataclass(frozen=True, eq=False)
+
+@dataclass(eq=False)
 class Building:
     """All floors, and the one graph on which robots plan: elevators join the floors."""
 
     floors: tuple[SimFloor, ...]
 
+    def redraw(self, floor: SimFloor) -> None:
+        """Replace the floor of this name. The ids of its vertices are on no other floor."""
+        self.floors = tuple(floor if one.name == floor.name else one for one in self.floors)
+        for known in ("graph", "_floor_by_vertex"):
+            self.__dict__.pop(known, None)
+
     @cached_property
     def graph(self) -> SimGraph:
         """Every floor's vertices and edges, and a ride between any two elevators."""
-        shafts = [floor.vertex_of("elevator") for floor in self.floors]
+        shafts = [floor.vertex_of("elevator") for floor in self.floors if floor.has("elevator")]
         rides = tuple(SimEdge(-1, start, end) for start, end in combinations(shafts, 2))
         vertices = {id_: vertex for floor in self.floors for id_, vertex in floor.graph.vertices.items()}
         return SimGraph(vertices, tuple(e for floor in self.floors for e in floor.graph.edges) + rides)
 
     def floor_of(self, vertex: int) -> SimFloor:
         """The floor on which a vertex of this building lies."""
-        return self.floors[vertex // FLOOR_IDS]
+        return self._floor_by_vertex[vertex]
+
+    @cached_property
+    def _floor_by_vertex(self) -> Mapping[int, SimFloor]:
+        return {id_: floor for floor in self.floors for id_ in floor.graph.vertices}
 
 
 def build_building(floors: int) -> Building:

@@ -12,12 +12,12 @@ from fleet_tui.model.commands import (
     Stage,
 )
 from fleet_tui.model.geometry import MapFrame, Pose
-from fleet_tui.model.graph import RouteGraph
+from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.navigation import Goal, Progress
 from fleet_tui.model.occupancy import grid_from_ros
 from fleet_tui.model.order import Order, OrderQueue, OrderState, Stop
-from fleet_tui.model.set_up.commands import Localise, SendGoal, SetMapping, SetPose, Settle
+from fleet_tui.model.set_up.commands import Localise, SendGoal, SendGraph, SetMapping, SetPose, Settle
 from tests.support.fleets import LINK, T0
 
 AT = st.floats(T0, T0 + 1e4)
@@ -56,12 +56,22 @@ ORDERS = st.builds(Order, IDS, STOPS, STATES, st.text(max_size=3), NUMBERED)
 QUEUES = st.builds(OrderQueue, NUMBERED, IDS, st.lists(ORDERS, max_size=4).map(tuple), NUMBERED)
 
 
+VERTICES = st.lists(st.builds(Vertex, IDS, NUMBERS, NUMBERS), max_size=3).map(tuple)
+
+
+EDGES = st.lists(st.builds(Edge, IDS, IDS, IDS), max_size=3).map(tuple)
+
+
+LABELS = st.lists(st.tuples(IDS, st.text(max_size=3)), max_size=3).map(tuple)
+
+
 COMMANDS = st.one_of(
     st.builds(PlaceOrder, ROBOTS, STOPS.filter(len)),
     st.builds(CancelOrder, ROBOTS, IDS),
     *(st.builds(kind, ROBOTS) for kind in (ClearOrders, PauseRobot, ResumeRobot, Localise, Settle)),
     *(st.builds(kind, ROBOTS, FLOORS, PLACES) for kind in (SetPose, SendGoal)),
     st.builds(SetMapping, ROBOTS, st.booleans()),
+    st.builds(SendGraph, ROBOTS, FLOORS, VERTICES, EDGES, st.booleans(), LABELS),
 )
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Literal
 
 from fleet_tui.adapters.adapter import Feed, Outgoing, ServiceCall, Site
 from fleet_tui.adapters.oh_ressources.calls import call_of
+from fleet_tui.adapters.oh_ressources.graphs import graph_messages, unset_key
 from fleet_tui.adapters.oh_ressources.reading import read_graph, read_labels, read_queue
 from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
 from fleet_tui.adapters.probes import Probe
@@ -26,7 +27,7 @@ from fleet_tui.adapters.service_outcome import judge
 from fleet_tui.model import events, kind
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.set_up.commands import SetUpCommand
+from fleet_tui.model.set_up.commands import SendGraph, SetUpCommand
 
 if TYPE_CHECKING:
     from fleet_tui.model.set_up.streams import LaserScan, PlannedPath
@@ -70,12 +71,18 @@ class OhRessources:
     def _kind(self) -> kind.Kind:
         names, set_up = self.names, self._set_up
         missing = [key for key in ABILITIES if not names.service(key, "robot")]
+        no_graph = unset_key(names)
+        unset = {ABILITIES[key]: f"{names.table}.services.{key}" for key in missing} | set_up.unset
         return kind.Kind(
             "oh_ressources",
             tuple(key for key in (*KEYS, "mode") if names.topic(key, "robot", "floor")),
-            (*(asked for key, asked in ABILITIES.items() if key not in missing), *set_up.accepted),
+            (
+                *(asked for key, asked in ABILITIES.items() if key not in missing),
+                *set_up.accepted,
+                *(() if no_graph else (kind.GRAPH,)),
+            ),
             {"mode": math.inf, **names.profile.silence},
-            {**{ABILITIES[key]: f"{names.table}.services.{key}" for key in missing}, **set_up.unset},
+            {**unset, kind.GRAPH: no_graph} if no_graph else unset,
             streams=set_up.streams,
         )
 
@@ -119,6 +126,8 @@ class OhRessources:
         self, command: Command, command_id: int, robot: Robot, unique: str = ""
     ) -> Sequence[Outgoing]:
         """Return the call or message of a command. Raises CommandError for one that must not be sent."""
+        if isinstance(command, SendGraph):
+            return graph_messages(self.names, command)
         if isinstance(command, SetUpCommand):
             return self._set_up.outgoing(command, robot)
         return (call_of(self.names, command, command_id),)

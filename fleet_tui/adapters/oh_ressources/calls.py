@@ -32,20 +32,20 @@ def call_of(names: Names, command: Called, request_id: int) -> ServiceCall:
     match command:
         case commands.PlaceOrder(robot, (end,)):
             args = {"request_id": request_id, "agent": robot, "end_point": _vertex(end)}
-            return call("order_with_cargo", _named(names, "cargo_call", args))
+            return call("order_with_cargo", named(names, "cargo_call", args))
         case commands.PlaceOrder(_, (start, end)):
             args = {"request_id": request_id, "initial_point": _vertex(start), "end_point": _vertex(end)}
-            return call("order", _named(names, "order_call", args))
+            return call("order", named(names, "order_call", args))
         case commands.PlaceOrder(_, stops):
             raise CommandError(f"orders to these robots have one or two stops, not {len(stops)}")
         case commands.CancelOrder(robot, order_id):
-            number = _int32(order_id, "order id")
+            number = int32(order_id, "order id")
             if number <= 0:
                 raise CommandError(f"order id {number} means all orders to the robot: use clear instead")
             args = {"robot": robot, "ind": number}
-            return call("cancel", _named(names, "cancel_call", args))
+            return call("cancel", named(names, "cancel_call", args))
         case commands.ClearOrders(robot):
-            return call("clear", _named(names, "cancel_call", {"robot": robot, "ind": 0}))
+            return call("clear", named(names, "cancel_call", {"robot": robot, "ind": 0}))
         case commands.PauseRobot():
             return call("pause", {})
         case commands.ResumeRobot():
@@ -57,17 +57,19 @@ def call_of(names: Names, command: Called, request_id: int) -> ServiceCall:
 def _vertex(stop: Stop) -> int:
     if stop.pose is not None:
         raise CommandError("these robots drive to vertices, not to poses")
-    return _int32(stop.vertex, "vertex")
+    return int32(stop.vertex, "vertex")
 
 
-def _int32(id_: str, what: str) -> int:
+def int32(id_: str, what: str) -> int:
     """Return the number that an id is on the wire. Raises CommandError if it is not a number."""
     if not re.fullmatch(r"-?[0-9]{1,100}", id_, re.ASCII):
         raise CommandError(f"{what} {id_!r} is not a number: these robots use numeric ids")
     return int(id_)
 
 
-def _named(names: Names, message: str, args: dict[str, object]) -> dict[str, object]:
+def named(names: Names, message: str, args: Mapping[str, object]) -> dict[str, object]:
+    """Return the fields of a message under a site's names. Raises CommandError for a number of more than 32
+    bits."""
     found = dict[str, object]()
     for name, value in args.items():
         if isinstance(value, int) and not -INT32_MAX - 1 <= value <= INT32_MAX:

@@ -10,7 +10,9 @@ from fleet_tui.adapters.ros.type_names import plain_type, same_type
 from fleet_tui.model.order import natural
 
 FLOOR_TOPICS = VOCABULARY.floor_topics
-TOPICS = {key: named for key, named in VOCABULARY.topics.items() if key not in {"goal", *set_up.TOPICS}}
+SENT = {"goal", "graph_save", "labels_save", *set_up.TOPICS}
+"""Topics of set-up, and those on which nothing but a console publishes."""
+TOPICS = {key: named for key, named in VOCABULARY.topics.items() if key not in SENT}
 SERVICES = {key: named for key, named in VOCABULARY.services.items() if key not in set_up.SERVICES}
 """Those of every such robot: what set-up uses is named in a profile."""
 QUEUE, POSE = TOPICS["queue"][1], TOPICS["pose"][1]

@@ -17,9 +17,11 @@ VOCABULARY = Vocabulary(
         "labels": ("/{robot}/{floor}/labeled_vertices", "OH_ressources/LabeledVertices"),
         "map": ("/{robot}/{floor}/map", "nav_msgs/OccupancyGrid"),
         "goal": ("", "geometry_msgs/PoseStamped"),
+        "graph_save": ("", "OH_ressources/Graph"),
+        "labels_save": ("", "OH_ressources/LabeledVertices"),
         **set_up.TOPICS,
     },
-    floor_topics=frozenset({"map_metadata", "graph", "labels", "map"}),
+    floor_topics=frozenset({"map_metadata", "graph", "labels", "map", "graph_save", "labels_save"}),
     services={
         "order": ("/{robot}/Application_layout/Execute_order", "OH_ressources/Execute_manual_order"),
         "order_with_cargo": (

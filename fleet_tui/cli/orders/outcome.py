@@ -19,8 +19,8 @@ NOT_SENT = Stage.NOT_SENT.value
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """`command` as typed, `text` in words; `outcome` is the stage at which it ended, with the robot's or the
-    console's own `words`; `code` is its exit code."""
+    """`command` as typed, empty if it can't be, `text` in words; `outcome` is the stage at which it ended,
+    with the robot's or the console's own `words`; `code` is its exit code."""
 
     robot: str
     command: str

@@ -1,12 +1,17 @@
-"""Set-up commands: the pose of a robot, a goal beside its orders, its mapping mode."""
+"""Set-up commands: the pose of a robot, a goal beside its orders, its mapping mode, its route graph."""
 
 import math
+from collections.abc import Mapping
 from typing import ClassVar
 
 from msgspec import Struct
 
 from fleet_tui.model.geometry import Pose
-from fleet_tui.model.kind import GOAL, LOCALISE, MAPPING, POSE, SETTLE
+from fleet_tui.model.graph import Edge, RouteGraph, Vertex
+from fleet_tui.model.kind import GOAL, GRAPH, LOCALISE, MAPPING, POSE, SETTLE
+
+SAME_PLACE = 0.001
+"""Metres within which a vertex is where it was sent to."""
 
 
 def heading_text(pose: Pose) -> str:
@@ -17,10 +22,11 @@ def heading_text(pose: Pose) -> str:
 
 class SetUpCommand(Struct, frozen=True):
     """Any set-up command. `ability` is the one that a robot needs for it, `what` its name in the audit
-    log."""
+    log; `within`: seconds that its evidence may take, if longer than that of other commands."""
 
     ability: ClassVar[str] = ""
     what: ClassVar[str] = ""
+    within: ClassVar[float] = 0.0
 
     robot: str
 
@@ -93,4 +99,57 @@ class SetMapping(SetUpCommand, frozen=True, tag=True):
         return f"mapping {'on' if self.on else 'off'}"
 
 
-SetUp = SetPose | Localise | Settle | SendGoal | SetMapping
+class SendGraph(SetUpCommand, frozen=True, tag=True, dict=True):
+    """Replace the route graph of a floor in a robot. `labels` are pairs of vertex id and label; edges go both
+    ways unless `directed`."""
+
+    ability: ClassVar[str] = GRAPH
+    what: ClassVar[str] = "send graph"
+    within: ClassVar[float] = 10.0
+
+    floor: str
+    vertices: tuple[Vertex, ...] = ()
+    edges: tuple[Edge, ...] = ()
+    directed: bool = False
+    labels: tuple[tuple[str, str], ...] = ()
+
+    @property
+    def text(self) -> str:
+        """Return the command in words, without the robot."""
+        counted = counts_text(len(self.vertices), len(self.edges), len(self.labels))
+        return f"{self.what} of {self.floor}: {counted}"
+
+    def is_graph(self, graph: RouteGraph, labels: Mapping[str, str]) -> bool:
+        """Tell whether a robot's graph and labels are the ones sent; the types of vertices don't count.
+
+        The last comparison is kept: hardly any report changes a graph, and each is checked.
+        """
+        last: tuple[object, object, bool] | None = self.__dict__.get("_compared")
+        if last is None or last[0] is not graph or last[1] is not labels:
+            last = graph, labels, self._equals(graph, labels)
+            self.__dict__["_compared"] = last
+        return last[2]
+
+    def _equals(self, graph: RouteGraph, labels: Mapping[str, str]) -> bool:
+        if len(graph.vertices) != len(self.vertices) or dict(self.labels) != labels:
+            return False
+        for sent in self.vertices:
+            there = graph.vertices.get(sent.id)
+            if there is None or math.dist((sent.x, sent.y), (there.x, there.y)) > SAME_PLACE:
+                return False
+        return _ways(self.edges, self.directed) == _ways(graph.edges, graph.directed)
+
+
+def _ways(edges: tuple[Edge, ...], directed: bool) -> set[tuple[str, str]]:
+    """Return start and end of each way along edges, both ways along those without a direction."""
+    ways = {(edge.start, edge.end) for edge in edges}
+    return ways if directed else ways | {(end, start) for start, end in ways}
+
+
+def counts_text(vertices: int, edges: int, labels: int) -> str:
+    """Return the size of a graph in words."""
+    parts = (vertices, "vertex", "vertices"), (edges, "edge", "edges"), (labels, "label", "labels")
+    return ", ".join(f"{count} {one if count == 1 else many}" for count, one, many in parts)
+
+
+SetUp = SetPose | Localise | Settle | SendGoal | SetMapping | SendGraph

@@ -138,7 +138,8 @@ def _deadline(state: FleetState, robot: Robot, record: CommandRecord) -> float |
     link = state.links[robot.link]
     if link.phase is not Phase.UP:
         return None
-    return max(record.at, link.since) + state.limits.confirm_after + state.behind
+    within = record.command.within if isinstance(record.command, SetUpCommand) else 0.0
+    return max(record.at, link.since) + max(state.limits.confirm_after, within) + state.behind
 
 
 def _is_goal_under_way(robot: Robot, record: CommandRecord) -> bool:

@@ -130,7 +130,7 @@ def _label(line: str, leg: list[Token]) -> str:
 
 
 def written(command: Command, state: FleetState) -> str:
-    """Return a command as a line that `parse` accepts."""
+    """Return a command as a line that `parse` accepts, empty for one that can't be typed."""
     match command:
         case PlaceOrder(name, stops):
             robot = state.robots[name]

@@ -12,7 +12,15 @@ from fleet_tui.model.kind import GOAL, LOCALISE, MAPPING, ORDER_TO, POSE, SETTLE
 from fleet_tui.model.order import Stop
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.set_up.commands import Localise, SendGoal, SetMapping, SetPose, Settle, SetUp
+from fleet_tui.model.set_up.commands import (
+    Localise,
+    SendGoal,
+    SendGraph,
+    SetMapping,
+    SetPose,
+    Settle,
+    SetUp,
+)
 from fleet_tui.rules.language.words import vertex_of
 
 USAGE = {
@@ -102,7 +110,7 @@ def written_pose(pose: Pose) -> str:
 
 
 def written_set_up(command: SetUp) -> str:
-    """Return a command as a line that is parsed to it."""
+    """Return a command as a line that is parsed to it, empty for a graph: no line holds one."""
     match command:
         case SetPose(name, _, pose):
             return f"set-pose {name} {written_pose(pose)}"
@@ -114,5 +122,7 @@ def written_set_up(command: SetUp) -> str:
             return f"settle {name}"
         case SetMapping(name, on):
             return f"mapping {name} {'on' if on else 'off'}"
+        case SendGraph():
+            return ""
         case _:
             assert_never(command)

@@ -10,6 +10,7 @@ from fleet_tui.simulator.fleets import Line
 from fleet_tui.simulator.floorplan import Cells
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Message, Topic, headers_of, map_of, topics_of
+from fleet_tui.simulator.oh_ressources.graphs import SentGraphs
 from fleet_tui.simulator.oh_ressources.logs import Changes, health
 from fleet_tui.simulator.oh_ressources.set_up import SUBSCRIPTIONS
 from fleet_tui.simulator.oh_ressources.world import World
@@ -36,6 +37,7 @@ class OhFleet:
     def __init__(self, world: World) -> None:
         self.world, self.troubles = world, world.troubles
         self.actions: Mapping[str, ActionServer] = {}
+        self._graphs = SentGraphs(world)
         self._changes = Changes(world.robots)
         self._surveys = Surveys(world.robots, self._map_topics)
         self.troubles.append(self._surveys.step)
@@ -60,12 +62,12 @@ class OhFleet:
         return [f"/{robot}/{floor.name}/map" for robot in self.robots]
 
     def subscriptions(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
-        """The topics of each robot on which its pose is set, and a goal beside its orders."""
+        """The topics of each robot on which its pose is set, a goal beside its orders, and a graph."""
         return {
             f"/{name}/{topic}": (type_, partial(take, robot))
             for name, robot in self.robots.items()
             for topic, (type_, take) in SUBSCRIPTIONS.items()
-        }
+        } | dict(self._graphs.subscriptions())
 
     def services(self, dialect: Dialect) -> Mapping[str, ServiceType]:
         """The services of every robot."""
@@ -88,9 +90,10 @@ class OhFleet:
         """Nothing."""
 
     def news(self, dialect: Dialect) -> Iterable[tuple[str, Payload]]:
-        """Return modes and live maps that changed: all other topics are published continuously."""
+        """Return modes, graphs and live maps that changed: all other topics are published continuously."""
         now = time.time()
-        return self._surveys.news(lambda floor: map_of(floor, now, dialect, self._surveys.cells))
+        yield from self._graphs.news()
+        yield from self._surveys.news(lambda floor: map_of(floor, now, dialect, self._surveys.cells))
 
     def lines(self) -> Iterable[Line]:
         """Return the log lines for everything that happened since the last call."""

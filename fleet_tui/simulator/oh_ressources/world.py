@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from fleet_tui.simulator.robot import LOW, STEP, SimRobot, robot_numbers
-from fleet_tui.simulator.warehouse import build_building
+from fleet_tui.simulator.warehouse import SimFloor, build_building
 
 Values = dict[str, Any]
 
@@ -68,6 +68,22 @@ class World:
                 return {"success": True, "message": "paused" if robot.paused else "running"}
         raise KeyError(service)
 
+    def redraw(self, floor: SimFloor) -> None:
+        """Replace the graph of a floor, which all robots share. Those on it go to the nearest vertex if
+        theirs is gone; all plan their ways again."""
+        homes = {name: robot.floor.name for name, robot in self.robots.items()}
+        self.building.redraw(floor)
+        known = self.building.graph.vertices
+        for name, robot in self.robots.items():
+            if homes[name] == floor.name:
+                near = floor.graph.nearest(robot.pose.x, robot.pose.y)
+                robot.vertex = robot.vertex if robot.vertex in known else near
+                # It may have been moved, or the robot beside it.
+                robot.bound = robot.bound if robot.bound in known else robot.vertex
+            elif robot.bound not in known:
+                robot.bound = None
+            robot.restart()
+
     def _order(self, robot: SimRobot, request_id: int, start: int, end: int, loaded: bool = False) -> Values:
         for vertex in (start, end):
             if vertex not in self.building.graph.vertices:
@@ -88,6 +104,8 @@ class World:
             if robot.idle < self._patience[name] or robot.orders or robot.battery < LOW:
                 continue
             self._patience[name] = self._rng.uniform(6.0, 15.0)
+            if len(robot.floor.labels) < 2:  # as it may be on a drawn graph
+                continue
             self._requests += 1
             start, end = self._trip(robot)
             if robot.cargo:
@@ -99,9 +117,8 @@ class World:
         """Two labelled vertices: mostly on the robot's floor, every fifth trip ends on any floor."""
         start, end = self._rng.sample(tuple(robot.floor.labels), 2)
         if self._rng.random() < 0.2:
-            end = self._rng.choice(
-                [id_ for id_ in self._rng.choice(self.building.floors).labels if id_ != start]
-            )
+            ends = [id_ for id_ in self._rng.choice(self.building.floors).labels if id_ != start]
+            end = self._rng.choice(ends) if ends else end
         return start, end
 
     def _silence(self) -> None:

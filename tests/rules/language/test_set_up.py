@@ -13,7 +13,7 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.order import Stop
 from fleet_tui.model.request import Request
-from fleet_tui.model.set_up.commands import Localise, SendGoal, SetMapping, SetPose, Settle
+from fleet_tui.model.set_up.commands import Localise, SendGoal, SendGraph, SetMapping, SetPose, Settle
 from fleet_tui.rules.language.completion import complete
 from fleet_tui.rules.language.grammar import parse, written
 from tests.support.fleets import F0, R0, T0, fleet, graph, labels, of_kinds, pose, reduced
@@ -94,6 +94,7 @@ def test_what_is_written_is_read_again(x: float, y: float, yaw: float) -> None:
         assert abs(math.remainder(found.pose.yaw - yaw, math.tau)) < 1e-6
     for command in (Localise(R0), Settle(R0), SetMapping(R0, True)):
         assert parse(written(command, state), state).commands == (command,)
+    assert written(SendGraph(R0, F0), state) == ""
     assert written(PlaceOrder(R0, (Stop(pose=Pose(1.0, 2.0)),)), state) == "goto robot_0 1 2 0"
 
 

@@ -10,4 +10,6 @@ def test_every_topic_of_the_profile_is_one_of_theirs() -> None:
     fleet = OhFleet(World(1, 2))
     names = {topic.name for topic in fleet.topics(0.0, ROS1)} | set(fleet.subscriptions())
     for floors in (1, 2):
-        assert {topic.format(robot="robot_0") for topic in profile(floors)["topics"].values()} <= names
+        assert {
+            topic.format(robot="robot_0", floor="floor_0") for topic in profile(floors)["topics"].values()
+        } <= names

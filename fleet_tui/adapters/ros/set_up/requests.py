@@ -9,7 +9,7 @@ from fleet_tui.adapters.ros.facts import is_place
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.errors import CommandError
 from fleet_tui.model.geometry import Pose
-from fleet_tui.model.kind import GOAL, LOCALISE, MAPPING, PATH, POSE, SCAN, SETTLE
+from fleet_tui.model.kind import GOAL, GRAPH, LOCALISE, MAPPING, PATH, POSE, SCAN, SETTLE
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up import commands
 
@@ -113,6 +113,8 @@ class SetUpRequests:
                 return self._call("settle", name)
             case commands.SetMapping(name, on):
                 return self._call("mapping_on" if on else "mapping_off", name)
+            case commands.SendGraph():
+                raise CommandError(robot.kind.lack(GRAPH))
             case _:
                 assert_never(command)
 

@@ -10,7 +10,7 @@ from fleet_tui.model.grid import FREE, OCCUPIED, OccupancyGrid, class_at
 from fleet_tui.model.order import BEGUN
 from fleet_tui.model.problem import Problem
 from fleet_tui.model.robot import Robot, RobotMap
-from fleet_tui.model.set_up.commands import Localise, SendGoal, SetPose, SetUpCommand
+from fleet_tui.model.set_up.commands import Localise, SendGoal, SendGraph, SetPose, SetUpCommand
 from fleet_tui.rules.commands.local_queue import waiting
 from fleet_tui.rules.commands.pauses import STANDS_AFTER
 from fleet_tui.rules.commands.set_up.mode import mapping_text
@@ -49,7 +49,7 @@ def no_place(state: FleetState, robot: Robot, command: Command) -> Iterator[Prob
         finite = all(map(math.isfinite, (pose.x, pose.y, pose.yaw)))
         if not finite or max(abs(pose.x), abs(pose.y)) > FARTHEST:
             yield Problem("no place", f"({pose.x:g}, {pose.y:g}, {pose.yaw:g}) is no pose on a map")
-    floor = command.floor if isinstance(command, SetPose | SendGoal) else ""
+    floor = command.floor if isinstance(command, SetPose | SendGoal | SendGraph) else ""
     if floor and floor not in robot.maps:
         yield Problem(
             "no place", f"{robot.name} has no floor {floor}: its floors are {', '.join(robot.maps)}"

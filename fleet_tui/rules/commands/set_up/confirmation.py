@@ -7,7 +7,16 @@ from fleet_tui.model.commands import CommandRecord, Stage, Step
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.robot import Reading, Robot
-from fleet_tui.model.set_up.commands import Localise, SendGoal, SetMapping, SetPose, Settle, SetUp
+from fleet_tui.model.set_up.commands import (
+    Localise,
+    SendGoal,
+    SendGraph,
+    SetMapping,
+    SetPose,
+    Settle,
+    SetUp,
+    counts_text,
+)
 from fleet_tui.rules.commands.pauses import STANDS_AFTER
 from fleet_tui.rules.commands.set_up.mode import is_in_mode
 
@@ -67,6 +76,12 @@ def set_up_seen(state: FleetState, robot: Robot, record: CommandRecord, command:
                 return unseen
             seen = is_in_mode(robot, on, record.time_of(Stage.SENT) if unseen is None else None)
             return Step(Stage.CONFIRMED, state.now, "by the robot") if seen else None
+        case SendGraph(_, floor):
+            if not {"graph", "labels"} <= set(robot.kind.reports):
+                return unseen
+            now = robot.maps.get(floor)
+            seen = now is not None and now.graph is not None and command.is_graph(now.graph, now.labels)
+            return Step(Stage.CONFIRMED, state.now, "by the robot") if seen else None
         case Localise() | Settle():
             return unseen
         case _:
@@ -86,6 +101,14 @@ def _goal_seen(state: FleetState, robot: Robot, record: CommandRecord, command: 
     return None
 
 
+def present_graph(robot: Robot, floor: str) -> str:
+    """Return the size of the graph of a floor that a robot has, empty if none was received."""
+    now = robot.maps.get(floor)
+    if now is None or now.graph is None:
+        return ""
+    return counts_text(len(now.graph.vertices), len(now.graph.edges), len(now.labels))
+
+
 def instead_of_set_up(robot: Robot, record: CommandRecord, command: SetUp) -> str:
     """Return the evidence of telemetry if a set-up command can't be seen to have been carried out."""
     match command:
@@ -98,6 +121,9 @@ def instead_of_set_up(robot: Robot, record: CommandRecord, command: SetUp) -> st
             return "the robot did not move"
         case SetMapping():
             return f"the robot reports {robot.mode.value}" if robot.mode else "no mode received"
+        case SendGraph(_, floor):
+            present = present_graph(robot, floor)
+            return f"the robot has {present}" if present else f"no graph of {floor} received"
         case Localise() | Settle():
             return "no evidence in telemetry"
         case _:

@@ -5,8 +5,16 @@ from typing import assert_never
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.set_up.commands import Localise, SendGoal, SetMapping, SetPose, Settle, SetUp
-from fleet_tui.rules.commands.set_up.confirmation import believed, difference_text
+from fleet_tui.model.set_up.commands import (
+    Localise,
+    SendGoal,
+    SendGraph,
+    SetMapping,
+    SetPose,
+    Settle,
+    SetUp,
+)
+from fleet_tui.rules.commands.set_up.confirmation import believed, difference_text, present_graph
 from fleet_tui.text.durations import age
 
 OLD = 5.0
@@ -27,6 +35,12 @@ def set_up_losses(state: FleetState, robot: Robot, command: SetUp) -> Iterator[s
             yield f"{name}: {command.text}?"
             if on:
                 yield "its live map replaces the known one until mapping is off"
+        case SendGraph(name, floor):
+            yield f"{name}: {command.text}?"
+            yield f"replaces {present_graph(robot, floor) or f'its graph of {floor}, which is unknown here'}"
+            count = len(robot.orders.open)
+            too = f", {count} open order{'s' * (count != 1)} too" if count else ""
+            yield f"orders are driven on it from then on{too}"
         case Settle() | SendGoal():
             return
         case _:

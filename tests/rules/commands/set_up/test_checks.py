@@ -15,7 +15,7 @@ from fleet_tui.model.order import Stop
 from fleet_tui.model.problem import Permissions, Problem
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Reading
-from fleet_tui.model.set_up.commands import SendGoal, SetPose
+from fleet_tui.model.set_up.commands import SendGoal, SendGraph, SetPose
 from fleet_tui.rules.commands.checks import problems
 from fleet_tui.rules.commands.set_up.checks import map_of
 from tests.support.fleets import F0, R0, T0, fleet, link_up, of_kinds, pose, queue, reduced, tick
@@ -64,6 +64,13 @@ def test_a_driving_robot_must_be_paused_first() -> None:
 def test_no_pose_at_all_is_refused(x: float) -> None:
     assert found(ready(), set_pose(x))["no place"].blocks
     assert found(ready(), PlaceOrder(R0, (Stop(pose=Pose(x, 0.0)),)))["no place"].blocks
+
+
+def test_a_graph_of_a_floor_that_the_robot_does_not_have_is_refused() -> None:
+    kind = replace(FULL, accepts=(*FULL.accepts, "graph"))
+    assert found(of_kinds(ready(), kind), SendGraph(R0, "attic"))["no place"].blocks
+    assert found(of_kinds(ready(), kind), SendGraph(R0, F0)) == {}
+    assert found(ready(), SendGraph(R0, F0))["not accepted"].blocks
 
 
 def test_a_floor_that_the_robot_does_not_have_is_named() -> None:

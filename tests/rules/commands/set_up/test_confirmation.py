@@ -8,11 +8,24 @@ from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.events import Event, PoseReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
+from fleet_tui.model.graph import Edge, Vertex
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.navigation_events import LocalisationReported, ModeReported, OdometryReported
-from fleet_tui.model.set_up.commands import Localise, SendGoal, SetMapping, SetPose
+from fleet_tui.model.set_up.commands import Localise, SendGoal, SendGraph, SetMapping, SetPose
 from fleet_tui.rules.commands.set_up.confirmation import difference, is_near
-from tests.support.fleets import F0, R0, T0, commanded, fleet, link_up, of_kinds, reduced, tick
+from tests.support.fleets import (
+    F0,
+    R0,
+    T0,
+    commanded,
+    fleet,
+    graph,
+    labels,
+    link_up,
+    of_kinds,
+    reduced,
+    tick,
+)
 
 WANTED = Pose(3.0, 4.0, 1.0)
 SET = SetPose(R0, F0, WANTED)
@@ -112,3 +125,29 @@ def test_a_difference_goes_the_short_way_round() -> None:
     metres, turn = difference(Pose(0.0, 0.0, math.pi - 0.1), Pose(0.0, 0.0, -math.pi + 0.1))
     assert (metres, round(turn, 6)) == (0.0, 0.2)
     assert is_near(Pose(0.0, 0.0, 0.0), Pose(0.5, 0.0, 0.26)) and not is_near(Pose(0.0, 0.0), Pose(0.51, 0.0))
+
+
+GRAPH = SendGraph(
+    R0, F0, (Vertex("1", 0.0, 0.0), Vertex("2", 1.0, 0.0)), (Edge("5", "2", "1"),), labels=(("1", "Base"),)
+)
+
+
+def test_a_graph_is_confirmed_when_the_robot_has_it_with_its_labels() -> None:
+    state = after(GRAPH, graph(1, 2), tick(T0 + 9.9), before=(graph(1, 2, 3), labels({3: "Old"})))
+    assert stage(state)[0] is Stage.ACCEPTED
+    state = reduced(state, labels({1: "Base"}), tick(T0 + 9.95))
+    assert stage(state) == (Stage.CONFIRMED, "by the robot")
+
+
+def test_another_graph_is_counted_after_ten_seconds() -> None:
+    state = after(GRAPH, tick(T0 + 10.1), before=(graph(1, 2, 3), labels({3: "Old"})))
+    assert stage(state) == (
+        Stage.NOT_CONFIRMED,
+        "accepted; the robot has 3 vertices, 2 edges, 1 label",
+    )
+    assert stage(after(GRAPH, tick(T0 + 10.1)))[1].endswith("no graph of floor_0 received")
+
+
+def test_a_graph_that_no_topic_shows_is_unverifiable() -> None:
+    state = after(GRAPH, tick(T0 + 1), kind=Kind("oh_ressources", ("pose", "graph")))
+    assert stage(state)[0] is Stage.UNVERIFIABLE

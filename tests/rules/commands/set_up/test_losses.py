@@ -1,9 +1,9 @@
 """The questions of set-up commands."""
 
 from fleet_tui.model.geometry import Pose
-from fleet_tui.model.set_up.commands import Localise, SendGoal, SetMapping, SetPose, Settle
+from fleet_tui.model.set_up.commands import Localise, SendGoal, SendGraph, SetMapping, SetPose, Settle
 from fleet_tui.rules.commands.set_up.losses import set_up_losses
-from tests.support.fleets import F0, R0, T0, fleet, pose, reduced, tick
+from tests.support.fleets import F0, R0, T0, fleet, graph, labels, pose, queue, reduced, tick
 
 
 def test_a_pose_is_compared_with_the_present_one() -> None:
@@ -23,3 +23,19 @@ def test_the_harmless_ones_do_not_ask() -> None:
         assert list(set_up_losses(state, robot, command)) == []
     assert len(list(set_up_losses(state, robot, Localise(R0)))) == 1
     assert len(list(set_up_losses(state, robot, SetMapping(R0, True)))) == 2
+
+
+def test_a_graph_replaces_the_present_one() -> None:
+    sent = SendGraph(R0, F0)
+    state = fleet()
+    assert list(set_up_losses(state, state.robots[R0], sent)) == [
+        "robot_0: send graph of floor_0: 0 vertices, 0 edges, 0 labels?",
+        "replaces its graph of floor_0, which is unknown here",
+        "orders are driven on it from then on",
+    ]
+    driving = queue(T0, (4, 1, 2, "W"), current=4)
+    state = reduced(state, graph(1, 2, 3), labels({1: "Base"}), driving, tick(T0))
+    assert list(set_up_losses(state, state.robots[R0], sent))[1:] == [
+        "replaces 3 vertices, 2 edges, 1 label",
+        "orders are driven on it from then on, 1 open order too",
+    ]
