@@ -214,6 +214,7 @@ class EditActions(Struct, frozen=True):
     lint: Act
     compare: Act
     write: Act
+    send: Act
 
 
 class Actions(Struct, frozen=True):

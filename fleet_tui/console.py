@@ -92,7 +92,7 @@ def _files(
         return config.beside(named) if named else None
 
     drafts = partial(draft_of, state_folder(), config, demo)
-    files = ConsoleFiles(open_them, pack, saving, drafts, graph_file)
+    files = ConsoleFiles(open_them, pack, saving, drafts, graph_file, state_folder())
     return files
 
 

@@ -24,11 +24,12 @@ class ConsoleFiles:
         saving: "Saving | None" = None,
         draft: "Callable[[str], DraftFile | None]" = lambda _floor: None,
         graph_file: Callable[[str], Path | None] = lambda _floor: None,
+        folder: Path | None = None,
     ) -> None:
         """`open_them` opens the audit log and the recordings: after the first picture, before the link.
         `draft` returns the file of a floor's drawn graph, `graph_file` that of its own graph if it has
-        one."""
-        self._open_them, self.pack, self.saving = open_them, pack, saving
+        one; `folder` keeps earlier versions."""
+        self._open_them, self.pack, self.saving, self.folder = open_them, pack, saving, folder
         self.draft, self.graph_file = draft, graph_file
         self.audit: Audit | None = None
         self.recordings: Recordings | None = None

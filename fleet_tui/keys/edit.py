@@ -61,6 +61,7 @@ EDIT: tuple[Key[Actions], ...] = (
     _edit("lint", ("!",), lambda do: do.lint(), "Check: errors, warnings, reach, longest detour", "check"),
     _edit("compare", ("D",), lambda do: do.compare(), "Differences from the live graph", "diff"),
     _edit("write", ("w",), lambda do: do.write(), "Write the draft to a file", "write"),
+    _edit("send", ("W",), lambda do: do.send(), "Send the draft to the robot (asks first)", "send"),
     _edit("add_at_robot", ("I",), lambda do: do.add_at_robot(), "Add a vertex at the selected robot"),
     _edit("leave", ("escape",), lambda do: do.leave(), "Put back, deselect, or leave; the draft stays"),
     _step("left", ("shift+left", "H"), -1, 0),

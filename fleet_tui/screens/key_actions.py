@@ -136,6 +136,7 @@ def _edit_actions(rest: "Rest") -> EditActions:
         lint=rest.checks.show_findings,
         compare=rest.checks.compare,
         write=rest.draft_files.write,
+        send=rest.sending.start,
     )
 
 

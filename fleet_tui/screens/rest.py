@@ -10,6 +10,7 @@ from fleet_tui.controllers.editing.checks import DraftChecks
 from fleet_tui.controllers.editing.drawing import GraphDrawing
 from fleet_tui.controllers.editing.editor import EditorParts, GraphEditor
 from fleet_tui.controllers.editing.files import DraftFiles
+from fleet_tui.controllers.editing.sending import DraftSending
 from fleet_tui.controllers.editing.values import VertexValues
 from fleet_tui.controllers.map import MapControls
 from fleet_tui.controllers.offers import Offers
@@ -102,6 +103,7 @@ class Rest:
         self.checks = DraftChecks(parts, self.editor, partial(_in_background, self._screen))
         files, ask = self._screen.files, self.confirm.ask
         self.draft_files = DraftFiles(parts, self.editor, self.checks, files, ask)
+        self.sending = DraftSending(parts, self.editor, self.checks, lambda: files.folder)
         self.mapping = MappingControls(
             parts,
             self.map.picture,

@@ -8,6 +8,7 @@ from fleet_tui.controllers.editing.checks import DraftChecks
 from fleet_tui.controllers.editing.drawing import GraphDrawing
 from fleet_tui.controllers.editing.editor import EditorParts, GraphEditor
 from fleet_tui.controllers.editing.files import DraftFiles
+from fleet_tui.controllers.editing.sending import DraftSending
 from fleet_tui.controllers.editing.values import VertexValues
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.maps.draft_file import DraftFile
@@ -41,6 +42,7 @@ class DrawnGraph:
         self.graph_file: Path | None = None
         files = ConsoleFiles(graph_file=lambda _floor: self.graph_file)
         self.files = DraftFiles(parts, self.editor, self.checks, files, desk.ask)
+        self.sending = DraftSending(parts, self.editor, self.checks, lambda: folder)
         self.values = VertexValues(parts, self.editor)
         self.drawing = GraphDrawing(parts, self.editor, self.values)
         pane.map.show(floor_scene(state, desk.navigation.selection))
