@@ -41,7 +41,7 @@ def as_told() -> list[tuple[float, events.Event]]:
     vertices = {"1": Vertex("1", 1.0, 2.0), "2": Vertex("2", 3.0, 4.0, Role.DOCKING, "charger")}
     queue = order_queue(7, 7, order(7, 1, 2, "Grüße ☃"))
     return [
-        (0, events.GridReceived(R0, F0, grid_from_ros(frame, cells))),
+        (0, events.GridReceived(R0, F0, grid_from_ros(frame, cells), 1.0)),
         (0, events.FrameReceived(R0, F0, frame)),
         (0, events.GraphReceived(R0, F0, RouteGraph(vertices, (Edge("5", "1", "2"),), False))),
         (0, events.LabelsReceived(R0, F0, {"1": "B"})),
