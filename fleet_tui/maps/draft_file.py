@@ -1,6 +1,8 @@
 """Drafts of graphs on disk: each step is written as it is taken, so that a draft survives a crash."""
 
+import fcntl
 import os
+from errno import EBUSY, EROFS
 from hashlib import sha256
 from pathlib import Path
 from typing import BinaryIO
@@ -57,6 +59,8 @@ class DraftFile:
         self._file: BinaryIO | None = None
         self._readable = 0
         """Bytes of the lines that were read."""
+        self._is_lost = False
+        """The file still has an earlier draft."""
 
     def load(self) -> GraphDraft | None:
         """Return the draft as it was when it was last written, None if there is none. A line that was cut
@@ -88,21 +92,35 @@ class DraftFile:
         return draft
 
     def begin(self, draft: GraphDraft) -> None:
-        """Start the file anew with a draft and its steps. A draft that was in it is kept as `.bak`."""
+        """Start the file with a draft and its steps. A draft with steps that was in it is kept as `.bak`."""
         self.close()
+        self._is_lost = True
         self.path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
-        if self.path.exists():
+        if self.path.exists() and self.path.read_bytes().count(b"\n") > 1:
             self.path.replace(self.path.with_suffix(".bak"))
-        handle = os.open(self.path, os.O_WRONLY | os.O_CREAT | os.O_TRUNC | os.O_CLOEXEC, 0o600)
-        self._file = os.fdopen(handle, "wb")
+        handle = os.open(self.path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
+        self._own(os.fdopen(handle, "r+b"), 0)
+        self._is_lost = False
         self.write(Begun(draft.base), *map(Done, draft.done))
 
+    def _own(self, file: BinaryIO, kept: int) -> None:
+        """Write after the first bytes of a file that no other console writes to. Raises OSError."""
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            file.close()
+            raise OSError(EBUSY, "another console edits this floor") from None
+        file.truncate(kept)
+        file.seek(kept)
+        self._file = file
+
     def write(self, *lines: Line) -> None:
-        """Write steps, on disk when this returns."""
+        """Write steps: they survive this process."""
+        if self._is_lost:
+            raise OSError(EROFS, "the draft could not be begun on disk")
         if self._file is None:
-            self._file = self.path.open("r+b")
-            self._file.truncate(self._readable)
-            self._file.seek(self._readable)
+            self._own(self.path.open("r+b"), self._readable)
+        assert self._file is not None
         self._file.write(b"".join(msgspec.json.encode(line) + b"\n" for line in lines))
         self._file.flush()
 

@@ -52,8 +52,11 @@ class Confirm(Overlay, can_focus=True):
         if not self.is_open:
             return
         # Closing restyles the screen; the command does not wait for that.
-        self._then()
-        self.action_close()
+        then = self._then
+        then()
+        # It may have asked a further question.
+        if self._then is then:
+            self.action_close()
 
     @on(Button.Pressed, "#no")
     def refuse(self) -> None:

@@ -47,8 +47,8 @@ if TYPE_CHECKING:
     from fleet_tui.screens.main import MainScreen
 
 
-CURSORS = frozenset({"map_cursor", "next_vertex", "previous_vertex"})
-"""Keys that move the map's own cursor: a draft has another one."""
+CURSORS = frozenset({"map_cursor", "next_vertex", "previous_vertex", "pose", "goal"})
+"""Keys that move the map's own cursor, or begin another mode: a mode has its own, and is left first."""
 
 
 class Rest:

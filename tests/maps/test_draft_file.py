@@ -48,6 +48,7 @@ def test_a_line_that_was_cut_off_is_left_out_and_later_steps_follow_the_others(
     file, draft = begun(tmp_path)
     for _ in range(3):
         add(file, draft)
+    file.close()  # the lock of a process that died is gone
     file.path.write_bytes(file.path.read_bytes()[:-lost])
     again = DraftFile(tmp_path, "site", "floor/0")
     read = again.load()
@@ -73,3 +74,26 @@ def test_there_is_none_at_first_and_none_in_another_file(tmp_path: Path) -> None
     file.path.parent.mkdir(exist_ok=True)
     file.path.write_bytes(b'{"type":"done"}\n\xff\xfe')
     assert file.load() is None
+
+
+def test_a_second_console_on_the_floor_erases_nothing(tmp_path: Path) -> None:
+    file, draft = begun(tmp_path)
+    add(file, draft)
+    other = DraftFile(tmp_path, "site", "floor/0")
+    read = other.load()
+    assert read is not None
+    add(file, draft)
+    with pytest.raises(OSError, match="another console"):
+        add(other, read)
+    again = DraftFile(tmp_path, "site", "floor/0").load()
+    assert again is not None and list(again.floor.vertices) == ["1", "2"]
+
+
+def test_a_draft_without_steps_takes_no_place_of_an_earlier_one(tmp_path: Path) -> None:
+    file, draft = begun(tmp_path)
+    add(file, draft)
+    file.close()
+    for _ in range(3):
+        begun(tmp_path)[0].close()
+    (kept,) = tmp_path.glob("*.bak")
+    assert b"St" in kept.read_bytes()

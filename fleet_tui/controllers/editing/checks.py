@@ -1,5 +1,6 @@
 """Checks of a draft while it is drawn: lint, reach, and the difference from the live graph."""
 
+import logging
 from collections.abc import Callable
 from functools import partial
 from typing import Any
@@ -19,6 +20,7 @@ from fleet_tui.text.sanitize import sanitize
 
 InBackground = Callable[[Callable[[], Any], Callable[[Any], None]], None]
 """Does work in a thread, then calls with its result."""
+LOG = logging.getLogger(__name__)
 LISTED = 200
 """Lines of a list of findings or differences."""
 
@@ -35,11 +37,14 @@ class DraftChecks:
         editor.changed = self._check
 
     def _check(self, floor: DocumentFloor | None) -> None:
+        is_other = floor is None or self._checked is None or self._checked.name != floor.name
         self._checked = floor
+        if is_other:
+            self.found = ()
         if floor is None or self._is_busy:
             return
         self._is_busy = True
-        self._in_background(partial(lint, of_floor(floor), self.inputs(floor)), partial(self._take, floor))
+        self._in_background(partial(_linted, floor, self.inputs(floor)), partial(self._take, floor))
 
     def _take(self, floor: DocumentFloor, found: tuple[GraphFinding, ...]) -> None:
         self._is_busy = False
@@ -48,6 +53,7 @@ class DraftChecks:
             return
         if self._checked is not floor:
             self._check(self._checked)
+            return
         self.found = found
         mode.note = counts_text(found)
         self._editor.refresh()
@@ -57,7 +63,7 @@ class DraftChecks:
         state, scene = self._parts.store.state, self._editor.picture.scene
         robot, live = state.robots[self._parts.navigation.robot], self._editor.live_graph()
         return LintInputs(
-            grid=scene.grid if scene is not None else None,
+            grid=scene.grid if scene is not None and scene.floor == floor.name else None,
             width=robot.size[1] if robot.size else LintInputs().width,
             elsewhere=_elevators(state, floor.name),
             live=live,
@@ -125,6 +131,15 @@ class DraftChecks:
         mode.selected, mode.cursor = "" if mode.edge else start, (at.x, at.y)
         self._parts.navigation.find_vertex(draft.floor.name, at.x, at.y)
         self._editor.refresh()
+
+
+def _linted(floor: DocumentFloor, inputs: LintInputs) -> tuple[GraphFinding, ...]:
+    """Check a floor; a fault of the check itself is a finding, too."""
+    try:
+        return lint(of_floor(floor), inputs)
+    except Exception:  # it must not end the checks for good
+        LOG.exception("check of a draft")
+        return (GraphFinding("check", "the check itself failed: see the log", True),)
 
 
 def counts_text(found: tuple[GraphFinding, ...]) -> str:

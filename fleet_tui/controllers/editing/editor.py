@@ -75,7 +75,7 @@ class GraphEditor:
         except OSError as problem:
             self._notices.say(f"draft not readable: {problem.strerror}")
             return
-        if kept is None or not (kept.done or kept.undone):
+        if kept is None or kept.floor.name != floor or not (kept.done or kept.undone):
             self._begin(floor, file)
             return
         steps = len(kept.done)
@@ -92,6 +92,9 @@ class GraphEditor:
 
     def _begin(self, floor: str, file: DraftFile | None) -> None:
         """Begin a draft with the live graph."""
+        if floor != self._navigation.floor:
+            self._notices.say(f"not edited: another floor than {sanitize(floor)} is shown")
+            return
         draft = GraphDraft(live_floor(self._store.state, self._navigation.selection))
         if self._enter(draft, file) and file is not None:
             self._keep(partial(file.begin, draft))
@@ -135,7 +138,7 @@ class GraphEditor:
         self.picture.options = replace(self.picture.options, edges=self._edges)
         self._controls.leave_mode()
         if self._file is not None:
-            self._file.close()
+            self._keep(self._file.close)
         self.draft = self.mode = self._file = None
         self.changed(None)
         if steps:
@@ -152,7 +155,7 @@ class GraphEditor:
         """Return the draft with its mode and the scene of its floor, None while none is edited; say so if
         another floor is shown."""
         draft, mode, scene = self.draft, self.mode, self.picture.scene
-        if draft is None or mode is None or scene is None:
+        if draft is None or mode is None or scene is None or not self.is_open:
             return None
         if scene.floor != draft.floor.name:
             self._notices.say(f"the draft is of {sanitize(draft.floor.name)}: go to that floor to edit it")
@@ -161,7 +164,7 @@ class GraphEditor:
 
     def undo(self) -> None:
         """Take the last step back."""
-        change = self.draft.undo() if self.draft is not None else None
+        change = opened[0].undo() if (opened := self.opened) is not None else None
         if change is None:
             self._notices.say("nothing to undo")
         else:
@@ -169,7 +172,7 @@ class GraphEditor:
 
     def redo(self) -> None:
         """Take the undone step again."""
-        change = self.draft.redo() if self.draft is not None else None
+        change = opened[0].redo() if (opened := self.opened) is not None else None
         if change is None:
             self._notices.say("nothing to redo")
         else:
@@ -177,7 +180,7 @@ class GraphEditor:
 
     def _took(self, text: str, line: Line, change: Change) -> None:
         assert self.draft is not None and self.mode is not None
-        self._notices.note(text)
+        self._notices.note(sanitize(text))
         if self._file is not None:
             self._keep(partial(self._file.write, line))
         self.mode.show(self.draft.floor, change)
@@ -186,7 +189,7 @@ class GraphEditor:
 
     def refresh(self) -> None:
         """Show the cursor and the selection."""
-        if self.mode is not None:
+        if self.mode is not None and self.is_open:
             self._controls.enter(self.mode)
 
     def _keep(self, write: Callable[[], None]) -> None:

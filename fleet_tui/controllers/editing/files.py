@@ -4,6 +4,8 @@ from datetime import UTC, datetime
 from functools import partial
 from pathlib import Path
 
+from msgspec.structs import replace
+
 from fleet_tui.config.schema import expanded
 from fleet_tui.controllers.dispatch import Ask
 from fleet_tui.controllers.editing.checks import DraftChecks, counts_text
@@ -42,7 +44,7 @@ class DraftFiles:
             return
         path = self._files.graph_file(opened[0].floor.name)
         if path is None:
-            self._parts.begin(f"{WORD} {opened[0].floor.name}.yaml")
+            self._parts.begin(f"{WORD} {file_name(opened[0].floor.name)}.yaml")
         else:
             self._write(path, None, "")
 
@@ -70,6 +72,13 @@ class DraftFiles:
         )
 
     def _write(self, path: Path, wanted: GraphFormat | None, vehicle: str) -> None:
+        """Write, and say so if that fails."""
+        try:
+            self._write_checked(path, wanted, vehicle)
+        except (OSError, ValueError) as problem:
+            self._parts.notices.say(sanitize(f"not written: {path}: {problem}"))
+
+    def _write_checked(self, path: Path, wanted: GraphFormat | None, vehicle: str) -> None:
         """Write, after a question if a file is replaced, something is lost or wrong."""
         opened = self._editor.opened
         if opened is None:
@@ -123,7 +132,7 @@ def _format_of(path: Path) -> GraphFormat:
     """Return the format of an existing file, else the one that its name tells."""
     try:
         found = recognised(graph_text(path)) if path.is_file() else None
-    except GraphError:
+    except (GraphError, OSError):
         found = None  # what is unreadable is replaced, and kept beside it
     if found in WRITERS:
         return found
@@ -131,11 +140,32 @@ def _format_of(path: Path) -> GraphFormat:
 
 
 def _joined(path: Path, format_: GraphFormat, floor: DocumentFloor) -> GraphDocument:
-    """Return the draft as a document, with the other floors of a file that has them."""
-    if format_ not in HAS_FLOORS or not path.is_file():
-        return of_floor(floor)
+    """Return the draft as a document, with all else that the file has: other floors, and values that robots
+    do not report."""
     try:
         document = load_graph_file(path, None, ReadChoices(floor.name)).document
     except GraphError:
         return of_floor(floor)
-    return document.with_floor(floor) if floor.name in document.floors else of_floor(floor)
+    old = document.floors.get(floor.name)
+    merged = floor if old is None else _merged(old, floor)
+    return document.with_floor(merged) if format_ in HAS_FLOORS else of_floor(merged)
+
+
+def _merged(old: DocumentFloor, new: DocumentFloor) -> DocumentFloor:
+    """Return a drawn floor with the values of its file that the draft has not: headings, speeds, extras."""
+    vertices = dict(new.vertices)
+    for id_ in vertices.keys() & old.vertices.keys():
+        one, was = vertices[id_], old.vertices[id_]
+        heading = was.heading if one.heading is None else one.heading
+        vertices[id_] = replace(one, heading=heading, extra=was.extra)
+    edges = dict(new.edges)
+    for id_ in edges.keys() & old.edges.keys():
+        way, before = edges[id_], old.edges[id_]
+        if {way.start, way.end} == {before.start, before.end}:
+            edges[id_] = replace(before, start=way.start, end=way.end, two_way=way.two_way)
+    return replace(old, vertices=vertices, edges=edges)
+
+
+def file_name(floor: str) -> str:
+    """Return a file's name for a floor: a typed line ends at a space."""
+    return "_".join(sanitize(floor).split()).replace("/", "_")

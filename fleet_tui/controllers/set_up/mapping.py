@@ -9,6 +9,7 @@ from fleet_tui.config.schema import expanded
 from fleet_tui.controllers.dispatch import Ask
 from fleet_tui.controllers.editing.checks import InBackground
 from fleet_tui.controllers.editing.editor import EditorParts
+from fleet_tui.controllers.editing.files import file_name
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.typed import Entry, Typed
 from fleet_tui.errors import MapError
@@ -79,7 +80,10 @@ class MappingControls:
         if scene is not None and scene.grid is not None:
             lines.append(f"{scene.floor}: {survey(scene.grid).text}")
             entries.append(
-                ("Save this map to a file", partial(self._parts.begin, f"{WORD} {scene.floor}.yaml"))
+                (
+                    "Save this map to a file",
+                    partial(self._parts.begin, f"{WORD} {file_name(scene.floor)}.yaml"),
+                )
             )
         else:
             lines.append("no map yet")
@@ -110,7 +114,12 @@ class MappingControls:
             return
         path = expanded(name)
         save = partial(self._in_background, partial(_saved, grid, path, self._say_from_thread), self._said)
-        if any(file.exists() for file in map_files(path)):
+        try:
+            exists = any(file.exists() for file in map_files(path))
+        except (OSError, ValueError) as problem:
+            self._parts.notices.say(sanitize(f"map not saved: {name}: {problem}"))
+            return
+        if exists:
             self._ask(lambda: f"{sanitize(name)} exists: it is kept as .bak. Save?", save)
         else:
             save()

@@ -96,14 +96,27 @@ class PoseRequests:
             command = SetPose(mode.robot, mode.floor, mode.pose)
             self._give(Request((command,)))
             return
+        pose = mode.pose
+        if self._goal(mode, pose) is not None:
+            question = f"{mode.robot}: go to {heading_text(pose)} on {mode.floor}?"
+            self._ask(lambda: sanitize(question), lambda: self._give_goal(mode, pose))
+
+    def _give_goal(self, mode: PlaceMode, pose: Pose) -> None:
+        """Send a goal after the yes: the robot may have changed floors since the question."""
+        if (request := self._goal(mode, pose)) is not None:
+            self._give(request)
+
+    def _goal(self, mode: PlaceMode, pose: Pose) -> Request | None:
+        """Return the request of a goal, None if the robot is not on its floor; say so."""
         robot = self._store.state.robots[mode.robot]
         try:
-            request = Request((to_pose(robot, mode.pose),), alone=True)
+            if (floor := floor_of(robot)) != mode.floor:
+                self._notices.say(sanitize(f"not sent: {robot.name} is on {floor}, the goal on {mode.floor}"))
+                return None
+            return Request((to_pose(robot, pose),), alone=True)
         except CommandError as problem:
-            self._notices.say(str(problem))
-            return
-        question = f"{mode.robot}: go to {heading_text(mode.pose)} on {mode.floor}?"
-        self._ask(lambda: sanitize(question), lambda: self._give(request))
+            self._notices.say(sanitize(str(problem)))
+            return None
 
     def _give(self, request: Request) -> None:
         if problem := self._dispatch.give(request, self.leave):

@@ -53,14 +53,16 @@ class ShownStreams:
 
     def on(self, scene: Scene) -> Scene:
         """Return the scene with the shown streams; watch those of the robot that is selected now."""
-        state, robot = self._store.state, self._store.state.robots[self._navigation.robot]
-        mode = self._picture.mode
+        state, mode = self._store.state, self._picture.mode
+        # While a pose is chosen it is its robot's scan that counts.
+        robot = state.robots[mode.robot if isinstance(mode, PlaceMode) else self._navigation.robot]
         placing = {SCAN} if isinstance(mode, PlaceMode) and mode.moves_scan else set()
         self._watch({(robot.name, key) for key in (self._shown | placing) if key in robot.kind.streams})
         if not self._watched:
             return scene
         streams = self._backend.streams
-        if robot.floor == scene.floor or placing:
+        is_placed_here = isinstance(mode, PlaceMode) and bool(placing) and mode.floor == scene.floor
+        if robot.floor == scene.floor or is_placed_here:
             beams = newest_beams(state, robot, streams)
             if beams is not None:
                 self._tell(robot.name, beams)

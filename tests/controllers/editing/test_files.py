@@ -3,11 +3,18 @@
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
 from fleet_tui.graph_files.graph_file import ReadChoices, WriteChoices
 from fleet_tui.graph_files.writing import write_graph
 from fleet_tui.maps.graph_storage import load_graph_file
-from fleet_tui.model.graphs.document import DocumentFloor, DocumentVertex, GraphDocument, GraphFormat
+from fleet_tui.model.graphs.document import (
+    DocumentFloor,
+    DocumentVertex,
+    GraphDocument,
+    GraphFormat,
+    of_floor,
+)
 from tests.support.drawn_graph import DrawnGraph, drawn_graph
 
 
@@ -103,3 +110,28 @@ async def test_what_cannot_be_written_is_said(tmp_path: Path) -> None:
         it.typed(f"write {tmp_path}/broken.yaml")
         assert said_yes(it) == 1
         assert (tmp_path / "broken.yaml.bak").read_text() == "{]"
+
+
+async def test_what_robots_do_not_report_stays_in_the_file(tmp_path: Path) -> None:
+    path = tmp_path / "site.yaml"
+    async with drawn_graph() as it:
+        it.editor.start()
+        live = it.floor
+        (edge,) = live.edges.values()
+        fast = replace(live, edges={edge.id: replace(edge, speed=0.7)}, to_site=(1.0, 2.0, 0.0))
+        path.write_text(write_graph(of_floor(fast), GraphFormat.NATIVE, WriteChoices()))
+        it.at((9.0, 9.0))
+        it.drawing.add_at_cursor()
+        it.typed(f"write {path}")
+        said_yes(it)
+        floor = read(path)[1].floors["floor_0"]
+        assert floor.edges[edge.id].speed == 0.7 and floor.to_site == (1.0, 2.0, 0.0)
+        assert len(floor.vertices) == 3
+
+
+async def test_a_name_that_no_file_can_have_is_said() -> None:
+    async with drawn_graph() as it:
+        it.editor.start()
+        it.typed(f"write /tmp/{'x' * 300}.yaml")
+        said_yes(it)
+        assert "not written" in it.desk.notices.text or "cannot be written" in it.desk.notices.text

@@ -4,13 +4,15 @@ import pytest
 from msgspec.structs import replace
 
 from fleet_tui.controllers.set_up.poses import PoseRequests
-from fleet_tui.model.events import Event
+from fleet_tui.model.events import CommandPathChanged, Event
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import GOAL, POSE, Kind
+from fleet_tui.model.link import CommandPath
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.set_up.commands import SendGoal, SetPose
 from fleet_tui.view.map.floor_scene import floor_scene
 from tests.support.desk import Desk, ready
-from tests.support.fleets import T0, of_kinds, pose, queue, reduced, tick
+from tests.support.fleets import F0, LINK, T0, fleet, link_up, of_kinds, pose, queue, reduced, tick
 from tests.support.map_pane import Pane
 
 PLAIN = ready().robots["robot_0"].kind
@@ -18,9 +20,13 @@ KIND = replace(PLAIN, accepts=(*PLAIN.accepts, POSE, GOAL))
 
 
 def placing(
-    pane: Pane, kind: Kind = KIND, may: Permissions | None = None, *events: Event
+    pane: Pane,
+    kind: Kind = KIND,
+    may: Permissions | None = None,
+    *events: Event,
+    state: FleetState | None = None,
 ) -> tuple[Desk, PoseRequests]:
-    desk = Desk(reduced(of_kinds(ready(), kind), *events), may)
+    desk = Desk(reduced(of_kinds(state or ready(), kind), *events), may)
     picture = pane.map.picture
     pane.map.show(floor_scene(desk.store.state, desk.navigation.selection))
     parts = (desk.store, desk.dispatch, desk.navigation, desk.notices, desk.ask, pane.controls, picture)
@@ -81,3 +87,18 @@ async def test_escape_sends_nothing() -> None:
         it.leave()
         it.send()
         assert it.mode is None and not desk.answers and not desk.backend.submitted
+
+
+async def test_a_goal_on_a_floor_that_the_robot_has_left_is_not_sent() -> None:
+    async with Pane().run_test(size=(100, 30)) as pilot:
+        assert isinstance(pilot.app, Pane)
+        alive = CommandPathChanged(LINK, CommandPath.ALIVE, connected=True)
+        there = (link_up(T0), alive, queue(T0), pose(T0), tick(T0))
+        desk, it = placing(pilot.app, KIND, None, *there, state=fleet(1, 2))
+        it.goal()
+        it.send()
+        assert len(desk.answers) == 1
+        desk.store.apply(pose(T0 + 2, frame=F0.replace("0", "1")))
+        desk.say_yes()
+        assert not desk.backend.submitted
+        assert desk.notices.text == "not sent: robot_0 is on floor_1, the goal on floor_0"

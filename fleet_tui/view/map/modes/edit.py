@@ -122,13 +122,17 @@ class EditMode:
 
     def press(self, view: Viewport, scene: Scene, at: Point) -> bool:
         """Take a press of the mouse at a place: the vertex there is grasped."""
+        self._grasped = ""
+        if scene.floor != self.floor.name:
+            return False
         self.cursor = at
         self._grasped = self.vertex_at(view, scene, at)
         return bool(self._grasped)
 
     def drag(self, at: Point) -> None:
         """Move the grasped vertex along."""
-        self.cursor, self.selected, self.edge, self.held = at, self._grasped, "", True
+        if self._grasped in self.floor.vertices:
+            self.cursor, self.selected, self.edge, self.held = at, self._grasped, "", True
 
     def vertex_at(self, view: Viewport, scene: Scene, at: Point) -> str:
         """Return the id of the vertex in the cell of a place, the nearest one; empty without one."""

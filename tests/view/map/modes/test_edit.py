@@ -1,5 +1,7 @@
 """The graph editor's map mode: the draft in place of the live graph."""
 
+from dataclasses import replace
+
 import pytest
 
 from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor, DocumentVertex
@@ -102,3 +104,14 @@ def test_after_a_change_the_picture_is_as_if_all_were_drawn_anew() -> None:
         scene = mode.adjusted(SCENE)
         assert sorted(scene.vertices, key=str) == sorted(anew.vertices, key=str)
         assert sorted(scene.edges) == sorted(anew.edges) and sorted(scene.one_way) == sorted(anew.one_way)
+
+
+def test_the_mouse_grasps_nothing_of_another_floor_and_nothing_that_is_gone() -> None:
+    mode = EditMode(FLOOR, (0.0, 0.0))
+    assert mode.press(view(), replace(SCENE, floor="floor_1"), (2.0, 2.0)) is False
+    mode.drag((3.0, 3.0))
+    assert mode.selected == "" and mode.banner
+    mode.press(view(), SCENE, (2.0, 2.0))
+    mode.show(DocumentFloor("floor_0"))
+    mode.drag((3.0, 3.0))
+    assert mode.selected == "" and mode.banner
