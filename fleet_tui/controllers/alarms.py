@@ -47,9 +47,11 @@ class AlarmResponses:
         self._pane, self._open_menu, self._why, self._robot_menu = pane, open_menu, why, robot_menu
         self._keys, self._clock = keys, clock
 
-    def _post(self, event: Event) -> None:
+    def _post(self, event: Event) -> bool:
+        """Apply an event; tell whether it was, and say so if not."""
         if problem := self._backend.post(event):
             self._notices.say(problem)
+        return not problem
 
     def acknowledge(self) -> None:
         """Acknowledge the alarm under the cursor, and go to the next: the row moves down."""
@@ -59,8 +61,7 @@ class AlarmResponses:
         if time.monotonic() - self._cleared_at() < LOOK:
             self._notices.say("that alarm has just cleared: press again for the marked one")
             return
-        self._post(AlarmAcknowledged(*key))
-        if key in fresh:
+        if self._post(AlarmAcknowledged(*key)) and key in fresh:
             self._notices.note(f"acknowledged: {key[1]} alarm of {sanitize(key[0])}")
         if key in fresh and len(fresh) > 1:
             following = [*fresh[fresh.index(key) + 1 :], *fresh]

@@ -92,6 +92,8 @@ def queue_of(goals: Goals, at: float, offset: float | None, last: int = 0) -> Or
         (goal for listed in goals.values() for goal in listed if not goal.is_leg),
         key=lambda goal: goal.serial,
     )
+    # Two actions may report one id: a broken robot's order is still listed once.
+    own = list({goal.id: goal for goal in own}.values())
     last = max([last, *(goal.serial for listed in goals.values() for goal in listed)])
     shown = [goal for goal in own if goal.ended_at is None or at - goal.ended_at < LISTED_FOR]
     begun = [goal.id for goal in shown if goal.state in BEGUN]

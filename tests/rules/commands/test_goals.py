@@ -99,3 +99,9 @@ def test_a_goal_of_ours_is_known_by_its_id_and_by_how_it_is_given() -> None:
     assert is_given_as(found, "t", stops) and not is_given_as(found, "t", stops[:1])
     assert is_given_as(found, "a", stops[:1]) and not is_given_as(found, "a", stops)
     assert [one.id for one in without(found, {"uuid of t"})["go"]] == ["a"]
+
+
+def test_an_id_that_two_actions_report_is_listed_once() -> None:
+    found = lists((1.0, (goal("a"),)), action="dock")
+    found = lists((2.0, (goal("a"), goal("b"))), known=found)
+    assert sorted(ids(found, 2.0)) == ["a", "b"]
