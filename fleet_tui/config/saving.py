@@ -1,13 +1,11 @@
 """Writes a configuration to a file of mode 600: the names in it may be confidential."""
 
-import os
-import tempfile
-from contextlib import suppress
 from pathlib import Path
 from typing import Protocol
 
 from fleet_tui.config.as_toml import as_toml
 from fleet_tui.config.schema import Config, expanded
+from fleet_tui.config.whole_file import write_whole
 from fleet_tui.errors import FleetError
 
 USUAL = "config.toml"
@@ -44,15 +42,7 @@ def write_config(text: str, name: str) -> Path:
     try:
         if path.is_dir():
             raise FleetError(f"{name}: is a folder: name a file")
-        number, made = tempfile.mkstemp(dir=path.parent, prefix=".fleet-tui-")  # mode 600
+        write_whole(path, text.encode())
     except OSError as problem:
-        raise FleetError(f"{name}: {problem.strerror}") from None
-    try:
-        with os.fdopen(number, "w", encoding="utf-8") as file:
-            file.write(text)
-        Path(made).replace(path)
-    except OSError as problem:
-        with suppress(OSError):
-            Path(made).unlink()
         raise FleetError(f"{name}: {problem.strerror}") from None
     return path

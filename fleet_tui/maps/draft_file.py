@@ -63,10 +63,10 @@ class DraftFile:
         """The file still has an earlier draft."""
 
     def load(self) -> GraphDraft | None:
-        """Return the draft as it was when it was last written, None if there is none. A line that was cut
+        """Return the draft as it was when it was last written, None for a new floor. A line that was cut
         off by a crash is left out."""
         try:
-            lines = self.path.read_bytes()[:LARGEST].splitlines(keepends=True)
+            lines = self._read().splitlines(keepends=True)
         except FileNotFoundError:
             return None
         decoder, draft = msgspec.json.Decoder(Line), None
@@ -90,6 +90,10 @@ class DraftFile:
                 draft.redo()
             self._readable += len(text)
         return draft
+
+    def _read(self) -> bytes:
+        with self.path.open("rb") as file:
+            return file.read(LARGEST)
 
     def begin(self, draft: GraphDraft) -> None:
         """Start the file with a draft and its steps. A draft with steps that was in it is kept as `.bak`."""

@@ -1,18 +1,13 @@
 """Graph files on the disk: read with bounds, written whole, with the old version beside the new one."""
 
-import os
-import shutil
-import tempfile
-from contextlib import suppress
 from pathlib import Path
 
 from fleet_tui.config.small_file import read_text
+from fleet_tui.config.whole_file import write_whole
 from fleet_tui.errors import GraphError
 from fleet_tui.graph_files.graph_file import GraphFile, ReadChoices
 from fleet_tui.graph_files.reading import LARGEST, read_graph
 from fleet_tui.model.graphs.document import GraphFormat
-
-BACKUP = ".bak"
 
 
 def graph_text(path: Path) -> str:
@@ -50,34 +45,6 @@ def save_graph_file(path: Path, text: str) -> Path | None:
     if path.exists() and not path.is_file():
         raise GraphError("not a regular file")
     try:
-        return _replaced(path, text)
+        return write_whole(path, text.encode(), keep=True, is_shared=True)
     except OSError as problem:
         raise GraphError(f"cannot be written: {problem.strerror or problem}") from None
-
-
-def _replaced(path: Path, text: str) -> Path | None:
-    number, name = tempfile.mkstemp(dir=path.parent, prefix=".fleet-tui-")
-    made, kept = Path(name), None
-    try:
-        with os.fdopen(number, "w", encoding="utf-8") as file:
-            file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
-        if path.exists():
-            kept = path.with_name(path.name + BACKUP)
-            shutil.copy2(path, kept)
-            shutil.copymode(path, made)
-        else:
-            made.chmod(0o666 & ~_umask())
-        made.replace(path)
-    except OSError:
-        with suppress(OSError):
-            made.unlink()
-        raise
-    return kept
-
-
-def _umask() -> int:
-    mask = os.umask(0o077)
-    os.umask(mask)
-    return mask

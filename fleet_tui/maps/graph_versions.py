@@ -1,11 +1,10 @@
 """Graphs that robots had before others were sent to them: the last versions, as files."""
 
-import os
-import tempfile
-from contextlib import suppress
 from datetime import UTC, datetime
 from pathlib import Path
 from urllib.parse import quote
+
+from fleet_tui.config.whole_file import write_whole
 
 KEPT = 20
 """Versions of one floor of one robot."""
@@ -20,23 +19,8 @@ def keep_version(folder: Path, robot: str, floor: str, text: str) -> Path:
     graphs.mkdir(parents=True, exist_ok=True, mode=0o700)
     older = sorted(graphs.glob(f"{stem}[0-9]*.yaml"))
     path = graphs / f"{stem}{datetime.now(UTC):%Y%m%dT%H%M%S.%fZ}.yaml"
-    _write(path, text)
+    write_whole(path, text.encode())
     # Only those before it: a clock that was put back must not cost the new one.
     for version in older[: -(KEPT - 1)]:
         version.unlink(missing_ok=True)
     return path
-
-
-def _write(path: Path, text: str) -> None:
-    """Write a file for its owner alone, whole or not at all, and on disk when this returns."""
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=".fleet-tui-")
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
-            file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
-        Path(name).replace(path)
-    except OSError:
-        with suppress(OSError):
-            Path(name).unlink()
-        raise

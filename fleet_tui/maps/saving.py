@@ -1,14 +1,13 @@
 """Saves a map as map_server's YAML with a P5 PGM beside it: at full precision, read back and compared."""
 
 import math
-import os
 import re
-import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 
+from fleet_tui.config.whole_file import write_whole
 from fleet_tui.errors import MapError
 from fleet_tui.maps.images import load_floor_map
 from fleet_tui.model.grid import FREE, OCCUPIED, OccupancyGrid
@@ -60,33 +59,14 @@ def save_map(grid: OccupancyGrid, path: Path, report: Callable[[str], None] = la
     text = yaml_of(grid, pgm.name)
     try:
         report(f"writing {pgm.name}")
-        _replace(pgm, pgm_of(grid))
+        write_whole(pgm, pgm_of(grid), keep=True, is_shared=True)
         report(f"writing {yaml.name}")
-        _replace(yaml, text.encode())
+        write_whole(yaml, text.encode(), keep=True, is_shared=True)
     except OSError as problem:
         raise MapError(f"{problem.filename or yaml}: {problem.strerror or problem}") from None
     report(f"comparing {yaml.name}")
     _compare(grid, yaml)
     return yaml
-
-
-def _replace(path: Path, content: bytes) -> None:
-    """Write a file so that it is whole at any time, and keep the one before as `.bak`."""
-    descriptor, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-    temporary = Path(name)
-    try:
-        with os.fdopen(descriptor, "wb") as file:
-            file.write(content)
-            file.flush()
-            os.fsync(file.fileno())
-        # Created for its owner alone: a map is for every program of the site.
-        temporary.chmod(0o644)
-        if path.exists():
-            path.replace(path.with_name(f"{path.name}.bak"))
-        temporary.replace(path)
-    except BaseException:
-        temporary.unlink(missing_ok=True)
-        raise
 
 
 def _compare(grid: OccupancyGrid, yaml: Path) -> None:

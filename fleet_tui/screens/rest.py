@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING, Any, assert_never
 from fleet_tui.controllers.alarms import AlarmResponses
 from fleet_tui.controllers.editing.checks import DraftChecks
 from fleet_tui.controllers.editing.drawing import GraphDrawing
-from fleet_tui.controllers.editing.editor import EditorParts, GraphEditor
+from fleet_tui.controllers.editing.editor import GraphEditor
 from fleet_tui.controllers.editing.files import DraftFiles
 from fleet_tui.controllers.editing.sending import DraftSending
 from fleet_tui.controllers.editing.values import VertexValues
 from fleet_tui.controllers.map import MapControls
 from fleet_tui.controllers.offers import Offers
 from fleet_tui.controllers.orders import OrderRequests
+from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.robots import RobotRequests
 from fleet_tui.controllers.save import SaveCommand
 from fleet_tui.controllers.set_up.mapping import MappingControls
@@ -83,7 +84,7 @@ class Rest:
             store, dispatch, navigation, screen.session, self.save, settings.themes, partial(_run, screen)
         )
         self.palette = Palette(offers.entries, lambda line: self._typed_set_up(line) or offers.typed(line))
-        self._set_up_with(EditorParts(store, dispatch, navigation, notices, menu, self.palette.show))
+        self._set_up_with(SetUpParts(store, dispatch, navigation, notices, menu, self.palette.show))
         self.simple = self._simple_switch(screen)
         self.actions = key_actions(screen, self)
 
@@ -95,7 +96,7 @@ class Rest:
             *answering, *opens, settings.keys, settings.clock, lambda: screen.alarm_cleared_at
         )
 
-    def _set_up_with(self, parts: EditorParts) -> None:
+    def _set_up_with(self, parts: SetUpParts) -> None:
         keys = self._screen.settings.keys
         self._overruled = {pane: overruled(keys, pane) for pane in Pane if pane.is_mode}
         self.poses = PoseRequests(*parts[:4], self.confirm.ask, self.map_controls, self.map.picture)
@@ -172,7 +173,7 @@ class Rest:
         draft, form = self.order_form.draft(), self.order_form
         route = None if draft is None else draft_route(self._screen.store.state.robots[draft.robot], draft)
         text = "" if route is None else route.text
-        if text != form.route.content:  # an update lays out the whole screen anew
+        if text != form.route.content:  # an update lays out the whole screen
             form.route.update(text)
         return None if draft is None else (draft, route)
 

@@ -59,7 +59,7 @@ class Streams:
             track = self._tracks.get(robot.name, ())
             if not track or track[-1].at < robot.pose.at:
                 self._tracks[robot.name] = (*track[1 - TRACK :], robot.pose)
-            elif track[-1].value != robot.pose.value:  # localised anew: the earlier places are void
+            elif track[-1].value != robot.pose.value:  # localised again: the earlier places are void
                 self._tracks[robot.name] = (robot.pose,)
 
     def pose_at(self, robot: str, at: float) -> Pose | None:

@@ -1,4 +1,4 @@
-"""Sizes, rates and short times as text."""
+"""Sizes, counts and short times as text."""
 
 from fleet_tui.text.durations import age
 
@@ -22,3 +22,8 @@ def milliseconds(seconds: float) -> str:
     """Return a short duration: `0.42 ms`, `12 ms`."""
     found = seconds * 1000
     return f"{found:.2f} ms" if found < 10 else f"{found:.0f} ms"
+
+
+def counted(count: int, one: str, many: str = "") -> str:
+    """Return a count with its noun: `1 error`, `2 vertices`."""
+    return f"{count} {one if count == 1 else many or f'{one}s'}"

@@ -6,11 +6,12 @@ from pathlib import Path
 
 from fleet_tui.controllers.editing.checks import DraftChecks
 from fleet_tui.controllers.editing.drawing import GraphDrawing
-from fleet_tui.controllers.editing.editor import EditorParts, GraphEditor
+from fleet_tui.controllers.editing.editor import GraphEditor
 from fleet_tui.controllers.editing.files import DraftFiles
 from fleet_tui.controllers.editing.sending import DraftSending
 from fleet_tui.controllers.editing.values import VertexValues
 from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.maps.draft_file import DraftFile
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graphs.document import DocumentFloor
@@ -29,7 +30,7 @@ class DrawnGraph:
         self.pane, self.desk, self.lines = pane, Desk(state, may), list[str]()
         self.picture = pane.map.picture
         desk = self.desk
-        parts = self.parts = EditorParts(
+        parts = self.parts = SetUpParts(
             desk.store, desk.dispatch, desk.navigation, desk.notices, desk.open_menu, self.lines.append
         )
         self.editor = GraphEditor(

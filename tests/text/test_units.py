@@ -2,7 +2,7 @@
 
 import pytest
 
-from fleet_tui.text.units import ago, milliseconds, size_text
+from fleet_tui.text.units import ago, counted, milliseconds, size_text
 
 
 @pytest.mark.parametrize(
@@ -20,3 +20,8 @@ def test_how_long_ago_something_was() -> None:
 
 def test_short_spans() -> None:
     assert (milliseconds(0.00042), milliseconds(0.012)) == ("0.42 ms", "12 ms")
+
+
+def test_a_count_has_its_noun() -> None:
+    assert counted(1, "error") == "1 error"
+    assert (counted(0, "error"), counted(2, "vertex", "vertices")) == ("0 errors", "2 vertices")

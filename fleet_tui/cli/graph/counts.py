@@ -1,11 +1,7 @@
 """Counts as text."""
 
 from fleet_tui.model.graphs.document import GraphDocument
-
-
-def counted(count: int, what: str, several: str = "") -> str:
-    """Return a count with its noun: `1 error`, `2 vertices`."""
-    return f"{count} {what if count == 1 else several or f'{what}s'}"
+from fleet_tui.text.units import counted
 
 
 def graph_counts(document: GraphDocument) -> str:

@@ -4,12 +4,13 @@ from collections.abc import Callable
 from pathlib import Path
 
 from fleet_tui.cli.graph.answers import GraphAnswers, load
-from fleet_tui.cli.graph.counts import counted, graph_counts
+from fleet_tui.cli.graph.counts import graph_counts
 from fleet_tui.cli.graph.map_image import map_grid
 from fleet_tui.model.graphs.document import GraphFormat
 from fleet_tui.rules.graphs.finding import GraphFinding, LintInputs
 from fleet_tui.rules.graphs.lint import lint as findings_of
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.units import counted
 
 UNNUMBERED = (GraphFormat.RMF_BUILDING,)
 """Formats whose rules are those of another: the graph made from a building is an RMF graph."""

@@ -1,15 +1,15 @@
 """Checks of a draft while it is drawn: lint, reach, and the difference from the live graph."""
 
 import logging
-from collections.abc import Callable
 from functools import partial
-from typing import Any
+from typing import NamedTuple
 
-from fleet_tui.controllers.editing.editor import EditorParts, GraphEditor, live_floor
+from fleet_tui.controllers.editing.editor import GraphEditor, live_floor
+from fleet_tui.controllers.parts import InBackground, SetUpParts
 from fleet_tui.controllers.typed import Entry
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import Role
-from fleet_tui.model.graphs.document import DocumentFloor, GraphFormat, of_floor
+from fleet_tui.model.graphs.document import DocumentFloor, of_floor
 from fleet_tui.model.graphs.live import roles_of, route_graph
 from fleet_tui.model.order import vertices_of
 from fleet_tui.rules.graphs.difference import GraphChange, difference
@@ -17,48 +17,57 @@ from fleet_tui.rules.graphs.finding import GraphFinding, LintInputs
 from fleet_tui.rules.graphs.lint import lint
 from fleet_tui.rules.graphs.reach import longest_detour
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.units import counted
 
-InBackground = Callable[[Callable[[], Any], Callable[[Any], None]], None]
-"""Does work in a thread, then calls with its result."""
 LOG = logging.getLogger(__name__)
 LISTED = 200
 """Lines of a list of findings or differences."""
+
+
+class Checked(NamedTuple):
+    """The check of a draft: its findings, and the ways between its labels in words."""
+
+    floor: DocumentFloor
+    found: tuple[GraphFinding, ...]
+    ways: str
 
 
 class DraftChecks:
     """Checks the draft after each step, one check at a time and off the loop; the counts are in the
     banner."""
 
-    def __init__(self, parts: EditorParts, editor: GraphEditor, in_background: InBackground) -> None:
+    def __init__(self, parts: SetUpParts, editor: GraphEditor, in_background: InBackground) -> None:
         self._parts, self._editor, self._in_background = parts, editor, in_background
-        self._checked: DocumentFloor | None = None
+        self._newest: DocumentFloor | None = None
+        self._last: Checked | None = None
         self._is_busy = False
-        self.found: tuple[GraphFinding, ...] = ()
         editor.changed = self._check
 
     def _check(self, floor: DocumentFloor | None) -> None:
-        is_other = floor is None or self._checked is None or self._checked.name != floor.name
-        self._checked = floor
-        if is_other:
-            self.found = ()
+        self._newest = floor
         if floor is None or self._is_busy:
             return
         self._is_busy = True
-        self._in_background(partial(_linted, floor, self.inputs(floor)), partial(self._take, floor))
+        self._in_background(partial(_checked, floor, self.inputs(floor)), self._take)
 
-    def _take(self, floor: DocumentFloor, found: tuple[GraphFinding, ...]) -> None:
+    def _take(self, checked: Checked) -> None:
         self._is_busy = False
         mode = self._editor.mode
-        if self._checked is None or mode is None:
+        if mode is None or self._newest is not checked.floor:
+            self._check(self._newest)
             return
-        if self._checked is not floor:
-            self._check(self._checked)
-            return
-        self.found = found
-        mode.note = counts_text(found)
+        self._last = checked
+        mode.note = counts_text(checked.found)
         self._editor.refresh()
 
-    def inputs(self, floor: DocumentFloor, target: GraphFormat | None = None) -> LintInputs:
+    def of(self, floor: DocumentFloor) -> Checked | None:
+        """Return the check of a draft, None while it is under way; say so."""
+        if self._last is not None and self._last.floor is floor:
+            return self._last
+        self._parts.notices.say("the draft is being checked: press again")
+        return None
+
+    def inputs(self, floor: DocumentFloor) -> LintInputs:
         """Return all that is known beside a draft."""
         state, scene = self._parts.store.state, self._editor.picture.scene
         robot, live = state.robots[self._parts.navigation.robot], self._editor.live_graph()
@@ -68,30 +77,20 @@ class DraftChecks:
             elsewhere=_elevators(state, floor.name),
             live=live,
             ordered=_ordered(state, floor.name),
-            target=target,
             roles=roles_of(live),
         )
 
     def show_findings(self) -> None:
         """List the findings with the reach of the labels; each entry goes to its place."""
         opened = self._editor.opened
-        if opened is None:
+        if opened is None or (checked := self.of(opened[0].floor)) is None:
             return
-        floor = opened[0].floor
-        graph, labels = route_graph(floor, roles_of(self._editor.live_graph()))
-        lost = sum(finding.rule == "reach" for finding in self.found)
-        told = [
-            counts_text(self.found) or "no findings",
-            f"{len(labels) - lost} of {len(labels)} labels reachable",
-        ]
-        if (detour := longest_detour(graph, labels)) is not None:
-            start, end = (sanitize(labels[id_]) for id_ in (detour.start, detour.end))
-            told.append(f"longest detour {start} -> {end}: {detour.metres:.0f} m for {detour.straight:.0f} m")
         entries: list[Entry] = [
             (sanitize(f"{'error' if one.is_error else 'warning'}: {one.text}"), partial(self._go_to, one))
-            for one in self.found[:LISTED]
+            for one in checked.found[:LISTED]
         ]
-        self._parts.open_menu(", ".join(told), entries or [("Nothing to mend", lambda: None)])
+        title = f"{counts_text(checked.found) or 'no findings'}, {checked.ways}"
+        self._parts.open_menu(title, entries or [("Nothing to mend", lambda: None)])
 
     def compare(self) -> None:
         """List the differences from the live graph; each entry goes to its place."""
@@ -102,7 +101,7 @@ class DraftChecks:
         entries: list[Entry] = [
             (sanitize(f"{one.kind} {one.text}"), partial(self._go_to_change, one)) for one in changes[:LISTED]
         ]
-        title = f"{len(changes)} difference{'s' * (len(changes) != 1)} from the live graph"
+        title = f"{counted(len(changes), 'difference')} from the live graph"
         self._parts.open_menu(title, entries or [("The draft is the live graph", lambda: None)])
 
     def changes(self, floor: DocumentFloor) -> tuple[GraphChange, ...]:
@@ -133,20 +132,33 @@ class DraftChecks:
         self._editor.refresh()
 
 
-def _linted(floor: DocumentFloor, inputs: LintInputs) -> tuple[GraphFinding, ...]:
+def _checked(floor: DocumentFloor, inputs: LintInputs) -> Checked:
     """Check a floor; a fault of the check itself is a finding, too."""
     try:
-        return lint(of_floor(floor), inputs)
+        found = lint(of_floor(floor), inputs)
+        return Checked(floor, found, _ways(floor, inputs, found))
     except Exception:  # it must not end the checks for good
         LOG.exception("check of a draft")
-        return (GraphFinding("check", "the check itself failed: see the log", True),)
+        failed = GraphFinding("check", "the check itself failed: see the log", True)
+        return Checked(floor, (failed,), "ways not checked")
+
+
+def _ways(floor: DocumentFloor, inputs: LintInputs, found: tuple[GraphFinding, ...]) -> str:
+    """Return the number of reachable labels, and the longest detour between two."""
+    graph, labels = route_graph(floor, inputs.roles)
+    lost = sum(finding.rule == "reach" for finding in found)
+    text = f"{len(labels) - lost} of {counted(len(labels), 'label')} reachable"
+    if (detour := longest_detour(graph, labels)) is None:
+        return text
+    start, end = (sanitize(labels[id_]) for id_ in (detour.start, detour.end))
+    return f"{text}, longest detour {start} -> {end}: {detour.metres:.0f} m for {detour.straight:.0f} m"
 
 
 def counts_text(found: tuple[GraphFinding, ...]) -> str:
     """Return the numbers of errors and warnings, empty without any."""
     errors = sum(one.is_error for one in found)
     counts = ((errors, "error"), (len(found) - errors, "warning"))
-    return ", ".join(f"{count} {name}{'s' * (count != 1)}" for count, name in counts if count)
+    return ", ".join(counted(count, name) for count, name in counts if count)
 
 
 def _elevators(state: FleetState, floor: str) -> frozenset[str] | None:

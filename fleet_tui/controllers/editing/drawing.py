@@ -5,8 +5,9 @@ from functools import partial
 
 from msgspec.structs import replace
 
-from fleet_tui.controllers.editing.editor import EditorParts, GraphEditor
+from fleet_tui.controllers.editing.editor import GraphEditor
 from fleet_tui.controllers.editing.values import HEADING, VertexValues
+from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.typed import Entry
 from fleet_tui.model.graphs.document import DocumentVertex
 from fleet_tui.model.graphs.draft import GraphDraft
@@ -23,7 +24,7 @@ OLD_POSE = 1.0
 class GraphDrawing:
     """Turns keys and the mouse into steps of the draft."""
 
-    def __init__(self, parts: EditorParts, editor: GraphEditor, values: VertexValues) -> None:
+    def __init__(self, parts: SetUpParts, editor: GraphEditor, values: VertexValues) -> None:
         self._parts, self._notices, self._editor, self._values = parts, parts.notices, editor, values
 
     def _at_cursor(self, mode: EditMode, scene: Scene) -> str:

@@ -3,37 +3,22 @@
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
-from typing import NamedTuple
 
-from fleet_tui.controllers.dispatch import Dispatch
 from fleet_tui.controllers.map import MapControls
-from fleet_tui.controllers.navigation import Navigation
-from fleet_tui.controllers.notices import Notices
-from fleet_tui.controllers.typed import OpenMenu
+from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.maps.draft_file import Done, DraftFile, Line, Redone, Undone
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.graphs.document import DocumentFloor
 from fleet_tui.model.graphs.draft import Change, GraphDraft
 from fleet_tui.model.graphs.live import floor_of, roles_of
-from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.units import counted
 from fleet_tui.view.map.floor_scene import map_owner
 from fleet_tui.view.map.map_picture import MapPicture
 from fleet_tui.view.map.modes.edit import EditMode
 from fleet_tui.view.map.scene import Scene
 from fleet_tui.view.selection import Selection
-
-
-class EditorParts(NamedTuple):
-    """The parts of a console that the graph editor uses. `begin` opens the palette with a line."""
-
-    store: Store
-    dispatch: Dispatch
-    navigation: Navigation
-    notices: Notices
-    open_menu: OpenMenu
-    begin: Callable[[str], None]
 
 
 class GraphEditor:
@@ -42,7 +27,7 @@ class GraphEditor:
 
     def __init__(
         self,
-        parts: EditorParts,
+        parts: SetUpParts,
         controls: MapControls,
         picture: MapPicture,
         file_of: Callable[[str], DraftFile | None],
@@ -78,9 +63,9 @@ class GraphEditor:
         if kept is None or kept.floor.name != floor or not (kept.done or kept.undone):
             self._begin(floor, file)
             return
-        steps = len(kept.done)
+        steps = counted(len(kept.done), "step")
         self._open_menu(
-            f"A draft of {sanitize(floor)} with {steps} step{'s' * (steps != 1)} was left",
+            f"A draft of {sanitize(floor)} with {steps} was left",
             [
                 ("Continue this draft", partial(self._enter, kept, file)),
                 (
@@ -134,7 +119,7 @@ class GraphEditor:
 
     def _close(self) -> None:
         assert self.draft is not None
-        steps = len(self.draft.done)
+        steps = counted(len(self.draft.done), "step") if self.draft.done else ""
         self.picture.options = replace(self.picture.options, edges=self._edges)
         self._controls.leave_mode()
         if self._file is not None:
@@ -142,7 +127,7 @@ class GraphEditor:
         self.draft = self.mode = self._file = None
         self.changed(None)
         if steps:
-            self._notices.say(f"draft kept with {steps} step{'s' * (steps != 1)}: E continues it")
+            self._notices.say(f"draft kept with {steps}: E continues it")
 
     def do(self, change: Change) -> None:
         """Take a step."""

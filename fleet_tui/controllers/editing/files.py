@@ -9,8 +9,9 @@ from msgspec.structs import replace
 from fleet_tui.config.schema import expanded
 from fleet_tui.controllers.dispatch import Ask
 from fleet_tui.controllers.editing.checks import DraftChecks, counts_text
-from fleet_tui.controllers.editing.editor import EditorParts, GraphEditor
+from fleet_tui.controllers.editing.editor import GraphEditor
 from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.errors import GraphError
 from fleet_tui.graph_files.graph_file import MissingChoiceError, ReadChoices, WriteChoices
@@ -19,8 +20,10 @@ from fleet_tui.graph_files.reading import HAS_FLOORS, format_named, recognised
 from fleet_tui.graph_files.writing import WRITERS, named_format, write_graph
 from fleet_tui.maps.graph_storage import graph_text, load_graph_file, save_graph_file
 from fleet_tui.model.graphs.document import DocumentFloor, GraphDocument, GraphFormat, of_floor
-from fleet_tui.rules.graphs.lint import lint
+from fleet_tui.rules.graphs.finding import LintInputs
+from fleet_tui.rules.graphs.targets import of_target
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.units import counted
 
 WORD = "write"
 """First word of a typed line that writes the draft."""
@@ -33,7 +36,7 @@ class DraftFiles:
     LIF wants the type of the vehicles."""
 
     def __init__(
-        self, parts: EditorParts, editor: GraphEditor, checks: DraftChecks, files: ConsoleFiles, ask: Ask
+        self, parts: SetUpParts, editor: GraphEditor, checks: DraftChecks, files: ConsoleFiles, ask: Ask
     ) -> None:
         self._parts, self._editor, self._checks, self._files, self._ask = parts, editor, checks, files, ask
 
@@ -49,7 +52,7 @@ class DraftFiles:
             self._write(path, None, "")
 
     def typed(self, line: str) -> Typed | None:
-        """Parse a typed line as a file to write to, None if it is none."""
+        """Parse a typed line as a file to write to, None for any other."""
         word, _, rest = line.strip().partition(" ")
         if word != WORD or not self._editor.is_open:
             return None
@@ -72,40 +75,31 @@ class DraftFiles:
         )
 
     def _write(self, path: Path, wanted: GraphFormat | None, vehicle: str) -> None:
-        """Write, and say so if that fails."""
-        try:
-            self._write_checked(path, wanted, vehicle)
-        except (OSError, ValueError) as problem:
-            self._parts.notices.say(sanitize(f"not written: {path}: {problem}"))
-
-    def _write_checked(self, path: Path, wanted: GraphFormat | None, vehicle: str) -> None:
         """Write, after a question if a file is replaced, something is lost or wrong."""
-        opened = self._editor.opened
-        if opened is None:
+        opened, say = self._editor.opened, self._parts.notices.say
+        if opened is None or (checked := self._checks.of(opened[0].floor)) is None:
             return
-        floor = opened[0].floor
+        floor = checked.floor
         try:
             format_ = wanted or _format_of(path)
             document = _joined(path, format_, floor)
             at = datetime.now(UTC).strftime("%Y-%m-%dT%H:%M:%SZ")
             text = write_graph(document, format_, WriteChoices(vehicle, at))
+            doubts = _doubts(document, format_, vehicle, path)
         except MissingChoiceError as missing:
-            self._parts.notices.say(sanitize(f"not written: {missing}: write FILE lif VEHICLE"))
+            say(sanitize(f"not written: {missing}: write FILE lif VEHICLE"))
             return
-        except GraphError as problem:
-            self._parts.notices.say(sanitize(f"not written: {problem}"))
+        except (GraphError, OSError, ValueError) as problem:
+            say(sanitize(f"not written: {path}: {problem}"))
             return
-        doubts = [f"lost: {loss}" for loss in losses(document, format_)]
-        if found := lint(of_floor(floor), self._checks.inputs(floor, format_)):
-            doubts.append(f"{counts_text(found)}: ! lists them")
-        if path.exists():
-            doubts.append("the old file is kept as .bak")
+        if counts := counts_text(checked.found):
+            doubts.append(f"{counts}: ! lists them")
         save = partial(self._save, path, format_, text, floor)
         if not doubts:
             save()
             return
-        question = "\n".join([f"Write {path.name} as {format_.value}?", *doubts])
-        self._ask(lambda: sanitize_lines(question), save)
+        question = "\n".join(map(sanitize, (f"Write {path.name} as {format_.value}?", *doubts)))
+        self._ask(lambda: question, save)
 
     def _save(self, path: Path, format_: GraphFormat, text: str, floor: DocumentFloor) -> None:
         try:
@@ -114,7 +108,7 @@ class DraftFiles:
             self._parts.notices.say(sanitize(f"{path}: {problem}"))
             return
         where = str(path).replace(str(Path.home()), "~", 1)
-        counts = f"{len(floor.vertices)} vertices, {len(floor.edges)} edges"
+        counts = f"{counted(len(floor.vertices), 'vertex', 'vertices')}, {counted(len(floor.edges), 'edge')}"
         said = f"{where}: {format_.value}, {counts}"
         if kept is not None:
             said += f"; the old file is {kept.name}"
@@ -123,9 +117,12 @@ class DraftFiles:
         self._parts.notices.say(sanitize(said))
 
 
-def sanitize_lines(text: str) -> str:
-    """Return text with its control characters made visible, but for its own line ends."""
-    return "\n".join(map(sanitize, text.split("\n")))
+def _doubts(document: GraphDocument, format_: GraphFormat, vehicle: str, path: Path) -> list[str]:
+    """Return the losses of a format, the objections of its readers, and a note on an existing file."""
+    inputs = LintInputs(target=format_, vehicle_type=vehicle)
+    doubts = [f"lost: {loss}" for loss in losses(document, format_)]
+    doubts += [f"{format_.value} refuses: {one.text}" for one in of_target(document, inputs)]
+    return [*doubts, *(["the old file is kept as .bak"] if path.exists() else [])]
 
 
 def _format_of(path: Path) -> GraphFormat:

@@ -4,7 +4,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 from fleet_tui.controllers.editing.checks import DraftChecks, counts_text
-from fleet_tui.controllers.editing.editor import EditorParts, GraphEditor, live_floor
+from fleet_tui.controllers.editing.editor import GraphEditor, live_floor
+from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.typed import Entry
 from fleet_tui.errors import GraphError
 from fleet_tui.graph_files.graph_file import WriteChoices
@@ -15,8 +16,8 @@ from fleet_tui.model.graphs.live import roles_of, route_graph
 from fleet_tui.model.kind import GRAPH
 from fleet_tui.model.request import Request
 from fleet_tui.model.set_up.commands import SendGraph
-from fleet_tui.rules.graphs.lint import lint
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.units import counted
 
 
 class DraftSending:
@@ -25,7 +26,7 @@ class DraftSending:
 
     def __init__(
         self,
-        parts: EditorParts,
+        parts: SetUpParts,
         editor: GraphEditor,
         checks: DraftChecks,
         folder: Callable[[], Path | None],
@@ -46,12 +47,13 @@ class DraftSending:
         if refusal:
             parts.notices.say(sanitize(refusal))
             return
-        found = lint(of_floor(floor), self._checks.inputs(floor))
-        if any(one.is_error for one in found):
-            parts.notices.say(f"not sent: {counts_text(found)}: ! lists them")
+        if (checked := self._checks.of(floor)) is None:
+            return
+        if any(one.is_error for one in checked.found):
+            parts.notices.say(f"not sent: {counts_text(checked.found)}: ! lists them")
             return
         count = len(self._checks.changes(floor))
-        told = [f"{count} difference{'s' * (count != 1)} from the live graph", counts_text(found)]
+        told = [f"{counted(count, 'difference')} from the live graph", counts_text(checked.found)]
         entries: list[Entry] = [
             (f"Send to {robot.name} (asks)", self._send),
             ("Show the differences", self._checks.compare),

@@ -5,7 +5,8 @@ from functools import partial
 
 from msgspec.structs import replace
 
-from fleet_tui.controllers.editing.editor import EditorParts, GraphEditor
+from fleet_tui.controllers.editing.editor import GraphEditor
+from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.typed import Entry, Typed
 from fleet_tui.model.graphs.document import DocumentVertex
 from fleet_tui.rules.graphs import edits
@@ -20,7 +21,7 @@ USUAL_TYPES = ("docking_station", "elevator")
 class VertexValues:
     """Chosen from a menu, or typed into the palette."""
 
-    def __init__(self, parts: EditorParts, editor: GraphEditor) -> None:
+    def __init__(self, parts: SetUpParts, editor: GraphEditor) -> None:
         self._parts, self._editor = parts, editor
 
     def chosen(self) -> DocumentVertex | None:
@@ -66,7 +67,7 @@ class VertexValues:
             self._editor.do(edits.renewed(vertex, replace(vertex, heading=yaw)))
 
     def typed(self, line: str) -> Typed | None:
-        """Parse a typed line as a label, type or heading of the selected vertex; None if it is none."""
+        """Parse a typed line as a label, type or heading of the selected vertex; None for any other."""
         word, _, rest = line.strip().partition(" ")
         if not self._editor.is_open or word not in (NAME, TYPE, HEADING):
             return None

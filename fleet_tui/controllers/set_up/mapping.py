@@ -7,10 +7,9 @@ from typing import Any
 
 from fleet_tui.config.schema import expanded
 from fleet_tui.controllers.dispatch import Ask
-from fleet_tui.controllers.editing.checks import InBackground
-from fleet_tui.controllers.editing.editor import EditorParts
 from fleet_tui.controllers.editing.files import file_name
 from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.controllers.parts import InBackground, SetUpParts
 from fleet_tui.controllers.typed import Entry, Typed
 from fleet_tui.errors import MapError
 from fleet_tui.maps.saving import map_files, save_map
@@ -35,7 +34,7 @@ class MappingControls:
 
     def __init__(
         self,
-        parts: EditorParts,
+        parts: SetUpParts,
         picture: MapPicture,
         files: ConsoleFiles,
         ask: Ask,
@@ -95,7 +94,7 @@ class MappingControls:
         self._parts.dispatch.do(Request((SetMapping(self._robot.name, on),)))
 
     def typed(self, line: str) -> Typed | None:
-        """Parse a typed line as a file to save the map to, None if it is none."""
+        """Parse a typed line as a file to save the map to, None for any other."""
         word, _, name = line.strip().partition(" ")
         if word != WORD:
             return None

@@ -50,7 +50,7 @@ class GraphDraft:
         self._take(change)
 
     def undo(self) -> Change | None:
-        """Take the last step back and return it, None if there is none."""
+        """Take the last step back and return it, None at the beginning."""
         if not self.done:
             return None
         change = self.done.pop()

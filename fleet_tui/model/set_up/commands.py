@@ -9,6 +9,7 @@ from msgspec import Struct
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.kind import GOAL, GRAPH, LOCALISE, MAPPING, POSE, SETTLE
+from fleet_tui.text.units import counted
 
 SAME_PLACE = 0.001
 """Metres within which a vertex is where it was sent to."""
@@ -41,23 +42,27 @@ class SetUpCommand(Struct, frozen=True):
         return f"{self.what} {heading_text(self.place)}" if self.place else self.what
 
 
-class SetPose(SetUpCommand, frozen=True, tag=True):
-    """Tell a robot its pose on the map of a floor."""
-
-    ability: ClassVar[str] = POSE
-    what: ClassVar[str] = "set pose"
+class PoseCommand(SetUpCommand, frozen=True):
+    """A command that names a pose on the map of a floor."""
 
     floor: str
     pose: Pose
 
     @property
     def place(self) -> Pose:
-        """Return the pose to set."""
+        """Return the pose that it names."""
         return self.pose
 
 
+class SetPose(PoseCommand, frozen=True, tag=True):
+    """Tell a robot its pose on the map of a floor."""
+
+    ability: ClassVar[str] = POSE
+    what: ClassVar[str] = "set pose"
+
+
 class Localise(SetUpCommand, frozen=True, tag=True):
-    """Let a robot find its pose anew, anywhere on its map."""
+    """Let a robot find its pose again, anywhere on its map."""
 
     ability: ClassVar[str] = LOCALISE
     what: ClassVar[str] = "localise"
@@ -70,19 +75,11 @@ class Settle(SetUpCommand, frozen=True, tag=True):
     what: ClassVar[str] = "settle"
 
 
-class SendGoal(SetUpCommand, frozen=True, tag=True):
+class SendGoal(PoseCommand, frozen=True, tag=True):
     """Send a robot to a pose, beside the queue of orders that it keeps."""
 
     ability: ClassVar[str] = GOAL
     what: ClassVar[str] = "go to"
-
-    floor: str
-    pose: Pose
-
-    @property
-    def place(self) -> Pose:
-        """Return the goal."""
-        return self.pose
 
 
 class SetMapping(SetUpCommand, frozen=True, tag=True):
@@ -148,8 +145,7 @@ def _ways(edges: tuple[Edge, ...], directed: bool) -> set[tuple[str, str]]:
 
 def counts_text(vertices: int, edges: int, labels: int) -> str:
     """Return the size of a graph in words."""
-    parts = (vertices, "vertex", "vertices"), (edges, "edge", "edges"), (labels, "label", "labels")
-    return ", ".join(f"{count} {one if count == 1 else many}" for count, one, many in parts)
+    return f"{counted(vertices, 'vertex', 'vertices')}, {counted(edges, 'edge')}, {counted(labels, 'label')}"
 
 
 SetUp = SetPose | Localise | Settle | SendGoal | SetMapping | SendGraph

@@ -63,7 +63,7 @@ def grid_of(surveys: Surveys, loaded_at: float, dialect: Dialect) -> Callable[[S
 def _newest(
     floor: SimFloor, surveys: Surveys, loaded: Payload, dialect: Dialect, loaded_at: float, _now: float
 ) -> Payload:
-    """Return the map that was loaded until a robot maps the floor anew."""
+    """Return the map that was loaded until a robot maps the floor again."""
     if surveys.cells(floor)[0] is floor.cells:
         return loaded
     return Payload(grid_of(surveys, loaded_at, dialect)(floor))

@@ -5,13 +5,19 @@ from typing import Any
 
 from fleet_tui.controllers.editing.checks import DraftChecks, counts_text
 from fleet_tui.rules.graphs.finding import GraphFinding
-from tests.support.drawn_graph import drawn_graph
+from tests.support.drawn_graph import DrawnGraph, drawn_graph
+
+
+def found_in(it: DrawnGraph) -> tuple[GraphFinding, ...]:
+    checked = it.checks.of(it.floor)
+    assert checked is not None
+    return checked.found
 
 
 async def test_the_counts_are_in_the_banner_after_each_step_and_each_finding_leads_to_its_place() -> None:
     async with drawn_graph() as it:
         it.editor.start()
-        assert not any(one.is_error for one in it.checks.found)
+        assert not any(one.is_error for one in found_in(it))
         it.mode.selected = "2"
         it.typed("name Base")
         assert "1 error" in it.mode.banner
@@ -50,7 +56,7 @@ async def test_an_order_that_names_a_removed_vertex_is_an_error() -> None:
         it.editor.start()
         it.mode.selected = "2"
         it.drawing.remove()
-        assert any("order 1 of robot_0" in one.text and one.is_error for one in it.checks.found)
+        assert any("order 1 of robot_0" in one.text and one.is_error for one in found_in(it))
 
 
 async def test_one_check_runs_at_a_time_and_the_newest_draft_is_checked_after_it() -> None:
@@ -62,10 +68,12 @@ async def test_one_check_runs_at_a_time_and_the_newest_draft_is_checked_after_it
         it.typed("name Base")
         it.typed("name Base ")
         assert len(waiting) == 1
+        assert checks.of(it.floor) is None and "being checked" in it.desk.notices.text
         while waiting:
             work, then = waiting.pop()
             then(work())
-        assert "1 error" in counts_text(checks.found)
+        last = checks.of(it.floor)
+        assert last is not None and "1 error" in counts_text(last.found)
         it.editor.leave()
         it.editor.leave()
         assert not it.editor.is_open and not waiting

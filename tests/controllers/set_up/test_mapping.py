@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 from msgspec.structs import replace
 
-from fleet_tui.controllers.editing.editor import EditorParts
 from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.set_up.mapping import MappingControls
 from fleet_tui.maps.images import load_floor_map
 from fleet_tui.model.kind import MAPPING, Kind
@@ -24,9 +24,7 @@ MAPS = replace(PLAIN, accepts=(*PLAIN.accepts, MAPPING))
 def mapping(kind: Kind = MAPS, scene: Scene = SCENE) -> tuple[Desk, MappingControls, list[str]]:
     desk, lines, picture = Desk(of_kinds(ready(), kind)), list[str](), MapPicture()
     picture.show(scene)
-    parts = EditorParts(
-        desk.store, desk.dispatch, desk.navigation, desk.notices, desk.open_menu, lines.append
-    )
+    parts = SetUpParts(desk.store, desk.dispatch, desk.navigation, desk.notices, desk.open_menu, lines.append)
     controls = MappingControls(
         parts, picture, ConsoleFiles(), desk.ask, lambda work, then: then(work()), desk.notices.say
     )

@@ -20,7 +20,7 @@ FARTHEST = 1e6
 
 
 def map_of(state: FleetState, robot: Robot, floor: str) -> OccupancyGrid | None:
-    """Return the map of a floor in the coordinates of a robot, None if there is none."""
+    """Return the map of a floor in the coordinates of a robot, None without one."""
     known, robot_map = state.floors.get(floor), robot.maps.get(floor, RobotMap())
     if known is not None and known.grid is not None:
         frame = robot_map.frame

@@ -57,7 +57,7 @@ class EditMode:
         self._one_way = tuple(line for id_, line in self._lines.items() if not floor.edges[id_].two_way)
 
     def _renew(self, change: Change) -> None:
-        """Make only what has changed anew: of thousands one or two."""
+        """Renew the changed elements: of thousands one or two."""
         floor = self.floor
         touched = {one.id for pair in change.vertices for one in pair if one is not None}
         edges = {one.id for pair in change.edges for one in pair if one is not None}

@@ -1,0 +1,27 @@
+"""Files are written whole or not at all."""
+
+from pathlib import Path
+
+import pytest
+
+from fleet_tui.config.whole_file import write_whole
+
+
+def test_a_new_file_is_for_its_owner_and_a_shared_one_has_the_mode_of_the_one_before(tmp_path: Path) -> None:
+    own, shared = tmp_path / "own", tmp_path / "shared"
+    assert write_whole(own, b"1") is None
+    assert own.stat().st_mode & 0o777 == 0o600
+    shared.write_bytes(b"0")
+    shared.chmod(0o664)
+    assert write_whole(shared, b"1", keep=True, is_shared=True) == tmp_path / "shared.bak"
+    assert shared.stat().st_mode & 0o777 == 0o664
+    assert (shared.read_bytes(), (tmp_path / "shared.bak").read_bytes()) == (b"1", b"0")
+
+
+def test_what_fails_leaves_the_file_before_and_nothing_else(tmp_path: Path) -> None:
+    path = tmp_path / "file"
+    path.mkdir()
+    (path / "inside").write_bytes(b"0")
+    with pytest.raises(OSError, match="directory"):
+        write_whole(path, b"1")
+    assert [one.name for one in tmp_path.iterdir()] == ["file"]
