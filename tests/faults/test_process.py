@@ -15,8 +15,6 @@ from tests.support.fault_report import report
 from tests.support.terminal_session import InTerminal, exists, in_terminal
 
 RESTORED = "the shell, its terminal as before"
-SOON = 4.0
-"""Seconds: 0.4 as a rule and 1.5 at the worst, and what a busy machine takes to run us at all."""
 
 
 @pytest.fixture
@@ -42,7 +40,7 @@ def test_a_signal_ends_it(demo: InTerminal, name: str) -> None:
     took = demo.ends()
     demo.until(demo.is_restored, 2.0, "the terminal restored")
     demo.until(lambda: not any(map(exists, simulator)), 3.0, "the simulator's end")
-    assert simulator and took < SOON
+    assert simulator
     report(f"{name}", "sent to the process", RESTORED, took, None)
 
 
@@ -53,7 +51,6 @@ def test_ssh_gone(demo: InTerminal) -> None:
     demo.hang_up()
     took = demo.ends()
     demo.until(lambda: not any(map(exists, simulator)), 3.0, "the simulator's end")
-    assert took < SOON
     report("SSH connection lost", "the terminal's other end closes", "-", took, None)
 
 
@@ -66,7 +63,7 @@ def test_a_terminal_of_another_session_goes(tmp_path: Path, monkeypatch: pytest.
         running.hang_up()
         took = running.ends()
         running.until(lambda: not any(map(exists, simulator)), 3.0, "the simulator's end")
-        assert simulator and took < SOON
+        assert simulator
     report("terminal gone, no SIGHUP", "a terminal of another session; its other end closes", "-", took, None)
 
 
@@ -91,7 +88,6 @@ def test_a_terminal_that_does_not_read_any_more(demo: InTerminal) -> None:
         time.sleep(0.02)  # as fast as a window is dragged
     demo.child.send_signal(signal.SIGTERM)
     took = demo.ends()
-    assert took < SOON
     report("terminal does not read", "the pty is not read; SIGTERM", "-", took, None)
 
 
@@ -194,7 +190,7 @@ def test_the_state_folders_disk_hangs(tmp_path: Path) -> None:
         running.shows("audit: not written: disk not responding")
         running.press("q")
         took = running.ends()
-        assert running.child.returncode == 0 and took < SOON
+        assert running.child.returncode == 0
         running.until(running.is_restored, 2.0, "the terminal restored")
         running.shows("records not written: disk not responding")
     seen = "audit: not written: disk not responding; all else works"
@@ -241,5 +237,5 @@ def test_a_name_that_is_looked_up_for_ever(tmp_path: Path, key: str) -> None:
         else:
             running.child.send_signal(signal.SIGTERM)
         took = running.ends()
-        assert running.is_restored() and took < SOON
+        assert running.is_restored()
     report("DNS hangs", "each lookup takes 30 s", "connection timed out", noticed, took)
