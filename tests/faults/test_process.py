@@ -189,7 +189,7 @@ def test_the_state_folders_disk_hangs(tmp_path: Path) -> None:
         pause(running)
         running.shows("audit: not written: disk not responding")
         running.press("q")
-        took = running.ends()
+        running.ends()
         assert running.child.returncode == 0
         running.until(running.is_restored, 2.0, "the terminal restored")
         running.shows("records not written: disk not responding")

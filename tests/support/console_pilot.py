@@ -1,14 +1,16 @@
 """The console under Textual's pilot, on the real loopback simulator: what it shows, what it sends."""
 
+import asyncio
 import time
 import unicodedata
-from collections.abc import AsyncIterator, Callable
+from collections.abc import AsyncIterator, Callable, Iterable
 from contextlib import AsyncExitStack, asynccontextmanager
 from functools import partial
 from pathlib import Path
 
 from textual import events
 from textual.keys import REPLACED_KEYS, _character_to_key, _get_unicode_name_from_key
+from textual.message_pump import MessagePump
 from textual.pilot import Pilot
 
 from fleet_tui.app import FleetApp
@@ -68,9 +70,29 @@ class Console:
         self.app._driver.send_message(event)
 
     async def settled(self) -> None:
-        """Wait until no widget has a message left, also none that came of one of those."""
-        for _ in range(3):
-            await self.pilot._wait_for_screen()
+        """Wait until no widget has work left and what it changed is painted; not for the next tick.
+
+        Textual's own wait posts a message to every widget and back, and one round misses what came of it.
+        """
+        ends = time.monotonic() + 30
+        idle = 0
+        while idle < 3 and not self.app._exception:
+            assert time.monotonic() < ends, "a widget never comes to rest"
+            await asyncio.sleep(0 if idle else 0.0005)
+            idle = idle + 1 if self._is_idle() else 0
+
+    def _is_idle(self) -> bool:
+        pumps = [
+            self.app,
+            *(pump for screen in self.app.screen_stack for pump in screen.walk_children(with_self=True)),
+        ]
+        if any(pump._running and not _waits(pump) for pump in pumps):
+            return False
+        screen = self.app.screen
+        if screen._layout_required or screen._repaint_required or screen._dirty_widgets or screen._callbacks:
+            screen._on_timer_update()  # now, instead of at the next sixtieth of a second
+            return False
+        return True
 
     async def until(self, holds: Callable[[FleetState], object]) -> FleetState:
         """Wait until the state is as wanted."""
@@ -98,6 +120,11 @@ class Console:
             await self.store.until(look, within=15)
         except TimeoutError:
             raise AssertionError(f"never seen: {what}\n{self.text}") from None
+
+
+def _waits(pump: MessagePump) -> bool:
+    waiters: Iterable[asyncio.Future[bool]] = pump._message_queue.ready_event._waiters
+    return any(not waiter.done() for waiter in waiters)
 
 
 def _ready(state: FleetState) -> bool:
