@@ -6,13 +6,17 @@ READY := $(VENV)/.ready
 PURE := $(addprefix tests/,text model keys rules graph_files state view adapters config test_house.py test_mirror.py test_keymap.py test_errors.py)
 # Tests with links and processes wait more than they work: several at once, the longest first.
 TOGETHER := -q -n 5 --maxschedchunk 1
+# Compiled once, not by each of a few hundred processes.
+unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test quick lint types unit bench faults fuzz soak pictures docs lock format clean
+.PHONY: demo test quick lint types compiled unit bench faults fuzz soak pictures docs lock format clean
 
 demo: $(READY)
 	@$(BIN)/fleet-tui demo
 
-test: lint types unit
+test: $(READY)
+	@$(MAKE) --no-print-directory -j 2 lint types compiled
+	@$(MAKE) --no-print-directory unit
 
 lint: $(READY)
 	@$(BIN)/ruff format --check --quiet . || { echo "run: make format"; exit 1; }
@@ -21,6 +25,10 @@ lint: $(READY)
 
 types: $(READY)
 	@$(BIN)/mypy
+
+# Each of several pytest workers would compile all tests.
+compiled: $(READY)
+	@$(BIN)/pytest -q --collect-only -p no:xdist > /dev/null 2>&1 || true  # errors: the tests themselves say them
 
 # The developer's loop: no processes, no sockets.
 quick: $(READY)

@@ -59,7 +59,7 @@ def test_what_others_wrote_over_an_open_dialog_is_painted_over(tmp_path: Path) -
         running.shows("robot_1")
         running.press("?")
         running.shows("type to search")
-        running.sent = b""
+        running.forget()
         running.press("\x0c")
         running.until(
             lambda: "alarm" in running.text().splitlines()[0], 5.0, "the line that is always in view"

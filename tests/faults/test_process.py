@@ -97,7 +97,7 @@ def test_to_the_shell_and_back(demo: InTerminal) -> None:
 
     demo.child.send_signal(signal.SIGTSTP)
     noticed = demo.until(lambda: state() == "T" and demo.is_restored(), what="stopped")
-    demo.sent = b""
+    demo.forget()
     demo.child.send_signal(signal.SIGCONT)
     healed = demo.until(lambda: "robot_1" in demo.text() and "floor_0" in demo.text(), what="the picture")
     report("SIGTSTP, fg", "sent to the process", RESTORED, noticed, healed)
@@ -108,7 +108,7 @@ def test_resized_to_nothing_and_back_hundreds_of_times(demo: InTerminal) -> None
         for size in ((1, 1), (120, 40)):
             demo.resize(*size)
             time.sleep(0.004)  # faster than it can paint, but each is seen
-    demo.sent = b""
+    demo.forget()
     demo.press("\x0c")
     healed = demo.until(lambda: "robot_1" in demo.text() and "floor_0" in demo.text(), what="the picture")
     assert demo.child.poll() is None and "Traceback" not in demo.text()

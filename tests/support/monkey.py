@@ -93,7 +93,7 @@ def play(running: InTerminal, seconds: float, seed: int) -> int:
         time.sleep(0.02)
         assert running.child.poll() is None, f"ended after {done} moves: {move!r}\n{running.text()}"
     running.resize(120, 40)
-    running.sent = b""
+    running.forget()
     running.press("\x0c")  # paints all anew, over whatever is open
     running.until(lambda: "alarm" in running.text().splitlines()[0], what="the line that is always in view")
     assert "Traceback" not in log.read_text(), log.read_text()

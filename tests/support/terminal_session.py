@@ -33,8 +33,7 @@ class InTerminal:
     def __init__(self, arguments: list[str], home: Path, largest_file: int = 0, **more: str) -> None:
         self.home, self.largest_file = home, largest_file
         self.master, slave = pty.openpty()
-        self.sent = b""
-        """Everything the program sent."""
+        self.forget()
         self.reads = threading.Event()
         self.reads.set()
         self._hung_up = False
@@ -73,11 +72,23 @@ class InTerminal:
     def press(self, keys: str) -> None:
         os.write(self.master, keys.encode())
 
-    def text(self, width: int = 120, height: int = 40) -> str:
-        """The text on a terminal that received all these bytes."""
-        screen = pyte.Screen(width, height)
-        pyte.ByteStream(screen).feed(self.sent)
-        return "\n".join(screen.display)
+    def forget(self) -> None:
+        """Look at what comes from now on alone, as another terminal would that takes over."""
+        self.sent = b""
+        """Everything the program sent."""
+        self._drawn = 0
+        """How many of these bytes are on the screen."""
+        self._screen = pyte.Screen(120, 40)
+        self._stream = pyte.ByteStream(self._screen)
+
+    def text(self) -> str:
+        """The text on a terminal of 120x40 that received all these bytes."""
+        sent = self.sent
+        self._stream.feed(sent[self._drawn :])
+        self._drawn = len(sent)
+        # Not Screen.display, which fails at half a wide character: so it is between two reads.
+        rows = (self._screen.buffer[y] for y in range(40))
+        return "\n".join("".join(row[x].data for x in range(120)) for row in rows)
 
     def shows(self, text: str, within: float = 20.0) -> None:
         self.until(lambda: text in self.text(), within, text)
@@ -88,7 +99,7 @@ class InTerminal:
         while not holds():
             if time.monotonic() - begun > within:
                 raise AssertionError(f"never: {what}\n{self.text()}")
-            time.sleep(0.02)
+            time.sleep(0.05)
         return time.monotonic() - begun
 
     def ends(self, within: float = 10.0) -> float:
