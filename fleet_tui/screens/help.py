@@ -17,6 +17,9 @@ from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.messages import ButtonPressed
 from fleet_tui.widgets.text_view import TextView
 
+FRAME = 4
+"""Lines of the box besides its text: the border, the search, the names of the pages."""
+
 
 class Help(Overlay):
     """One page at a time, first the tasks; Tab goes on."""
@@ -57,6 +60,7 @@ class Help(Overlay):
             field.value = ""
         self._page = page
         self._list()
+        self.styles.max_height = len(help_lines(self._pages[page], self._text.size.width)) + FRAME
 
     def _step(self, step: int) -> None:
         names = list(self._pages)

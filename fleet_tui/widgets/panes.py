@@ -23,6 +23,8 @@ from fleet_tui.widgets.rows_pane import RowsPane
 
 OTHERS = 3
 """Lines of the screen that are no panes: status, message, footer. Before the first layout."""
+BELOW = 2
+"""Those of them below the panes: message, footer."""
 USUAL_SHAPE = 0.4
 """Lines of a floor per cell of its width, until one is known."""
 RECENT_EVERY = 1.0
@@ -31,7 +33,7 @@ RECENT_EVERY = 1.0
 
 def lines_below(overlay: Widget) -> int:
     """Return the lines of panes at the bottom of the screen that an overlay covers."""
-    return overlay.outer_size.height - 1 if overlay.display else 0
+    return overlay.outer_size.height + overlay.styles.margin.bottom - BELOW if overlay.display else 0
 
 
 class Panes(Container):
@@ -83,14 +85,15 @@ class Panes(Container):
             self.recent.show(recent(self.recent.size.height - 1))
 
     def show_floor(self, lines: int) -> None:
-        """Give the last events the lines that the floor leaves; `lines`: those of the floor as a whole."""
+        """Give the last events the lines that the floor leaves, at least those below an overlay about it.
+        `lines`: those of the floor as a whole."""
         if not self.is_attached:
             return  # the console ends
         width = self.floor.size.width
         if lines and width > 2:
             self._shape = (lines - 2) / (width - 2)
         is_free = self.screen.has_class("-wide") and not self._is_small and not self._alone
-        left = below_floor(self.floor.size.height, lines) if is_free and lines else 0
+        left = max(below_floor(self.floor.size.height, lines), self._wanted[1]) if is_free and lines else 0
         if left != self._recent_lines:
             self._recent_lines, self._recent_at = left, -math.inf
             self.recent.styles.height = left

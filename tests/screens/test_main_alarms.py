@@ -3,6 +3,7 @@
 import msgspec
 
 from fleet_tui.model.alarm import AlarmStage
+from fleet_tui.model.events import AlarmShelved
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_menus import in_the_way
 from tests.support.console_pilot import Console, console
@@ -41,7 +42,7 @@ async def test_a_shelf_ends_by_itself(server: RosbridgeServer) -> None:
         await it.shows("robot_0", "alarms")
         it.app.main.alarms.focus()
         await it.press("enter", "4")
-        await it.until(lambda state: state.shelved)
+        await it.until(lambda _: it.store.told(AlarmShelved))
         await it.until(lambda state: not state.shelved)
         assert stages(it) == [AlarmStage.UNACKNOWLEDGED]
 

@@ -114,8 +114,7 @@ def _ruled_out(state: FleetState, robot: Robot) -> Iterator[str]:
         yield "no obstacle"
     if robot.paused is not None and not state.is_paused(robot):
         yield "no pause"
-    since = stationary_since(robot)
-    yield "no cause reported" if since is None else f"no movement for {age(state.now - since)}"
+    yield "no cause reported"
 
 
 def unexplained(state: FleetState, robot: Robot) -> Reason | None:

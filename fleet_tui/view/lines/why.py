@@ -7,7 +7,7 @@ from fleet_tui.keys import BY_ID
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.pauses import STANDS_AFTER
-from fleet_tui.rules.why.reason import Reason
+from fleet_tui.rules.why.reason import Reason, stationary_since
 from fleet_tui.rules.why.robot import moves
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.text.durations import age
@@ -35,7 +35,9 @@ def why_lines(
         mark = "▶" if number == 1 else " "
         lines += ["", f"{mark} {number}. {sanitize(reason.name)}  ({reason.strength.name.lower()})"]
         lines.append(f"    {sanitize(reason.evidence)}")
-        lines += [f"    {line}" for line in (_age(state, reason), *_helps(reason, keys, hidden)) if line]
+        lines += [
+            f"    {line}" for line in (_age(state, robot, reason), *_helps(reason, keys, hidden)) if line
+        ]
     return lines
 
 
@@ -50,9 +52,9 @@ def _standing(state: FleetState, robot: Robot) -> str:
     return f"No movement for {age(still)}." if still >= STANDS_AFTER else "Pose changing."
 
 
-def _age(state: FleetState, reason: Reason) -> str:
+def _age(state: FleetState, robot: Robot, reason: Reason) -> str:
     parts = []
-    if reason.since is not None:
+    if reason.since is not None and reason.since != stationary_since(robot):  # the first line has that one
         parts.append(f"for {age(state.now - reason.since)}")
     if reason.seen is not None:
         parts.append(f"reported {ago(reason.seen, state.now)}")

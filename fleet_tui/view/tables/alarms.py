@@ -5,7 +5,7 @@ from collections.abc import Callable
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key, Priority
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.alarms.floods import is_group
-from fleet_tui.text.sanitize import fit, sanitize
+from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
 
@@ -44,12 +44,18 @@ def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float],
         is_over = alarm.stage is AlarmStage.RETURNED
         runs.append((f"{_PRIORITIES[alarm.condition.priority]} ", StyleRole.DIM if is_over else role))
     at = clock(alarm.first_wall if alarm.holds else alarm.last_wall)
+    runs.append((fit(alarm.condition.source, sources) + " ", StyleRole.TEXT))
+    left = width - 1 - sum(cell_width(text) for text, _ in runs)
     runs += [
-        (fit(alarm.condition.source, sources) + " ", StyleRole.TEXT),
-        (sanitize(alarm.text), role),
+        (_short(sanitize(alarm.text), left), role),
         (f" {at if is_wide else at[:HOURS_MINUTES]}{count}", StyleRole.DIM),
     ]
     return Row(alarm.key, tuple(runs))
+
+
+def _short(text: str, cells: int) -> str:
+    """Return a text without the detail at its end, in brackets, if it is too long with it."""
+    return text.rpartition(" (")[0] if text.endswith(")") and cell_width(text) > cells else text
 
 
 def _place(alarm: Alarm) -> tuple[bool, bool, bool, int]:

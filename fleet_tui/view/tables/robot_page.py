@@ -15,7 +15,7 @@ from fleet_tui.view.tables.fleet_columns import floor_text
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import Row, Run, Table
 
-NAME, VALUE = 10, 24
+NAME, VALUE = 10, 29
 """Cells of the columns of names and values."""
 LAST = 5
 """Commands and ended orders that are listed."""
