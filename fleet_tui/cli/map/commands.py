@@ -1,15 +1,19 @@
-"""`fleet-tui map info|show|save`. The command line imports this module when one of them is used."""
+"""`fleet-tui map info|show|save|place`. The command line imports this module when one of them is used."""
 
 import json
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from fleet_tui.cli.options import common, merged, timeout
 from fleet_tui.log_file import log_to_file
 from fleet_tui.text.sanitize import sanitize
+
+if TYPE_CHECKING:  # numpy
+    from fleet_tui.model.grid import OccupancyGrid
 
 VERSION = 1
 WITHIN = 10.0
@@ -52,17 +56,39 @@ def info(
 
 @map_group.command()
 @_source
-def show(source: str, floor: str, timeout: float, config_file: str | None, debug: bool) -> None:
+@click.option(
+    "--part",
+    nargs=4,
+    type=click.FloatRange(0.0),
+    metavar="COLUMN ROW WIDTH HEIGHT",
+    help="Show these pixels, from the upper left corner, with their numbers beside them.",
+)
+def show(
+    source: str,
+    floor: str,
+    timeout: float,
+    part: tuple[float, float, float, float] | None,
+    config_file: str | None,
+    debug: bool,
+) -> None:
     """Print a map in braille, in ASCII where the output has no UTF-8; 80x24 without a terminal."""
-    from fleet_tui.cli.map.picture import map_text, output_drawing, output_size
-    from fleet_tui.cli.map.source import map_from
+    from fleet_tui.cli.map.picture import map_text, numbered_text, output_drawing, output_size
+    from fleet_tui.cli.map.source import is_picture, map_file, map_from
     from fleet_tui.model.set_up.survey import survey
 
     log_to_file(debug)
-    grid, name = map_from(source, floor, timeout)
+    if is_picture(source):
+        grid, name = map_file(Path(source)), Path(source).name
+        size = f"{grid.frame.width} x {grid.frame.height} px, without a scale"
+    else:
+        grid, name = map_from(source, floor, timeout)
+        size = survey(grid).text
     width, height = output_size()
-    click.echo(sanitize(f"{name}: {survey(grid).text}")[:width])
-    click.echo(map_text(grid, width, height - 1, output_drawing()))
+    click.echo(sanitize(f"{name}: {size}")[:width])
+    if part is None:
+        click.echo(map_text(grid, width, height - 1, output_drawing()))
+    else:
+        click.echo(numbered_text(grid, part, width, height - 1, output_drawing()))
 
 
 @map_group.command()
@@ -74,18 +100,74 @@ def save(
 ) -> None:
     """Save a map as OUT.yaml and OUT.pgm, at full precision, and compare the files with it."""
     from fleet_tui.cli.map.source import map_from
-    from fleet_tui.maps.saving import map_files, save_map
-    from fleet_tui.model.set_up.survey import survey
 
     log_to_file(debug)
-    existing = [path for path in map_files(out) if path.exists()]
-    if existing and not yes:
-        question = f"{existing[0]} exists: replace it and keep it as .bak?"
-        if not sys.stdin.isatty():
-            raise click.UsageError(
-                sanitize(f"{existing[0]} exists: use --yes to replace it, it stays as .bak")
-            )
-        click.confirm(sanitize(question), abort=True, err=True)
+    if not yes:
+        _ask_to_replace(out)
     grid, _ = map_from(source, floor, timeout)
+    _save(grid, out)
+
+
+@map_group.command()
+@click.argument("picture", metavar="PICTURE", type=click.Path(dir_okay=False, path_type=Path))
+@click.argument("out", type=click.Path(dir_okay=False, path_type=Path))
+@click.option(
+    "--points",
+    nargs=4,
+    type=float,
+    required=True,
+    metavar="COLUMN ROW COLUMN ROW",
+    help="Two points of the picture in pixels, from its upper left corner.",
+)
+@click.option("--distance", type=float, required=True, metavar="METRES", help="Between these points.")
+@click.option("--at", nargs=2, type=float, metavar="X Y", help="Place of the first point in metres.")
+@click.option(
+    "--heading", type=float, metavar="DEGREES", help="Direction from the first point to the second."
+)
+@click.option("--yes", is_flag=True, help="Replace an existing map, which stays as .bak.")
+@common
+def place(
+    picture: Path,
+    out: Path,
+    points: tuple[float, float, float, float],
+    distance: float,
+    at: tuple[float, float] | None,
+    heading: float | None,
+    yes: bool,
+    config_file: str | None,
+    debug: bool,
+) -> None:
+    """Make a map of a picture by two points that are a known distance apart.
+
+    Without --at its lower left corner is at (0, 0), without --heading it is not turned.
+    """
+    from fleet_tui.cli.map.source import map_file
+    from fleet_tui.maps.placing import placed
+    from fleet_tui.model.grid import OccupancyGrid
+
+    log_to_file(debug)
+    if not yes:
+        _ask_to_replace(out)
+    grid = map_file(picture)
+    column, row, to_column, to_row = points
+    frame = placed(grid.frame, ((column, row), (to_column, to_row)), distance, at, heading)
+    _save(OccupancyGrid(frame, grid.levels), out)
+
+
+def _ask_to_replace(out: Path) -> None:
+    from fleet_tui.maps.saving import map_files
+
+    existing = [path for path in map_files(out) if path.exists()]
+    if not existing:
+        return
+    if not sys.stdin.isatty():
+        raise click.UsageError(sanitize(f"{existing[0]} exists: use --yes to replace it, it stays as .bak"))
+    click.confirm(sanitize(f"{existing[0]} exists: replace it and keep it as .bak?"), abort=True, err=True)
+
+
+def _save(grid: "OccupancyGrid", out: Path) -> None:
+    from fleet_tui.maps.saving import save_map
+    from fleet_tui.model.set_up.survey import survey
+
     saved = save_map(grid, out, lambda step: click.echo(sanitize(step), err=True))
     click.echo(sanitize(f"{saved}: {survey(grid).text}"))

@@ -2,6 +2,7 @@
 
 import os
 import sys
+from collections.abc import Iterator
 
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.view.map.camera import Camera
@@ -11,6 +12,10 @@ from fleet_tui.view.map.raster import ground
 SIZE = 80, 24
 """Columns and lines without a terminal."""
 SMALLEST = 20, 8
+MARGIN, TICK = 7, 10
+"""Cells for the number of a pixel row, and from one pixel column with a number to the next."""
+Part = tuple[float, float, float, float]
+"""First column and row, width, height, in pixels."""
 
 
 def output_size() -> tuple[int, int]:
@@ -30,7 +35,25 @@ def output_drawing() -> Drawing:
 def map_text(grid: OccupancyGrid, width: int, height: int, drawing: Drawing) -> str:
     """Return the whole map in at most so many columns and lines."""
     extent = grid.frame.width, grid.frame.height
-    lines = min(height, Camera.lines_of(extent, width))
-    cells = ground(grid, Camera.fit(extent, width, max(1, lines)), drawing)
-    rows = ("".join(map(chr, row)).rstrip() for row in cells.codes.tolist())
-    return "\n".join(rows).rstrip("\n")
+    camera = Camera.fit(extent, width, max(1, min(height, Camera.lines_of(extent, width))))
+    return "\n".join(_rows(grid, camera, drawing)).rstrip("\n")
+
+
+def numbered_text(grid: OccupancyGrid, part: Part, width: int, height: int, drawing: Drawing) -> str:
+    """Return a part of the map in at most so many columns and lines: above it the pixel columns at the first,
+    the eleventh cell and so on, before each line its pixel row."""
+    column, row, across, down = part
+    extent = grid.frame.width, grid.frame.height
+    area = column, row, column + max(across, 1.0), row + max(down, 1.0)
+    lines = min(height - 1, Camera.lines_of(extent, width - MARGIN, area))
+    camera = Camera.fit(extent, width - MARGIN, max(1, lines), area)
+    heads = (f"{camera.to_pixel(x, 0)[0]:<{TICK}.0f}" for x in range(0, camera.width, TICK))
+    text = [" " * MARGIN + "".join(heads)[: camera.width].rstrip()]
+    for y, line in enumerate(_rows(grid, camera, drawing)):
+        text.append(f"{camera.to_pixel(0, y)[1]:>{MARGIN - 1}.0f} {line}")
+    return "\n".join(text)
+
+
+def _rows(grid: OccupancyGrid, camera: Camera, drawing: Drawing) -> Iterator[str]:
+    for codes in ground(grid, camera, drawing).codes.tolist():
+        yield "".join(map(chr, codes)).rstrip()

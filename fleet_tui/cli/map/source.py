@@ -12,6 +12,7 @@ from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.text.sanitize import sanitize
 
 SCHEMES = ("ws://", "wss://")
+YAML = (".yaml", ".yml")
 
 
 def map_from(source: str, floor: str, seconds: float) -> tuple[OccupancyGrid, str]:
@@ -23,12 +24,24 @@ def map_from(source: str, floor: str, seconds: float) -> tuple[OccupancyGrid, st
         return _live(chosen(None, source), floor, seconds)
     if floor:
         raise MapError("--floor is for the address of a bridge: a file has one map")
+    if is_picture(source):
+        raise MapError(sanitize(f"{Path(source).name} has no scale: `fleet-tui map place` gives it one"))
+    return map_file(Path(source)), Path(source).name
+
+
+def is_picture(source: str) -> bool:
+    """Tell whether it is a plain picture, which has no scale."""
+    return not source.startswith(SCHEMES) and Path(source).suffix.lower() not in YAML
+
+
+def map_file(path: Path) -> OccupancyGrid:
+    """Return the map of a file; that of a plain picture has a metre per pixel. Raises MapError."""
     from fleet_tui.maps.images import load_floor_map
 
-    loaded = load_floor_map("", Path(source), added=False)
+    loaded = load_floor_map("", path, added=False)
     if loaded.grid is None:
         raise MapError(sanitize(loaded.problem))
-    return loaded.grid, Path(source).name
+    return loaded.grid
 
 
 def _live(config: Config, floor: str, seconds: float) -> tuple[OccupancyGrid, str]:

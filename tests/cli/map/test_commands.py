@@ -1,10 +1,11 @@
-"""`fleet-tui map info|show|save`."""
+"""`fleet-tui map info|show|save|place`."""
 
 import json
 from pathlib import Path
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from fleet_tui.maps.saving import save_map
 from fleet_tui.model.geometry import MapFrame, Pose
@@ -51,3 +52,38 @@ async def test_what_is_missing_is_named(tmp_path: Path) -> None:
     done = await run(tmp_path, "map", "info", "no.yaml")
     assert (done.code, done.err) == (1, "fleet-tui: map no.yaml: no such file\n")
     assert (await run(tmp_path, "map", "save", "a.yaml")).code == 2
+
+
+@pytest.fixture
+def plan(tmp_path: Path) -> Path:
+    """A picture of 80 x 40 pixels, black in its left column alone."""
+    picture = Image.new("L", (80, 40), 255)
+    picture.paste(0, (0, 0, 1, 40))
+    picture.save(tmp_path / "plan.png")
+    return tmp_path / "plan.png"
+
+
+async def test_a_picture_becomes_a_map_by_two_points(plan: Path, tmp_path: Path) -> None:
+    out, points = str(tmp_path / "floor"), ("--points", "0", "40", "80", "40")
+    done = await run(tmp_path, "map", "place", str(plan), out, *points, "--distance", "4", "--at", "1", "2")
+    assert done.code == 0 and "floor.yaml: 4.0 x 2.0 m, 80 x 40 cells of 0.05 m" in done.out
+    again = await run(tmp_path, "map", "place", str(plan), out, *points, "--distance", "4")
+    assert again.code == 2 and "exists: use --yes" in again.err
+    found = json.loads((await run(tmp_path, "map", "info", f"{out}.yaml", "--json")).out)
+    assert (found["origin"], round(found["occupied_m2"], 3)) == ([1.0, 2.0, 0.0], 0.1)
+
+
+async def test_a_picture_has_no_metres_until_it_is_placed(plan: Path, tmp_path: Path) -> None:
+    shown = await run(tmp_path, "map", "show", str(plan))
+    assert shown.code == 0 and shown.out.startswith("plan.png: 80 x 40 px, without a scale\n")
+    for command in ("info", "save"):
+        refused = await run(tmp_path, "map", command, str(plan), *["out"][: command == "save"])
+        assert (refused.code, "`fleet-tui map place` gives it one" in refused.err) == (1, True)
+
+
+async def test_a_part_is_shown_with_its_pixels(plan: Path, tmp_path: Path) -> None:
+    shown = await run(tmp_path, "map", "show", str(plan), "--part", "0", "0", "20", "10")
+    heads, first = shown.out.split("\n")[1:3]
+    numbers = [int(one) for one in heads.split()]
+    assert numbers == sorted(numbers) and numbers[0] <= 0 < 20 <= numbers[-1] + 5
+    assert first.split()[0].lstrip("-").isdigit() and all(len(line) <= 80 for line in shown.out.split("\n"))
