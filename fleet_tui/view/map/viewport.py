@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import dataclass, field
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.view.map.camera import Area, Camera
@@ -13,7 +13,30 @@ Thing = TypeVar("Thing")
 Point = tuple[float, float]
 """x, y in metres."""
 
+LEAST_USED = 0.5
+"""Share of the view's length or height that a growing floor takes at least."""
+ROOM = 0.2
+"""Room on each side for more of it, as a share of its size."""
 _NEAR = 1.0  # tolerance of a click: this many rows, or twice as many columns
+
+
+class _Fitted(NamedTuple):
+    """The camera that showed a whole floor, and whether its map has grown."""
+
+    camera: Camera
+    frame: MapFrame
+    grows: bool
+
+    def over_more_of(self, scene: Scene, exact: Camera) -> Camera:
+        """Return this camera while it shows the whole floor large enough, else one with room for more."""
+        held, area = self.camera.reframed(self.frame, scene.frame), _area(scene)
+        left, top, right, bottom = area
+        is_whole = _shows(held, (left, top)) and _shows(held, (right, bottom))
+        if is_whole and held.scale * LEAST_USED <= exact.scale:
+            return held
+        across, down = (right - left) * ROOM, (bottom - top) * ROOM
+        roomy = left - across, top - down, right + across, bottom + down
+        return Camera.fit(exact.extent, exact.width, exact.height, roomy)
 
 
 @dataclass(slots=True)
@@ -28,6 +51,7 @@ class Viewport:
     follow: bool = False
     zoom_robot: bool = False
     _moved: dict[str, tuple[Camera, MapFrame]] = field(default_factory=dict)
+    _fitted: "dict[str, _Fitted]" = field(default_factory=dict)
 
     def camera(self, scene: Scene) -> Camera:
         """Return the camera for the scene's floor, after following the selected robot."""
@@ -44,12 +68,24 @@ class Viewport:
         frame = scene.frame
         kept = self._moved.get(scene.floor)
         if kept is None:
-            return Camera.fit((frame.width, frame.height), self.width, self.height, scene.area)
+            return self._fit(scene)
         camera, made_for = kept
         camera = camera.resized(self.width, self.height)
         if made_for == frame:
             return camera
         return self._keep(scene, camera.reframed(made_for, frame))
+
+    def _fit(self, scene: Scene) -> Camera:
+        """Return the camera that shows the whole floor. Over a map that grows it holds still in the world
+        until the floor does not fit any more; then there is room for more of it."""
+        camera = Camera.fit((scene.frame.width, scene.frame.height), self.width, self.height, scene.area)
+        before = self._fitted.get(scene.floor)
+        grows = before is not None and (before.grows or before.frame != scene.frame)
+        if before and grows and (before.camera.width, before.camera.height) == (self.width, self.height):
+            camera = before.over_more_of(scene, camera)
+        if scene.grid is not None:
+            self._fitted[scene.floor] = _Fitted(camera, scene.frame, grows)
+        return camera
 
     def _keep(self, scene: Scene, camera: Camera) -> Camera:
         self._moved[scene.floor] = (camera, scene.frame)
@@ -79,6 +115,7 @@ class Viewport:
         """Show the whole floor, until it is moved by hand again."""
         self.follow = False
         self._moved.pop(scene.floor, None)
+        self._fitted.pop(scene.floor, None)
 
     def centre(self, scene: Scene, at: tuple[float, float] | None = None) -> None:
         """Centre on world metres `at`, or on the selected robot."""

@@ -1,7 +1,12 @@
 """The viewport: what follows, what stays, what a click means."""
 
+from itertools import pairwise
+
+import numpy as np
+
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Role
+from fleet_tui.model.occupancy import build_grid
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.view.map.viewport import Viewport, pick, pointed
 
@@ -26,6 +31,28 @@ def test_a_floor_that_nobody_moved_is_shown_as_a_whole_and_fit_brings_that_back(
     assert it.camera(hall) != whole
     it.fit(hall)
     assert it.camera(hall) == whole
+
+
+def mapped(left: float, bottom: float, right: float, top: float) -> Scene:
+    """A floor of which so much is mapped, in metres."""
+    width, height = round((right - left) / 0.05), round((top - bottom) / 0.05)
+    frame = MapFrame(0.05, width, height, Pose(left, bottom))
+    grid = build_grid(frame, np.ones((height, width), np.uint8))
+    return Scene("hall", frame, grid, area=(0.0, 0.0, float(width), float(height)))
+
+
+def test_over_a_map_that_grows_the_view_rarely_moves_and_always_shows_all_of_it() -> None:
+    it, seen = view(), list[tuple[int, int]]()
+    for step in range(40):
+        hall = mapped(-2.0 - step / 5, -1.0 - step / 10, 2.0 + step / 2, 1.0 + step / 4)
+        camera, frame = it.camera(hall), hall.frame
+        for corner in ((0.0, 0.0), (float(frame.width), float(frame.height))):
+            assert camera.shows(*camera.to_cell(*corner))
+        seen.append(camera.to_cell(*frame.to_pixel(0.0, 0.0)))
+        assert camera == it.camera(hall)
+    # By a cell it moves: cells are counted from the map's corner, which is not a whole cell further.
+    moves = sum(max(abs(x - next_x), abs(y - next_y)) > 1 for (x, y), (next_x, next_y) in pairwise(seen))
+    assert 0 < moves <= 8
 
 
 def test_a_view_that_follows_keeps_the_robot_in_it_until_it_is_moved_by_hand() -> None:
