@@ -99,10 +99,11 @@ class Rest:
     def _set_up_with(self, parts: SetUpParts) -> None:
         keys = self._screen.settings.keys
         self._overruled = {pane: overruled(keys, pane) for pane in Pane if pane.is_mode}
-        self.poses = PoseRequests(*parts[:4], self.confirm.ask, self.map_controls, self.map.picture)
+        ask, comparison = self.confirm.ask, self.streams.comparison
+        self.poses = PoseRequests(*parts[:4], ask, self.map_controls, self.map.picture, comparison)
         self.editor = GraphEditor(parts, self.map_controls, self.map.picture, self._screen.files.draft)
         self.checks = DraftChecks(parts, self.editor, partial(_in_background, self._screen))
-        files, ask = self._screen.files, self.confirm.ask
+        files = self._screen.files
         self.draft_files = DraftFiles(parts, self.editor, self.checks, files, ask)
         self.sending = DraftSending(parts, self.editor, self.checks, lambda: files.folder)
         self.mapping = MappingControls(

@@ -17,6 +17,12 @@ def test_the_last_versions_of_each_floor_are_kept(tmp_path: Path) -> None:
     assert left[0].name.startswith("robot_0-floor_0-2") and left[0].suffix == ".yaml"
 
 
+def test_the_same_graph_again_is_no_new_version(tmp_path: Path) -> None:
+    first = keep_version(tmp_path, "r", "f", "one")
+    assert keep_version(tmp_path, "r", "f", "one") == first
+    assert keep_version(tmp_path, "r", "f", "two") != first
+
+
 def test_a_clock_put_back_costs_nothing(tmp_path: Path) -> None:
     (tmp_path / "graphs").mkdir()
     for n in range(KEPT):

@@ -19,7 +19,9 @@ async def test_a_mislocalised_robot_is_put_right_by_keys_alone(site: Site) -> No
         mode, truth = it.app.main.rest.poses.mode, robot.pose
         assert mode is not None
         mode.cursor, mode.yaw = (truth.x, truth.y), truth.yaw  # as arrows do, cell by cell
-        await it.press("right", "left", "h", "l", "H", "L", "enter", "y")
+        await it.press("right", "left", "h", "l", "H", "L")
+        await it.shows(" % fit", "map")
+        await it.press("enter", "y")
         await it.until(lambda state: any(isinstance(one.command, SetPose) for one in state.commands))
         found = await it.until(
             lambda state: [
@@ -29,6 +31,10 @@ async def test_a_mislocalised_robot_is_put_right_by_keys_alone(site: Site) -> No
         assert found.commands[-1].stage is Stage.CONFIRMED
         assert robot.belief.misplaced is None
         assert it.app.main.rest.poses.mode is None
+        await it.shows(" % of the scan fits the map, ")
+        streams = it.app.main.backend.streams
+        it.app.main.tick()
+        assert not streams.wants("robot_0", "scan")
 
 
 async def test_a_goal_is_an_order_to_a_pose(site: Site) -> None:

@@ -4,6 +4,7 @@ from fleet_tui.controllers.dispatch import Ask, Dispatch
 from fleet_tui.controllers.map import MapControls
 from fleet_tui.controllers.navigation import Navigation
 from fleet_tui.controllers.notices import Notices
+from fleet_tui.controllers.set_up.comparison import ScanComparison
 from fleet_tui.errors import CommandError
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.kind import GOAL, POSE, SCAN
@@ -31,9 +32,11 @@ class PoseRequests:
         ask: Ask,
         controls: MapControls,
         picture: MapPicture,
+        comparison: ScanComparison,
     ) -> None:
         self._store, self._dispatch, self._navigation, self._notices = store, dispatch, navigation, notices
         self._ask, self._controls, self._picture = ask, controls, picture
+        self._comparison = comparison
 
     @property
     def mode(self) -> PlaceMode | None:
@@ -93,8 +96,7 @@ class PoseRequests:
             self._notices.say(f"the place is on {sanitize(mode.floor)}: go to that floor first")
             return
         if mode.title == SET_POSE:
-            command = SetPose(mode.robot, mode.floor, mode.pose)
-            self._give(Request((command,)))
+            self._give(Request((SetPose(mode.robot, mode.floor, mode.pose),)))
             return
         pose = mode.pose
         if self._goal(mode, pose) is not None:
@@ -119,5 +121,11 @@ class PoseRequests:
             return None
 
     def _give(self, request: Request) -> None:
-        if problem := self._dispatch.give(request, self.leave):
+        if problem := self._dispatch.give(request, self._sent):
             self._notices.say(problem)
+
+    def _sent(self) -> None:
+        mode = self.mode
+        if mode is not None and mode.moves_scan:
+            self._comparison.begin(mode.robot, mode.floor)
+        self.leave()

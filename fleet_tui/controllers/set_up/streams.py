@@ -5,6 +5,7 @@ from dataclasses import replace
 from fleet_tui.backend import Backend
 from fleet_tui.controllers.navigation import Navigation
 from fleet_tui.controllers.notices import Notices
+from fleet_tui.controllers.set_up.comparison import ScanComparison
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import PATH, SCAN
 from fleet_tui.model.set_up.streams import Beams, PlannedPath, Points
@@ -31,6 +32,7 @@ class ShownStreams:
         self._shown = set[str]()
         self._watched = set[tuple[str, str]]()
         self._told = ""
+        self.comparison = ScanComparison(store, backend, notices)
 
     def laser(self) -> None:
         """Show or hide the laser scan."""
@@ -57,7 +59,10 @@ class ShownStreams:
         # While a pose is chosen it is its robot's scan that counts.
         robot = state.robots[mode.robot if isinstance(mode, PlaceMode) else self._navigation.robot]
         placing = {SCAN} if isinstance(mode, PlaceMode) and mode.moves_scan else set()
-        self._watch({(robot.name, key) for key in (self._shown | placing) if key in robot.kind.streams})
+        wanted = {(robot.name, key) for key in (self._shown | placing) if key in robot.kind.streams}
+        compared = {(self.comparison.robot, SCAN)} if self.comparison.robot else set[tuple[str, str]]()
+        self._watch(wanted | compared)
+        self.comparison.look()
         if not self._watched:
             return scene
         streams = self._backend.streams

@@ -3,6 +3,7 @@
 import pytest
 from msgspec.structs import replace
 
+from fleet_tui.controllers.set_up.comparison import ScanComparison
 from fleet_tui.controllers.set_up.poses import PoseRequests
 from fleet_tui.model.events import CommandPathChanged, Event
 from fleet_tui.model.fleet import FleetState
@@ -29,8 +30,9 @@ def placing(
     desk = Desk(reduced(of_kinds(state or ready(), kind), *events), may)
     picture = pane.map.picture
     pane.map.show(floor_scene(desk.store.state, desk.navigation.selection))
+    comparison = ScanComparison(desk.store, desk.backend, desk.notices)
     parts = (desk.store, desk.dispatch, desk.navigation, desk.notices, desk.ask, pane.controls, picture)
-    return desk, PoseRequests(*parts)
+    return desk, PoseRequests(*parts, comparison)
 
 
 async def test_a_pose_begins_at_the_robot_is_turned_asked_and_sent() -> None:

@@ -1,0 +1,60 @@
+"""The scan's word on a pose that was set: how well it fits the map, before and after."""
+
+from fleet_tui.backend import Backend
+from fleet_tui.controllers.notices import Notices
+from fleet_tui.model.commands import CommandRecord
+from fleet_tui.model.kind import SCAN
+from fleet_tui.model.set_up.commands import SetPose
+from fleet_tui.rules.localisation.match import Match
+from fleet_tui.state.store import Store
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.set_up.scan_match import scan_match
+
+GIVEN_UP = 5.0
+"""Seconds from the outcome after which no scan is waited for any more."""
+
+
+class ScanComparison:
+    """Compares the scans of one robot around the newest pose that was set."""
+
+    def __init__(self, store: Store, backend: Backend, notices: Notices) -> None:
+        self._store, self._backend, self._notices = store, backend, notices
+        self.robot = ""
+        """The robot whose scan is wanted, empty if none is."""
+        self._floor, self._began = "", 0.0
+        self._before: Match | None = None
+
+    def begin(self, robot: str, floor: str) -> None:
+        """Remember how the scan fits at the present pose. Called when a pose is sent."""
+        state = self._store.state
+        self.robot, self._floor, self._began = robot, floor, state.now
+        self._before = scan_match(state, state.robots[robot], floor, self._backend.streams)
+
+    def look(self) -> None:
+        """Say how it fits once a scan was taken after the outcome."""
+        state = self._store.state
+        record = self._record() if self.robot else None
+        if record is None or not record.is_decided:
+            return
+        streamed = self._backend.streams.get(self.robot, SCAN)
+        if streamed is not None and streamed.taken_at > record.steps[-1].at:
+            after = scan_match(state, state.robots[self.robot], self._floor, self._backend.streams)
+            if after is not None:
+                self._notices.note(f"{sanitize(self.robot)}: {_compared(self._before, after)}")
+                self.robot = ""
+        if state.now - record.steps[-1].at > GIVEN_UP:
+            self.robot = ""
+
+    def _record(self) -> CommandRecord | None:
+        for record in reversed(self._store.state.commands):
+            if isinstance(record.command, SetPose) and record.command.robot == self.robot:
+                return record if record.issued_at >= self._began else None
+        return None
+
+
+def _compared(before: Match | None, after: Match) -> str:
+    text = f"{after.share * 100:.0f} % of the scan fits the map"
+    if before is None:
+        return text
+    worse = ": worse, look at the scan (u)" if after.share < before.share else ""
+    return f"{text}, {before.share * 100:.0f} % before{worse}"
