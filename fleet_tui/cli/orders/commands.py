@@ -11,6 +11,7 @@ import click
 from fleet_tui.cli.options import FileName, fleet, merged
 from fleet_tui.config.schema import Config
 from fleet_tui.log_file import log_to_file
+from fleet_tui.model.set_up.commands import MOST_SETTLES
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -134,10 +135,11 @@ def localise(robot: str, options: OrderOptions) -> None:
 
 @orders.command()
 @click.argument("robot")
+@click.argument("calls", type=click.IntRange(1, MOST_SETTLES), default=MOST_SETTLES)
 @_takes_options
-def settle(robot: str, options: OrderOptions) -> None:
-    """Let a robot refine its pose once, without moving."""
-    _give(["settle", robot], options)
+def settle(robot: str, calls: int, options: OrderOptions) -> None:
+    """Let a robot refine its pose without moving: up to 5 CALLS, until it no longer changes."""
+    _give(["settle", robot, str(calls)], options)
 
 
 @orders.command()

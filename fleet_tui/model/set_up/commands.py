@@ -13,6 +13,8 @@ from fleet_tui.text.units import counted
 
 SAME_PLACE = 0.001
 """Metres within which a vertex is where it was sent to."""
+MOST_SETTLES = 5
+"""Calls that a particle filter at rest needs at most to find the best pose near its own."""
 
 
 def heading_text(pose: Pose) -> str:
@@ -69,10 +71,13 @@ class Localise(SetUpCommand, frozen=True, tag=True):
 
 
 class Settle(SetUpCommand, frozen=True, tag=True):
-    """Let a robot at rest refine its pose once by its laser."""
+    """Let a robot at rest refine its pose by its laser: up to `calls` times, until the pose no longer
+    changes."""
 
     ability: ClassVar[str] = SETTLE
     what: ClassVar[str] = "settle"
+
+    calls: int = MOST_SETTLES
 
 
 class SendGoal(PoseCommand, frozen=True, tag=True):

@@ -6,7 +6,7 @@
     cancel 12, cancel robot_0 12         clear robot_0
     pause robot_0, pause all             resume robot_0, resume all
     goto robot_0 Base, goto robot_0 3.5 2 90   to a place, or metres and degrees counter-clockwise
-    set-pose robot_0 3.5 2 90            mapping robot_0 on; localise robot_0; settle robot_0
+    set-pose robot_0 3.5 2 90            mapping robot_0 on; localise robot_0; settle robot_0 3
 
 A robot is its name or its number, a place its label or its vertex id; `id=7` is always the id.
 """

@@ -13,6 +13,7 @@ from fleet_tui.model.order import Stop
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import (
+    MOST_SETTLES,
     Localise,
     SendGoal,
     SendGraph,
@@ -27,10 +28,12 @@ USAGE = {
     "goto": "goto ROBOT PLACE, or goto ROBOT X Y [YAW]",
     "set-pose": "set-pose ROBOT X Y YAW",
     "localise": "localise ROBOT",
-    "settle": "settle ROBOT",
+    "settle": "settle ROBOT [CALLS], 1 to 5 calls",
     "mapping": "mapping ROBOT on, or mapping ROBOT off",
 }
 _ABILITIES = {"set-pose": POSE, "localise": LOCALISE, "settle": SETTLE, "mapping": MAPPING}
+SETTLES = tuple(map(str, range(1, MOST_SETTLES + 1)))
+"""The numbers of calls that `settle` takes."""
 _NUMBER = re.compile(r"[-+]?([0-9]{1,9}(\.[0-9]{0,9})?|\.[0-9]{1,9})", re.ASCII)
 
 
@@ -54,6 +57,8 @@ def parse_set_up(verb: str, robot: Robot, values: Sequence[str]) -> Request | No
             return Request((Localise(robot.name),))
         case "settle", []:
             return Request((Settle(robot.name),))
+        case "settle", [calls] if calls in SETTLES:
+            return Request((Settle(robot.name, int(calls)),))
         case "mapping", ["on" | "off" as mode]:
             return Request((SetMapping(robot.name, mode == "on"),))
     return None
@@ -118,8 +123,8 @@ def written_set_up(command: SetUp) -> str:
             return f"goto {name} {written_pose(pose)}"
         case Localise(name):
             return f"localise {name}"
-        case Settle(name):
-            return f"settle {name}"
+        case Settle(name, calls):
+            return f"settle {name}" + (f" {calls}" if calls != MOST_SETTLES else "")
         case SetMapping(name, on):
             return f"mapping {name} {'on' if on else 'off'}"
         case SendGraph():

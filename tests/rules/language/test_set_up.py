@@ -36,6 +36,7 @@ def site(kind: Kind = HAS_GOALS) -> FleetState:
         ("goto robot_0 1 2 -180", SendGoal(R0, F0, Pose(1.0, 2.0, -math.pi))),
         ("localise robot_0", Localise(R0)),
         ("settle robot_0", Settle(R0)),
+        ("settle robot_0 3", Settle(R0, 3)),
         ("mapping robot_0 on", SetMapping(R0, True)),
         ("mapping robot_0 off", SetMapping(R0, False)),
     ],
@@ -74,6 +75,7 @@ def test_what_is_missing_is_shown() -> None:
         "goto robot_0",
         "mapping robot_0",
         "mapping robot_0 maybe",
+        "settle robot_0 6",
         "localise",
     ):
         with pytest.raises(CommandError, match="usage: "):
@@ -92,7 +94,7 @@ def test_what_is_written_is_read_again(x: float, y: float, yaw: float) -> None:
         assert isinstance(found, kind)
         assert math.isclose(found.pose.x, x, abs_tol=6e-4) and math.isclose(found.pose.y, y, abs_tol=6e-4)
         assert abs(math.remainder(found.pose.yaw - yaw, math.tau)) < 1e-6
-    for command in (Localise(R0), Settle(R0), SetMapping(R0, True)):
+    for command in (Localise(R0), Settle(R0), Settle(R0, 1), SetMapping(R0, True)):
         assert parse(written(command, state), state).commands == (command,)
     assert written(SendGraph(R0, F0), state) == ""
     assert written(PlaceOrder(R0, (Stop(pose=Pose(1.0, 2.0)),)), state) == "goto robot_0 1 2 0"

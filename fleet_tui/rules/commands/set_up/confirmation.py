@@ -82,10 +82,20 @@ def set_up_seen(state: FleetState, robot: Robot, record: CommandRecord, command:
             now = robot.maps.get(floor)
             seen = now is not None and now.graph is not None and command.is_graph(now.graph, now.labels)
             return Step(Stage.CONFIRMED, state.now, "by the robot") if seen else None
-        case Localise() | Settle():
+        case Settle():
+            return _settled(state, robot, record) if unseen else None
+        case Localise():
             return unseen
         case _:
             assert_never(command)
+
+
+def _settled(state: FleetState, robot: Robot, record: CommandRecord) -> Step:
+    """Return the end of a refinement: a pose that localisation publishes at rest is its effect; one that is
+    published all the time proves nothing."""
+    sent, at = record.time_of(Stage.SENT), robot.located_at
+    seen = sent is not None and at is not None and at > sent
+    return Step(Stage.CONFIRMED if seen else Stage.UNVERIFIABLE, state.now, record.detail)
 
 
 def _goal_seen(state: FleetState, robot: Robot, record: CommandRecord, command: SendGoal) -> Step | None:
