@@ -14,7 +14,8 @@ class Profile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     `scales` to its factor; `silence`: seconds after which a missing value is old. `origin = "added"` if the
     stack adds the map's origin. `settings`: tables of single kinds, by kind. `requests`: the fields of
     services, with {robot} in texts; `modes`: the meanings of a robot's words for its mode; `pose_frame`: the
-    frame of poses that are set, with {robot} and {floor}, empty for the usual one.
+    frame of poses that are set, with {robot} and {floor}, empty for the usual one; `base_frame`: the frame of
+    the robot itself, with {robot}, empty for `base_link` or `base_footprint`.
     """
 
     name: str = ""
@@ -36,3 +37,4 @@ class Profile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     requests: dict[str, dict[str, Any]] = {}
     modes: dict[str, Literal["mapping", "navigation"]] = {}
     pose_frame: str = ""
+    base_frame: str = ""

@@ -13,6 +13,8 @@ GRAPH = "graph"
 """Set-up requests that a robot may accept."""
 SCAN, PATH = "scan", "path"
 """Streams of a robot that can be watched."""
+FRAMES = "frames"
+"""The fixed frames of a robot, a stream that is read to place its scans."""
 
 _NOUNS = {
     ORDER: "order with a start",

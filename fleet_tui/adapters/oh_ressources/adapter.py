@@ -30,7 +30,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SendGraph, SetUpCommand
 
 if TYPE_CHECKING:
-    from fleet_tui.model.set_up.streams import LaserScan, PlannedPath
+    from fleet_tui.model.set_up.streams import StreamValue
 
 KEYS = ("pose", "queue", "obstacle", "battery", "cargo", "paused", "graph", "labels", "map_metadata", "map")
 """Topics, the most urgent first."""
@@ -104,7 +104,7 @@ class OhRessources:
             return ()
         return (self._readers[feed.key](feed.robot, feed.floor, msg, at),)
 
-    def stream(self, feed: Feed, msg: object) -> "LaserScan | PlannedPath":
+    def stream(self, feed: Feed, msg: object) -> "StreamValue":
         """Return the value of a stream. Raises WireError."""
         return self._set_up.stream(feed, msg)
 

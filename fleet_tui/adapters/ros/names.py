@@ -57,6 +57,10 @@ class Names:
             name: _filled(value, robot) if isinstance(value, str) else value for name, value in chosen.items()
         }
 
+    def base_frame(self, robot: str) -> str:
+        """Return the frame of a robot, empty for a usual one."""
+        return _filled(self.profile.base_frame, robot).lstrip("/")
+
     def action(self, key: str, robot: str) -> str:
         """Return the name of an action, empty if this site has none."""
         return _filled(self.profile.actions.get(key, self.vocabulary.actions[key][0]), robot)

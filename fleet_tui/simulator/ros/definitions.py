@@ -30,6 +30,10 @@ geometry_msgs/TwistWithCovariance twist
 sensor_msgs/LaserScan: std_msgs/Header header, float32 angle_min, float32 angle_max, \
 float32 angle_increment, float32 time_increment, float32 scan_time, float32 range_min, float32 range_max, \
 float32[] ranges, float32[] intensities
+geometry_msgs/Transform: geometry_msgs/Vector3 translation, geometry_msgs/Quaternion rotation
+geometry_msgs/TransformStamped: std_msgs/Header header, string child_frame_id, \
+geometry_msgs/Transform transform
+tf2_msgs/TFMessage: geometry_msgs/TransformStamped[] transforms
 nav_msgs/Path: std_msgs/Header header, geometry_msgs/PoseStamped[] poses
 sensor_msgs/BatteryState: std_msgs/Header header, float32 voltage, float32 temperature, float32 current, \
 float32 charge, float32 capacity, float32 design_capacity, float32 percentage, uint8 power_supply_status, \

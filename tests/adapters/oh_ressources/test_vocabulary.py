@@ -25,6 +25,7 @@ PROMISED = {
     "initial_pose": ("", "geometry_msgs/PoseWithCovarianceStamped"),
     "scan": ("", "sensor_msgs/LaserScan"),
     "path": ("", "nav_msgs/Path"),
+    "tf_static": ("/tf_static", "tf2_msgs/TFMessage"),
     "mode": ("", "std_msgs/String"),
     "graph_save": ("", "OH_ressources/Graph"),
     "labels_save": ("", "OH_ressources/LabeledVertices"),

@@ -7,6 +7,7 @@ TOPICS: Mapping[str, tuple[str, str]] = {
     "initial_pose": ("", "geometry_msgs/PoseWithCovarianceStamped"),
     "scan": ("", "sensor_msgs/LaserScan"),
     "path": ("", "nav_msgs/Path"),
+    "tf_static": ("/tf_static", "tf2_msgs/TFMessage"),
     "mode": ("", "std_msgs/String"),
 }
 SERVICES: Mapping[str, tuple[str, str]] = {

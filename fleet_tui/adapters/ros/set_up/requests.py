@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, assert_never
 from fleet_tui.adapters.adapter import Feed, Outgoing, Publication, ServiceCall, Site
 from fleet_tui.adapters.ros.facts import is_place
 from fleet_tui.adapters.ros.names import Names
+from fleet_tui.adapters.ros.set_up.frames import read_frames
 from fleet_tui.errors import CommandError
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.kind import GOAL, GRAPH, LOCALISE, MAPPING, PATH, POSE, SCAN, SETTLE
@@ -14,12 +15,14 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up import commands
 
 if TYPE_CHECKING:
-    from fleet_tui.model.set_up.streams import LaserScan, PlannedPath
+    from fleet_tui.model.set_up.streams import StreamValue
 
 XY, YAW = 0.25, (math.pi / 12) ** 2
 """RViz's variances of a pose set by hand: square metres of x and of y, square radians."""
 SCAN_MS, PATH_MS = 200, 1000
 """Milliseconds between two scans, and between two paths."""
+MOST_PUBLISHERS = 100
+"""Publishers of static frames, each with one message that counts."""
 
 
 def solid(pose: Pose) -> Mapping[str, object]:
@@ -88,12 +91,20 @@ class SetUpRequests:
             topic = names.topic(key, robot)
             if topic and topic != plan:
                 yield Feed(key, (robot,), "", topic, names.type(key), rate, wanted_for="stream", silent=True)
+        if names.topic(SCAN, robot) and (topic := names.topic("tf_static", robot)):
+            # Each publisher of frames sends one latched message: the newest alone is not enough.
+            frames = Feed(
+                "tf_static", (robot,), "", topic, names.type("tf_static"), queue_length=MOST_PUBLISHERS
+            )
+            yield frames._replace(latched=True, silent=True, wanted_for="stream", is_shared=True)
 
-    def stream(self, feed: Feed, msg: object) -> "LaserScan | PlannedPath":
+    def stream(self, feed: Feed, msg: object) -> "StreamValue":
         """Return the value of a stream in a message of its topic. Raises WireError."""
         # With numpy, whose import takes longer than a whole command without a screen.
         from fleet_tui.adapters.ros.set_up.streams import read_path, read_scan
 
+        if feed.key == "tf_static":
+            return read_frames(msg)
         return read_scan(msg) if feed.key == SCAN else read_path(msg)
 
     def outgoing(self, command: commands.SetUp, robot: Robot) -> Sequence[Outgoing]:
