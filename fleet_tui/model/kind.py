@@ -9,7 +9,7 @@ ORDER, ORDER_TO, CANCEL, CLEAR, PAUSE, RESUME = "order", "order to", "cancel", "
 """Requests that a robot may accept: an order from one place to another, one to a place alone, and so on."""
 
 POSE, LOCALISE, SETTLE, GOAL, MAPPING = "pose", "localise", "settle", "goal", "mapping"
-GRAPH = "graph"
+GOAL_CANCEL, GRAPH = "goal cancel", "graph"
 """Set-up requests that a robot may accept."""
 SCAN, PATH = "scan", "path"
 """Streams of a robot that can be watched."""
@@ -23,6 +23,7 @@ _NOUNS = {
     LOCALISE: "global localisation",
     SETTLE: "refinement of the pose",
     GOAL: "goals beside orders",
+    GOAL_CANCEL: "cancellation of goals",
     MAPPING: "switch of the mapping mode",
     GRAPH: "sending of graphs",
     SCAN: "laser scan",

@@ -10,7 +10,7 @@ from fleet_tui.adapters.ros.type_names import plain_type, same_type
 from fleet_tui.model.order import natural
 
 FLOOR_TOPICS = VOCABULARY.floor_topics
-SENT = {"goal", "graph_save", "labels_save", *set_up.TOPICS}
+SENT = {"goal", "goal_cancel", "graph_save", "labels_save", *set_up.TOPICS}
 """Topics of set-up, and those on which nothing but a console publishes."""
 TOPICS = {key: named for key, named in VOCABULARY.topics.items() if key not in SENT}
 SERVICES = {key: named for key, named in VOCABULARY.services.items() if key not in set_up.SERVICES}

@@ -17,6 +17,7 @@ VOCABULARY = Vocabulary(
         "labels": ("/{robot}/{floor}/labeled_vertices", "OH_ressources/LabeledVertices"),
         "map": ("/{robot}/{floor}/map", "nav_msgs/OccupancyGrid"),
         "goal": ("", "geometry_msgs/PoseStamped"),
+        "goal_cancel": ("", "actionlib_msgs/GoalID"),
         "graph_save": ("", "OH_ressources/Graph"),
         "labels_save": ("", "OH_ressources/LabeledVertices"),
         **set_up.TOPICS,

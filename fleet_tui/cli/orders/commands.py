@@ -91,7 +91,7 @@ def order(robot: str, places: tuple[str, ...], until_done: bool, options: OrderO
 @click.argument("id", metavar="ID")
 @_takes_options
 def cancel(robot: str, id: str, options: OrderOptions) -> None:
-    """Cancel one order of a robot."""
+    """Cancel one order of a robot; `goal` as the ID cancels a goal beside its queue."""
     _give(["cancel", robot, id], options)
 
 

@@ -8,7 +8,7 @@ from msgspec import Struct
 
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
-from fleet_tui.model.kind import GOAL, GRAPH, LOCALISE, MAPPING, POSE, SETTLE
+from fleet_tui.model.kind import GOAL, GOAL_CANCEL, GRAPH, LOCALISE, MAPPING, POSE, SETTLE
 from fleet_tui.text.units import counted
 
 SAME_PLACE = 0.001
@@ -87,6 +87,13 @@ class SendGoal(PoseCommand, frozen=True, tag=True):
     what: ClassVar[str] = "go to"
 
 
+class CancelGoal(SetUpCommand, frozen=True, tag=True):
+    """Stop a robot that drives to a goal beside its queue, whoever sent it: such a goal has no id."""
+
+    ability: ClassVar[str] = GOAL_CANCEL
+    what: ClassVar[str] = "cancel goal"
+
+
 class SetMapping(SetUpCommand, frozen=True, tag=True):
     """Switch the mapping mode of a robot."""
 
@@ -153,4 +160,4 @@ def counts_text(vertices: int, edges: int, labels: int) -> str:
     return f"{counted(vertices, 'vertex', 'vertices')}, {counted(edges, 'edge')}, {counted(labels, 'label')}"
 
 
-SetUp = SetPose | Localise | Settle | SendGoal | SetMapping | SendGraph
+SetUp = SetPose | Localise | Settle | SendGoal | CancelGoal | SetMapping | SendGraph

@@ -14,6 +14,7 @@ from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import (
     MOST_SETTLES,
+    CancelGoal,
     Localise,
     SendGoal,
     SendGraph,
@@ -121,6 +122,8 @@ def written_set_up(command: SetUp) -> str:
             return f"set-pose {name} {written_pose(pose)}"
         case SendGoal(name, _, pose):
             return f"goto {name} {written_pose(pose)}"
+        case CancelGoal(name):
+            return f"cancel {name} goal"
         case Localise(name):
             return f"localise {name}"
         case Settle(name, calls):

@@ -6,7 +6,7 @@ from typing import Any
 
 def profile(_floors: int) -> Mapping[str, Any]:
     """Return the topics on which they report a pause, and those of set-up."""
-    topics = ("paused", "goal", "scan", "mode")
+    topics = ("paused", "goal", "goal_cancel", "scan", "mode")
     return {
         "topics": {
             **{key: f"/{{robot}}/{key}" for key in topics},

@@ -22,6 +22,7 @@ PROMISED = {
     "queue": ("/r/queue", "OH_ressources/ActionQueue"),
     "paused": ("", "std_msgs/Bool"),
     "goal": ("", "geometry_msgs/PoseStamped"),
+    "goal_cancel": ("", "actionlib_msgs/GoalID"),
     "initial_pose": ("", "geometry_msgs/PoseWithCovarianceStamped"),
     "scan": ("", "sensor_msgs/LaserScan"),
     "path": ("", "nav_msgs/Path"),

@@ -10,7 +10,7 @@ from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros.set_up.frames import read_frames
 from fleet_tui.errors import CommandError
 from fleet_tui.model.geometry import Pose
-from fleet_tui.model.kind import GOAL, GRAPH, LOCALISE, MAPPING, PATH, POSE, SCAN, SETTLE
+from fleet_tui.model.kind import GOAL, GOAL_CANCEL, GRAPH, LOCALISE, MAPPING, PATH, POSE, SCAN, SETTLE
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up import commands
 
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 XY, YAW = 0.25, (math.pi / 12) ** 2
 """RViz's variances of a pose set by hand: square metres of x and of y, square radians."""
+ALL_GOALS: Mapping[str, object] = {"stamp": {"secs": 0, "nsecs": 0}, "id": ""}
+"""The cancellation of every goal: one that was sent as a pose has an id of the robot's own."""
 SCAN_MS, PATH_MS = 200, 1000
 """Milliseconds between two scans, and between two paths."""
 MOST_PUBLISHERS = 100
@@ -47,7 +49,7 @@ class SetUpRequests:
         table = names.table
         keys = {POSE: "topics.initial_pose", LOCALISE: "services.localise", SETTLE: "services.settle"}
         if frames_are_floors:
-            keys[GOAL] = "topics.goal"
+            keys |= {GOAL: "topics.goal", GOAL_CANCEL: "topics.goal_cancel"}
         self._keys = {ability: f"{table}.{key}" for ability, key in keys.items()}
         self.streams = tuple(key for key in (SCAN, PATH) if self._stream_topic(key, "robot"))
         """The streams that can be watched."""
@@ -115,9 +117,11 @@ class SetUpRequests:
                 covariance[0] = covariance[7] = XY
                 covariance[35] = YAW
                 placed = {"pose": solid(pose), "covariance": covariance}
-                return self._publish("initial_pose", robot, floor, placed)
+                return self._place("initial_pose", robot, floor, placed)
             case commands.SendGoal(_, floor, pose):
-                return self._publish("goal", robot, floor, solid(pose))
+                return self._place("goal", robot, floor, solid(pose))
+            case commands.CancelGoal(name):
+                return self._publish("goal_cancel", name, ALL_GOALS)
             case commands.Localise(name):
                 return self._call("localise", name)
             case commands.Settle(name):
@@ -137,14 +141,17 @@ class SetUpRequests:
             return self._site.frames.get(floor, floor)
         return robot.frame_id or "map"
 
-    def _publish(self, key: str, robot: Robot, floor: str, pose: Mapping[str, object]) -> tuple[Publication]:
-        names = self._names
-        topic = names.topic(key, robot.name)
-        if not topic:
-            raise CommandError(f"{names.table}.topics.{key} is empty")
+    def _place(self, key: str, robot: Robot, floor: str, pose: Mapping[str, object]) -> tuple[Publication]:
         # Without a stamp: the bridge fills in its own time, ours may be hours off.
         header = {"frame_id": self._frame(robot, floor)}
-        return (Publication(topic, names.type(key), {"header": header, "pose": pose}),)
+        return self._publish(key, robot.name, {"header": header, "pose": pose})
+
+    def _publish(self, key: str, robot: str, message: Mapping[str, object]) -> tuple[Publication]:
+        names = self._names
+        topic = names.topic(key, robot)
+        if not topic:
+            raise CommandError(f"{names.table}.topics.{key} is empty")
+        return (Publication(topic, names.type(key), message),)
 
     def _call(self, key: str, robot: str) -> tuple[ServiceCall]:
         names = self._names

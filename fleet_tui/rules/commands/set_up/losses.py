@@ -6,6 +6,7 @@ from typing import assert_never
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import (
+    CancelGoal,
     Localise,
     SendGoal,
     SendGraph,
@@ -31,6 +32,8 @@ def set_up_losses(state: FleetState, robot: Robot, command: SetUp) -> Iterator[s
                 yield f"{difference_text(now.value, pose)} from its present pose{since}"
         case Localise(name):
             yield f"{name}: forget its pose and search on the whole map?"
+        case CancelGoal(name):
+            yield f"{name}: cancel its goal?"
         case SetMapping(name, on):
             yield f"{name}: {command.text}?"
             if on:
