@@ -10,6 +10,7 @@ ORDER, ORDER_TO, CANCEL, CLEAR, PAUSE, RESUME = "order", "order to", "cancel", "
 
 POSE, LOCALISE, SETTLE, GOAL, MAPPING = "pose", "localise", "settle", "goal", "mapping"
 GOAL_CANCEL, GRAPH = "goal cancel", "graph"
+MAP_SAVE, POSE_GRAPH_SAVE = "map save", "pose graph save"
 """Set-up requests that a robot may accept."""
 SCAN, PATH = "scan", "path"
 """Streams of a robot that can be watched."""
@@ -25,6 +26,8 @@ _NOUNS = {
     GOAL: "goals beside orders",
     GOAL_CANCEL: "cancellation of goals",
     MAPPING: "switch of the mapping mode",
+    MAP_SAVE: "saving of maps on the robot",
+    POSE_GRAPH_SAVE: "saving of pose graphs on the robot",
     GRAPH: "sending of graphs",
     SCAN: "laser scan",
     PATH: "planned path",

@@ -23,11 +23,12 @@ from fleet_tui.adapters.ros.facts import (
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros.set_up.reading import read_mode
 from fleet_tui.adapters.ros.set_up.requests import SetUpRequests
+from fleet_tui.adapters.ros.set_up.saving import judge_saved
 from fleet_tui.adapters.service_outcome import judge
 from fleet_tui.model import events, kind
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.set_up.commands import SendGraph, SetUpCommand
+from fleet_tui.model.set_up.commands import SendGraph, SetUpCommand, StoreMap
 
 if TYPE_CHECKING:
     from fleet_tui.model.set_up.streams import StreamValue
@@ -136,6 +137,8 @@ class OhRessources:
         self, command: Command, values: object, result: bool, status: int | None = None
     ) -> tuple[Stage, str]:
         """Return the stage of a command that an answer leads to, with the robot's own text."""
+        if isinstance(command, StoreMap) and result and (end := judge_saved(self.names, command, values)):
+            return end
         return judge(command, values, result, self._refusals)
 
     def learned(

@@ -56,6 +56,7 @@ VOCABULARY = Vocabulary(
         "cancel_call": alike("robot", "ind"),
     },
     requests=set_up.REQUESTS,
+    answers=set_up.ANSWERS,
     scales=frozenset({"pose", "obstacle", "battery", "vertex"}),
     # A robot refuses in the text of an answer to a successful call.
     refusals=(

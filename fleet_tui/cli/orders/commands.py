@@ -151,6 +151,24 @@ def mapping(robot: str, mode: str, options: OrderOptions) -> None:
     _give(["mapping", robot, mode], options)
 
 
+@orders.command("store-map")
+@click.argument("robot")
+@click.argument("name")
+@_takes_options
+def store_map(robot: str, name: str, options: OrderOptions) -> None:
+    """Let a robot save its map as NAME on its own disk. Sent with --yes, or after a question."""
+    _give(["store-map", robot, name], options)
+
+
+@orders.command("store-pose-graph")
+@click.argument("robot")
+@click.argument("name")
+@_takes_options
+def store_pose_graph(robot: str, name: str, options: OrderOptions) -> None:
+    """Let a robot save the pose graph of its map as NAME. Sent with --yes, or after a question."""
+    _give(["store-pose-graph", robot, name], options)
+
+
 def _which(robot: str | None, every: bool) -> str:
     if every is (robot is not None):
         both = "give the robot's name or --all, not both"

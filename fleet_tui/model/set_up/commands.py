@@ -1,6 +1,7 @@
 """Set-up commands: the pose of a robot, a goal beside its orders, its mapping mode, its route graph."""
 
 import math
+import re
 from collections.abc import Mapping
 from typing import ClassVar
 
@@ -8,9 +9,21 @@ from msgspec import Struct
 
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
-from fleet_tui.model.kind import GOAL, GOAL_CANCEL, GRAPH, LOCALISE, MAPPING, POSE, SETTLE
+from fleet_tui.model.kind import (
+    GOAL,
+    GOAL_CANCEL,
+    GRAPH,
+    LOCALISE,
+    MAP_SAVE,
+    MAPPING,
+    POSE,
+    POSE_GRAPH_SAVE,
+    SETTLE,
+)
 from fleet_tui.text.units import counted
 
+MAP_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_-]{0,63}", re.ASCII)
+"""Names of maps on a robot, where some programs put them into a shell command. None begins like an option."""
 SAME_PLACE = 0.001
 """Metres within which a vertex is where it was sent to."""
 MOST_SETTLES = 5
@@ -108,6 +121,27 @@ class SetMapping(SetUpCommand, frozen=True, tag=True):
         return f"mapping {'on' if self.on else 'off'}"
 
 
+class StoreMap(SetUpCommand, frozen=True, tag=True):
+    """Let a robot save the map of its floor under a name, on its own disk."""
+
+    ability: ClassVar[str] = MAP_SAVE
+    what: ClassVar[str] = "store map"
+
+    name: str
+
+    @property
+    def text(self) -> str:
+        """Return the command in words, without the robot."""
+        return f"{self.what} {self.name}"
+
+
+class StorePoseGraph(StoreMap, frozen=True, tag=True):
+    """Let a robot save the pose graph behind its map, from which mapping can go on."""
+
+    ability: ClassVar[str] = POSE_GRAPH_SAVE
+    what: ClassVar[str] = "store pose graph"
+
+
 class SendGraph(SetUpCommand, frozen=True, tag=True, dict=True):
     """Replace the route graph of a floor in a robot. `labels` are pairs of vertex id and label; edges go both
     ways unless `directed`."""
@@ -160,4 +194,6 @@ def counts_text(vertices: int, edges: int, labels: int) -> str:
     return f"{counted(vertices, 'vertex', 'vertices')}, {counted(edges, 'edge')}, {counted(labels, 'label')}"
 
 
-SetUp = SetPose | Localise | Settle | SendGoal | CancelGoal | SetMapping | SendGraph
+SetUp = (
+    SetPose | Localise | Settle | SendGoal | CancelGoal | SetMapping | StoreMap | StorePoseGraph | SendGraph
+)

@@ -94,6 +94,8 @@ def _set_up(line: str, named: Sequence[Token], start: int, verb: str, state: Fle
         return []
     if verb == "mapping":
         return _lines(line, start, ["on", "off"], last=True)
+    if verb in ("store-map", "store-pose-graph"):
+        return _lines(line, start, [robot.floor] if robot.floor else [], last=True)
     labels = [place.name for place in places(robot)] if verb == "goto" else []
     return _lines(line, start, [_quoted(name) if " " in name else name for name in labels], last=True)
 

@@ -13,5 +13,8 @@ def profile(_floors: int) -> Mapping[str, Any]:
             "initial_pose": "/{robot}/initialpose",
             **{key: f"/{{robot}}/{{floor}}/{key}" for key in ("graph_save", "labels_save")},
         },
-        "services": dict.fromkeys(("mapping_on", "mapping_off"), "/{robot}/set_mapping"),
+        "services": {
+            **dict.fromkeys(("mapping_on", "mapping_off"), "/{robot}/set_mapping"),
+            "map_save": "/{robot}/save_map",
+        },
     }

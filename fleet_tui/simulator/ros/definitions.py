@@ -92,6 +92,11 @@ action_msgs/GoalInfo[] goals_canceling
 std_srvs/Empty: ->
 std_srvs/SetBool: bool data -> bool success, string message
 std_srvs/Trigger: -> bool success, string message
+slam_toolbox_msgs/SaveMap: std_msgs/String name ->
+slam_toolbox_msgs/SerializePoseGraph: string filename ->
+slam_toolbox/SerializePoseGraph: string filename -> uint8 result
+nav2_msgs/SaveMap: string map_topic, string map_url, string image_format, string map_mode, \
+float32 free_thresh, float32 occupied_thresh -> bool result
 rosapi/Topics: -> string[] topics, string[] types
 rosapi/TopicsAndRawTypes: -> string[] topics, string[] types, string[] typedefs_full_text
 rosapi/TopicsForType: string type -> string[] topics

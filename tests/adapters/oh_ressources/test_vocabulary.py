@@ -49,7 +49,7 @@ def test_topics_have_the_promised_names_and_types() -> None:
 def test_services_have_the_promised_names() -> None:
     assert {key: names_of().service(key, "r") for key in SERVICES} == {
         key: f"/r/Application_layout/{name}" for key, name in CALLED.items()
-    } | dict.fromkeys(("localise", "settle", "mapping_on", "mapping_off"), "")
+    } | dict.fromkeys(("localise", "settle", "mapping_on", "mapping_off", "map_save", "map_pose_graph"), "")
 
 
 @pytest.mark.parametrize("key", list(TOPICS))

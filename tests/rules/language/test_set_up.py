@@ -21,6 +21,8 @@ from fleet_tui.model.set_up.commands import (
     SetMapping,
     SetPose,
     Settle,
+    StoreMap,
+    StorePoseGraph,
 )
 from fleet_tui.rules.language.completion import complete
 from fleet_tui.rules.language.grammar import parse, written
@@ -48,6 +50,8 @@ def site(kind: Kind = HAS_GOALS) -> FleetState:
         ("settle robot_0 3", Settle(R0, 3)),
         ("mapping robot_0 on", SetMapping(R0, True)),
         ("mapping robot_0 off", SetMapping(R0, False)),
+        ("store-map robot_0 hall", StoreMap(R0, "hall")),
+        ("store-pose-graph robot_0 hall", StorePoseGraph(R0, "hall")),
     ],
 )
 def test_a_line_means_a_command(line: str, command: object) -> None:
@@ -103,7 +107,15 @@ def test_what_is_written_is_read_again(x: float, y: float, yaw: float) -> None:
         assert isinstance(found, kind)
         assert math.isclose(found.pose.x, x, abs_tol=6e-4) and math.isclose(found.pose.y, y, abs_tol=6e-4)
         assert abs(math.remainder(found.pose.yaw - yaw, math.tau)) < 1e-6
-    for command in (CancelGoal(R0), Localise(R0), Settle(R0), Settle(R0, 1), SetMapping(R0, True)):
+    for command in (
+        CancelGoal(R0),
+        Localise(R0),
+        Settle(R0),
+        Settle(R0, 1),
+        SetMapping(R0, True),
+        StoreMap(R0, "a b"),
+        StorePoseGraph(R0, "c"),
+    ):
         assert parse(written(command, state), state).commands == (command,)
     assert written(SendGraph(R0, F0), state) == ""
     assert written(PlaceOrder(R0, (Stop(pose=Pose(1.0, 2.0)),)), state) == "goto robot_0 1 2 0"
@@ -124,5 +136,8 @@ def test_completion_offers_what_the_kind_takes() -> None:
     assert complete("goto ", site()) == ["goto robot_0 "]
     assert complete("goto robot_0 ", site()) == ["goto robot_0 Base", 'goto robot_0 "Far end"']
     assert complete("mapping robot_0 ", site()) == ["mapping robot_0 on", "mapping robot_0 off"]
+    saves = site(Kind("", (), ("map save",)))
+    assert complete("store-map robot_0 ", saves) == ["store-map robot_0 floor_0"]
+    assert complete("store", saves) == ["store-map "]
     assert complete("localise ", site()) == ["localise robot_0"]
     assert complete("set-p", site(NAVIGATES)) == []

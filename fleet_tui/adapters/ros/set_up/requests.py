@@ -8,9 +8,20 @@ from fleet_tui.adapters.adapter import Feed, Outgoing, Publication, ServiceCall,
 from fleet_tui.adapters.ros.facts import is_place
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros.set_up.frames import read_frames
+from fleet_tui.adapters.ros.set_up.saving import KEYS, save_request
 from fleet_tui.errors import CommandError
 from fleet_tui.model.geometry import Pose
-from fleet_tui.model.kind import GOAL, GOAL_CANCEL, GRAPH, LOCALISE, MAPPING, PATH, POSE, SCAN, SETTLE
+from fleet_tui.model.kind import (
+    GOAL,
+    GOAL_CANCEL,
+    GRAPH,
+    LOCALISE,
+    MAPPING,
+    PATH,
+    POSE,
+    SCAN,
+    SETTLE,
+)
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up import commands
 
@@ -48,6 +59,7 @@ class SetUpRequests:
         self._names, self._site, self._frames_are_floors = names, site, frames_are_floors
         table = names.table
         keys = {POSE: "topics.initial_pose", LOCALISE: "services.localise", SETTLE: "services.settle"}
+        keys |= {ability: f"services.{key}" for ability, key in KEYS.items()}
         if frames_are_floors:
             keys |= {GOAL: "topics.goal", GOAL_CANCEL: "topics.goal_cancel"}
         self._keys = {ability: f"{table}.{key}" for ability, key in keys.items()}
@@ -128,6 +140,8 @@ class SetUpRequests:
                 return self._call("settle", name)
             case commands.SetMapping(name, on):
                 return self._call("mapping_on" if on else "mapping_off", name)
+            case commands.StoreMap(name):
+                return self._call(KEYS[command.ability], name, save_request(self._names, command, robot))
             case commands.SendGraph():
                 raise CommandError(robot.kind.lack(GRAPH))
             case _:
@@ -153,9 +167,10 @@ class SetUpRequests:
             raise CommandError(f"{names.table}.topics.{key} is empty")
         return (Publication(topic, names.type(key), message),)
 
-    def _call(self, key: str, robot: str) -> tuple[ServiceCall]:
+    def _call(self, key: str, robot: str, request: Mapping[str, object] | None = None) -> tuple[ServiceCall]:
         names = self._names
         service = names.service(key, robot)
         if not service:
             raise CommandError(f"{names.table}.services.{key} is empty")
-        return (ServiceCall(service, names.service_type(key), names.request(key, robot)),)
+        args = names.request(key, {"robot": robot}) if request is None else request
+        return (ServiceCall(service, names.service_type(key), args),)

@@ -16,6 +16,7 @@ from fleet_tui.model.set_up.commands import (
     SetPose,
     Settle,
     SetUp,
+    StoreMap,
     counts_text,
 )
 from fleet_tui.rules.commands.pauses import STANDS_AFTER, stopped
@@ -85,7 +86,9 @@ def set_up_seen(state: FleetState, robot: Robot, record: CommandRecord, command:
             return _by_robot(state, _has_graph(robot, command))
         case Settle():
             return _settled(state, robot, record) if unseen else None
-        case CancelGoal() | Localise() | SetMapping() | SendGraph():  # no report shows the effect
+        case (
+            CancelGoal() | Localise() | SetMapping() | SendGraph() | StoreMap()
+        ):  # no report shows the effect
             return unseen
         case _:
             assert_never(command)
@@ -146,7 +149,7 @@ def instead_of_set_up(robot: Robot, record: CommandRecord, command: SetUp) -> st
         case SendGraph(_, floor):
             present = present_graph(robot, floor)
             return f"the robot has {present}" if present else f"no graph of {floor} received"
-        case Localise() | Settle():
+        case Localise() | Settle() | StoreMap():
             return "no evidence in telemetry"
         case _:
             assert_never(command)

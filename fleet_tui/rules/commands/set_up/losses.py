@@ -14,6 +14,7 @@ from fleet_tui.model.set_up.commands import (
     SetPose,
     Settle,
     SetUp,
+    StoreMap,
 )
 from fleet_tui.rules.commands.set_up.confirmation import believed, difference_text, present_graph
 from fleet_tui.text.durations import age
@@ -38,6 +39,9 @@ def set_up_losses(state: FleetState, robot: Robot, command: SetUp) -> Iterator[s
             yield f"{name}: {command.text}?"
             if on:
                 yield "its live map replaces the known one until mapping is off"
+        case StoreMap(name):
+            yield f"{name}: {command.text}?"
+            yield "one of that name on the robot is replaced"
         case SendGraph(name, floor):
             yield f"{name}: {command.text}?"
             yield f"replaces {present_graph(robot, floor) or f'its graph of {floor}, which is unknown here'}"

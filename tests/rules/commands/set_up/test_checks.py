@@ -15,13 +15,13 @@ from fleet_tui.model.order import Stop
 from fleet_tui.model.problem import Permissions, Problem
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Reading
-from fleet_tui.model.set_up.commands import CancelGoal, SendGoal, SendGraph, SetPose
+from fleet_tui.model.set_up.commands import CancelGoal, SendGoal, SendGraph, SetPose, StoreMap
 from fleet_tui.rules.commands.checks import problems
 from fleet_tui.rules.commands.set_up.checks import map_of
 from tests.support.fleets import F0, R0, T0, fleet, link_up, of_kinds, pose, queue, reduced, tick
 from tests.support.kinds import FULL
 
-KIND = replace(FULL, accepts=(*FULL.accepts, "pose", "goal", "goal cancel"))
+KIND = replace(FULL, accepts=(*FULL.accepts, "pose", "goal", "goal cancel", "map save"))
 FRAME = MapFrame(1.0, 3, 1, Pose(0.0, 0.0))
 GRID = grid_from_ros(FRAME, bytes([0, 100, 255]))
 """Free, occupied and unknown ground, from left to right, one metre each."""
@@ -122,3 +122,9 @@ def test_the_map_is_the_file_where_it_lies_else_the_live_one() -> None:
 
 def test_the_classes_are_told_apart() -> None:
     assert len({UNKNOWN, FREE, OCCUPIED}) == 3
+
+
+def test_a_name_that_a_shell_could_read_is_refused() -> None:
+    assert "no name" not in found(ready(), StoreMap(R0, "hall_2-b"))
+    for name in ("hall 2", "$(reboot)", "-f", "", "x" * 65):
+        assert found(ready(), StoreMap(R0, name))["no name"].blocks
