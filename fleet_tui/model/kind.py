@@ -34,6 +34,11 @@ _NOUNS = {
 }
 
 
+def noun_of(ability: str) -> str:
+    """Return the name of an ability in a sentence."""
+    return _NOUNS.get(ability, ability)
+
+
 class Kind(Struct, frozen=True):
     """Capabilities of a robot by its kind and profile. `reports` are the values it can report, by the names
     of Robot's fields; `accepts` the requests it takes. `silence`: seconds after which a missing value is
@@ -68,8 +73,8 @@ class Kind(Struct, frozen=True):
     def lack(self, asked: str) -> str:
         """Return the text for a request that it does not accept."""
         if asked in self.unset:
-            return f"{self.unset[asked]} is empty: no {_NOUNS.get(asked, asked)}"
-        noun = _NOUNS.get(asked, asked)
+            return f"{self.unset[asked]} is empty: no {noun_of(asked)}"
+        noun = noun_of(asked)
         if asked in (ORDER, ORDER_TO) and not self.can(ORDER):
             noun = "orders"
         return f"this kind has no {noun}"

@@ -69,7 +69,8 @@ class MoveBase(NavigationAdapter):
 
     def probes(self, robot: str) -> Iterable[Probe]:
         """Return the checks of whether such a robot can be driven."""
-        return probes(self.names, robot)
+        yield from probes(self.names, robot)
+        yield from self.set_up.probes(robot)
 
     def outcome(
         self, command: commands.Command, values: object, result: bool, status: int | None = None

@@ -120,8 +120,8 @@ class OhRessources:
         return ()
 
     def probes(self, robot: str) -> Iterable[Probe]:
-        """Return nothing: topics and services suffice."""
-        return ()
+        """Return the checks of set-up: other topics and services suffice."""
+        return self._set_up.probes(robot)
 
     def outgoing(
         self, command: Command, command_id: int, robot: Robot, unique: str = ""

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, assert_never
 
 from fleet_tui.adapters.adapter import Feed, Outgoing, Publication, ServiceCall, Site
+from fleet_tui.adapters.probes import ListenerProbe, ServiceProbe
 from fleet_tui.adapters.ros.facts import is_place
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros.set_up.frames import read_frames
@@ -21,6 +22,7 @@ from fleet_tui.model.kind import (
     POSE,
     SCAN,
     SETTLE,
+    noun_of,
 )
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up import commands
@@ -111,6 +113,20 @@ class SetUpRequests:
                 "tf_static", (robot,), "", topic, names.type("tf_static"), queue_length=MOST_PUBLISHERS
             )
             yield frames._replace(latched=True, silent=True, wanted_for="stream", is_shared=True)
+
+    def probes(self, robot: str) -> Iterator[ListenerProbe | ServiceProbe]:
+        """Return the topics and services of set-up that must have a node at their other end."""
+        names, services = self._names, dict[str, ServiceProbe]()
+        named = [(ability, *key.split(".")[-2:]) for ability, key in self._keys.items()]
+        named += [(MAPPING, "services", key) for key in ("mapping_on", "mapping_off")]
+        for ability, table, key in named:
+            if table == "topics":
+                if topic := names.topic(key, robot):
+                    yield ListenerProbe(key, topic, names.type(key), noun_of(ability))
+            elif service := names.service(key, robot):
+                keys = (*services[service].keys, key) if service in services else (key,)
+                services[service] = ServiceProbe(keys, service, names.service_type(key), noun_of(ability))
+        yield from services.values()
 
     def stream(self, feed: Feed, msg: object) -> "StreamValue":
         """Return the value of a stream in a message of its topic. Raises WireError."""
