@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from fleet_tui.adapters.discovery import Discovery, Listed
 from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
 from fleet_tui.adapters.ros.set_up import names as set_up
+from fleet_tui.adapters.ros.set_up.discovery import find_set_up
 from fleet_tui.adapters.ros.type_names import plain_type, same_type
 from fleet_tui.model.order import natural
 
@@ -39,6 +40,7 @@ def discover(listed: Listed) -> Discovery:
     of_services = _below(robots, services)
     for key in SERVICES:
         _service(site, key, services, of_services)
+    find_set_up(site, listed, VOCABULARY)
     all_floors = set(site.floors)
     for name, type_ in topics.items():
         if type_ == TOPICS["map"][1]:
