@@ -73,8 +73,15 @@ async def test_it_speaks_the_dialect_and_runs_at_the_speed_that_is_asked_for(fas
 def test_the_demos_configuration_names_the_types_of_ros_2() -> None:
     server = RosbridgeServer(World(1, 1), dialect=ROS2)
     names = names_of(demo_config(Config(path=Path("c.toml")), server.url, 1, 1, "2").profile)
-    published = VOCABULARY.topics.keys() - {"goal", "initial_pose", "path", "graph_save", "labels_save"}
+    published = VOCABULARY.topics.keys() - {
+        "goal",
+        "goal_cancel",
+        "initial_pose",
+        "path",
+        "graph_save",
+        "labels_save",
+    }
     for key in published:
         assert names.type(key) == server.bridge.services.types[names.topic(key, "robot_0", "floor_0")]
-    for key in VOCABULARY.services.keys() - {"localise", "settle"}:
+    for key in VOCABULARY.services.keys() - {"localise", "settle", "map_pose_graph"}:
         assert names.service_type(key) == server.bridge.services.offered[names.service(key, "robot_0")].name

@@ -7,14 +7,14 @@ from fleet_tui.adapters.probes import Probe
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.events import Event
-from fleet_tui.model.kind import PATH, SCAN, Kind
+from fleet_tui.model.kind import FRAMES, PATH, SCAN, Kind
 from fleet_tui.model.robot import Robot
 
 if TYPE_CHECKING:
-    from fleet_tui.model.set_up.streams import LaserScan, PlannedPath
+    from fleet_tui.model.set_up.streams import StreamValue
 
 
-STREAM_KEYS = {SCAN: SCAN, PATH: PATH, "plan": PATH}
+STREAM_KEYS = {SCAN: SCAN, PATH: PATH, "plan": PATH, "tf_static": FRAMES}
 """Streams by the keys of their topics."""
 
 
@@ -25,7 +25,8 @@ class Feed(NamedTuple):
     message. `wanted_for`: subscribed only while that is needed, a `map` on screen, the `target` of a goal
     that no other topic reports, or a `stream` beside the fleet state. `large`: requested as CBOR and decoded
     off the loop. `fast`: as frequent as poses. `silent`: may rightly send nothing for hours. `is_shared`: one
-    topic may report on all robots.
+    topic may report on all robots. `queue_length`: messages that the bridge keeps for this console; with more
+    than one of them each counts, not only the newest.
     """
 
     key: str
@@ -40,6 +41,7 @@ class Feed(NamedTuple):
     fast: bool = False
     silent: bool = False
     is_shared: bool = False
+    queue_length: int = 1
 
     @property
     def robot(self) -> str:
@@ -121,7 +123,7 @@ class Adapter(Protocol):
     def read(self, feed: Feed, msg: object, at: float) -> Iterable[Event]:
         """Return the events of a message, still encoded. `at`: monotonic seconds. Raises WireError."""
 
-    def stream(self, feed: Feed, msg: object) -> "LaserScan | PlannedPath":
+    def stream(self, feed: Feed, msg: object) -> "StreamValue":
         """Return the value of a stream, a path also in the plan of a goal. Raises WireError."""
 
     def services(self, robot: str) -> Iterable[tuple[str, str, str]]:

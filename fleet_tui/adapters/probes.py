@@ -50,4 +50,24 @@ class BridgeProbe(NamedTuple):
     judge: Callable[[int, str], Diagnosis]
 
 
-Probe = ActionProbe | QueryProbe | MessageProbe | BridgeProbe
+class ListenerProbe(NamedTuple):
+    """A topic on which consoles publish: a node must listen there. `key` is that of the profile, `lost` is
+    impossible without it."""
+
+    key: str
+    topic: str
+    type: str
+    lost: str
+
+
+class ServiceProbe(NamedTuple):
+    """A service that not every such robot has. `keys` are those of the profile, `lost` is impossible without
+    it."""
+
+    keys: tuple[str, ...]
+    service: str
+    type: str
+    lost: str
+
+
+Probe = ActionProbe | QueryProbe | MessageProbe | BridgeProbe | ListenerProbe | ServiceProbe

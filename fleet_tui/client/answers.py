@@ -58,6 +58,17 @@ class Answers:
         sent_at: float,
     ) -> None:
         """Wait for all answers to a command; its result is the worst of them."""
+        if (end := await self.end_of(command_id, command, calls, sent_at)) is not None:
+            self._advance(command_id, *end)
+
+    async def end_of(
+        self,
+        command_id: int,
+        command: Command,
+        calls: Sequence[tuple[ServiceCall, PendingCall]],
+        sent_at: float,
+    ) -> tuple[Stage, str] | None:
+        """Return the worst of the answers; None if one never came, which is reported."""
         adapter = self._adapters[command.robot]
         ends = list[tuple[Stage, str]]()
         try:
@@ -65,19 +76,18 @@ class Answers:
                 response = await self._answer(command_id, call)
                 self._learn(command, outgoing, response, sent_at)
                 ends.append(adapter.outcome(command, response.values, response.result))
-            stage, detail = max(ends, key=lambda end: WORST.index(end[0]))
+            return max(ends, key=lambda end: WORST.index(end[0]))
         except NoAnswerError:
-            return
+            return None
         except LinkLostError as problem:
-            stage, detail = Stage.UNKNOWN, str(problem)
+            return Stage.UNKNOWN, str(problem)
         except Exception as problem:
             # Whatever fails here, the operator must see that the result of this command is unknown.
             LOG.exception("command %d", command_id)
-            stage, detail = Stage.UNKNOWN, f"internal error: {problem}"
+            return Stage.UNKNOWN, f"internal error: {problem}"
         finally:
             for _, call in calls:
                 self._calls.forget(call)
-        self._advance(command_id, stage, detail)
 
     def _learn(
         self, command: Command, outgoing: ServiceCall, response: ServiceResponse, sent_at: float

@@ -16,6 +16,7 @@ from fleet_tui.client.goal_channel import Goals
 from fleet_tui.client.heartbeat import Heartbeat
 from fleet_tui.client.publishing import Publishing
 from fleet_tui.client.set_up.listeners import check_listeners
+from fleet_tui.client.set_up.settling import Settling
 from fleet_tui.client.telemetry import Telemetry
 from fleet_tui.client.writer import Writer
 from fleet_tui.config.schema import Link
@@ -23,7 +24,7 @@ from fleet_tui.errors import CommandError, LinkError
 from fleet_tui.model.commands import UNANSWERED, Command, PauseRobot, PlaceOrder, Stage
 from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.link import CommandPath
-from fleet_tui.model.set_up.commands import SetUpCommand
+from fleet_tui.model.set_up.commands import Settle, SetUpCommand
 from fleet_tui.rules.commands.local_queue import withdrawn
 from fleet_tui.text.limits import truncate
 from fleet_tui.transports.rosbridge.connection import Connection
@@ -64,6 +65,7 @@ class CommandChannel:
         self._calls = Calls(self.connection)
         self._publishing = Publishing(self.connection, advertised)
         self._answers = Answers(self._calls, self._services, adapters, writer, timeout, self._advance)
+        self._settling = Settling(writer.store, self._answers, self._send_now, self._advance)
         self._heartbeat = Heartbeat(
             link, self._calls, self._services, telemetry.counter.round_trips, writer.apply
         )
@@ -79,6 +81,7 @@ class CommandChannel:
     def on_lost(self, reason: str, next_try_in: float) -> None:
         """End every open command: its answer can't arrive any more."""
         self._calls.on_lost()
+        self._settling.on_lost()
         self._publishing.stop()
         self._heartbeat.stop(reason or "connection lost")
 
@@ -150,7 +153,9 @@ class CommandChannel:
             return
         names = [one.name for one in outgoing if isinstance(one, Publication)]
         self._advance(command_id, Stage.SENT, at=at, name=names[0] if names else "")
-        if calls:
+        if isinstance(command, Settle):
+            self._keep(asyncio.ensure_future(self._settling.run(command_id, command, calls, at)))
+        elif calls:
             self._keep(asyncio.ensure_future(self._answers.wait(command_id, command, calls, at)))
         elif not isinstance(command, PlaceOrder):  # which is taken when the robot lists it
             self._advance(command_id, Stage.ACCEPTED, UNANSWERED if outgoing else "")
@@ -158,8 +163,12 @@ class CommandChannel:
     def resend(self, command: Command) -> None:
         """Send a command once more; its answers are not reported."""
         with suppress(LinkError, CommandError):
-            for _, call in self._send(self._outgoing(command, 0, 0.0)):
+            for _, call in self._send_now(command):
                 self._calls.forget(call)
+
+    def _send_now(self, command: Command) -> list[tuple[ServiceCall, PendingCall]]:
+        """Send a command without a report. Raises LinkError or CommandError."""
+        return self._send(self._outgoing(command, 0, 0.0))
 
     def _keep(self, task: "asyncio.Task[None]") -> None:
         """Hold a reference to a task, which could otherwise be garbage-collected while it runs."""

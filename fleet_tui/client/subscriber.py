@@ -174,13 +174,14 @@ class Subscriber:
                 self._report(events.MessageRejected(wanted.robot, problem))
             return
         self._reading.counter.topics[wanted.address].not_subscribed = ""
-        topic, is_large = wanted.address, wanted.large or wanted.wanted_for == "stream"
+        topic, is_stream = wanted.address, wanted.wanted_for == "stream" and not wanted.latched
         asked = operations.Subscription(
             topic,
             # ROS 2 writes the same type with a middle part: the bridge expects its own spelling.
             self.types.get(topic, wanted.type),
             wanted.rate_ms,
-            "cbor" if is_large and topic not in self._as_json else "none",
+            "cbor" if (wanted.large or is_stream) and topic not in self._as_json else "none",
+            queue_length=wanted.queue_length,
             latched=wanted.latched and self._is_ros2 and self._latched.wants_qos(topic),
         )
         try:

@@ -11,14 +11,7 @@ from fleet_tui.adapters.adapter import Adapter, Feed
 from fleet_tui.adapters.ros import operations
 from fleet_tui.adapters.ros.fragments import Fragments
 from fleet_tui.adapters.ros.operations import topic_of
-from fleet_tui.adapters.ros.reading import (
-    DIAGNOSTICS,
-    ROSOUT,
-    WORTH_A_PROCESS,
-    FrameReader,
-    Read,
-    StreamTaken,
-)
+from fleet_tui.adapters.ros.reading import WORTH_A_PROCESS, FrameReader, Read, StreamTaken
 from fleet_tui.client.backlog import Backlog, Frame
 from fleet_tui.client.calls import Calls
 from fleet_tui.client.memory import trim
@@ -45,8 +38,6 @@ LARGE_FRAME = 100_000
 TRIM_AFTER = 1.0
 # Bytes of frames that wait to be decoded: more are dropped.
 MOST_WAITING = 64 * 2**20
-# Topics of which every message counts, not only the newest.
-LOGS = frozenset({ROSOUT, DIAGNOSTICS})
 _PLACES = events.PoseReported | OdometryReported | LocalisationReported
 # Seconds between checks for silent robots.
 CHECK_EVERY = 0.2
@@ -66,8 +57,8 @@ class Telemetry:
         self.connection = Connection(bridge, self)
         self._calls = Calls(self.connection)
         self._streams, limit = writer.store.streams, limit_of(config, link)
-        sink = StreamWriter(writer.store)
-        self._reading = FrameReader(link, limit, adapters, feeds, decode_apart, LOG.warning, sink)
+        self._sink = StreamWriter(writer.store)
+        self._reading = FrameReader(link, limit, adapters, feeds, decode_apart, LOG.warning, self._sink)
         self._subscriber = Subscriber(
             self.connection, self._calls, feeds, adapters, self._reading, self._take
         )
@@ -98,7 +89,7 @@ class Telemetry:
 
     def _wanted_feeds(self) -> Iterator[Feed]:
         for feed in self._on_demand:
-            if self._streams.wants(feed.robot, feed.stream_key):
+            if any(self._sink.wants(robot, feed.stream_key) for robot in feed.robots):
                 yield feed._replace(wanted_for="stream")
             elif feed.wanted_for == "target" and self._wants_target(feed.robot):
                 yield feed
@@ -145,7 +136,7 @@ class Telemetry:
         if len(payload) < LARGE_FRAME:
             frame = payload, is_binary, self._received_at
             topic = "" if is_binary else topic_of(payload)
-            if topic in self._reading.counter.topics and topic not in LOGS:
+            if topic in self._reading.counter.topics and topic not in self._reading.complete:
                 self._backlog.put(topic, frame)
             else:
                 self._read_frame(frame)

@@ -68,6 +68,7 @@ def _unknown_keys(where: str, profile: Profile, known: Vocabulary) -> Iterator[s
         ("actions", profile.actions, known.actions),
         ("action_types", profile.action_types, known.actions),
         ("requests", profile.requests, known.requests),
+        ("answers", profile.answers, known.answers),
         ("fields", profile.fields, fields),
         ("scales", profile.scales, known.scales),
         ("silence", profile.silence, set(known.topics) - known.floor_topics),

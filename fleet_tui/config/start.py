@@ -46,6 +46,7 @@ def _robots(config: Config) -> dict[str, Robot]:
             size=robot.size,
             laser=Pose(*robot.laser) if robot.laser else None,
             laser_flipped=robot.laser_flipped,
+            base_frame=adapters[robot.name].names.base_frame(robot.name),
         )
         for number, robot in enumerate(config.robots, 1)
     }

@@ -11,6 +11,7 @@ from fleet_tui.model import kind
 from fleet_tui.model.commands import CancelOrder, ClearOrders, PlaceOrder
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
+from fleet_tui.model.set_up.commands import CancelGoal
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
@@ -65,10 +66,12 @@ class OrderRequests:
             self._open_form(robot.name, Place(vertex, name, floor))
 
     def cancel(self) -> None:
-        """Cancel the order under the queue's cursor, after asking."""
+        """Cancel the order under the queue's cursor, without one the robot's goal beside it, after asking."""
         match self._queue.listing.cursor:
             case (str(robot), str(order_id), _):
                 self.ask_cancel(robot, order_id)
+            case _ if self._robot.kind.can(kind.GOAL_CANCEL):
+                self._dispatch.do(Request((CancelGoal(self._robot.name),)))
             case _:
                 asked = self._robot
                 lacks = not asked.kind.can(kind.CANCEL)

@@ -17,13 +17,15 @@ def is_hidden(topic: str) -> bool:
 @dataclass(frozen=True, slots=True)
 class RosapiFacts:
     """The answers of rosapi: types by topic, types by service (None if not asked), nodes, by topic the nodes
-    that publish it, by service its node, the names of action servers, and the ROS version (0: unknown) and
-    distribution ("": unknown). `problem` is the reason for no answer."""
+    that publish it, and those that subscribe to it, if asked; by service its node, the names of action
+    servers, and the ROS version (0: unknown) and distribution ("": unknown). `problem` is the reason for no
+    answer."""
 
     topics: Mapping[str, str] = field(default_factory=dict)
     services: Mapping[str, str | None] = field(default_factory=dict)
     nodes: tuple[str, ...] = ()
     publishers: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    subscribers: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     owners: Mapping[str, str] = field(default_factory=dict)
     actions: tuple[str, ...] = ()
     ros: int = 0

@@ -27,7 +27,8 @@ async def listed_by(
     unheard = {name for spaces in groups for name in silent(spaces, rosapi.publishers)}
     published = {name: type_ for name, type_ in rosapi.topics.items() if name not in unheard}
     services = await _service_types(wire, rosapi, until, watch)
-    return Listed(published, services, rosapi.actions), replace(rosapi, topics=published)
+    heard = {name: type_ for name, type_ in rosapi.topics.items() if name in unheard}
+    return Listed(published, services, rosapi.actions, heard), replace(rosapi, topics=published)
 
 
 async def _with_publishers(

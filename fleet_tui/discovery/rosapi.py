@@ -113,6 +113,21 @@ async def subscribers(wire: BridgeConnection, topic: str, until: float) -> list[
     return [str(node) for node in nodes] if isinstance(nodes, list) else []
 
 
+async def ask_subscribers(
+    wire: BridgeConnection, rosapi: RosapiFacts, topics: Iterable[str], until: float
+) -> RosapiFacts:
+    """Add the subscribers of these topics, as far as time allows; none of one that does not exist."""
+
+    async def subscribers_of(topic: str) -> tuple[str, ...] | None:
+        nodes = await _ask(wire, "subscribers", {"topic": topic}, "subscribers", until)
+        return tuple(map(str, nodes)) if isinstance(nodes, list) else None
+
+    topics = list(topics)
+    absent = {topic: () for topic in topics if topic not in rosapi.topics}
+    found = await _each(subscribers_of, [topic for topic in topics if topic not in absent], until)
+    return replace(rosapi, subscribers={**rosapi.subscribers, **absent, **found})
+
+
 async def ask_services(
     wire: BridgeConnection, rosapi: RosapiFacts, services: Iterable[str], until: float
 ) -> RosapiFacts:

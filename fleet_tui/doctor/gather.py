@@ -5,7 +5,7 @@ import time
 from collections.abc import Iterable, Mapping
 
 from fleet_tui.adapters.adapter import Adapter, Feed
-from fleet_tui.adapters.probes import QueryProbe
+from fleet_tui.adapters.probes import ListenerProbe, QueryProbe, ServiceProbe
 from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.schema import Config
@@ -14,6 +14,7 @@ from fleet_tui.discovery.rosapi import (
     ANSWER_WITHIN,
     ask_publishers,
     ask_services,
+    ask_subscribers,
     clock_ahead,
     look_around,
 )
@@ -53,9 +54,12 @@ async def _look_up(
     named = [one.address for one in wanted]
     robots = dict.fromkeys(robot for one in wanted for robot in one.robots)
     services = [service for robot in robots for _, service, _ in adapters[robot].services(robot)]
-    services += [query.service for query in _queries(robots, adapters)]
+    probes = [probe for robot in robots for probe in adapters[robot].probes(robot)]
+    services += [one.service for one in probes if isinstance(one, QueryProbe | ServiceProbe)]
     rosapi = await ask_publishers(wire, rosapi, named, until)
     rosapi = await ask_services(wire, rosapi, services, until)
+    heard = [one.topic for one in probes if isinstance(one, ListenerProbe)]
+    rosapi = await ask_subscribers(wire, rosapi, heard, until)
     if all(map(rosapi.has, named)):
         return rosapi
     # One of the same type may be the intended one.

@@ -3,10 +3,19 @@
 from collections.abc import Iterator
 from typing import assert_never
 
-from fleet_tui.adapters.probes import ActionProbe, BridgeProbe, Diagnosis, MessageProbe, QueryProbe
+from fleet_tui.adapters.probes import (
+    ActionProbe,
+    BridgeProbe,
+    Diagnosis,
+    ListenerProbe,
+    MessageProbe,
+    QueryProbe,
+    ServiceProbe,
+)
 from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.discovery.facts import LONG_ENOUGH, BridgeFacts
 from fleet_tui.discovery.finding import Finding, Verdict, nearest
+from fleet_tui.doctor.set_up import listener_finding, service_finding
 
 VERDICTS = {"ok": Verdict.OK, "warn": Verdict.WARN, "fail": Verdict.FAIL}
 
@@ -32,6 +41,12 @@ def probe_findings(robot: str, facts: BridgeFacts) -> Iterator[Finding]:
                 yield _query(robot, probe, facts)
             case MessageProbe():
                 yield from _messages(robot, probe, facts)
+            case ListenerProbe() | ServiceProbe() if facts.rosapi.problem:
+                pass  # it is listed that services are unknown
+            case ListenerProbe():
+                yield listener_finding(robot, probe, facts)
+            case ServiceProbe():
+                yield service_finding(robot, probe, facts)
             case BridgeProbe():
                 pass
             case _:

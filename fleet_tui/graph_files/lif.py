@@ -62,7 +62,7 @@ def vehicle_types(floor: DocumentFloor) -> set[str]:
 def entries_of(vertex: DocumentVertex) -> list[Table]:
     """Return the values of a vertex for each type of vehicle, as the file has them."""
     own = vertex.extra.get(OWN, {})
-    return list(own.get(ON_NODES, [])) if isinstance(own, dict) else []
+    return list(own.get(ON_NODES) or []) if isinstance(own, dict) else []
 
 
 def _layout(table: Table, n: int, vehicle: str) -> tuple[DocumentFloor, list[Station]]:

@@ -9,10 +9,13 @@ ORDER, ORDER_TO, CANCEL, CLEAR, PAUSE, RESUME = "order", "order to", "cancel", "
 """Requests that a robot may accept: an order from one place to another, one to a place alone, and so on."""
 
 POSE, LOCALISE, SETTLE, GOAL, MAPPING = "pose", "localise", "settle", "goal", "mapping"
-GRAPH = "graph"
+GOAL_CANCEL, GRAPH = "goal cancel", "graph"
+MAP_SAVE, POSE_GRAPH_SAVE = "map save", "pose graph save"
 """Set-up requests that a robot may accept."""
 SCAN, PATH = "scan", "path"
 """Streams of a robot that can be watched."""
+FRAMES = "frames"
+"""The fixed frames of a robot, a stream that is read to place its scans."""
 
 _NOUNS = {
     ORDER: "order with a start",
@@ -21,11 +24,19 @@ _NOUNS = {
     LOCALISE: "global localisation",
     SETTLE: "refinement of the pose",
     GOAL: "goals beside orders",
+    GOAL_CANCEL: "cancellation of goals",
     MAPPING: "switch of the mapping mode",
+    MAP_SAVE: "saving of maps on the robot",
+    POSE_GRAPH_SAVE: "saving of pose graphs on the robot",
     GRAPH: "sending of graphs",
     SCAN: "laser scan",
     PATH: "planned path",
 }
+
+
+def noun_of(ability: str) -> str:
+    """Return the name of an ability in a sentence."""
+    return _NOUNS.get(ability, ability)
 
 
 class Kind(Struct, frozen=True):
@@ -62,8 +73,8 @@ class Kind(Struct, frozen=True):
     def lack(self, asked: str) -> str:
         """Return the text for a request that it does not accept."""
         if asked in self.unset:
-            return f"{self.unset[asked]} is empty: no {_NOUNS.get(asked, asked)}"
-        noun = _NOUNS.get(asked, asked)
+            return f"{self.unset[asked]} is empty: no {noun_of(asked)}"
+        noun = noun_of(asked)
         if asked in (ORDER, ORDER_TO) and not self.can(ORDER):
             noun = "orders"
         return f"this kind has no {noun}"

@@ -69,7 +69,8 @@ class Robot(Struct, frozen=True, eq=False):
     `located_at`: the time of `located`; `mode` is the mode that it reports, `mapping_by_us` that this console
     switched mapping on; `counts_percent`: its battery was seen to count to 100; `size` is its length and
     width in metres, None if not configured; `laser` is the pose of its laser on it, None if unknown,
-    `laser_flipped` that it hangs upside down."""
+    `laser_flipped` that it hangs upside down, `base_frame` the frame of the robot itself, empty for a usual
+    one."""
 
     name: str
     number: int
@@ -119,6 +120,7 @@ class Robot(Struct, frozen=True, eq=False):
     size: tuple[float, float] | None = None
     laser: Pose | None = None
     laser_flipped: bool = False
+    base_frame: str = ""
 
     @property
     def has_cargo(self) -> bool:

@@ -131,8 +131,9 @@ class SimRobot(Obstructed):
             next(self._work)
             self.belief.carry(before, self.pose)
 
-    def visit(self, pose: Pose) -> None:
-        """Drive to a pose beside the graph, unless it has orders: to the nearest vertex, then straight."""
+    def visit(self, pose: Pose | None) -> None:
+        """Drive to a pose beside the graph, unless it has orders: to the nearest vertex, then straight. None:
+        stop."""
         if not self.orders:
             self.restart()
             self._work = _visit(self, pose)
@@ -219,11 +220,12 @@ def _wait(seconds: float) -> Work:
         yield
 
 
-def _visit(robot: SimRobot, pose: Pose) -> Work:
-    yield from robot._drive(robot.floor.graph.nearest(pose.x, pose.y))
-    yield from _face(robot, math.atan2(pose.y - robot.pose.y, pose.x - robot.pose.x))
-    yield from _roll_to(robot, pose.x, pose.y)
-    yield from _face(robot, pose.yaw)
+def _visit(robot: SimRobot, pose: Pose | None) -> Work:
+    if pose is not None:
+        yield from robot._drive(robot.floor.graph.nearest(pose.x, pose.y))
+        yield from _face(robot, math.atan2(pose.y - robot.pose.y, pose.x - robot.pose.x))
+        yield from _roll_to(robot, pose.x, pose.y)
+        yield from _face(robot, pose.yaw)
     while not robot.orders:
         yield
     yield from robot._live()

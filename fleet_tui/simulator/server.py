@@ -20,6 +20,7 @@ from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.ros1 import ROS1
+from fleet_tui.simulator.senses.mount import frames_topic
 from fleet_tui.simulator.sessions.session import Session
 from fleet_tui.simulator.topics import TopicDesk
 
@@ -59,8 +60,9 @@ class RosbridgeServer:
         now = time.time()
         topics = [topic for fleet in fleets for topic in fleet.topics(now, dialect)]
         message = log_topics(fleets, dialect, self._talk)
-        own = self._own_topics(dialect)
-        self.bridge = TopicDesk(fleets, dialect, (*topics, *message, *own), self._talk, subscribe_delay)
+        frames = frames_topic([robot for fleet in fleets for robot in fleet.robots], now, dialect)
+        topics += [*message, frames, *self._own_topics(dialect)]
+        self.bridge = TopicDesk(fleets, dialect, topics, self._talk, subscribe_delay)
         self.fleets, self.speed = fleets, speed
         self._host, self._port, self._rate = host, port, rate
         self._slow_ticks = max(1, round(rate / SLOW_RATE))

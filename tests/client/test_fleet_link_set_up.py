@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
-from fleet_tui.model.set_up.commands import SendGoal, SetMapping, SetPose, SetUpCommand
+from fleet_tui.model.set_up.commands import CancelGoal, SendGoal, SetMapping, SetPose, SetUpCommand
 from fleet_tui.model.set_up.streams import Beams, PlannedPath
 from fleet_tui.rules.commands.set_up.checks import map_of
 from fleet_tui.simulator.faults import play
@@ -135,8 +135,10 @@ async def test_the_sources_robots_are_set_up_where_their_profile_says_how(server
     stage, _ = await told(server, SetPose(R0, F0, at.after(Pose(5.0, 0.0))))
     assert stage is Stage.CONFIRMED and server.world.robots[R0].belief.misplaced is not None
     server.world.robots[R0].belief.place(at, at)
-    stage, _ = await told(server, SendGoal(R0, F0, at.after(Pose(1.0, 0.0))))
+    stage, _ = await told(server, SendGoal(R0, F0, at.after(Pose(9.0, 0.0))))
     assert stage is Stage.CONFIRMED
+    stage, store = await told(server, CancelGoal(R0))
+    assert stage is Stage.CONFIRMED and store.state.commands[-1].detail == "the robot stopped"
 
 
 async def test_mapping_is_confirmed_by_the_robot_and_its_map_grows(server: RosbridgeServer) -> None:

@@ -2,10 +2,12 @@
 
 from fleet_tui.controllers.orders import OrderRequests
 from fleet_tui.model.commands import CancelOrder, ClearOrders
+from fleet_tui.model.kind import Kind
+from fleet_tui.model.set_up.commands import CancelGoal
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.widgets.rows_pane import RowsPane
 from tests.support.desk import Desk, ready
-from tests.support.fleets import F0, R0, fleet, of_kinds, place_order
+from tests.support.fleets import F0, R0, T0, fleet, of_kinds, place_order, queue, reduced
 from tests.support.kinds import MUTE
 
 Opened = list[tuple[str, Place | None]]
@@ -54,6 +56,16 @@ def test_the_order_under_the_cursor_is_cancelled_after_asking() -> None:
     assert desk.backend.submitted == []
     desk.say_yes()
     assert desk.backend.submitted == [CancelOrder(R0, "1")]
+
+
+def test_without_an_order_it_is_the_goal_beside_the_queue() -> None:
+    state = reduced(ready(), queue(T0 + 1))
+    desk = Desk(of_kinds(state, Kind("", ("queue",), ("goal cancel",))))
+    _, _, orders = requests(desk)
+    orders.cancel()
+    assert desk.backend.submitted == []
+    desk.say_yes()
+    assert desk.backend.submitted == [CancelGoal(R0)]
 
 
 def test_the_menu_of_an_order_gives_it_again_and_back() -> None:

@@ -48,6 +48,14 @@ async def test_it_listens_and_asks_rosapi_and_nothing_else(kind: str) -> None:
     assert found.config == from_text(found.text)
 
 
+async def test_set_up_is_named_where_it_is_found_also_where_robots_only_listen() -> None:
+    async with serving("oh_ressources", 2, 1) as server:
+        found = await discovered(server.url)
+    topics = found.config.profile.topics
+    assert (topics["scan"], topics["initial_pose"]) == ("/{robot}/scan", "/{robot}/initialpose")
+    assert "goal" not in topics and '# goal = "/{robot}/goal"' in found.text
+
+
 async def test_two_kinds_behind_one_bridge() -> None:
     fleets = [KINDS["oh_ressources"].build(2, 2, 1, 0, 2), KINDS["move_base"].build(2, 2, 1, 1, 2)]
     server = RosbridgeServer(fleets)

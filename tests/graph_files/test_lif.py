@@ -50,6 +50,12 @@ def test_values_of_the_chosen_vehicle_type() -> None:
         read_text(text, vehicle_type="c")
 
 
+def test_a_null_for_the_values_of_vehicle_types_is_none_of_them() -> None:
+    bare = node("n1", 0, 0) | {"vehicleTypeNodeProperties": None}
+    (floor,) = read_text(lif(bare, node("n2", 1, 0))).document.floors.values()
+    assert floor.vertices["n1"].heading is None
+
+
 def test_labels_types_and_curves() -> None:
     charge = {"vehicleTypeId": "a", "actions": [{"actionType": "startCharging", "required": True}]}
     points = [{"x": 0, "y": 0}, {"x": 0.5, "y": 1.0}, {"x": 1, "y": 0}]

@@ -70,7 +70,7 @@ async def test_the_scan_shows_how_well_a_pose_fits(site: Site) -> None:
     async with console(site.config) as it:
         await it.until(lambda state: state.robots["robot_0"].still_for > 1)
         await it.press("u")
-        await it.shows("laser offset unknown")
+        await it.shows("of 720 beams")
         await it.press("w")
         await it.shows("1. not localised")
         await it.press("escape", "I")

@@ -13,12 +13,14 @@ from fleet_tui.adapters.move_base.settings import MoveBaseSettings
 from fleet_tui.adapters.move_base.vocabulary import VOCABULARY
 from fleet_tui.adapters.probes import Probe
 from fleet_tui.adapters.profile import Profile
+from fleet_tui.adapters.ros.set_up.saving import judge_saved
 from fleet_tui.adapters.ros_navigation import feeds
 from fleet_tui.adapters.ros_navigation.base import GoalMessages, NavigationAdapter
 from fleet_tui.adapters.ros_navigation.kinds import kind_of_goals
 from fleet_tui.adapters.service_outcome import judge
 from fleet_tui.model import commands
 from fleet_tui.model.kind import Kind
+from fleet_tui.model.set_up.commands import StoreMap
 
 GOALS = GoalMessages(order, cancel, cancel_own, cancel_all)
 
@@ -67,12 +69,15 @@ class MoveBase(NavigationAdapter):
 
     def probes(self, robot: str) -> Iterable[Probe]:
         """Return the checks of whether such a robot can be driven."""
-        return probes(self.names, robot)
+        yield from probes(self.names, robot)
+        yield from self.set_up.probes(robot)
 
     def outcome(
         self, command: commands.Command, values: object, result: bool, status: int | None = None
     ) -> tuple[commands.Stage, str]:
         """Return the stage for the answer of a pause or resume service; all other commands have no answer."""
+        if isinstance(command, StoreMap) and result and (end := judge_saved(self.names, command, values)):
+            return end
         return judge(command, values, result, ())
 
 

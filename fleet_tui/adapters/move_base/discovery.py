@@ -6,6 +6,7 @@ from fleet_tui.adapters.ros_navigation.discovery import (
     ALONE,
     find_floors,
     find_topic,
+    name_set_up,
     namespaces,
     of_robots,
 )
@@ -26,6 +27,7 @@ def discover(listed: Listed) -> Discovery:
         find_floors(found, spaces, listed)
         for key in CHOSEN:
             find_topic(found, key, VOCABULARY, spaces, listed)
+        name_set_up(found, VOCABULARY, spaces, listed)
         if spaces == [""]:
             usual = {key: VOCABULARY.topics[key][0] for key in OF_MOVE_BASE}
             found.topics |= {key: name.removeprefix("/{robot}") for key, name in usual.items()}

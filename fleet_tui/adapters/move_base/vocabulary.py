@@ -30,10 +30,13 @@ VOCABULARY = Vocabulary(
                 "localise": "/{robot}/global_localization",
                 "settle": "/{robot}/request_nomotion_update",
                 **dict.fromkeys(("mapping_on", "mapping_off"), "/{robot}/pause_mapping"),
+                "map_save": "/{robot}/slam_toolbox/save_map",
+                "map_pose_graph": "/{robot}/slam_toolbox/serialize_map",
             },
         ),
     },
     requests=set_up.INVERSE,
+    answers=set_up.ANSWERS,
     fields={
         "status": alike("status_list"),
         "feedback": placed("feedback.base_position.pose."),

@@ -12,13 +12,14 @@ from fleet_tui.adapters.nav2.settings import Nav2Settings
 from fleet_tui.adapters.nav2.vocabulary import ACTIONS, VOCABULARY
 from fleet_tui.adapters.probes import Probe
 from fleet_tui.adapters.profile import Profile
+from fleet_tui.adapters.ros.set_up.saving import judge_saved
 from fleet_tui.adapters.ros_navigation import feeds
 from fleet_tui.adapters.ros_navigation.base import GoalMessages, NavigationAdapter
 from fleet_tui.adapters.ros_navigation.kinds import kind_of_goals
 from fleet_tui.adapters.service_outcome import judge
 from fleet_tui.model import commands, events, navigation_events
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.set_up.commands import SetUpCommand
+from fleet_tui.model.set_up.commands import SetUpCommand, StoreMap
 
 REPORTS = ("blocked", "map", "queue", "progress")
 """Values besides position and charge; the last two are from the actions."""
@@ -75,7 +76,8 @@ class Nav2(NavigationAdapter):
 
     def probes(self, robot: str) -> Iterable[Probe]:
         """Return the checks of whether such a robot can be driven."""
-        return probes(self.names, robot)
+        yield from probes(self.names, robot)
+        yield from self.set_up.probes(robot)
 
     def outcome(
         self, command: commands.Command, values: object, result: bool, status: int | None = None
@@ -83,6 +85,8 @@ class Nav2(NavigationAdapter):
         """Return the stage of a command that an answer leads to; `status` is that of a goal."""
         if status is not None:
             return judge_goal(values, status, result)
+        if isinstance(command, StoreMap) and result and (end := judge_saved(self.names, command, values)):
+            return end
         if isinstance(command, SetUpCommand) or (isinstance(values, dict) and "success" in values):
             return judge(command, values, result, ())
         return judge_cancel(command, values, result)

@@ -7,6 +7,7 @@ from fleet_tui.adapters.ros_navigation.discovery import (
     ALONE,
     find_floors,
     find_topic,
+    name_set_up,
     namespaces,
     of_robots,
 )
@@ -25,6 +26,7 @@ def discover(listed: Listed) -> Discovery:
         find_floors(found, spaces, listed)
         for key in ONE_BY_ONE:
             find_topic(found, key, VOCABULARY, spaces, listed)
+        name_set_up(found, VOCABULARY, spaces, listed)
         if spaces == [""]:
             found.actions |= {key: f"/{key}" for key in ACTIONS}
             found.services["is_active"] = IS_ACTIVE

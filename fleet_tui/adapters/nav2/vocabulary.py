@@ -7,6 +7,16 @@ from fleet_tui.adapters.ros.set_up import names as set_up
 ACTIONS = ("follow_waypoints", "navigate_through_poses", "navigate_to_pose", "dock_robot", "undock_robot")
 """In the order of cancelling: the first drives by goals of others."""
 
+MAP_SAVE = {
+    "map_topic": "map",
+    "map_url": "{name}",
+    "image_format": "pgm",
+    "map_mode": "trinary",
+    "free_thresh": 0.25,
+    "occupied_thresh": 0.65,
+}
+"""The request of Nav2's map saver. Its topic is relative to the saver's own namespace."""
+
 VOCABULARY = Vocabulary(
     topics={
         "odometry": ("/{robot}/odom", "nav_msgs/Odometry"),
@@ -32,8 +42,11 @@ VOCABULARY = Vocabulary(
                 **dict.fromkeys(("mapping_on", "mapping_off"), "/{robot}/slam_toolbox/set_localization_mode"),
             },
         ),
+        "map_save": ("/{robot}/map_saver/save_map", "nav2_msgs/SaveMap"),
+        "map_pose_graph": ("/{robot}/slam_toolbox/serialize_map", "slam_toolbox/SerializePoseGraph"),
     },
-    requests=set_up.INVERSE,
+    requests={**set_up.INVERSE, "map_save": MAP_SAVE},
+    answers={"map_save": {"result": True}, "map_pose_graph": {"result": 0}},
     actions={
         "follow_waypoints": ("/{robot}/follow_waypoints", "nav2_msgs/action/FollowWaypoints"),
         "navigate_through_poses": (

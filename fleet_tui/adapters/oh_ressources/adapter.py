@@ -23,14 +23,15 @@ from fleet_tui.adapters.ros.facts import (
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros.set_up.reading import read_mode
 from fleet_tui.adapters.ros.set_up.requests import SetUpRequests
+from fleet_tui.adapters.ros.set_up.saving import judge_saved
 from fleet_tui.adapters.service_outcome import judge
 from fleet_tui.model import events, kind
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.set_up.commands import SendGraph, SetUpCommand
+from fleet_tui.model.set_up.commands import SendGraph, SetUpCommand, StoreMap
 
 if TYPE_CHECKING:
-    from fleet_tui.model.set_up.streams import LaserScan, PlannedPath
+    from fleet_tui.model.set_up.streams import StreamValue
 
 KEYS = ("pose", "queue", "obstacle", "battery", "cargo", "paused", "graph", "labels", "map_metadata", "map")
 """Topics, the most urgent first."""
@@ -104,7 +105,7 @@ class OhRessources:
             return ()
         return (self._readers[feed.key](feed.robot, feed.floor, msg, at),)
 
-    def stream(self, feed: Feed, msg: object) -> "LaserScan | PlannedPath":
+    def stream(self, feed: Feed, msg: object) -> "StreamValue":
         """Return the value of a stream. Raises WireError."""
         return self._set_up.stream(feed, msg)
 
@@ -119,8 +120,8 @@ class OhRessources:
         return ()
 
     def probes(self, robot: str) -> Iterable[Probe]:
-        """Return nothing: topics and services suffice."""
-        return ()
+        """Return the checks of set-up: other topics and services suffice."""
+        return self._set_up.probes(robot)
 
     def outgoing(
         self, command: Command, command_id: int, robot: Robot, unique: str = ""
@@ -136,6 +137,8 @@ class OhRessources:
         self, command: Command, values: object, result: bool, status: int | None = None
     ) -> tuple[Stage, str]:
         """Return the stage of a command that an answer leads to, with the robot's own text."""
+        if isinstance(command, StoreMap) and result and (end := judge_saved(self.names, command, values)):
+            return end
         return judge(command, values, result, self._refusals)
 
     def learned(

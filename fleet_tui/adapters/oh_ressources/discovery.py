@@ -6,11 +6,12 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from fleet_tui.adapters.discovery import Discovery, Listed
 from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
 from fleet_tui.adapters.ros.set_up import names as set_up
+from fleet_tui.adapters.ros.set_up.discovery import find_set_up
 from fleet_tui.adapters.ros.type_names import plain_type, same_type
 from fleet_tui.model.order import natural
 
 FLOOR_TOPICS = VOCABULARY.floor_topics
-SENT = {"goal", "graph_save", "labels_save", *set_up.TOPICS}
+SENT = {"goal", "goal_cancel", "graph_save", "labels_save", *set_up.TOPICS}
 """Topics of set-up, and those on which nothing but a console publishes."""
 TOPICS = {key: named for key, named in VOCABULARY.topics.items() if key not in SENT}
 SERVICES = {key: named for key, named in VOCABULARY.services.items() if key not in set_up.SERVICES}
@@ -39,6 +40,7 @@ def discover(listed: Listed) -> Discovery:
     of_services = _below(robots, services)
     for key in SERVICES:
         _service(site, key, services, of_services)
+    find_set_up(site, listed, VOCABULARY)
     all_floors = set(site.floors)
     for name, type_ in topics.items():
         if type_ == TOPICS["map"][1]:

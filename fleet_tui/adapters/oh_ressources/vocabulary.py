@@ -17,6 +17,7 @@ VOCABULARY = Vocabulary(
         "labels": ("/{robot}/{floor}/labeled_vertices", "OH_ressources/LabeledVertices"),
         "map": ("/{robot}/{floor}/map", "nav_msgs/OccupancyGrid"),
         "goal": ("", "geometry_msgs/PoseStamped"),
+        "goal_cancel": ("", "actionlib_msgs/GoalID"),
         "graph_save": ("", "OH_ressources/Graph"),
         "labels_save": ("", "OH_ressources/LabeledVertices"),
         **set_up.TOPICS,
@@ -55,6 +56,7 @@ VOCABULARY = Vocabulary(
         "cancel_call": alike("robot", "ind"),
     },
     requests=set_up.REQUESTS,
+    answers=set_up.ANSWERS,
     scales=frozenset({"pose", "obstacle", "battery", "vertex"}),
     # A robot refuses in the text of an answer to a successful call.
     refusals=(

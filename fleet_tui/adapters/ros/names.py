@@ -1,11 +1,14 @@
 """Names on the wire: the usual ones of a kind for topics, services, actions and fields, and those of a
 site."""
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
 from fleet_tui.adapters.profile import Profile, VertexRole
+
+_IN_BRACES = re.compile(r"\{(\w+)\}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,6 +26,7 @@ class Vocabulary:
     refusals: tuple[str, ...] = ()
     vertex_types: Mapping[str, VertexRole] = field(default_factory=dict)
     requests: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
+    answers: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,12 +54,18 @@ class Names:
         """The ROS type of a service. Calls don't name it."""
         return self.profile.service_types.get(key, self.vocabulary.services[key][1])
 
-    def request(self, key: str, robot: str) -> Mapping[str, Any]:
-        """Return the fields of a service's request."""
+    def request(self, key: str, values: Mapping[str, str]) -> Mapping[str, Any]:
+        """Return the fields of a service's request, with values in the place of their names in braces."""
         chosen = self.profile.requests.get(key, self.vocabulary.requests.get(key, {}))
-        return {
-            name: _filled(value, robot) if isinstance(value, str) else value for name, value in chosen.items()
-        }
+        return {name: _with_values(value, values) for name, value in chosen.items()}
+
+    def answer(self, key: str) -> Mapping[str, Any]:
+        """Return the fields of a service's answer that mean success, empty if it has none."""
+        return self.profile.answers.get(key, self.vocabulary.answers.get(key, {}))
+
+    def base_frame(self, robot: str) -> str:
+        """Return the frame of a robot, empty for a usual one."""
+        return _filled(self.profile.base_frame, robot).lstrip("/")
 
     def action(self, key: str, robot: str) -> str:
         """Return the name of an action, empty if this site has none."""
@@ -90,6 +100,16 @@ class Names:
         """Return patterns of a robot's words of refusal."""
         chosen = self.profile.refusals
         return self.vocabulary.refusals if chosen is None else chosen
+
+
+def _with_values(value: Any, values: Mapping[str, str]) -> Any:
+    """Fill in the texts of a field, however deep."""
+    if isinstance(value, str):
+        # In one pass: a value in braces is not filled in again.
+        return _IN_BRACES.sub(lambda found: values.get(found[1], found[0]), value)
+    if isinstance(value, Mapping):
+        return {name: _with_values(part, values) for name, part in value.items()}
+    return [_with_values(part, values) for part in value] if isinstance(value, list) else value
 
 
 def _filled(template: str, robot: str, floor: str = "") -> str:

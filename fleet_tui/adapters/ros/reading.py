@@ -16,7 +16,7 @@ from fleet_tui.model.counters import LinkCounter, Raw, TopicCounter
 from fleet_tui.text.limits import truncate
 
 if TYPE_CHECKING:
-    from fleet_tui.model.set_up.streams import LaserScan, PlannedPath
+    from fleet_tui.model.set_up.streams import StreamValue
 
 ROSOUT, DIAGNOSTICS = "/rosout", "/diagnostics"
 WORTH_A_PROCESS = 4 * 2**20
@@ -34,7 +34,7 @@ class StreamSink(Protocol):
     def wants(self, robot: str, key: str) -> bool:
         """Tell whether a stream is watched."""
 
-    def put(self, robot: str, key: str, value: "LaserScan | PlannedPath", at: float) -> None:
+    def put(self, robot: str, key: str, value: "StreamValue", at: float) -> None:
         """Take a value that arrived at a monotonic second."""
 
 
@@ -65,6 +65,12 @@ class FrameReader:
         self._streams = streams
         self._link, self._limit, self._adapters = link, limit, adapters
         self._feeds = {feed.address: feed for feed in feeds}
+        self.complete = {
+            ROSOUT,
+            DIAGNOSTICS,
+            *(one.address for one in self._feeds.values() if one.queue_length > 1),
+        }
+        """Topics of which every message counts, not only the newest."""
         self._decode_apart, self._warn = decode_apart, warn
         self.maps_received: set[str] = set()
         """Topics of maps of which one has come on this connection."""
@@ -141,8 +147,12 @@ class FrameReader:
     def _stream(self, feed: Feed, msg: object, at: float) -> None:
         """Pass on the value of a watched stream. Raises WireError."""
         key = feed.stream_key
-        if key and self._streams is not None and self._streams.wants(feed.robot, key):
-            self._streams.put(feed.robot, key, self._adapters[feed.robot].stream(feed, msg), at)
+        sink = self._streams
+        robots = [robot for robot in feed.robots if sink.wants(robot, key)] if key and sink else []
+        if sink is not None and robots:
+            value = self._adapters[feed.robot].stream(feed, msg)
+            for robot in robots:
+                sink.put(robot, key, value, at)
 
     def _read_log(self, topic: str, msg: object, at: float) -> None:
         """Take messages that don't affect the fleet state."""

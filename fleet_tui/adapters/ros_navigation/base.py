@@ -20,7 +20,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetUpCommand
 
 if TYPE_CHECKING:
-    from fleet_tui.model.set_up.streams import LaserScan, PlannedPath
+    from fleet_tui.model.set_up.streams import StreamValue
 
 
 class GoalMessages(NamedTuple):
@@ -67,7 +67,7 @@ class NavigationAdapter:
             return (self._read_mode(feed.robot, "", msg, at),)
         return self.readers[feed.key](feed.robot, msg, at)
 
-    def stream(self, feed: Feed, msg: object) -> "LaserScan | PlannedPath":
+    def stream(self, feed: Feed, msg: object) -> "StreamValue":
         """Return the value of a stream. Raises WireError."""
         return self.set_up.stream(feed, msg)
 

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Sequence
 
 from fleet_tui.adapters.discovery import Discovery, Listed
 from fleet_tui.adapters.ros.names import Vocabulary
+from fleet_tui.adapters.ros.set_up import names as set_up
 from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.model.order import natural
 
@@ -58,6 +59,19 @@ def find_topic(
         found.topics[key] = chosen
     if not there:
         found.note("topics", f"{key}: no topic of type {type_}")
+
+
+def name_set_up(found: Discovery, vocabulary: Vocabulary, spaces: Sequence[str], listed: Listed) -> None:
+    """Name the topics and services of set-up of a robot without a namespace, and lasers with another name."""
+    if spaces == [""]:
+        for key in set_up.TOPICS:
+            if "/{robot}" in (name := vocabulary.topics[key][0]):
+                found.topics[key] = name.replace("/{robot}", "")
+        for key in set_up.SERVICES:
+            found.services[key] = vocabulary.services[key][0].replace("/{robot}", "")
+    lasers = _templates(spaces, _of_type(listed, vocabulary.topics["scan"][1]))
+    if lasers:
+        find_topic(found, "scan", vocabulary, spaces, listed)
 
 
 def find_floors(found: Discovery, spaces: Sequence[str], listed: Listed) -> None:

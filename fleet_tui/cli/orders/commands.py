@@ -11,6 +11,7 @@ import click
 from fleet_tui.cli.options import FileName, fleet, merged
 from fleet_tui.config.schema import Config
 from fleet_tui.log_file import log_to_file
+from fleet_tui.model.set_up.commands import MOST_SETTLES
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -90,7 +91,7 @@ def order(robot: str, places: tuple[str, ...], until_done: bool, options: OrderO
 @click.argument("id", metavar="ID")
 @_takes_options
 def cancel(robot: str, id: str, options: OrderOptions) -> None:
-    """Cancel one order of a robot."""
+    """Cancel one order of a robot; `goal` as the ID cancels a goal beside its queue."""
     _give(["cancel", robot, id], options)
 
 
@@ -134,10 +135,11 @@ def localise(robot: str, options: OrderOptions) -> None:
 
 @orders.command()
 @click.argument("robot")
+@click.argument("calls", type=click.IntRange(1, MOST_SETTLES), default=MOST_SETTLES)
 @_takes_options
-def settle(robot: str, options: OrderOptions) -> None:
-    """Let a robot refine its pose once, without moving."""
-    _give(["settle", robot], options)
+def settle(robot: str, calls: int, options: OrderOptions) -> None:
+    """Let a robot refine its pose without moving: up to 5 CALLS, until it no longer changes."""
+    _give(["settle", robot, str(calls)], options)
 
 
 @orders.command()
@@ -147,6 +149,24 @@ def settle(robot: str, options: OrderOptions) -> None:
 def mapping(robot: str, mode: str, options: OrderOptions) -> None:
     """Switch the mapping mode of a robot. Sent with --yes, or after a question."""
     _give(["mapping", robot, mode], options)
+
+
+@orders.command("store-map")
+@click.argument("robot")
+@click.argument("name")
+@_takes_options
+def store_map(robot: str, name: str, options: OrderOptions) -> None:
+    """Let a robot save its map as NAME on its own disk. Sent with --yes, or after a question."""
+    _give(["store-map", robot, name], options)
+
+
+@orders.command("store-pose-graph")
+@click.argument("robot")
+@click.argument("name")
+@_takes_options
+def store_pose_graph(robot: str, name: str, options: OrderOptions) -> None:
+    """Let a robot save the pose graph of its map as NAME. Sent with --yes, or after a question."""
+    _give(["store-pose-graph", robot, name], options)
 
 
 def _which(robot: str | None, every: bool) -> str:

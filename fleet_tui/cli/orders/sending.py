@@ -24,7 +24,13 @@ LINK_WITHIN = 5.0
 HANDOVER = 2.0
 """Maximum seconds until the link has sent a command, or refused it: later ones are refused."""
 
-CODES = {"no link": NO_LINK, "unknown vertex": USAGE, "unattended": USAGE, "no place": USAGE}
+CODES = {
+    "no link": NO_LINK,
+    "unknown vertex": USAGE,
+    "unattended": USAGE,
+    "no place": USAGE,
+    "no name": USAGE,
+}
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ from fleet_tui.model.commands import ClearOrders, PlaceOrder
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.problem import Problem
 from fleet_tui.model.request import Request
-from fleet_tui.model.set_up.commands import SetUpCommand
+from fleet_tui.model.set_up.commands import CancelGoal, SetUpCommand
 from fleet_tui.rules.commands.local_queue import clearable
 from fleet_tui.rules.commands.set_up.losses import set_up_losses
 
@@ -18,6 +18,8 @@ def losses(state: FleetState, request: Request) -> Iterator[Problem]:
         if isinstance(command, ClearOrders) and robot is not None and (count := len(clearable(state, robot))):
             text = f"{robot.name} would lose {count} order{'s' * (count != 1)}"
             yield Problem("losses", text, blocks=False)
+        elif isinstance(command, CancelGoal):  # like an order's cancel, it loses nothing else
+            continue
         elif isinstance(command, SetUpCommand) and robot is not None:
             lines = list(set_up_losses(state, robot, command))
             # The command is named before it, where the console asks a question.

@@ -14,7 +14,7 @@ from fleet_tui.controllers.typed import Entry, Typed
 from fleet_tui.errors import MapError
 from fleet_tui.maps.saving import map_files, save_map
 from fleet_tui.model.grid import OccupancyGrid
-from fleet_tui.model.kind import MAPPING
+from fleet_tui.model.kind import MAP_SAVE, MAPPING, POSE_GRAPH_SAVE
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetMapping
@@ -86,6 +86,11 @@ class MappingControls:
             )
         else:
             lines.append("no map yet")
+        named = ((MAP_SAVE, "store-map", "map"), (POSE_GRAPH_SAVE, "store-pose-graph", "pose graph"))
+        for ability, verb, what in named:
+            if robot.kind.can(ability):
+                line = f"{verb} {robot.name} {robot.floor or ''}"
+                entries.append((f"Store the {what} on the robot", partial(self._parts.begin, line)))
         self._parts.open_menu(
             "\n".join(map(sanitize, lines)), entries or [("Nothing can be done", lambda: None)]
         )

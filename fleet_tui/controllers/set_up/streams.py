@@ -100,8 +100,8 @@ class ShownStreams:
         self._watched = wanted
 
     def _tell(self, robot: str, beams: Beams) -> None:
-        """Say once for each robot where its laser is assumed to be."""
-        if self._told != robot:
+        """Say once for each robot where its laser is assumed to be, as soon as that is known."""
+        if self._told != robot and not beams.is_sought:
             self._told = robot
             place = "" if beams.is_mounted else ", laser offset unknown: set laser = [x, y, yaw] of the robot"
             self._notices.note(f"laser scan of {robot}: {len(beams.points)} of {beams.sent} beams{place}")

@@ -1,6 +1,7 @@
 """Set-up commands: the pose of a robot, a goal beside its orders, its mapping mode, its route graph."""
 
 import math
+import re
 from collections.abc import Mapping
 from typing import ClassVar
 
@@ -8,11 +9,25 @@ from msgspec import Struct
 
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
-from fleet_tui.model.kind import GOAL, GRAPH, LOCALISE, MAPPING, POSE, SETTLE
+from fleet_tui.model.kind import (
+    GOAL,
+    GOAL_CANCEL,
+    GRAPH,
+    LOCALISE,
+    MAP_SAVE,
+    MAPPING,
+    POSE,
+    POSE_GRAPH_SAVE,
+    SETTLE,
+)
 from fleet_tui.text.units import counted
 
+MAP_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_-]{0,63}", re.ASCII)
+"""Names of maps on a robot, where some programs put them into a shell command. None begins like an option."""
 SAME_PLACE = 0.001
 """Metres within which a vertex is where it was sent to."""
+MOST_SETTLES = 5
+"""Calls that a particle filter at rest needs at most to find the best pose near its own."""
 
 
 def heading_text(pose: Pose) -> str:
@@ -69,10 +84,13 @@ class Localise(SetUpCommand, frozen=True, tag=True):
 
 
 class Settle(SetUpCommand, frozen=True, tag=True):
-    """Let a robot at rest refine its pose once by its laser."""
+    """Let a robot at rest refine its pose by its laser: up to `calls` times, until the pose no longer
+    changes."""
 
     ability: ClassVar[str] = SETTLE
     what: ClassVar[str] = "settle"
+
+    calls: int = MOST_SETTLES
 
 
 class SendGoal(PoseCommand, frozen=True, tag=True):
@@ -80,6 +98,13 @@ class SendGoal(PoseCommand, frozen=True, tag=True):
 
     ability: ClassVar[str] = GOAL
     what: ClassVar[str] = "go to"
+
+
+class CancelGoal(SetUpCommand, frozen=True, tag=True):
+    """Stop a robot that drives to a goal beside its queue, whoever sent it: such a goal has no id."""
+
+    ability: ClassVar[str] = GOAL_CANCEL
+    what: ClassVar[str] = "cancel goal"
 
 
 class SetMapping(SetUpCommand, frozen=True, tag=True):
@@ -94,6 +119,27 @@ class SetMapping(SetUpCommand, frozen=True, tag=True):
     def text(self) -> str:
         """Return the command in words, without the robot."""
         return f"mapping {'on' if self.on else 'off'}"
+
+
+class StoreMap(SetUpCommand, frozen=True, tag=True):
+    """Let a robot save the map of its floor under a name, on its own disk."""
+
+    ability: ClassVar[str] = MAP_SAVE
+    what: ClassVar[str] = "store map"
+
+    name: str
+
+    @property
+    def text(self) -> str:
+        """Return the command in words, without the robot."""
+        return f"{self.what} {self.name}"
+
+
+class StorePoseGraph(StoreMap, frozen=True, tag=True):
+    """Let a robot save the pose graph behind its map, from which mapping can go on."""
+
+    ability: ClassVar[str] = POSE_GRAPH_SAVE
+    what: ClassVar[str] = "store pose graph"
 
 
 class SendGraph(SetUpCommand, frozen=True, tag=True, dict=True):
@@ -148,4 +194,6 @@ def counts_text(vertices: int, edges: int, labels: int) -> str:
     return f"{counted(vertices, 'vertex', 'vertices')}, {counted(edges, 'edge')}, {counted(labels, 'label')}"
 
 
-SetUp = SetPose | Localise | Settle | SendGoal | SetMapping | SendGraph
+SetUp = (
+    SetPose | Localise | Settle | SendGoal | CancelGoal | SetMapping | StoreMap | StorePoseGraph | SendGraph
+)

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fleet_tui.model.geometry import Pose
+from fleet_tui.model.set_up.frames import Frames
 
 Points = NDArray[np.float32]
 """Shape (n, 2): x and y in metres."""
@@ -29,13 +30,15 @@ class LaserScan:
 @dataclass(frozen=True, eq=False, slots=True)
 class Beams:
     """The ends of the valid beams of a scan, in the robot's frame. `sent` is the number of all beams;
-    `is_mounted`: the place of the laser on the robot is known, not assumed to be its centre."""
+    `is_mounted`: the place of the laser on the robot is known, not assumed to be its centre; `is_sought`: it
+    may still be reported."""
 
     points: Points
     sent: int
     frame_id: str
     stamp: float | None
     is_mounted: bool
+    is_sought: bool = False
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -57,7 +60,11 @@ class Streamed:
     taken_at: float
 
 
-def beams_of(scan: LaserScan, mount: Pose | None, is_flipped: bool = False) -> Beams:
+StreamValue = LaserScan | PlannedPath | Frames
+"""A value of a stream as it comes from the wire."""
+
+
+def beams_of(scan: LaserScan, mount: Pose | None, is_flipped: bool = False, is_sought: bool = False) -> Beams:
     """Return the ends of the beams that hit something within the laser's range; `mount` is the pose of the
     laser on the robot. A flipped laser hangs upside down and turns clockwise."""
     at = mount or Pose(0.0, 0.0)
@@ -70,7 +77,7 @@ def beams_of(scan: LaserScan, mount: Pose | None, is_flipped: bool = False) -> B
     points = np.empty((len(hit), 2), dtype=np.float32)
     points[:, 0] = at.x + hit * np.cos(angles)
     points[:, 1] = at.y + hit * np.sin(angles)
-    return Beams(points, len(ranges), scan.frame_id, scan.stamp, mount is not None)
+    return Beams(points, len(ranges), scan.frame_id, scan.stamp, mount is not None, is_sought)
 
 
 def placed(points: Points, pose: Pose) -> Points:

@@ -42,7 +42,7 @@ def is_overtaken(state: FleetState, record: CommandRecord) -> bool:
     )
 
 
-def _stopped(state: FleetState, robot: Robot, record: CommandRecord) -> bool:
+def stopped(state: FleetState, robot: Robot, record: CommandRecord) -> bool:
     """Tell whether it has reported a single place since the command. A robot may stop so soon that it reports
     no other one."""
     if robot.pose is None or robot.standing is None or state.is_old(robot, "pose"):
@@ -64,8 +64,8 @@ def pause_seen(state: FleetState, robot: Robot, record: CommandRecord, wanted: b
             return Step(Stage.CONFIRMED, state.now, "by the robot")
         return None
     if wanted and record.before.moving:
-        stopped = _stopped(state, robot, record)
-        return Step(Stage.CONFIRMED, state.now, "the robot stopped") if stopped else None
+        has_stopped = stopped(state, robot, record)
+        return Step(Stage.CONFIRMED, state.now, "the robot stopped") if has_stopped else None
     return None if robot.says_paused else taken
 
 
@@ -85,13 +85,13 @@ def _held(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) 
         return None
     if robot.orders.open or any(one.has_open_order for one in orders_of(state, robot)):
         return None
-    if not state.is_online(robot) or (record.before.moving and not _stopped(state, robot, record)):
+    if not state.is_online(robot) or (record.before.moving and not stopped(state, robot, record)):
         return None  # another client may drive it on
     kept = any(one.order_id for one in waiting(state, robot))
     detail = "stopped, goal kept here" if kept else "stopped, no goal to keep"
     ours = own_ids(robot.goals) | {one.order_id for one in orders_of(state, robot)}
-    stopped = [gone for gone in robot.gone if gone.at >= record.issued_at and gone.stage is Stage.CANCELLED]
-    if any(gone.order.id not in ours for gone in stopped):
+    ended = [gone for gone in robot.gone if gone.at >= record.issued_at and gone.stage is Stage.CANCELLED]
+    if any(gone.order.id not in ours for gone in ended):
         detail = FOREIGN_STOPPED
     return Step(Stage.CONFIRMED, state.now, detail)
 
@@ -113,7 +113,7 @@ def instead_of_pause(state: FleetState, robot: Robot, record: CommandRecord) -> 
         return "the robot is offline"
     if robot.kind.holds:
         going = [f"order {order.id} is {order.state_text}" for order in robot.orders.open]
-        is_moving = wanted and record.before.moving and not _stopped(state, robot, record)
+        is_moving = wanted and record.before.moving and not stopped(state, robot, record)
         return ", ".join(going[:3]) or (
             "the robot was not seen to stop" if is_moving else "no evidence in telemetry"
         )

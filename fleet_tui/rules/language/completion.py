@@ -4,9 +4,10 @@ from collections.abc import Iterable, Sequence
 
 from fleet_tui.errors import CommandError
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.kind import GOAL_CANCEL
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.local_queue import all_orders
-from fleet_tui.rules.language.grammar import ALL, USAGE
+from fleet_tui.rules.language.grammar import ALL, GOAL, USAGE
 from fleet_tui.rules.language.lookup import places, recent_ends
 from fleet_tui.rules.language.set_up import USAGE as SET_UP
 from fleet_tui.rules.language.set_up import ability_of
@@ -80,6 +81,7 @@ def _cancel(line: str, named: Sequence[Token], start: int, state: FleetState, se
     if len(named) > 1:
         return []
     ids = [order.id for order in all_orders(state, robot)] if robot and robot.kind.can("cancel") else []
+    ids += [GOAL] if robot and robot.kind.can(GOAL_CANCEL) else []
     found = _lines(line, start, ids, last=True)
     return found if named else [*found, *_lines(line, start, _able(state, "cancel"))]
 
@@ -92,6 +94,8 @@ def _set_up(line: str, named: Sequence[Token], start: int, verb: str, state: Fle
         return []
     if verb == "mapping":
         return _lines(line, start, ["on", "off"], last=True)
+    if verb in ("store-map", "store-pose-graph"):
+        return _lines(line, start, [robot.floor] if robot.floor else [], last=True)
     labels = [place.name for place in places(robot)] if verb == "goto" else []
     return _lines(line, start, [_quoted(name) if " " in name else name for name in labels], last=True)
 

@@ -3,10 +3,10 @@
     robot_0 Base > Consumidores          robot_0 Base > A > B: Base -> A, then A -> B
     robot_0 > B                          the cargo on board to B; it alone if it reports no cargo
     order robot_0 Base Consumidores      the same without `>`; labels with spaces in quotes
-    cancel 12, cancel robot_0 12         clear robot_0
+    cancel 12, cancel robot_0 12         clear robot_0; cancel robot_0 goal
     pause robot_0, pause all             resume robot_0, resume all
     goto robot_0 Base, goto robot_0 3.5 2 90   to a place, or metres and degrees counter-clockwise
-    set-pose robot_0 3.5 2 90            mapping robot_0 on; localise robot_0; settle robot_0
+    set-pose robot_0 3.5 2 90            mapping robot_0 on; localise robot_0; settle robot_0 3
 
 A robot is its name or its number, a place its label or its vertex id; `id=7` is always the id.
 """
@@ -20,7 +20,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import vertices_of
 from fleet_tui.model.request import Request, chain
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.set_up.commands import SetUpCommand
+from fleet_tui.model.set_up.commands import CancelGoal, SetUpCommand
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.language import set_up
 from fleet_tui.rules.language.lookup import NUMBER, plain_id
@@ -28,13 +28,13 @@ from fleet_tui.rules.language.words import Token, find_robot, quoted, said, toke
 
 USAGE = {
     "order": "order ROBOT FROM TO, or ROBOT FROM > TO",
-    "cancel": "cancel ROBOT ID",
+    "cancel": "cancel ROBOT ID, or cancel ROBOT goal",
     "clear": "clear ROBOT",
     "pause": "pause ROBOT, or pause all",
     "resume": "resume ROBOT, or resume all",
     **set_up.USAGE,
 }
-ALL = "all"
+ALL, GOAL = "all", "goal"
 
 
 def parse(line: str, state: FleetState, selected: str = "") -> Request:
@@ -54,11 +54,10 @@ def parse_words(words: Sequence[str], state: FleetState, selected: str = "") -> 
     match verb, rest:
         case "order", [name, *named] if named:
             return _order(find_robot(name, state), named)
-        case "cancel", [number] if selected in state.robots:
-            return Request((CancelOrder(selected, _order_id(state, state.robots[selected], number)),))
-        case "cancel", [name, number]:
-            robot = find_robot(name, state)
-            return Request((CancelOrder(robot.name, _order_id(state, robot, number)),))
+        case "cancel", [word] if selected in state.robots:
+            return _cancel(state, state.robots[selected], word)
+        case "cancel", [name, word]:
+            return _cancel(state, find_robot(name, state), word)
         case "clear", [name]:
             return Request((ClearOrders(find_robot(name, state).name),))
         case "pause" | "resume", [name]:
@@ -71,6 +70,13 @@ def parse_words(words: Sequence[str], state: FleetState, selected: str = "") -> 
         raise CommandError(f"usage: {USAGE[verb]}")
     name = find_robot(words[0], state, [*state.robots, *USAGE]).name
     raise CommandError(f"usage: {name} FROM > TO")
+
+
+def _cancel(state: FleetState, robot: Robot, word: str) -> Request:
+    """Return the cancellation of an order, or of a goal beside the queue."""
+    if word.casefold() == GOAL and not robot.kind.keeps_goals:
+        return Request((CancelGoal(robot.name),))
+    return Request((CancelOrder(robot.name, _order_id(state, robot, word)),))
 
 
 def _robots(word: str, state: FleetState) -> list[str]:

@@ -8,11 +8,23 @@ from typing import assert_never
 from fleet_tui.errors import CommandError
 from fleet_tui.model.commands import PlaceOrder
 from fleet_tui.model.geometry import Pose
-from fleet_tui.model.kind import GOAL, LOCALISE, MAPPING, ORDER_TO, POSE, SETTLE, Kind
+from fleet_tui.model.kind import (
+    GOAL,
+    LOCALISE,
+    MAP_SAVE,
+    MAPPING,
+    ORDER_TO,
+    POSE,
+    POSE_GRAPH_SAVE,
+    SETTLE,
+    Kind,
+)
 from fleet_tui.model.order import Stop
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import (
+    MOST_SETTLES,
+    CancelGoal,
     Localise,
     SendGoal,
     SendGraph,
@@ -20,17 +32,30 @@ from fleet_tui.model.set_up.commands import (
     SetPose,
     Settle,
     SetUp,
+    StoreMap,
+    StorePoseGraph,
 )
-from fleet_tui.rules.language.words import vertex_of
+from fleet_tui.rules.language.words import quoted, vertex_of
 
 USAGE = {
     "goto": "goto ROBOT PLACE, or goto ROBOT X Y [YAW]",
     "set-pose": "set-pose ROBOT X Y YAW",
     "localise": "localise ROBOT",
-    "settle": "settle ROBOT",
+    "settle": "settle ROBOT [CALLS], 1 to 5 calls",
     "mapping": "mapping ROBOT on, or mapping ROBOT off",
+    "store-map": "store-map ROBOT NAME",
+    "store-pose-graph": "store-pose-graph ROBOT NAME",
 }
-_ABILITIES = {"set-pose": POSE, "localise": LOCALISE, "settle": SETTLE, "mapping": MAPPING}
+_ABILITIES = {
+    "set-pose": POSE,
+    "localise": LOCALISE,
+    "settle": SETTLE,
+    "mapping": MAPPING,
+    "store-map": MAP_SAVE,
+    "store-pose-graph": POSE_GRAPH_SAVE,
+}
+SETTLES = tuple(map(str, range(1, MOST_SETTLES + 1)))
+"""The numbers of calls that `settle` takes."""
 _NUMBER = re.compile(r"[-+]?([0-9]{1,9}(\.[0-9]{0,9})?|\.[0-9]{1,9})", re.ASCII)
 
 
@@ -54,8 +79,14 @@ def parse_set_up(verb: str, robot: Robot, values: Sequence[str]) -> Request | No
             return Request((Localise(robot.name),))
         case "settle", []:
             return Request((Settle(robot.name),))
+        case "settle", [calls] if calls in SETTLES:
+            return Request((Settle(robot.name, int(calls)),))
         case "mapping", ["on" | "off" as mode]:
             return Request((SetMapping(robot.name, mode == "on"),))
+        case "store-map", [name]:
+            return Request((StoreMap(robot.name, name),))
+        case "store-pose-graph", [name]:
+            return Request((StorePoseGraph(robot.name, name),))
     return None
 
 
@@ -116,12 +147,18 @@ def written_set_up(command: SetUp) -> str:
             return f"set-pose {name} {written_pose(pose)}"
         case SendGoal(name, _, pose):
             return f"goto {name} {written_pose(pose)}"
+        case CancelGoal(name):
+            return f"cancel {name} goal"
         case Localise(name):
             return f"localise {name}"
-        case Settle(name):
-            return f"settle {name}"
+        case Settle(name, calls):
+            return f"settle {name}" + (f" {calls}" if calls != MOST_SETTLES else "")
         case SetMapping(name, on):
             return f"mapping {name} {'on' if on else 'off'}"
+        case StorePoseGraph(name, map_name):
+            return f"store-pose-graph {name} {quoted(map_name)}"
+        case StoreMap(name, map_name):
+            return f"store-map {name} {quoted(map_name)}"
         case SendGraph():
             return ""
         case _:

@@ -19,6 +19,11 @@ from fleet_tui.simulator.ros_types import ServiceType, service_type
 
 Message = dict[str, Any]
 
+SAVES: Mapping[str, tuple[str, Message]] = {
+    "slam_toolbox/save_map": ("slam_toolbox_msgs/SaveMap", {}),
+    "slam_toolbox/serialize_map": ("slam_toolbox_msgs/SerializePoseGraph", {}),
+}
+
 
 class MoveBaseFleet(MoveBaseWorld):
     """The robots of a MoveBaseWorld on the wire."""
@@ -30,7 +35,7 @@ class MoveBaseFleet(MoveBaseWorld):
         self, robots: int, floors: int, seed: int = 0, quiet: bool = False, first: int = 0, step: int = 1
     ) -> None:
         super().__init__(robots, floors, seed, quiet, first, time.time_ns, step)
-        self._set_up = SetUpDesk(self, "global_localization", "pause_mapping")
+        self._set_up = SetUpDesk(self, "global_localization", "pause_mapping", SAVES)
         self._news = MoveBaseNews(self)
 
     def topics(self, loaded_at: float, dialect: Dialect) -> Iterator[Topic]:

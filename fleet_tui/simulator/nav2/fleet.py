@@ -26,6 +26,10 @@ Message = dict[str, Any]
 
 SERVICES = "reinitialize_global_localization", "slam_toolbox/set_localization_mode"
 """Names of global localisation, and of the switch that ends mapping."""
+SAVES: Mapping[str, tuple[str, Message]] = {
+    "map_saver/save_map": ("nav2_msgs/SaveMap", {"result": True}),
+    "slam_toolbox/serialize_map": ("slam_toolbox/SerializePoseGraph", {"result": 0}),
+}
 ACTIVE = "lifecycle_manager_navigation/is_active"
 CANCEL = "_action/cancel_goal"
 
@@ -41,7 +45,7 @@ class Nav2Fleet(Nav2World):
         super().__init__(robots, floors, seed, quiet, first, time.time_ns, step)
         if robots > 1:
             self.robots[next(reversed(self.robots))].percent = float("nan")
-        self._set_up = SetUpDesk(self, *SERVICES)
+        self._set_up = SetUpDesk(self, *SERVICES, SAVES)
         self._news = Nav2News(self)
         self._changes = Nav2Changes(self)
 

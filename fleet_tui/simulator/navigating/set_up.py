@@ -30,11 +30,18 @@ def initial_poses(robots: Mapping[str, NavigatingRobot]) -> Subscriptions:
 
 class SetUpDesk:
     """The set-up of a fleet's robots: their maps, modes and services. `localise` and `switch` are the last
-    parts of the names of services: global localisation, and mapping, which is on after a call with False."""
+    parts of the names of services: global localisation, and mapping, which is on after a call with False.
+    `saves`: the types of those that save something, with the answer of each, by the last part of its name."""
 
-    def __init__(self, world: NavigatingWorld[Any], localise: str, switch: str) -> None:
+    def __init__(
+        self,
+        world: NavigatingWorld[Any],
+        localise: str,
+        switch: str,
+        saves: Mapping[str, tuple[str, Message]] = {},
+    ) -> None:
         self._robots, self._building = world.robots, world.building
-        self._localise, self._switch = localise, switch
+        self._localise, self._switch, self._saves = localise, switch, saves
         self.surveys = Surveys(world.robots, lambda floor: [map_topic(world.building, floor)])
         world.troubles.append(self.surveys.step)
 
@@ -51,6 +58,7 @@ class SetUpDesk:
         """Return every service with its type."""
         empty, switch = (service_type(dialect, f"std_srvs/{name}") for name in ("Empty", "SetBool"))
         parts = {self._localise: empty, SETTLE: empty, self._switch: switch}
+        parts |= {part: service_type(dialect, type_) for part, (type_, _) in self._saves.items()}
         return {f"/{name}/{part}": type_ for name in self._robots for part, type_ in parts.items()}
 
     def answer(self, service: str, args: Mapping[str, Any]) -> Message | None:
@@ -60,6 +68,8 @@ class SetUpDesk:
         if part == self._switch:
             self.surveys.switch(name, on=not args["data"])
             return {"success": True, "message": ""}
+        if part in self._saves:
+            return dict(self._saves[part][1])
         if part not in (self._localise, SETTLE):
             return None
         robot.place(robot.pose if part == self._localise else robot.belief.of(robot.pose))

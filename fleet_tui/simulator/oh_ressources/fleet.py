@@ -22,7 +22,7 @@ from fleet_tui.simulator.senses.laser import scan_topic
 from fleet_tui.simulator.senses.mapping import Surveys
 from fleet_tui.simulator.warehouse import SimFloor
 
-DESK, MAPPING = "Application_layout", "set_mapping"
+DESK, MAPPING, SAVE = "Application_layout", "set_mapping", "save_map"
 
 
 def _cells_of(robot: SimRobot) -> Callable[[], Cells]:
@@ -74,10 +74,14 @@ class OhFleet:
         types = robot_services(dialect).items()
         switch = service_type(dialect, "std_srvs/SetBool")
         offered = {f"/{robot}/{DESK}/{verb}": type_ for robot in self.robots for verb, type_ in types}
-        return offered | {f"/{robot}/{MAPPING}": switch for robot in self.robots}
+        save = service_type(dialect, "slam_toolbox_msgs/SaveMap")
+        own = {MAPPING: switch, SAVE: save}
+        return offered | {f"/{robot}/{part}": type_ for robot in self.robots for part, type_ in own.items()}
 
     def answer(self, service: str, args: Mapping[str, Any]) -> Message:
-        """The world's answer, or that of the switch of mapping."""
+        """The world's answer, or that of the switch of mapping, or of a map that is saved."""
+        if service.endswith(f"/{SAVE}"):
+            return {}
         if service.endswith(f"/{MAPPING}"):
             self._surveys.switch(service.split("/")[1], on=args["data"])
             return {"success": True, "message": ""}

@@ -20,6 +20,12 @@ def _take_goal(robot: SimRobot, message: Message) -> None:
         robot.visit(_flat(message["pose"]))
 
 
+def _cancel_goal(robot: SimRobot, message: Message) -> None:
+    """Stop; the only id known here is the empty one, for every goal."""
+    if not message["id"]:
+        robot.visit(None)
+
+
 def _flat(pose: Message) -> Pose:
     turn, at = pose["orientation"], pose["position"]
     try:
@@ -32,5 +38,6 @@ def _flat(pose: Message) -> Pose:
 SUBSCRIPTIONS: Mapping[str, tuple[str, Callable[[SimRobot, Message], None]]] = {
     "initialpose": ("geometry_msgs/PoseWithCovarianceStamped", _take_pose),
     "goal": ("geometry_msgs/PoseStamped", _take_goal),
+    "goal_cancel": ("actionlib_msgs/GoalID", _cancel_goal),
 }
 """Type of each topic, and the function that takes its messages."""

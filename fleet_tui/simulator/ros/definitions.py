@@ -30,6 +30,10 @@ geometry_msgs/TwistWithCovariance twist
 sensor_msgs/LaserScan: std_msgs/Header header, float32 angle_min, float32 angle_max, \
 float32 angle_increment, float32 time_increment, float32 scan_time, float32 range_min, float32 range_max, \
 float32[] ranges, float32[] intensities
+geometry_msgs/Transform: geometry_msgs/Vector3 translation, geometry_msgs/Quaternion rotation
+geometry_msgs/TransformStamped: std_msgs/Header header, string child_frame_id, \
+geometry_msgs/Transform transform
+tf2_msgs/TFMessage: geometry_msgs/TransformStamped[] transforms
 nav_msgs/Path: std_msgs/Header header, geometry_msgs/PoseStamped[] poses
 sensor_msgs/BatteryState: std_msgs/Header header, float32 voltage, float32 temperature, float32 current, \
 float32 charge, float32 capacity, float32 design_capacity, float32 percentage, uint8 power_supply_status, \
@@ -88,6 +92,11 @@ action_msgs/GoalInfo[] goals_canceling
 std_srvs/Empty: ->
 std_srvs/SetBool: bool data -> bool success, string message
 std_srvs/Trigger: -> bool success, string message
+slam_toolbox_msgs/SaveMap: std_msgs/String name ->
+slam_toolbox_msgs/SerializePoseGraph: string filename ->
+slam_toolbox/SerializePoseGraph: string filename -> uint8 result
+nav2_msgs/SaveMap: string map_topic, string map_url, string image_format, string map_mode, \
+float32 free_thresh, float32 occupied_thresh -> bool result
 rosapi/Topics: -> string[] topics, string[] types
 rosapi/TopicsAndRawTypes: -> string[] topics, string[] types, string[] typedefs_full_text
 rosapi/TopicsForType: string type -> string[] topics

@@ -13,6 +13,7 @@ from fleet_tui.simulator.floorplan import OCCUPIED, ORIGIN, RESOLUTION, Cells
 from fleet_tui.simulator.frames import Floats, Payload
 from fleet_tui.simulator.messages import Message, Topic, float32
 from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.senses.mount import MOUNT
 
 BEAMS = 720
 RANGE = 12.0  # metres
@@ -64,11 +65,11 @@ def scan(cells: Cells, pose: Pose, header: Message) -> Payload:
 def scan_topic(
     robot: Any, cells: Callable[[], Cells], header: Callable[[float], Message], dialect: Dialect
 ) -> Topic:
-    """The scans of a robot, five a second at the usual rate: from its true pose, wherever it believes to be.
-    `cells` returns those of its floor."""
+    """The scans of a robot, five a second at the usual rate: from its true pose and the place of its laser,
+    wherever it believes to be. `cells` returns those of its floor."""
 
     def payload(now: float) -> Payload:
-        return scan(cells(), robot.pose, header(now))
+        return scan(cells(), robot.pose.after(MOUNT), header(now))
 
     turns: Iterator[bool] = cycle((True, False))
     type_ = dialect.message_type(SCAN)

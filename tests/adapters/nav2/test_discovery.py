@@ -58,3 +58,21 @@ def test_costmaps_and_the_pose_that_is_set_are_not_taken() -> None:
     found = discover_nav2(listed)
     assert (found.topics["pose"], found.topics["map"]) == ("/{robot}/slam/pose", "/{robot}/map")
     assert found.notes["topics"][0].startswith('floor = "/{robot}/current_floor"')
+
+
+def test_a_robot_without_a_namespace_has_set_up_without_one() -> None:
+    listed = Listed({"/odom": ODOM, "/amcl_pose": AMCL}, {}, ("/navigate_to_pose",))
+    found = discover_nav2(listed)
+    assert found.topics["initial_pose"] == "/initialpose" and found.topics["scan"] == "/scan"
+    assert found.services["settle"] == "/request_nomotion_update"
+    assert found.services["map_save"] == "/map_saver/save_map"
+    assert not any("{robot}" in name for name in (*found.topics.values(), *found.services.values()))
+
+
+def test_a_laser_of_another_name_is_found_by_its_type() -> None:
+    scan = "sensor_msgs/msg/LaserScan"
+    named = discover_nav2(Listed({**ONE, "/tb1/scan": scan}, {}, DRIVES))
+    assert "scan" not in named.topics
+    other = discover_nav2(Listed({**ONE, "/tb1/front_scan": scan}, {}, DRIVES))
+    assert other.topics["scan"] == "/{robot}/front_scan"
+    assert "scan" not in discover_nav2(Listed(ONE, {}, DRIVES)).topics

@@ -22,9 +22,11 @@ PROMISED = {
     "queue": ("/r/queue", "OH_ressources/ActionQueue"),
     "paused": ("", "std_msgs/Bool"),
     "goal": ("", "geometry_msgs/PoseStamped"),
+    "goal_cancel": ("", "actionlib_msgs/GoalID"),
     "initial_pose": ("", "geometry_msgs/PoseWithCovarianceStamped"),
     "scan": ("", "sensor_msgs/LaserScan"),
     "path": ("", "nav_msgs/Path"),
+    "tf_static": ("/tf_static", "tf2_msgs/TFMessage"),
     "mode": ("", "std_msgs/String"),
     "graph_save": ("", "OH_ressources/Graph"),
     "labels_save": ("", "OH_ressources/LabeledVertices"),
@@ -47,7 +49,7 @@ def test_topics_have_the_promised_names_and_types() -> None:
 def test_services_have_the_promised_names() -> None:
     assert {key: names_of().service(key, "r") for key in SERVICES} == {
         key: f"/r/Application_layout/{name}" for key, name in CALLED.items()
-    } | dict.fromkeys(("localise", "settle", "mapping_on", "mapping_off"), "")
+    } | dict.fromkeys(("localise", "settle", "mapping_on", "mapping_off", "map_save", "map_pose_graph"), "")
 
 
 @pytest.mark.parametrize("key", list(TOPICS))

@@ -60,6 +60,8 @@ async def test_other_names_become_overrides(server: RosbridgeServer, tmp_path: P
         "queue": "/{robot}/tasks",
         "graph": "/{robot}/{floor}/routes",
         "paused": "/{robot}/paused",
+        "scan": "/{robot}/scan",
+        "initial_pose": "/{robot}/initialpose",
     }
     assert profile["types"] == {"battery": "std_msgs/Float64"}
     assert profile["services"] == {"pause": "/{robot}/halt_robot_pause"}
@@ -102,7 +104,7 @@ def test_what_a_real_bridge_said() -> None:
     services = dict.fromkeys(told["/rosapi/services"]["services"], "")
     site = site_of(dict(zip(topics["topics"], topics["types"], strict=True)), services)
     assert site.robots == {"robot_1": ["ground", "first"], "robot_2": ["ground", "first"]}
-    assert (site.topics, site.types, site.services, site.notes) == ({}, {}, {}, {})
+    assert (site.topics, site.types, site.services, site.notes) == ({"scan": "/{robot}/scan"}, {}, {}, {})
     assert site.live_maps == {"ground", "first"}
 
 

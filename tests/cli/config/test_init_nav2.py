@@ -115,9 +115,13 @@ def test_a_robot_without_a_namespace(tmp_path: Path) -> None:
         "pose": "/amcl_pose",
         "battery": "/battery_state",
         "blocked": "/collision_monitor_state",
+        "initial_pose": "/initialpose",
+        "scan": "/scan",
     }
     assert profile["actions"]["navigate_to_pose"] == "/navigate_to_pose"
-    assert profile["services"] == {"is_active": "/lifecycle_manager_navigation/is_active"}
+    services = profile["services"]
+    assert services["is_active"] == "/lifecycle_manager_navigation/is_active"
+    assert services["settle"] == "/request_nomotion_update"
 
 
 def test_guesses_give_way_to_what_is_certain() -> None:

@@ -78,3 +78,18 @@ async def test_an_empty_key_is_named(tmp_path: Path) -> None:
     )
     done = await run(tmp_path, *SET, "--yes")
     assert done.code == 3  # it is named by the kind, before and with a link
+
+
+async def test_a_map_is_saved_on_the_robot_after_a_yes(site: Site, tmp_path: Path) -> None:
+    asked = await run(tmp_path, "store-map", "robot_0", "hall")
+    assert asked.code == 1 and "one of that name on the robot is replaced" in asked.err
+    done = await run(tmp_path, "store-map", "robot_0", "hall", "--yes")
+    assert done.code == 0 and "robot_0 store map hall: accepted, but no topic shows it" in done.out
+    ((service, args),) = [one for one in site.server.bridge.services.calls if "save" in one[0]]
+    assert (service, args["map_url"]) == ("/robot_0/map_saver/save_map", "hall")
+    assert "robot_0 store map hall accepted" in audited(tmp_path)
+    bad = await run(tmp_path, "store-map", "robot_0", "$(reboot)", "--yes")
+    assert bad.code == 2 and "letters, digits" in bad.err
+    site.server.bridge.services.answers[service] = lambda _: {"result": False}
+    failed = await run(tmp_path, "store-map", "robot_0", "hall", "--yes")
+    assert failed.code == 1 and "refused (result False)" in failed.err

@@ -9,7 +9,7 @@ from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.set_up.mapping import MappingControls
 from fleet_tui.maps.images import load_floor_map
-from fleet_tui.model.kind import MAPPING, Kind
+from fleet_tui.model.kind import MAP_SAVE, MAPPING, Kind
 from fleet_tui.model.set_up.commands import SetMapping
 from fleet_tui.view.map.map_picture import MapPicture
 from fleet_tui.view.map.scene import Scene
@@ -49,6 +49,14 @@ def test_without_the_mode_the_map_can_still_be_saved_and_the_missing_key_is_name
     controls.menu()
     assert desk.menus[0].texts == ["Save this map to a file"]
     assert "mapping_on is empty" in desk.notices.text
+
+
+def test_a_robot_that_saves_maps_itself_is_asked_by_a_line_with_its_floor() -> None:
+    desk, controls, lines = mapping(replace(PLAIN, accepts=(*PLAIN.accepts, MAP_SAVE)))
+    controls.menu()
+    assert desk.menus[0].texts == ["Save this map to a file", "Store the map on the robot"]
+    desk.menus[0].choose("Store the map")
+    assert lines == ["store-map robot_0 floor_0"]
 
 
 def test_a_saved_map_is_read_as_it_was_and_an_old_one_is_kept(tmp_path: Path) -> None:

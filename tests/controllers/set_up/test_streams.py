@@ -31,6 +31,9 @@ def test_a_scan_is_watched_drawn_and_left() -> None:
     live = desk.backend.streams
     assert live.wants("robot_0", SCAN) and not live.wants("robot_0", PATH)
     live.note(desk.store.state.robots["robot_0"])
+    sought = Beams(POINTS, 3, "laser", None, False, is_sought=True)
+    live.put("robot_0", SCAN, Streamed(sought, T0 + 1, T0 + 1))
+    assert streams.on(scene).beams is POINTS and "of 3 beams" not in desk.notices.text
     live.put("robot_0", SCAN, Streamed(Beams(POINTS, 3, "laser", None, False), T0 + 1, T0 + 1))
     found = streams.on(scene)
     assert found.beams is POINTS and found.beams_at is not None and not found.beams_are_old

@@ -5,11 +5,14 @@ from msgspec.structs import replace
 from fleet_tui.model.alarm import Condition, Priority
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.kind import Kind
 from fleet_tui.model.navigation import Blocked
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.navigation import FOUND_BELOW, LOST_ABOVE, blocked, held_orders, not_sure_where
 from fleet_tui.rules.commands.local_queue import ANOTHER_CLIENT
-from tests.support.fleets import R0, T0, commanded, fleet, place_order, reduced, tick
+from tests.support.fleets import R0, T0, commanded, fleet, of_kinds, place_order, reduced, tick
+
+KEEPS = Kind("keeps", keeps_goals=True)
 
 
 def known(state: FleetState | None = None, **values: object) -> tuple[FleetState, Robot]:
@@ -43,7 +46,7 @@ def test_a_localisation_between_the_limits_stays_what_it_was() -> None:
 
 def test_held_orders_are_counted_and_those_held_by_others_matter_more() -> None:
     orders = (commanded(n, place_order(R0, 1), Stage.WAITING) for n in range(2))
-    state = reduced(fleet(), *(fact for order in orders for fact in order))
+    state = reduced(of_kinds(fleet(), KEEPS), *(fact for order in orders for fact in order))
     found = held_orders(*known(state, held="previous order: failed"), {})
     assert found is not None and found.priority is Priority.LOW
     assert found.text == "previous order: failed: 2 orders waiting here, resume to continue"

@@ -66,7 +66,7 @@ def test_what_a_line_asks(line: str, asked: tuple[Command, ...]) -> None:
         ("robot_0 Base >", "missing place beside >: order ROBOT FROM TO, or ROBOT FROM > TO"),
         ("> Base", "missing robot before >: order ROBOT FROM TO, or ROBOT FROM > TO"),
         ("order robot_0", "usage: order ROBOT FROM TO, or ROBOT FROM > TO"),
-        ("cancel", "usage: cancel ROBOT ID"),
+        ("cancel", "usage: cancel ROBOT ID, or cancel ROBOT goal"),
         ("cancel robot_0 twelve", "'twelve' is not an order id: copy it from the queue"),
         ("cancel 99999999999", "'99999999999' is not an order id: copy it from the queue"),
         ("pause", "usage: pause ROBOT, or pause all"),

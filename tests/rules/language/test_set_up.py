@@ -13,7 +13,17 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.order import Stop
 from fleet_tui.model.request import Request
-from fleet_tui.model.set_up.commands import Localise, SendGoal, SendGraph, SetMapping, SetPose, Settle
+from fleet_tui.model.set_up.commands import (
+    CancelGoal,
+    Localise,
+    SendGoal,
+    SendGraph,
+    SetMapping,
+    SetPose,
+    Settle,
+    StoreMap,
+    StorePoseGraph,
+)
 from fleet_tui.rules.language.completion import complete
 from fleet_tui.rules.language.grammar import parse, written
 from tests.support.fleets import F0, R0, T0, fleet, graph, labels, of_kinds, pose, reduced
@@ -35,9 +45,13 @@ def site(kind: Kind = HAS_GOALS) -> FleetState:
         ("goto robot_0 1 2", SendGoal(R0, F0, Pose(1.0, 2.0))),
         ("goto robot_0 1 2 -180", SendGoal(R0, F0, Pose(1.0, 2.0, -math.pi))),
         ("localise robot_0", Localise(R0)),
+        ("cancel robot_0 goal", CancelGoal(R0)),
         ("settle robot_0", Settle(R0)),
+        ("settle robot_0 3", Settle(R0, 3)),
         ("mapping robot_0 on", SetMapping(R0, True)),
         ("mapping robot_0 off", SetMapping(R0, False)),
+        ("store-map robot_0 hall", StoreMap(R0, "hall")),
+        ("store-pose-graph robot_0 hall", StorePoseGraph(R0, "hall")),
     ],
 )
 def test_a_line_means_a_command(line: str, command: object) -> None:
@@ -74,6 +88,7 @@ def test_what_is_missing_is_shown() -> None:
         "goto robot_0",
         "mapping robot_0",
         "mapping robot_0 maybe",
+        "settle robot_0 6",
         "localise",
     ):
         with pytest.raises(CommandError, match="usage: "):
@@ -92,10 +107,28 @@ def test_what_is_written_is_read_again(x: float, y: float, yaw: float) -> None:
         assert isinstance(found, kind)
         assert math.isclose(found.pose.x, x, abs_tol=6e-4) and math.isclose(found.pose.y, y, abs_tol=6e-4)
         assert abs(math.remainder(found.pose.yaw - yaw, math.tau)) < 1e-6
-    for command in (Localise(R0), Settle(R0), SetMapping(R0, True)):
+    for command in (
+        CancelGoal(R0),
+        Localise(R0),
+        Settle(R0),
+        Settle(R0, 1),
+        SetMapping(R0, True),
+        StoreMap(R0, "a b"),
+        StorePoseGraph(R0, "c"),
+    ):
         assert parse(written(command, state), state).commands == (command,)
     assert written(SendGraph(R0, F0), state) == ""
     assert written(PlaceOrder(R0, (Stop(pose=Pose(1.0, 2.0)),)), state) == "goto robot_0 1 2 0"
+
+
+def test_the_goal_of_a_selected_robot_is_cancelled_where_goals_have_no_id() -> None:
+    assert parse("cancel goal", site(), R0).commands == (CancelGoal(R0),)
+    with pytest.raises(CommandError, match="is not an order id"):
+        parse("cancel robot_0 goal", site(NAVIGATES))
+    assert complete("cancel robot_0 ", site(Kind("", (), ("cancel", "goal cancel")))) == [
+        "cancel robot_0 goal"
+    ]
+    assert complete("cancel robot_0 ", site(Kind("", (), ("cancel",)))) == []
 
 
 def test_completion_offers_what_the_kind_takes() -> None:
@@ -103,5 +136,8 @@ def test_completion_offers_what_the_kind_takes() -> None:
     assert complete("goto ", site()) == ["goto robot_0 "]
     assert complete("goto robot_0 ", site()) == ["goto robot_0 Base", 'goto robot_0 "Far end"']
     assert complete("mapping robot_0 ", site()) == ["mapping robot_0 on", "mapping robot_0 off"]
+    saves = site(Kind("", (), ("map save",)))
+    assert complete("store-map robot_0 ", saves) == ["store-map robot_0 floor_0"]
+    assert complete("store", saves) == ["store-map "]
     assert complete("localise ", site()) == ["localise robot_0"]
     assert complete("set-p", site(NAVIGATES)) == []

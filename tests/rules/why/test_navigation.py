@@ -13,6 +13,8 @@ from fleet_tui.rules.why.navigation import another_client, blocked, held, not_su
 from fleet_tui.rules.why.reason import Strength
 from tests.support.fleets import R0, T0, commanded, fleet, of_kinds, place_order, queue, reduced, tick
 
+KEEPS = Kind("keeps", keeps_goals=True)
+
 
 def known(state: FleetState | None = None, **values: object) -> tuple[FleetState, Robot]:
     state = state or reduced(fleet(), tick(T0))
@@ -57,7 +59,7 @@ def test_recoveries_are_counted_while_an_order_is_driven() -> None:
 
 
 def test_orders_held_here_are_released_by_resume() -> None:
-    state = reduced(fleet(), *commanded(1, place_order(R0, 1), Stage.WAITING))
+    state = reduced(of_kinds(fleet(), KEEPS), *commanded(1, place_order(R0, 1), Stage.WAITING))
     found = held(*known(state, held="floor changed"))
     assert found is not None and (found.name, found.keys) == ("held: floor changed", ("resume",))
     assert found.evidence == "1 order waiting here: resume to continue"

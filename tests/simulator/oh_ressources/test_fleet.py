@@ -14,7 +14,7 @@ ORDER = "/robot_1/Application_layout/Execute_order"
 @pytest.mark.parametrize(("dialect", "type_"), [(ROS1, "std_srvs/Trigger"), (ROS2, "std_srvs/srv/Trigger")])
 def test_each_robot_has_the_same_services_in_the_dialects_words(dialect: Dialect, type_: str) -> None:
     services = OhFleet(World(2, 1, quiet=True)).services(dialect)
-    assert len(services) == 14 and ORDER in services
+    assert len(services) == 16 and ORDER in services
     assert services["/robot_0/Application_layout/Pause"].name == type_
 
 

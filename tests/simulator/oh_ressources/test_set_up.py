@@ -39,3 +39,24 @@ def test_a_goal_is_driven_to_and_an_order_afterwards() -> None:
     robot.take(ids[0], ids[1], 1)
     it.step(120.0)
     assert not robot.orders and robot.vertex == ids[1]
+
+
+def test_a_cancelled_goal_stops_it_where_it_is_and_no_order() -> None:
+    it = world()
+    robot = it.robots["robot_0"]
+    SUBSCRIPTIONS["goal"][1](robot, placed(robot.pose.x + 20.0, robot.pose.y))
+    it.step(8.0)
+    before = robot.pose
+    SUBSCRIPTIONS["goal_cancel"][1](robot, {"id": "another's"})
+    it.step(1.0)
+    assert robot.pose != before
+    SUBSCRIPTIONS["goal_cancel"][1](robot, {"id": ""})
+    before = robot.pose
+    it.step(5.0)
+    assert robot.pose == before
+    ids = list(it.building.graph.vertices)
+    robot.take(ids[0], ids[1], 1)
+    it.step(1.0)
+    SUBSCRIPTIONS["goal_cancel"][1](robot, {"id": ""})
+    it.step(240.0)
+    assert not robot.orders

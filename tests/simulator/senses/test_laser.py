@@ -10,6 +10,7 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.floorplan import RESOLUTION
 from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.senses.laser import BEAMS, RANGE, ends, ranges, scan, scan_topic
+from fleet_tui.simulator.senses.mount import MOUNT
 from tests.support.navigating import FLOOR, robot
 
 MIDDLE = Pose(8.0, 0.0, 0.0)
@@ -46,5 +47,5 @@ def test_every_second_turn_has_a_scan_of_the_true_pose() -> None:
     it.place(Pose(30.0, 9.0))
     topic = scan_topic(it, lambda: FLOOR.cells, lambda _: {}, ROS1)
     assert topic.due is not None and [topic.due() for _ in range(4)] == [True, False, True, False]
-    wanted = scan(FLOOR.cells, it.pose, {})
+    wanted = scan(FLOOR.cells, it.pose.after(MOUNT), {})
     assert topic.payload(0.0).json == wanted.json and topic.payload(0.0).msg["range_max"] == RANGE

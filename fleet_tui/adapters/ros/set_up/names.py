@@ -7,6 +7,7 @@ TOPICS: Mapping[str, tuple[str, str]] = {
     "initial_pose": ("", "geometry_msgs/PoseWithCovarianceStamped"),
     "scan": ("", "sensor_msgs/LaserScan"),
     "path": ("", "nav_msgs/Path"),
+    "tf_static": ("/tf_static", "tf2_msgs/TFMessage"),
     "mode": ("", "std_msgs/String"),
 }
 SERVICES: Mapping[str, tuple[str, str]] = {
@@ -14,11 +15,27 @@ SERVICES: Mapping[str, tuple[str, str]] = {
     "settle": ("", "std_srvs/Empty"),
     "mapping_on": ("", "std_srvs/SetBool"),
     "mapping_off": ("", "std_srvs/SetBool"),
+    "map_save": ("", "slam_toolbox_msgs/SaveMap"),
+    "map_pose_graph": ("", "slam_toolbox_msgs/SerializePoseGraph"),
 }
-REQUESTS: Mapping[str, Mapping[str, Any]] = {"mapping_on": {"data": True}, "mapping_off": {"data": False}}
+SAVING: Mapping[str, Mapping[str, Any]] = {
+    "map_save": {"name": {"data": "{name}"}},
+    "map_pose_graph": {"filename": "{name}"},
+}
+REQUESTS: Mapping[str, Mapping[str, Any]] = {
+    "mapping_on": {"data": True},
+    "mapping_off": {"data": False},
+    **SAVING,
+}
 """Fields of the services that have any."""
-INVERSE: Mapping[str, Mapping[str, Any]] = {"mapping_on": {"data": False}, "mapping_off": {"data": True}}
+INVERSE: Mapping[str, Mapping[str, Any]] = {
+    **REQUESTS,
+    "mapping_on": {"data": False},
+    "mapping_off": {"data": True},
+}
 """The same for services that switch mapping off."""
+ANSWERS: Mapping[str, Mapping[str, Any]] = {"map_save": {}, "map_pose_graph": {}}
+"""Fields of an answer that mean success: on ROS 1 these have none."""
 
 
 def with_names(

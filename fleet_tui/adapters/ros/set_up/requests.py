@@ -5,21 +5,39 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, assert_never
 
 from fleet_tui.adapters.adapter import Feed, Outgoing, Publication, ServiceCall, Site
+from fleet_tui.adapters.probes import ListenerProbe, ServiceProbe
 from fleet_tui.adapters.ros.facts import is_place
 from fleet_tui.adapters.ros.names import Names
+from fleet_tui.adapters.ros.set_up.frames import read_frames
+from fleet_tui.adapters.ros.set_up.saving import KEYS, save_request
 from fleet_tui.errors import CommandError
 from fleet_tui.model.geometry import Pose
-from fleet_tui.model.kind import GOAL, GRAPH, LOCALISE, MAPPING, PATH, POSE, SCAN, SETTLE
+from fleet_tui.model.kind import (
+    GOAL,
+    GOAL_CANCEL,
+    GRAPH,
+    LOCALISE,
+    MAPPING,
+    PATH,
+    POSE,
+    SCAN,
+    SETTLE,
+    noun_of,
+)
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up import commands
 
 if TYPE_CHECKING:
-    from fleet_tui.model.set_up.streams import LaserScan, PlannedPath
+    from fleet_tui.model.set_up.streams import StreamValue
 
 XY, YAW = 0.25, (math.pi / 12) ** 2
 """RViz's variances of a pose set by hand: square metres of x and of y, square radians."""
+ALL_GOALS: Mapping[str, object] = {"stamp": {"secs": 0, "nsecs": 0}, "id": ""}
+"""The cancellation of every goal: one that was sent as a pose has an id of the robot's own."""
 SCAN_MS, PATH_MS = 200, 1000
 """Milliseconds between two scans, and between two paths."""
+MOST_PUBLISHERS = 100
+"""Publishers of static frames, each with one message that counts."""
 
 
 def solid(pose: Pose) -> Mapping[str, object]:
@@ -43,8 +61,9 @@ class SetUpRequests:
         self._names, self._site, self._frames_are_floors = names, site, frames_are_floors
         table = names.table
         keys = {POSE: "topics.initial_pose", LOCALISE: "services.localise", SETTLE: "services.settle"}
+        keys |= {ability: f"services.{key}" for ability, key in KEYS.items()}
         if frames_are_floors:
-            keys[GOAL] = "topics.goal"
+            keys |= {GOAL: "topics.goal", GOAL_CANCEL: "topics.goal_cancel"}
         self._keys = {ability: f"{table}.{key}" for ability, key in keys.items()}
         self.streams = tuple(key for key in (SCAN, PATH) if self._stream_topic(key, "robot"))
         """The streams that can be watched."""
@@ -88,12 +107,34 @@ class SetUpRequests:
             topic = names.topic(key, robot)
             if topic and topic != plan:
                 yield Feed(key, (robot,), "", topic, names.type(key), rate, wanted_for="stream", silent=True)
+        if names.topic(SCAN, robot) and (topic := names.topic("tf_static", robot)):
+            # Each publisher of frames sends one latched message: the newest alone is not enough.
+            frames = Feed(
+                "tf_static", (robot,), "", topic, names.type("tf_static"), queue_length=MOST_PUBLISHERS
+            )
+            yield frames._replace(latched=True, silent=True, wanted_for="stream", is_shared=True)
 
-    def stream(self, feed: Feed, msg: object) -> "LaserScan | PlannedPath":
+    def probes(self, robot: str) -> Iterator[ListenerProbe | ServiceProbe]:
+        """Return the topics and services of set-up that must have a node at their other end."""
+        names, services = self._names, dict[str, ServiceProbe]()
+        named = [(ability, *key.split(".")[-2:]) for ability, key in self._keys.items()]
+        named += [(MAPPING, "services", key) for key in ("mapping_on", "mapping_off")]
+        for ability, table, key in named:
+            if table == "topics":
+                if topic := names.topic(key, robot):
+                    yield ListenerProbe(key, topic, names.type(key), noun_of(ability))
+            elif service := names.service(key, robot):
+                keys = (*services[service].keys, key) if service in services else (key,)
+                services[service] = ServiceProbe(keys, service, names.service_type(key), noun_of(ability))
+        yield from services.values()
+
+    def stream(self, feed: Feed, msg: object) -> "StreamValue":
         """Return the value of a stream in a message of its topic. Raises WireError."""
         # With numpy, whose import takes longer than a whole command without a screen.
         from fleet_tui.adapters.ros.set_up.streams import read_path, read_scan
 
+        if feed.key == "tf_static":
+            return read_frames(msg)
         return read_scan(msg) if feed.key == SCAN else read_path(msg)
 
     def outgoing(self, command: commands.SetUp, robot: Robot) -> Sequence[Outgoing]:
@@ -104,15 +145,19 @@ class SetUpRequests:
                 covariance[0] = covariance[7] = XY
                 covariance[35] = YAW
                 placed = {"pose": solid(pose), "covariance": covariance}
-                return self._publish("initial_pose", robot, floor, placed)
+                return self._place("initial_pose", robot, floor, placed)
             case commands.SendGoal(_, floor, pose):
-                return self._publish("goal", robot, floor, solid(pose))
+                return self._place("goal", robot, floor, solid(pose))
+            case commands.CancelGoal(name):
+                return self._publish("goal_cancel", name, ALL_GOALS)
             case commands.Localise(name):
                 return self._call("localise", name)
             case commands.Settle(name):
                 return self._call("settle", name)
             case commands.SetMapping(name, on):
                 return self._call("mapping_on" if on else "mapping_off", name)
+            case commands.StoreMap(name):
+                return self._call(KEYS[command.ability], name, save_request(self._names, command, robot))
             case commands.SendGraph():
                 raise CommandError(robot.kind.lack(GRAPH))
             case _:
@@ -126,18 +171,22 @@ class SetUpRequests:
             return self._site.frames.get(floor, floor)
         return robot.frame_id or "map"
 
-    def _publish(self, key: str, robot: Robot, floor: str, pose: Mapping[str, object]) -> tuple[Publication]:
-        names = self._names
-        topic = names.topic(key, robot.name)
-        if not topic:
-            raise CommandError(f"{names.table}.topics.{key} is empty")
+    def _place(self, key: str, robot: Robot, floor: str, pose: Mapping[str, object]) -> tuple[Publication]:
         # Without a stamp: the bridge fills in its own time, ours may be hours off.
         header = {"frame_id": self._frame(robot, floor)}
-        return (Publication(topic, names.type(key), {"header": header, "pose": pose}),)
+        return self._publish(key, robot.name, {"header": header, "pose": pose})
 
-    def _call(self, key: str, robot: str) -> tuple[ServiceCall]:
+    def _publish(self, key: str, robot: str, message: Mapping[str, object]) -> tuple[Publication]:
+        names = self._names
+        topic = names.topic(key, robot)
+        if not topic:
+            raise CommandError(f"{names.table}.topics.{key} is empty")
+        return (Publication(topic, names.type(key), message),)
+
+    def _call(self, key: str, robot: str, request: Mapping[str, object] | None = None) -> tuple[ServiceCall]:
         names = self._names
         service = names.service(key, robot)
         if not service:
             raise CommandError(f"{names.table}.services.{key} is empty")
-        return (ServiceCall(service, names.service_type(key), names.request(key, robot)),)
+        args = names.request(key, {"robot": robot}) if request is None else request
+        return (ServiceCall(service, names.service_type(key), args),)

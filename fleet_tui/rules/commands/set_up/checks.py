@@ -10,7 +10,16 @@ from fleet_tui.model.grid import FREE, OCCUPIED, OccupancyGrid, class_at
 from fleet_tui.model.order import BEGUN
 from fleet_tui.model.problem import Problem
 from fleet_tui.model.robot import Robot, RobotMap
-from fleet_tui.model.set_up.commands import Localise, SendGoal, SendGraph, SetPose, SetUpCommand
+from fleet_tui.model.set_up.commands import (
+    MAP_NAME,
+    CancelGoal,
+    Localise,
+    SendGoal,
+    SendGraph,
+    SetPose,
+    SetUpCommand,
+    StoreMap,
+)
 from fleet_tui.rules.commands.local_queue import waiting
 from fleet_tui.rules.commands.pauses import STANDS_AFTER
 from fleet_tui.rules.commands.set_up.mode import mapping_text
@@ -115,5 +124,18 @@ def goal_beside_orders(state: FleetState, robot: Robot, command: Command) -> Ite
         yield Problem("paused", f"{robot.name} is paused", blocks=False)
 
 
-CHECKS = (no_place, driving, blocked_goal, occupied_pose, mapped, goal_beside_orders)
+def no_name(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+    """Check the name of a map on a robot, which some programs put into a shell command."""
+    if isinstance(command, StoreMap) and not MAP_NAME.fullmatch(command.name):
+        yield Problem("no name", f"{command.name!r}: up to 64 letters, digits, _ and -, no - at the start")
+
+
+def only_its_goal(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+    """Check that a robot drives no order: the cancellation of all goals would reach the goals of that one."""
+    if isinstance(command, CancelGoal) and (count := len(robot.orders.open)):
+        text = f"{robot.name} has {count} order{'s' * (count > 1)}, which it may drive by goals: cancel by id"
+        yield Problem("busy", text)
+
+
+CHECKS = (no_place, driving, blocked_goal, occupied_pose, mapped, goal_beside_orders, only_its_goal, no_name)
 """The checks of set-up commands, and of orders to poses."""

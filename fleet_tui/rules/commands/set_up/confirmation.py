@@ -8,6 +8,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.model.set_up.commands import (
+    CancelGoal,
     Localise,
     SendGoal,
     SendGraph,
@@ -15,9 +16,10 @@ from fleet_tui.model.set_up.commands import (
     SetPose,
     Settle,
     SetUp,
+    StoreMap,
     counts_text,
 )
-from fleet_tui.rules.commands.pauses import STANDS_AFTER
+from fleet_tui.rules.commands.pauses import STANDS_AFTER, stopped
 from fleet_tui.rules.commands.set_up.mode import is_in_mode
 
 SET_WITHIN, SET_TURN = 0.5, math.radians(15.0)
@@ -71,21 +73,42 @@ def set_up_seen(state: FleetState, robot: Robot, record: CommandRecord, command:
             return Step(Stage.CONFIRMED, state.now, f"reported within {difference_text(pose, wanted)}")
         case SendGoal():
             return _goal_seen(state, robot, record, command)
-        case SetMapping(_, on):
-            if "mode" not in robot.kind.reports:
-                return unseen
-            seen = is_in_mode(robot, on, record.time_of(Stage.SENT) if unseen is None else None)
-            return Step(Stage.CONFIRMED, state.now, "by the robot") if seen else None
-        case SendGraph(_, floor):
-            if not {"graph", "labels"} <= set(robot.kind.reports):
-                return unseen
-            now = robot.maps.get(floor)
-            seen = now is not None and now.graph is not None and command.is_graph(now.graph, now.labels)
-            return Step(Stage.CONFIRMED, state.now, "by the robot") if seen else None
-        case Localise() | Settle():
+        case CancelGoal() if record.before.moving:
+            return (
+                Step(Stage.CONFIRMED, state.now, "the robot stopped")
+                if stopped(state, robot, record)
+                else None
+            )
+        case SetMapping() if "mode" in robot.kind.reports:
+            since = record.time_of(Stage.SENT) if unseen is None else None
+            return _by_robot(state, is_in_mode(robot, command.on, since))
+        case SendGraph() if {"graph", "labels"} <= set(robot.kind.reports):
+            return _by_robot(state, _has_graph(robot, command))
+        case Settle():
+            return _settled(state, robot, record) if unseen else None
+        case (
+            CancelGoal() | Localise() | SetMapping() | SendGraph() | StoreMap()
+        ):  # no report shows the effect
             return unseen
         case _:
             assert_never(command)
+
+
+def _by_robot(state: FleetState, seen: bool) -> Step | None:
+    return Step(Stage.CONFIRMED, state.now, "by the robot") if seen else None
+
+
+def _has_graph(robot: Robot, command: SendGraph) -> bool:
+    now = robot.maps.get(command.floor)
+    return now is not None and now.graph is not None and command.is_graph(now.graph, now.labels)
+
+
+def _settled(state: FleetState, robot: Robot, record: CommandRecord) -> Step:
+    """Return the end of a refinement: a pose that localisation publishes at rest is its effect; one that is
+    published all the time proves nothing."""
+    sent, at = record.time_of(Stage.SENT), robot.located_at
+    seen = sent is not None and at is not None and at > sent
+    return Step(Stage.CONFIRMED if seen else Stage.UNVERIFIABLE, state.now, record.detail)
 
 
 def _goal_seen(state: FleetState, robot: Robot, record: CommandRecord, command: SendGoal) -> Step | None:
@@ -119,12 +142,14 @@ def instead_of_set_up(robot: Robot, record: CommandRecord, command: SetUp) -> st
             return f"the robot reported a pose {difference_text(pose, wanted)} from it"
         case SendGoal():
             return "the robot did not move"
+        case CancelGoal():
+            return "the robot was not seen to stop"
         case SetMapping():
             return f"the robot reports {robot.mode.value}" if robot.mode else "no mode received"
         case SendGraph(_, floor):
             present = present_graph(robot, floor)
             return f"the robot has {present}" if present else f"no graph of {floor} received"
-        case Localise() | Settle():
+        case Localise() | Settle() | StoreMap():
             return "no evidence in telemetry"
         case _:
             assert_never(command)

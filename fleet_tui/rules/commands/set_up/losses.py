@@ -6,6 +6,7 @@ from typing import assert_never
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import (
+    CancelGoal,
     Localise,
     SendGoal,
     SendGraph,
@@ -13,6 +14,7 @@ from fleet_tui.model.set_up.commands import (
     SetPose,
     Settle,
     SetUp,
+    StoreMap,
 )
 from fleet_tui.rules.commands.set_up.confirmation import believed, difference_text, present_graph
 from fleet_tui.text.durations import age
@@ -31,10 +33,15 @@ def set_up_losses(state: FleetState, robot: Robot, command: SetUp) -> Iterator[s
                 yield f"{difference_text(now.value, pose)} from its present pose{since}"
         case Localise(name):
             yield f"{name}: forget its pose and search on the whole map?"
+        case CancelGoal(name):
+            yield f"{name}: cancel its goal?"
         case SetMapping(name, on):
             yield f"{name}: {command.text}?"
             if on:
                 yield "its live map replaces the known one until mapping is off"
+        case StoreMap(name):
+            yield f"{name}: {command.text}?"
+            yield "one of that name on the robot is replaced"
         case SendGraph(name, floor):
             yield f"{name}: {command.text}?"
             yield f"replaces {present_graph(robot, floor) or f'its graph of {floor}, which is unknown here'}"

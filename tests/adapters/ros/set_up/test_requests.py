@@ -15,7 +15,7 @@ from fleet_tui.adapters.registry import KINDS
 from fleet_tui.adapters.ros.set_up.requests import solid
 from fleet_tui.errors import CommandError
 from fleet_tui.model.geometry import Pose, yaw_of_quaternion
-from fleet_tui.model.set_up.commands import Localise, SendGoal, SetMapping, SetPose, Settle
+from fleet_tui.model.set_up.commands import CancelGoal, Localise, SendGoal, SetMapping, SetPose, Settle
 from tests.support.fleets import R0, fleet
 from tests.support.nav2_adapter import adapter, robot
 
@@ -80,6 +80,19 @@ def test_the_source_has_no_name_and_says_which_key_is_empty() -> None:
     assert {"pose", "goal", "mapping"} <= set(named.accepts) and "mode" in named.reports
     with pytest.raises(CommandError, match="initial_pose is empty"):
         OhRessources(Profile(), SITE).outgoing(SetPose(R0, "floor_0", POSE), 1, fleet().robots[R0])
+
+
+def test_a_goal_is_cancelled_by_the_id_of_all_since_it_has_none_here() -> None:
+    source, profile = fleet().robots[R0], Profile(topics={"goal_cancel": "/{robot}/move_base/cancel"})
+    (sent,) = OhRessources(profile, SITE).outgoing(CancelGoal(R0), 1, source)
+    assert isinstance(sent, Publication)
+    assert (sent.address, sent.type) == (f"/{R0}/move_base/cancel", "actionlib_msgs/GoalID")
+    assert sent.message == {"stamp": {"secs": 0, "nsecs": 0}, "id": ""}
+    bare = OhRessources(Profile(), SITE)
+    assert bare.kind.lack("goal cancel") == "profile.topics.goal_cancel is empty: no cancellation of goals"
+    with pytest.raises(CommandError, match="goal_cancel is empty"):
+        bare.outgoing(CancelGoal(R0), 1, source)
+    assert adapter().kind.lack("goal cancel") == "this kind has no cancellation of goals"
 
 
 def test_a_goal_beside_orders_is_the_sources_alone() -> None:

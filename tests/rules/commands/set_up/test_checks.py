@@ -15,13 +15,13 @@ from fleet_tui.model.order import Stop
 from fleet_tui.model.problem import Permissions, Problem
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Reading
-from fleet_tui.model.set_up.commands import SendGoal, SendGraph, SetPose
+from fleet_tui.model.set_up.commands import CancelGoal, SendGoal, SendGraph, SetPose, StoreMap
 from fleet_tui.rules.commands.checks import problems
 from fleet_tui.rules.commands.set_up.checks import map_of
 from tests.support.fleets import F0, R0, T0, fleet, link_up, of_kinds, pose, queue, reduced, tick
 from tests.support.kinds import FULL
 
-KIND = replace(FULL, accepts=(*FULL.accepts, "pose", "goal"))
+KIND = replace(FULL, accepts=(*FULL.accepts, "pose", "goal", "goal cancel", "map save"))
 FRAME = MapFrame(1.0, 3, 1, Pose(0.0, 0.0))
 GRID = grid_from_ros(FRAME, bytes([0, 100, 255]))
 """Free, occupied and unknown ground, from left to right, one metre each."""
@@ -94,6 +94,9 @@ def test_a_goal_meets_no_orders_and_no_pause() -> None:
     assert found(busy, goal(0.5))["busy"].text == "robot_0 has 1 order: cancel or clear first"
     order = PlaceOrder(R0, (Stop(pose=Pose(0.5, 0.5)),))
     assert "busy" in found(busy, order, alone=True) and "busy" not in found(busy, order)
+    reached = found(busy, CancelGoal(R0))["busy"]
+    assert reached.blocks and reached.text.startswith("robot_0 has 1 order, which it may drive by goals")
+    assert "busy" not in found(ready(), CancelGoal(R0))
     paused = replace(busy, robots={R0: replace(ready().robots[R0], paused=Reading(True, T0))})
     assert not found(paused, goal(0.5))["paused"].blocks
 
@@ -119,3 +122,9 @@ def test_the_map_is_the_file_where_it_lies_else_the_live_one() -> None:
 
 def test_the_classes_are_told_apart() -> None:
     assert len({UNKNOWN, FREE, OCCUPIED}) == 3
+
+
+def test_a_name_that_a_shell_could_read_is_refused() -> None:
+    assert "no name" not in found(ready(), StoreMap(R0, "hall_2-b"))
+    for name in ("hall 2", "$(reboot)", "-f", "", "x" * 65):
+        assert found(ready(), StoreMap(R0, name))["no name"].blocks

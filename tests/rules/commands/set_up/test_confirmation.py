@@ -11,7 +11,7 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Edge, Vertex
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.navigation_events import LocalisationReported, ModeReported, OdometryReported
-from fleet_tui.model.set_up.commands import Localise, SendGoal, SendGraph, SetMapping, SetPose
+from fleet_tui.model.set_up.commands import CancelGoal, Localise, SendGoal, SendGraph, SetMapping, SetPose
 from fleet_tui.rules.commands.set_up.confirmation import difference, is_near
 from tests.support.fleets import (
     F0,
@@ -151,3 +151,14 @@ def test_another_graph_is_counted_after_ten_seconds() -> None:
 def test_a_graph_that_no_topic_shows_is_unverifiable() -> None:
     state = after(GRAPH, tick(T0 + 1), kind=Kind("oh_ressources", ("pose", "graph")))
     assert stage(state)[0] is Stage.UNVERIFIABLE
+
+
+def test_a_cancelled_goal_is_confirmed_by_a_robot_that_stops() -> None:
+    drives = at(Pose(0.0, 0.0), T0 - 1), at(Pose(1.0, 0.0), T0 - 0.1)
+    stands = [at(Pose(1.1, 0.0), T0 + n / 10) for n in range(1, 30)]
+    state = after(CancelGoal(R0), *stands, tick(T0 + 3), before=drives)
+    assert stage(state) == (Stage.CONFIRMED, "the robot stopped")
+    goes_on = [at(Pose(1.0 + n / 10, 0.0), T0 + n / 10) for n in range(1, 70)]
+    state = after(CancelGoal(R0), *goes_on, tick(T0 + 7), before=drives)
+    assert stage(state) == (Stage.NOT_CONFIRMED, "accepted; the robot was not seen to stop")
+    assert stage(after(CancelGoal(R0), tick(T0 + 0.1)))[0] is Stage.UNVERIFIABLE

@@ -1,0 +1,57 @@
+"""Names of set-up among the names that a bridge lists, for kinds that have none by default."""
+
+from collections.abc import Collection, Iterator, Mapping
+
+from fleet_tui.adapters.discovery import Discovery, Listed
+from fleet_tui.adapters.ros.names import Vocabulary
+from fleet_tui.adapters.ros.type_names import same_type
+
+Endings = Mapping[str, tuple[str, ...]]
+"""Usual names below a robot's own, by key."""
+TOPICS: Endings = {
+    "scan": ("scan", "base_scan"),
+    "path": ("plan", "move_base/NavfnROS/plan", "move_base/GlobalPlanner/plan"),
+    "initial_pose": ("initialpose",),
+}
+SERVICES: Endings = {
+    "localise": ("global_localization", "reinitialize_global_localization"),
+    "settle": ("request_nomotion_update",),
+}
+PROPOSED_TOPICS: Endings = {
+    "goal": ("move_base_simple/goal", "goal"),
+    "goal_cancel": ("move_base/cancel", "goal_cancel"),
+}
+PROPOSED_SERVICES: Endings = {
+    "map_save": ("slam_toolbox/save_map", "save_map"),
+    "map_pose_graph": ("slam_toolbox/serialize_map",),
+}
+"""Those that drive a robot, or write to its disk, are left to a person."""
+
+
+def find_set_up(found: Discovery, listed: Listed, vocabulary: Vocabulary) -> None:
+    """Name the topics and services of set-up that exist under a usual name with the expected type."""
+    topics = {**listed.heard, **listed.topics}
+    robots = found.robots
+    found.topics |= dict(_there(robots, topics, TOPICS, vocabulary.topics))
+    found.services |= dict(_there(robots, listed.services, SERVICES, vocabulary.services))
+    for table, names, endings, known in (
+        ("topics", topics, PROPOSED_TOPICS, vocabulary.topics),
+        ("services", listed.services, PROPOSED_SERVICES, vocabulary.services),
+    ):
+        for key, template in _there(robots, names, endings, known):
+            found.note(table, f'{key} = "{template}"   # found; see docs/setting-up.md')
+
+
+def _there(
+    robots: Collection[str],
+    names: Mapping[str, str],
+    endings: Endings,
+    known: Mapping[str, tuple[str, str]],
+) -> Iterator[tuple[str, str]]:
+    """Return key and template of the first usual name that any robot has."""
+    for key, usual in endings.items():
+        _, type_ = known[key]
+        for ending in usual:
+            if any(same_type(names.get(f"/{robot}/{ending}", ""), type_) for robot in robots):
+                yield key, f"/{{robot}}/{ending}"
+                break
