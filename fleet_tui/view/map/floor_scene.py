@@ -25,6 +25,8 @@ MARGIN, BLOCK = 2.0, 10.0
 EMPTY_RESOLUTION = 0.05
 PATIENCE = 5.0
 """Seconds after a change of the link for which a note is no problem: everything is still arriving."""
+JUMP_MARKED = 10.0
+"""Seconds for which a robot that its localisation moved is marked."""
 FAR = 1e6
 """Metres beyond which a place is an error and doesn't extend the picture."""
 
@@ -145,6 +147,7 @@ def _robot(
         age=state.now - robot.pose.at,
         size=robot.size,
         mark=mark,
+        jumped=robot.relocated is not None and state.now - robot.relocated.at < JUMP_MARKED,
     )
 
 

@@ -37,6 +37,8 @@ def robot_tag(robot: SceneRobot, plain: bool) -> str:
         tag += "!"
     if robot.paused:
         tag += "=" if plain else "‖"
+    if robot.jumped:
+        tag += "?"
     if robot.other_map:
         tag += "~" if plain else "≈"
     return tag if robot.online else f"{tag} {age(robot.age)}"

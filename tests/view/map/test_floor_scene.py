@@ -10,7 +10,7 @@ from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Role, RouteGraph, Vertex
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.occupancy import build_grid, grid_from_ros
-from fleet_tui.view.map.floor_scene import floor_scene, map_owner
+from fleet_tui.view.map.floor_scene import JUMP_MARKED, floor_scene, map_owner
 from fleet_tui.view.map.scene import Scene, SceneRobot
 from fleet_tui.view.selection import Selection
 from tests.support.fleets import F0, R0, T0, battery, fleet, graph, labels, pose, queue, reduced, tick
@@ -149,6 +149,12 @@ def test_a_pose_gone_quiet_never_looks_live() -> None:
     state = reduced(fleet(), pose(T0), battery(T0 + 20), tick(T0 + 20))
     assert state.is_online(state.robots[R0])
     assert not placed(state, R0).online and placed(state, R0).age == 20.0
+
+
+def test_a_robot_that_its_localisation_moved_is_marked_for_a_while() -> None:
+    state = reduced(fleet(), pose(T0), pose(T0 + 0.2, 9.0), tick(T0 + 1.0))
+    assert placed(state, R0).jumped
+    assert not placed(reduced(state, tick(T0 + 0.2 + JUMP_MARKED)), R0).jumped
 
 
 def test_another_robot_is_placed_through_its_own_metadata() -> None:
