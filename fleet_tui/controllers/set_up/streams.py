@@ -14,7 +14,7 @@ from fleet_tui.state.store import Store
 from fleet_tui.view.map.map_picture import MapPicture
 from fleet_tui.view.map.modes.place import PlaceMode
 from fleet_tui.view.map.scene import Scene
-from fleet_tui.view.set_up.scan_match import newest_beams, scan_match, scan_pose
+from fleet_tui.view.set_up.scan_match import is_old, newest_beams, scan_match, scan_pose
 
 PATH_GONE = 10.0
 """Seconds after which a path is not drawn any more."""
@@ -73,7 +73,8 @@ class ShownStreams:
                 self._tell(robot.name, beams)
                 at = scan_pose(robot, streams)
                 here = robot.pose.value if robot.pose is not None else None
-                scene = replace(scene, beams=beams.points, beams_at=at or here, beams_are_old=at is None)
+                old = is_old(state, robot, streams) or (at is None and not is_placed_here)
+                scene = replace(scene, beams=beams.points, beams_at=at or here, beams_are_old=old)
             scene = replace(scene, path=self._path(state, robot.name))
         if isinstance(mode, PlaceMode):
             mode.note = _text(scan_match(state, robot, mode.floor, streams, mode.pose))

@@ -9,6 +9,8 @@ from fleet_tui.rules.commands.set_up.checks import map_of
 from fleet_tui.rules.localisation.match import Match, match
 from fleet_tui.state.streams import Streams
 
+FRESH = 1.0
+"""Seconds after which a scan is not the present one any more."""
 OLD = 2.0
 """Seconds after which a scan proves nothing."""
 
@@ -19,6 +21,12 @@ def newest_beams(state: FleetState, robot: Robot, streams: Streams) -> Beams | N
     if streamed is None or not isinstance(streamed.value, Beams) or state.now - streamed.at > OLD:
         return None
     return streamed.value
+
+
+def is_old(state: FleetState, robot: Robot, streams: Streams) -> bool:
+    """Tell whether newer scans should have come since the newest."""
+    streamed = streams.get(robot.name, SCAN)
+    return streamed is None or state.now - streamed.at > FRESH
 
 
 def scan_pose(robot: Robot, streams: Streams) -> Pose | None:

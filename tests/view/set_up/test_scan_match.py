@@ -9,7 +9,7 @@ from fleet_tui.model.grid import FREE, OCCUPIED
 from fleet_tui.model.occupancy import build_grid
 from fleet_tui.model.set_up.streams import Beams, Streamed
 from fleet_tui.state.streams import Streams
-from fleet_tui.view.set_up.scan_match import newest_beams, scan_match, scan_pose
+from fleet_tui.view.set_up.scan_match import is_old, newest_beams, scan_match, scan_pose
 from tests.support.fleets import F0, R0, T0, fleet, pose, reduced, tick
 
 CELLS = np.full((20, 20), FREE, np.uint8)
@@ -41,3 +41,6 @@ def test_what_is_unknown_has_no_match() -> None:
     assert scan_match(STATE, ROBOT, "attic", watched()) is None
     assert scan_match(STATE, ROBOT, F0, watched(T0 - 1.0)) is None, "its pose at that time is unknown"
     assert newest_beams(replace(STATE, now=T0 + 9.0), ROBOT, watched()) is None
+    late = replace(STATE, now=T0 + 1.5)
+    assert is_old(late, ROBOT, watched()) and not is_old(late, ROBOT, watched(T0 + 1.0))
+    assert newest_beams(late, ROBOT, watched()) is not None

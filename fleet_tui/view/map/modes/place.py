@@ -52,7 +52,7 @@ class PlaceMode(PlainMode):
         """Return the scene with the laser scan as it would lie with the robot at the chosen pose."""
         if scene.floor != self.floor or not self.moves_scan or scene.beams is None:
             return scene
-        return replace(scene, beams_at=self.pose, beams_are_old=False)
+        return replace(scene, beams_at=self.pose)
 
     def turn(self, degrees: float) -> None:
         """Turn counter-clockwise."""
