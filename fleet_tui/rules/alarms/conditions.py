@@ -73,21 +73,25 @@ def pause(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
 def stuck(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
     """Raise for an order to drive without movement.
 
-    An obstacle or a pause explains it, and silence hides it: neither begins it. A pause also ends it.
+    An obstacle or a pause explains it, and silence hides it: neither begins it, and none ends the alarm: a
+    robot that was stuck when it was paused still is.
     """
     order, place = robot.orders.current, robot.place
-    if order is None or place is None or state.is_paused(robot) or state.now - place.at < STILL:
+    if order is None or place is None or state.now - place.at < STILL:
+        return None
+    began = state.began.get((robot.name, "stuck"), state.now)
+    due = began + state.limits.stuck_after - STILL
+    is_paused = state.is_paused(robot)
+    if is_paused and due > state.began.get((robot.name, "pause"), state.now):
         return None
     known = state.is_fresh(robot, "pose")
     # An obstacle explains it only where that is an alarm: contact that comes and goes may never be one.
     explained = not known or obstacle(state, robot, active) is not None
     if explained and not was_active(active, robot.name, robot.link, "stuck"):
         return None
-    text = f"no movement for {age(state.now - place.at)} (order {order.id})"
+    text = f"{'paused, ' * is_paused}no movement for {age(state.now - place.at)} (order {order.id})"
     if not known:
         text = f"order {order.id}: not moving at last report"
-    began = state.began.get((robot.name, "stuck"), state.now)
-    due = began + state.limits.stuck_after - STILL
     return Condition(robot.name, "stuck", Priority.MEDIUM, text, "no longer stuck", due)
 
 

@@ -1,4 +1,5 @@
-"""Placement of labels and numbers: whole and without overlap, or not at all. Labels give way to robots."""
+"""Placement of labels and numbers: whole and without overlap, or not at all. Robots pass over labels; those
+of the selected robot's order step aside."""
 
 from dataclasses import dataclass
 from functools import lru_cache
@@ -144,7 +145,8 @@ class Backdrop(Cells):
 
 
 def move_aside(cells: Cells, behind: Backdrop, occupancy: CellOccupancy, aside: dict[Place, Place]) -> None:
-    """Move the labels below occupied cells, or leave them out.
+    """Move the labels of the order below occupied cells, or leave them out. The others stay: who looks for a
+    place finds it where it was.
 
     `aside`: the first cells of the labels that gave way, now by before. They stay there until they would be
     covered again.
@@ -152,6 +154,8 @@ def move_aside(cells: Cells, behind: Backdrop, occupancy: CellOccupancy, aside: 
     for label in behind.labels:
         size = cell_width(label.text)
         moved = aside.pop(label.at, None)
+        if not label.is_target:
+            continue
         if moved is None and not occupancy.is_taken(*label.at, size):
             continue
         _erase(cells, behind, label.at, size)

@@ -10,11 +10,11 @@ from fleet_tui.model.graph import Role
 from fleet_tui.model.order import natural
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.camera import Camera
-from fleet_tui.view.map.cells import Cells
+from fleet_tui.view.map.cells import Cells, Roles
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.glyphs import vertex_glyph
 from fleet_tui.view.map.labels import CellOccupancy, Label, draw_label
-from fleet_tui.view.map.places import Same, cells_of_vertices
+from fleet_tui.view.map.places import Place, Same, cells_of_vertices
 from fleet_tui.view.map.raster import ground
 from fleet_tui.view.map.scene import Scene, SceneVertex
 from fleet_tui.view.roles import StyleRole
@@ -81,35 +81,55 @@ def _glyphs(
     )
 
 
-def draw_labels(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> tuple[Label, ...]:
-    """Draw and return the labels that fit whole, so more of them the closer the zoom.
+def draw_labels(
+    cells: Cells, scene: Scene, camera: Camera, look: MapOptions, quiet: Roles
+) -> tuple[Label, ...]:
+    """Draw and return the labels that fit whole, so more of them the closer the zoom. `quiet`: the picture
+    without missions but with all edges, along which they lead: no label moves with the selection.
 
-    First the mission's ends, then the vertex under the cursor, elevators and docking stations, the others;
-    equals by vertex id. The order is the same at every zoom: a label stays when zooming in, unless an earlier
-    one now fits there.
+    First elevators and docking stations, then the others; equals by vertex id. The order is the same at every
+    zoom: a label stays when zooming in, unless an earlier one now fits there. Only where the mission's ends
+    or the vertex under the cursor would have none they are first.
     """
     if not look.labels:
         return ()
-    occupancy = CellOccupancy(camera.width, camera.height)
     indices, places = cells_of_vertices(scene, camera)
     ranked, is_marked = _ranks(Same(scene.vertices))
-    for x, y in places[is_marked[indices]].tolist():
-        occupancy.take(x, y, 1)
     at = dict(zip(indices.tolist(), places.tolist(), strict=True))
     labelled = [(scene.vertices[i], at[i]) for i in ranked if i in at]
-    targets = scene.target_vertices
-    # The others are in their order already.
-    labelled.sort(key=lambda seen: (seen[0].id not in targets, seen[0].id != look.pointed))
-    drawn: list[Label] = []
+    wanted = {*scene.target_vertices, look.pointed}
+    asked = sum(vertex.id in wanted for vertex, _ in labelled)
+    marks = places[is_marked[indices]].tolist()
+    drawn = _placed(labelled, marks, camera, look, quiet)
+    if sum(vertex.id in wanted for vertex, _ in drawn) < asked:
+        labelled.sort(key=lambda seen: seen[0].id not in wanted)
+        drawn = _placed(labelled, marks, camera, look, quiet)
+    labels = tuple(label._replace(is_target=one.id in scene.target_vertices) for one, label in drawn)
+    for label in labels:
+        draw_label(cells, label)
+    return labels
+
+
+def _placed(
+    labelled: list[tuple[SceneVertex, Place]],
+    marks: list[Place],
+    camera: Camera,
+    look: MapOptions,
+    quiet: Roles,
+) -> list[tuple[SceneVertex, Label]]:
+    """Return the labels that find a place, in their order, none over the `marks` of vertices."""
+    occupancy = CellOccupancy(camera.width, camera.height)
+    for x, y in marks:
+        occupancy.take(x, y, 1)
+    found = []
     for vertex, (x, y) in labelled[: camera.width * camera.height // CELLS_OF_LABEL + 1]:
         text = sanitize(vertex.label)
         if look.plain:
             text = text.encode("ascii", "replace").decode()
-        spot = occupancy.label_spot(x, y, text, cells.roles)
+        spot = occupancy.label_spot(x, y, text, quiet)
         if spot:
-            drawn.append(Label((x, y), spot, text, vertex.id in targets))
-            draw_label(cells, drawn[-1])
-    return tuple(drawn)
+            found.append((vertex, Label((x, y), spot, text, False)))
+    return found
 
 
 @lru_cache(maxsize=4)

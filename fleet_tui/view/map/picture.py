@@ -1,6 +1,7 @@
 """The map's picture: all layers, in two parts so that robots move over a cached backdrop."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
@@ -21,7 +22,8 @@ from fleet_tui.view.roles import StyleRole
 Layer = Callable[[Cells, Scene, Camera, MapOptions], None]
 
 
-STILL: tuple[Layer, ...] = (draw_ground, draw_edges, draw_mission, draw_vertices)
+STILL: tuple[Layer, ...] = (draw_ground, draw_edges)
+MISSION: tuple[Layer, ...] = (draw_mission, draw_vertices)
 """Below the labels. Redrawn only when the map, the graph, the mission, the camera or the options change."""
 
 MOVING: tuple[Layer, ...] = (draw_trails, draw_path, draw_approach, draw_scan, draw_outlines)
@@ -33,8 +35,12 @@ def backdrop(scene: Scene, camera: Camera, look: MapOptions) -> Backdrop:
     bare = Cells.blank(camera.width, camera.height, StyleRole.UNKNOWN)
     for draw in STILL:
         draw(bare, scene, camera, look)
+    quiet = bare.copy()
+    draw_edges(quiet, scene, camera, replace(look, edges=True))
+    for draw in MISSION:
+        draw(bare, scene, camera, look)
     cells = bare.copy()
-    labels = draw_labels(cells, scene, camera, look)
+    labels = draw_labels(cells, scene, camera, look, quiet.roles)
     return Backdrop(cells.codes, cells.roles, bare, labels)
 
 

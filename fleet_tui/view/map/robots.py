@@ -63,7 +63,10 @@ def _chips(
             side = occupancy.number_side(x, y, len(arrow), cells, sides.get(number, 0))
             if side:
                 sides[number] = side
-                chips += _beside(x + len(arrow) if side > 0 else x - cells, y, runs)
+                # The arrow is the first one's: where its colour says so, its number is beside it.
+                is_special = robot_roles(robots[0])[1] != StyleRole.ROBOT
+                listed = runs[::-1] if side < 0 and is_special and runs[-1][0][0] != "+" else runs
+                chips += _beside(x + len(arrow) if side > 0 else x - cells, y, listed)
                 break
     return chips
 
@@ -75,15 +78,15 @@ def _beside(x: int, y: int, runs: list[tuple[str, StyleRole]]) -> Chips:
 
 
 def _numbers(robots: list[SceneRobot], plain: bool) -> Iterator[list[tuple[str, StyleRole]]]:
-    """Yield the texts beside the arrow of the robots in one cell, the most telling first: all of them, the
-    first with a count of the others, each with states and without; the first alone."""
+    """Yield the texts beside the arrow of the robots in one cell, each with its role, the most telling first:
+    all of them, the first with a count of the others, each with states and without; the first alone."""
     first, more = robots[0], len(robots) - 1
     role = robot_roles(first)[1]
     for text in (partial(robot_tag, plain=plain), robot_number):
-        listed = [(text(robot), robot_roles(robot)[1]) for robot in robots]
-        yield [(one + "," * (place < more), colour) for place, (one, colour) in enumerate(listed)]
+        tags = [(text(robot), robot_roles(robot)[1]) for robot in robots]
+        yield [run for tag in tags for run in (tag, (",", StyleRole.ROBOT))][:-1]
         if more:
-            yield [(f"{text(first)}+{more}", role)]
+            yield [(text(first), role), (f"+{more}", StyleRole.ROBOT)]
     yield [(robot_number(first), role)]
 
 

@@ -132,6 +132,18 @@ def test_once_stuck_an_obstacle_or_silence_does_not_end_it() -> None:
     assert alarm(state, "stuck").text == "order 12: not moving at last report"
 
 
+def test_a_pause_does_not_cure_a_stuck_robot_and_makes_none() -> None:
+    state = stood(up(), 70)
+    state = reduced(state, events.PausedReported(R0, T0 + 71, True), *driving(T0 + 71))
+    assert alarm(state, "stuck").holds
+    assert alarm(state, "stuck").text == "paused, no movement for 71 s (order 12)"
+    resumed = reduced(state, events.PausedReported(R0, T0 + 80, False), *driving(T0 + 80))
+    assert alarm(resumed, "stuck").holds
+    assert not alarm(reduced(resumed, *driving(T0 + 81, x=0.5)), "stuck").holds
+    soon = reduced(stood(up(), 40), events.PausedReported(R0, T0 + 41, True))
+    assert (R0, "stuck") not in alarms(stood(soon, 60, T0 + 41))
+
+
 def test_who_wanders_by_less_than_a_step_stands() -> None:
     state = up()
     for n in range(70):

@@ -1,4 +1,5 @@
-"""Labels give way to robots: whole, or not at all, and without hopping."""
+"""Labels stay where they are; those of the selected robot's order give way to robots: whole, or not at all,
+without hopping."""
 
 from dataclasses import replace
 from itertools import pairwise
@@ -18,7 +19,8 @@ NAME = "Pharmacy"
 CAMERA = Camera.fit((400, 200), 120, 40)
 CELL = CAMERA.scale * 2 * 0.05
 """Metres."""
-SCENE = Scene("f", MapFrame(0.05, 400, 200), vertices=(SceneVertex("1", 10.05, 5.0, label=NAME),))
+QUIET = Scene("f", MapFrame(0.05, 400, 200), vertices=(SceneVertex("1", 10.05, 5.0, label=NAME),))
+SCENE = replace(QUIET, target_vertices=("1",))
 LOOK = MapOptions()
 BEHIND = backdrop(SCENE, CAMERA, LOOK)
 
@@ -39,6 +41,16 @@ def place(cells: Cells) -> tuple[int, int] | None:
 def test_a_label_is_whole_or_not_there(cells: float, rows: float) -> None:
     text = drawn(cells, rows).text()
     assert NAME in text or not set(NAME) & set(text)
+
+
+@given(st.floats(-20, 20), st.floats(-3, 3))
+def test_the_label_of_another_place_stays_under_a_robot(cells: float, rows: float) -> None:
+    pose = Pose(10.05 + cells * CELL, 5.0 - rows * 2 * CELL)
+    behind = backdrop(QUIET, CAMERA, LOOK)
+    text = picture(behind, replace(QUIET, robots=(SceneRobot("r", 7, pose),)), CAMERA, LOOK).text()
+    (y, x) = place(behind) or (0, 0)
+    there = text.splitlines()[y].ljust(x + len(NAME))[x : x + len(NAME)]
+    assert sum(one == other for one, other in zip(there, NAME, strict=True)) >= len(NAME) - 3
 
 
 def test_it_gives_way_to_a_robot_that_drives_through_it_and_stays_where_it_is_then() -> None:

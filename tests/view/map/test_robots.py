@@ -36,7 +36,7 @@ def test_the_number_is_left_of_the_arrow_and_right_where_another_robot_is_there(
 
 def test_robots_in_one_cell_are_listed_or_counted() -> None:
     assert " 1,2→ " in drawn((robot(1, 0), robot(2, 0)))
-    assert "3!,1,2→ " in drawn((robot(1, 0), robot(2, 0), robot(3, 0, obstacle=True)))
+    assert " 3!,1,2→ " in drawn((robot(1, 0), robot(2, 0), robot(3, 0, obstacle=True)))
     assert "3→ 1+2→→5" in drawn((robot(3, -5), robot(1, 0), robot(2, 0), robot(4, 0), robot(5, 1)))
 
 
