@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping
 from fleet_tui.model import kind
 from fleet_tui.model.commands import CancelOrder, ClearOrders, CommandRecord, PlaceOrder, Stage
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.order import Order, vertices_of
+from fleet_tui.model.order import Order, OrderState, vertices_of
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.commands.order_search import find_order
@@ -18,6 +18,8 @@ from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import Button, LateRows, Row, Run, Table, column, cut, width_of
 
 CANCEL, CLEAR = "[Cancel]", "[Clear all]"
+GAP = "  "
+SHORT = {OrderState.IN_PROCESS: "now"}
 LEAST_TITLE = 16
 """Cells that the title must keep beside its button."""
 
@@ -63,10 +65,13 @@ def _leaving(state: FleetState, records: Iterable[CommandRecord]) -> Mapping[tup
     }
 
 
-def _status(order: Order, space: int) -> str:
-    """Return its state, only the robot's own word if space is short."""
-    text, word = sanitize(order.state_text), sanitize(order.word)
-    return word if cell_width(text) > space >= cell_width(word) > 0 else text
+def _mission(mission: str, cells: int, order: Order, space: int) -> tuple[str, str]:
+    """Return an order's mission and its state: in columns, or close together if space is short."""
+    status = sanitize(order.state_text)
+    if cells + len(GAP) + cell_width(status) <= space:
+        return fit(mission, cells) + GAP, status
+    short = SHORT.get(order.state, status) if order.state else status
+    return fit(mission, cells).rstrip() + ", ", short
 
 
 def _row(state: FleetState, entry: Listed, columns: tuple[int, int, int], width: int, leaving: str) -> Row:
@@ -78,14 +83,12 @@ def _row(state: FleetState, entry: Listed, columns: tuple[int, int, int], width:
     runs: list[Run] = [
         (fit(robot.name, names) + " " if names else "", StyleRole.TEXT),
         (fit(f"#{order.id}", ids) + " ", StyleRole.DIM),
-        (
-            fit(fit(whose_mission(state, robot, order), missions).rstrip() + ",", missions + 1) + " ",
-            StyleRole.WARN if unknown else StyleRole.TEXT,
-        ),
     ]
     has_button = robot.kind.can(kind.CANCEL) and not order.is_over
     space = width - 1 - (len(CANCEL) if has_button else 0)
-    runs.append((_status(order, space - has_button - width_of(runs)), role))
+    left = space - has_button - width_of(runs)
+    mission, status = _mission(whose_mission(state, robot, order), missions, order, left)
+    runs += [(mission, StyleRole.WARN if unknown else StyleRole.TEXT), (status, role)]
     if progress := progress_text(state, robot, order):
         runs.append((f", {progress}", StyleRole.DIM))
     runs.append((f", cancel {leaving}" if leaving else "", StyleRole.WARN))
@@ -150,7 +153,7 @@ def queue_table(state: FleetState, selected: str, all_robots: bool, width: int) 
     listing = any(one.kind.lists_orders for one in state.robots.values())
     buttons: tuple[Button, ...] = ()
     if not all_robots and rows and robot.kind.can(kind.CLEAR):
-        start = width - len(CLEAR) - 1
+        start = width - len(CLEAR) - 2  # its end above that of [Cancel]
         if width_of(title) >= start:
             title = [run for run in title if run[1] is not StyleRole.DIM]  # the number of orders goes first
         if start > LEAST_TITLE:
