@@ -109,6 +109,9 @@ def none_current(_state: FleetState, robot: Robot) -> Reason | None:
     return Reason(name, evidence, Strength.LIKELY, seen=robot.queue.at, keys=("clear", "order"))
 
 
+LOOK = "Go and look at it: wheels, emergency stop, manual mode"
+
+
 def _ruled_out(state: FleetState, robot: Robot) -> Iterator[str]:
     if robot.obstacle is not None and not state.was_obstructed(robot):
         yield "no obstacle"
@@ -121,11 +124,10 @@ def unexplained(state: FleetState, robot: Robot) -> Reason | None:
     """Report an active order without an explanation for standing."""
     order, since = robot.orders.current, stationary_since(robot)
     if order is None and not robot.kind.lists_orders:
-        return Reason(
-            "cause unknown", "this kind of robot does not report its orders", Strength.POSSIBLE, since
-        )
+        evidence = "this kind of robot does not report its orders"
+        return Reason("cause unknown", evidence, Strength.NONE, since, remedy=LOOK)
     if order is None:
         return None
     evidence = f"{mission(robot, order)} active; {', '.join(_ruled_out(state, robot))}"
-    keys = ("centre", "clear")
-    return Reason("cause unknown", evidence, Strength.POSSIBLE, since, keys=keys)
+    keys = ("centre", "cancel", "clear")
+    return Reason("cause unknown", evidence, Strength.NONE, since, keys=keys, remedy=LOOK)

@@ -20,11 +20,14 @@ class Strength(IntEnum):
     CERTAIN = 1
     LIKELY = 2
     POSSIBLE = 3
+    NONE = 4
+    """The cause is unknown."""
 
 
 class Reason(Struct, frozen=True):
     """`name` is the reason, `evidence` the reports that show it. Monotonic seconds, None if unknown: `since`
-    it holds, `seen` when it was last reported. `keys` are the ids of the keys that help."""
+    it holds, `seen` when it was last reported. `keys` are the ids of the keys that help; `remedy` is
+    what a person can do on site."""
 
     name: str
     evidence: str
@@ -32,6 +35,7 @@ class Reason(Struct, frozen=True):
     since: float | None = None
     seen: float | None = None
     keys: tuple[str, ...] = ()
+    remedy: str = ""
 
 
 Rule = Callable[[FleetState, Robot], Reason | None]

@@ -5,6 +5,7 @@ from fleet_tui.model.fleet import FleetState, obstacle_text
 from fleet_tui.model.graph import Role
 from fleet_tui.model.link import Phase
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import STANDS_AFTER, own_pause_text
 from fleet_tui.rules.movement import JUMPS_WITHIN
@@ -43,17 +44,19 @@ def no_link(state: FleetState, robot: Robot) -> Reason | None:
     if link.phase is Phase.UP:
         return None
     why = f": {link.reason}" if link.reason else ""
-    return Reason("no link", f"no connection to {link.url}{why}", since=link.since)
+    remedy = CLASSES["link"].action
+    return Reason("no link", f"no connection to {link.url}{why}", since=link.since, remedy=remedy)
 
 
 def silent_robot(state: FleetState, robot: Robot) -> Reason | None:
     """Report that it is offline while the link is up."""
     if state.links[robot.link].phase is not Phase.UP or state.is_online(robot):
         return None
+    remedy = CLASSES["offline"].action
     if robot.last_received is None:
-        return Reason("never seen", "link up, no message received")
+        return Reason("never seen", "link up, no message received", remedy=remedy)
     name = f"offline {age(state.now - robot.last_received)}"
-    return Reason(name, "link up, no messages", since=robot.last_received)
+    return Reason(name, "link up, no messages", since=robot.last_received, remedy=remedy)
 
 
 def paused(state: FleetState, robot: Robot) -> Reason | None:

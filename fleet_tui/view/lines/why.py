@@ -7,7 +7,7 @@ from fleet_tui.keys import BY_ID
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.pauses import STANDS_AFTER
-from fleet_tui.rules.why.reason import Reason, stationary_since
+from fleet_tui.rules.why.reason import Reason, Strength, stationary_since
 from fleet_tui.rules.why.robot import moves
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.text.durations import age
@@ -33,11 +33,10 @@ def why_lines(
     lines = [_standing(state, robot)]
     for number, reason in enumerate(found[:SHOWN], 1):
         mark = "▶" if number == 1 else " "
-        lines += ["", f"{mark} {number}. {sanitize(reason.name)}  ({reason.strength.name.lower()})"]
-        lines.append(f"    {sanitize(reason.evidence)}")
-        lines += [
-            f"    {line}" for line in (_age(state, robot, reason), *_helps(reason, keys, hidden)) if line
-        ]
+        strength = "" if reason.strength is Strength.NONE else f"  ({reason.strength.name.lower()})"
+        lines += ["", f"{mark} {number}. {sanitize(reason.name)}{strength}"]
+        told = (sanitize(reason.evidence), _age(state, robot, reason), reason.remedy)
+        lines += [f"    {line}" for line in (*told, *_helps(reason, keys, hidden)) if line]
     return lines
 
 

@@ -19,6 +19,7 @@ from tests.support.fleets import (
 )
 from tests.support.kinds import FULL, KEYS, received
 from tests.support.planted_fleet import Planted
+from tests.support.situations import driving
 
 REMAPPED, _ = keymap({"resume": "f5", "clear": "ctrl+x"})
 
@@ -61,6 +62,7 @@ Last pose 20 s old.
 ▶ 1. offline 20 s  (certain)
     link up, no messages
     for 20 s
+    Check the robot: power, Wi-Fi, its nodes
 
   2. no orders  (possible)
     queue empty: waiting for an order
@@ -100,3 +102,10 @@ def test_why_offers_no_key_that_the_kind_does_not_accept() -> None:
         lines = why_lines(state, state.robots[R0], KEYS)
         assert any("no orders" in line for line in lines)
         assert any("order form" in line for line in lines) is is_offered
+
+
+def test_without_a_cause_it_says_once_how_long_and_what_to_do() -> None:
+    said = text(driving(then="stuck:robot_0").run(60))
+    assert "▶ 1. cause unknown\n" in said and said.count(" for ") == 1
+    assert "    Go and look at it: wheels, emergency stop, manual mode\n" in said
+    assert said.index("  Cancel") < said.index("  Clear all")
