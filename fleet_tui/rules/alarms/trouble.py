@@ -27,4 +27,4 @@ def trouble_elsewhere(state: FleetState, floor: str) -> str:
     away = [robot for robot in away if robot.floor not in (None, floor)]
     if len(away) == 1:
         return f"! {away[0].name} on {away[0].floor}"
-    return f"! {len(away)} robots on other floors" if away else ""
+    return f"! {len(away)} on other floors" if away else ""

@@ -21,6 +21,7 @@ _PRIORITIES = {Priority.HIGH: "high", Priority.MEDIUM: "med ", Priority.LOW: "lo
 WITH_PRIORITY = 44
 """Cells of a pane from which alarms have words for stage and priority, seconds, and robots long names."""
 HOURS_MINUTES = 5
+UNBOUNDED = 10_000
 
 
 def _role(alarm: Alarm) -> StyleRole:
@@ -46,10 +47,11 @@ def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float],
     at = clock(alarm.first_wall if alarm.holds else alarm.last_wall)
     runs.append((fit(alarm.condition.source, sources) + " ", StyleRole.TEXT))
     left = width - 1 - sum(cell_width(text) for text, _ in runs)
-    runs += [
-        (_short(sanitize(alarm.text), left), role),
-        (f" {at if is_wide else at[:HOURS_MINUTES]}{count}", StyleRole.DIM),
-    ]
+    text = _short(sanitize(alarm.text), left)
+    since = f" {at if is_wide else at[:HOURS_MINUTES]}"
+    # Half a time is none.
+    since = since if cell_width(text + since + count) <= left else ""
+    runs += [(text, role), (since + count, StyleRole.DIM)]
     return Row(alarm.key, tuple(runs))
 
 
@@ -80,7 +82,7 @@ def _suppressed(state: FleetState) -> int:
     return grouped + sum(robot.link in down for robot in state.robots.values())
 
 
-def alarm_table(state: FleetState, clock: Callable[[float], str], width: int = WITH_PRIORITY) -> Table:
+def alarm_table(state: FleetState, clock: Callable[[float], str], width: int = UNBOUNDED) -> Table:
     """Return every alarm for a pane of `width` cells: those that hold, unacknowledged ones first, by
     priority; then those that are over; shelved ones last; oldest first. A row moves when it is acknowledged
     or shelved, and when it needs a person again. `clock` formats Unix seconds as a local time."""

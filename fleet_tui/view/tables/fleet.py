@@ -86,7 +86,7 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     """Return the news of a robot, the most urgent first."""
     online = state.is_online(robot)
     if robot.last_received is None:
-        yield "never seen", StyleRole.DIM
+        yield "never seen", StyleRole.ALARM if robot.name in in_trouble(state) else StyleRole.DIM
     elif not online:
         yield f"offline {age(state.now - robot.last_received)}", StyleRole.ALARM
     contact = robot.obstacle if state.was_obstructed(robot) else None
@@ -134,7 +134,8 @@ def _battery_bar(state: FleetState, robot: Robot) -> Run:
 def _signed(state: FleetState, robot: Robot, troubled: bool) -> Run:
     """Return the sign at the start of a row: offline, in trouble, or all well."""
     if not state.is_online(robot):
-        return "○ ", StyleRole.DIM if robot.last_received is None else StyleRole.ALARM
+        is_expected = robot.last_received is None and not troubled  # it may be switched off for today
+        return "○ ", StyleRole.DIM if is_expected else StyleRole.ALARM
     return ("▲ ", StyleRole.ALARM) if troubled else ("● ", StyleRole.GOOD)
 
 

@@ -26,5 +26,5 @@ def test_a_shelved_alarm_is_no_trouble() -> None:
 def test_who_is_in_trouble_is_named_where_the_floor_is_not_shown() -> None:
     state = low(R0, "robot_1")
     assert trouble_elsewhere(state, "floor_0") == "! robot_1 on floor_1"
-    assert trouble_elsewhere(state, "floor_2") == "! 2 robots on other floors"
+    assert trouble_elsewhere(state, "floor_2") == "! 2 on other floors"
     assert trouble_elsewhere(low(R0), "floor_0") == ""
