@@ -58,8 +58,8 @@ CLASSES = {
     ),
     "stuck": AlarmClass(
         "medium",
-        "no movement for `stuck_after` in spite of an order, without an obstacle or a pause; a later one does not"
-        " end it",
+        "no movement for `stuck_after` in spite of an order, without an obstacle or a pause;"
+        " a later one does not end it",
         "its order is not carried out",
         "Press w for the reasons; cancel the order or go to the robot",
         10,

@@ -156,6 +156,7 @@ def test_the_ends_of_an_order_have_a_label_and_move_no_other_that_leaves_them_ro
     scene, camera = crowd(at), CAMERA.zoomed(zoom, (200, 100))
     ordered = replace(scene, target_vertices=(str(end),))
     before = names(scene, camera)
-    assert end in names(ordered, camera)
+    if end in names(silent(scene, {*range(len(at))} - {end}), camera):  # the vertices leave it room
+        assert end in names(ordered, camera)
     if end in before:
         assert names(ordered, camera) == before
