@@ -19,7 +19,9 @@ from fleet_tui.actions import (
 from fleet_tui.controllers.incident import Cancelled, IncidentPacking
 from fleet_tui.controllers.recording import RecordingSwitch
 from fleet_tui.rules.alarms.trouble import next_in_trouble
+from fleet_tui.rules.marks import marks_of
 from fleet_tui.terminal.lean_app import LeanApp
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.help.pages import help_pages
 from fleet_tui.view.lines.hints import hidden_keys
 
@@ -103,10 +105,18 @@ def _view_actions(screen: "MainScreen", rest: "Rest") -> ViewActions:
         audit=rest.audit_log.show,
         go_to_time=partial(rest.palette.show, "@"),
         step_robot=navigation.step_robot,
-        choose_robot=navigation.choose_robot,
+        choose_robot=partial(_choose_robot, screen),
         step_floor=navigation.step_floor,
         next_trouble=partial(_next_trouble, screen),
     )
+
+
+def _choose_robot(screen: "MainScreen", number: int) -> None:
+    """Select a robot by its place in the configuration. Where its name has another number, say who it is."""
+    names = tuple(screen.store.state.robots)
+    screen.navigation.choose_robot(number)
+    if number <= len(names) and marks_of(names)[number - 1] != str(number):
+        screen.notices.say(sanitize(f"{number} selects {names[number - 1]}: keys count the configuration"))
 
 
 def _next_trouble(screen: "MainScreen") -> None:

@@ -137,3 +137,10 @@ async def test_q_leaves(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         await it.press("q")
         assert not it.app.is_running
+
+
+async def test_a_digit_counts_the_configuration_and_says_whom_it_means(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2)) as it:
+        await it.press("2")
+        await it.shows("2 selects robot_1: keys count the configuration")
+        assert it.app.main.navigation.robot == "robot_1"
