@@ -36,7 +36,8 @@ def backdrop(scene: Scene, camera: Camera, look: MapOptions) -> Backdrop:
     for draw in STILL:
         draw(bare, scene, camera, look)
     quiet = bare.copy()
-    draw_edges(quiet, scene, camera, replace(look, edges=True))
+    if not look.edges:
+        draw_edges(quiet, scene, camera, replace(look, edges=True))
     for draw in MISSION:
         draw(bare, scene, camera, look)
     cells = bare.copy()
