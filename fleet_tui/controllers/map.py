@@ -52,8 +52,11 @@ class MapControls:
         self._view.draw()
 
     def follow(self) -> None:
-        """Follow the selected robot, or stop following."""
-        self._picture.viewport.follow = not self._picture.viewport.follow
+        """Follow the selected robot from the middle of the view, or stop following."""
+        view, scene = self._picture.viewport, self._picture.scene
+        view.follow = not view.follow
+        if view.follow and scene is not None:
+            view.centre(scene)
         self._view.draw()
 
     def centre(self, at: tuple[float, float] | None = None) -> None:
