@@ -40,7 +40,8 @@ class Replay:
         """Show the recorded time. A recording is never mistaken for the fleet."""
         moment = self._player.moment
         if moment.jumps != self._jumps and self._forget_trails():
-            self._jumps, self._notices.text = moment.jumps, ""
+            self._jumps = moment.jumps
+            self._notices.clear()
         if self._time_line is not None:
             self._time_line.show(moment, self._clock)
         date = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(moment.wall))

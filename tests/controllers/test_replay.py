@@ -49,7 +49,8 @@ def test_the_headline_begins_with_the_recorded_time(played: Played) -> None:
 
 def test_a_jump_forgets_the_notice_once_there_is_a_map(played: Played) -> None:
     played.player.enter(T0 + 50)
-    played.notices.text, played.has_map = "old", False
+    played.notices.note("old")
+    played.has_map = False
     played.replay.headline(played.store.state, R0)
     assert played.notices.text == "old" and played.jumps == 0
     played.has_map = True
