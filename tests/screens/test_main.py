@@ -1,6 +1,7 @@
 """The main screen: what it shows of a real fleet, and its keys."""
 
 import pytest
+from msgspec.structs import replace
 
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.view.map.drawing import Drawing
@@ -137,3 +138,11 @@ async def test_q_leaves(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         await it.press("q")
         assert not it.app.is_running
+
+
+async def test_enter_on_free_ground_tells_the_key_of_the_next_place(server: RosbridgeServer) -> None:
+    async with console(replace(config_of(server.url, 1), keys={"next_vertex": "ctrl+n"})) as it:
+        await it.press("g", "left", "enter")
+        await it.shows("no place here: Ctrl-N goes to the next one", "message")
+        await it.press("ctrl+n", "enter")
+        await it.until(lambda _: it.app.main.rest.order_form.is_open)
