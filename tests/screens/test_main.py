@@ -146,3 +146,14 @@ async def test_enter_on_free_ground_tells_the_key_of_the_next_place(server: Rosb
         await it.shows("no place here: Ctrl-N goes to the next one", "message")
         await it.press("ctrl+n", "enter")
         await it.until(lambda _: it.app.main.rest.order_form.is_open)
+
+
+async def test_all_paused_shows_the_way_back_at_80_columns_too(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2, 2), (80, 24)) as it:
+        await it.press("P")
+        await it.shows("ALL PAUSED, :resume all")
+        assert server.url in it.text.splitlines()[0]
+        await it.press("colon")
+        await it.type("resume all")
+        await it.press("enter")
+        await it.hides("ALL PAUSED")
