@@ -7,7 +7,7 @@ from fleet_tui.model.fleet import FleetState, behind_text
 from fleet_tui.model.kind import PAUSE
 from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.rules.lag import BEHIND
-from fleet_tui.text.durations import age
+from fleet_tui.text.durations import age, duration
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run
@@ -68,7 +68,7 @@ def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
         yield "nothing received yet", StyleRole.DIM
     else:
         silent = max(0.0, now - link.last_received)
-        yield f"{silent:.1f} s", StyleRole.DIM if silent < SILENT_AFTER else StyleRole.WARN
+        yield f"{duration(silent)}", StyleRole.DIM if silent < SILENT_AFTER else StyleRole.WARN
     if link.command_path is CommandPath.DEAD:
         yield f" commands dead: {sanitize(link.command_reason)}", StyleRole.ALARM
     elif link.command_path is CommandPath.UNREGISTERED:
@@ -76,7 +76,7 @@ def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
     if link.unsourced:
         yield f" {sanitize(link.unsourced_text)}", StyleRole.ALARM
     if link.late >= BEHIND:
-        yield f" {link.late:.1f} s late: bridge overloaded", StyleRole.WARN
+        yield f" {duration(link.late)} late: bridge overloaded", StyleRole.WARN
     if link.faults:
         yield f" {link.faults} bad frames", StyleRole.WARN
 
