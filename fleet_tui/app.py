@@ -72,7 +72,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
         keys, _ = keymap(config.keys)
         settings = self._settings(keys, drawing, terminal, message)
         self.main = MainScreen(store, self.backend, settings, files or ConsoleFiles(), open_session)
-        self._guard = self.faults = FaultGuard(self.main.notices.note)
+        self._guard = self.faults = FaultGuard(partial(self.main.notices.note, stays=True))
         self.main.set_role_styles(themes[config.ui.theme].styles(colour))
         # Only the changes: Textual goes through the whole keymap at every key.
         usual, _ = keymap({})
@@ -124,7 +124,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
         except Exception as problem:
             LOG.exception("link not opened")
             said = f"link not opened: {problem} (see the log file)"
-            self.call_from_thread(self.main.notices.say, said)
+            self.call_from_thread(self.main.notices.say, said, stays=True)
 
     def use_theme(self, name: str) -> None:
         """Change every colour, at once."""

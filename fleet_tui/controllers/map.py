@@ -1,10 +1,12 @@
 """Actions on the map: zoom, follow, layers, the mode and its cursor."""
 
 import math
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from time import monotonic
 
 from fleet_tui.controllers.stride import Stride
+from fleet_tui.keys.key import key_name
 from fleet_tui.view.map.camera import ZOOM_STEP
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.modes.mode import CursorMode, MapMode, ViewMode
@@ -12,10 +14,13 @@ from fleet_tui.widgets.map_view import MapView
 
 
 class MapControls:
-    """Changes the view of the map pane. Without a scene only the options change."""
+    """Changes the view of the map pane. Without a scene only the options change. `say` shows a text to the
+    operator, `to_next` are the keys that go to the next vertex."""
 
-    def __init__(self, view: MapView) -> None:
-        self._view, self._picture = view, view.picture
+    def __init__(
+        self, view: MapView, say: Callable[[str], None] = lambda _: None, to_next: Sequence[str] = ()
+    ) -> None:
+        self._view, self._picture, self._say, self._to_next = view, view.picture, say, to_next
         self._stride = Stride()
 
     def pan(self, dx: int, dy: int) -> None:
@@ -131,5 +136,8 @@ class MapControls:
     def pick(self) -> None:
         """Pick the object that Enter means in this mode."""
         picture = self._picture
-        if picture.scene is not None:
-            self._view.post_pick(picture.mode.pick(picture.viewport, picture.scene))
+        found = picture.mode.pick(picture.viewport, picture.scene) if picture.scene is not None else None
+        self._view.post_pick(found)
+        if found is None:
+            way = [f"{key_name(key)} goes to the next one" for key in self._to_next[:1]]
+            self._say(": ".join(["no place here", *way]))

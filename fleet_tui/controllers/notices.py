@@ -1,23 +1,45 @@
 """The last line: the newest message for the operator."""
 
+import math
 from collections.abc import Callable
+from time import monotonic
 
 from fleet_tui.state.store import Store
 from fleet_tui.view.lines.commands import newest
 
+SHOWN = 10.0
+"""Seconds for which a text is shown: later it would read as the answer to the last key."""
+
 
 class Notices:
-    """Keeps the newest text and the number of the newest command at that time."""
+    """Keeps the newest text and the number of the newest command at that time. `text`, the first one, is
+    shown until there is a newer one."""
 
-    def __init__(self, store: Store, refresh: Callable[[], None], text: str = "") -> None:
-        self._store, self._refresh = store, refresh
-        self.text, self.at = text, 0.0
+    def __init__(
+        self,
+        store: Store,
+        refresh: Callable[[], None],
+        text: str = "",
+        clock: Callable[[], float] = monotonic,
+    ) -> None:
+        self._store, self._refresh, self._clock = store, refresh, clock
+        self._text, self._until, self.at = text, math.inf, 0.0
 
-    def say(self, text: str) -> None:
+    @property
+    def text(self) -> str:
+        """Return the newest text while it is shown, by the time of this console also in a replay."""
+        return self._text if self._clock() < self._until else ""
+
+    def say(self, text: str, stays: bool = False) -> None:
         """Show a text at once."""
-        self.note(text)
+        self.note(text, stays)
         self._refresh()
 
-    def note(self, text: str) -> None:
-        """Show a text with the next tick."""
-        self.text, self.at = text, newest(self._store.state)
+    def note(self, text: str, stays: bool = False) -> None:
+        """Show a text with the next tick; if it `stays`, until there is a newer one."""
+        self._text, self.at = text, newest(self._store.state)
+        self._until = math.inf if stays else self._clock() + SHOWN
+
+    def clear(self) -> None:
+        """Show no text."""
+        self._text = ""

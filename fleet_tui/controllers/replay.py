@@ -27,7 +27,7 @@ class Replay:
     pane: Pane | None = Pane.RECORDING
 
     def __init__(self, player: "Player", parts: SessionParts) -> None:
-        self._player, self._notices, self._clock = player, parts.notices, parts.clock
+        self._player, self._notices, self._clock = player, parts.notices, parts.settings.clock
         self._forget_trails = parts.forget_trails
         self._jumps = 0
         self._time_line: TimeLine | None = None
@@ -36,11 +36,12 @@ class Replay:
         """Leave out the keys of live consoles."""
         return not key.only_live
 
-    def headline(self, state: FleetState, robot: str) -> Headline:
+    def headline(self, state: FleetState, robot: str, width: int) -> Headline:
         """Show the recorded time. A recording is never mistaken for the fleet."""
         moment = self._player.moment
         if moment.jumps != self._jumps and self._forget_trails():
-            self._jumps, self._notices.text = moment.jumps, ""
+            self._jumps = moment.jumps
+            self._notices.clear()
         if self._time_line is not None:
             self._time_line.show(moment, self._clock)
         date = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(moment.wall))

@@ -8,10 +8,11 @@ from fleet_tui.actions import PlayerActions
 from fleet_tui.controllers.dispatch import Dispatch
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.notices import Notices
+from fleet_tui.controllers.settings import ConsoleSettings
 from fleet_tui.keys import Key, Pane
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.view.lines.status import console_notes, status_line, status_right
-from fleet_tui.view.tables.table import Run
+from fleet_tui.view.lines.status import ALL_PAUSED, console_notes, resume_all, status_line, status_right
+from fleet_tui.view.tables.table import Run, width_of
 
 if TYPE_CHECKING:
     from fleet_tui.controllers.typed import Typed
@@ -27,8 +28,7 @@ class SessionParts(NamedTuple):
     dispatch: Dispatch
     notices: Notices
     files: ConsoleFiles
-    clock: Callable[[float], str]
-    """Returns Unix seconds as a local time of day."""
+    settings: ConsoleSettings
     forget_trails: Callable[[], bool]
     """Clears the trails of the map; returns False while there is no map."""
 
@@ -44,8 +44,8 @@ class ConsoleSession(Protocol):
     def offers(self, key: Key[Any]) -> bool:
         """Tell whether a key has a use."""
 
-    def headline(self, state: FleetState, robot: str) -> Headline:
-        """Return the line that is always visible."""
+    def headline(self, state: FleetState, robot: str, width: int) -> Headline:
+        """Return the line that is always visible; of `width` cells, as far as it can."""
 
     def time_line(self) -> "TimeLine | None":
         """Return the widget of the position in a recording."""
@@ -76,12 +76,17 @@ class LiveSession:
         """Leave out the keys of recordings."""
         return key.pane is not Pane.RECORDING
 
-    def headline(self, state: FleetState, robot: str) -> Headline:
+    def headline(self, state: FleetState, robot: str, width: int) -> Headline:
         """Return the state of this console and of the link, and the console in command."""
-        may, files = self._parts.dispatch.permissions, self._parts.files
+        may, files, settings = self._parts.dispatch.permissions, self._parts.files, self._parts.settings
         notes = console_notes(state, may.read_only, may.armed, time.monotonic() - state.now)
         runs = status_line(state, robot, [*notes, *files.notes()])
-        return runs, status_right(self._parts.clock(state.wall), files.operator)
+        if ALL_PAUSED in notes and may.armed and not may.read_only:
+            way_back = f"{ALL_PAUSED}, {resume_all(settings.keys)}"
+            notes = [way_back if note == ALL_PAUSED else note for note in notes]
+            longer = status_line(state, robot, [*notes, *files.notes()])
+            runs = longer if width_of(longer) <= width else runs
+        return runs, status_right(settings.clock(state.wall), files.operator)
 
     def time_line(self) -> None:
         """Return no time line."""

@@ -58,10 +58,7 @@ TRANSITIONS = {
     (AlarmStage.RETURNED, AlarmStep.ACKNOWLEDGE): AlarmStage.CLEARED,
     (AlarmStage.RETURNED, AlarmStep.SHELVE): AlarmStage.SHELVED,
     (AlarmStage.SHELVED, AlarmStep.UNSHELVE): AlarmStage.UNACKNOWLEDGED,  # it still holds
-    (
-        AlarmStage.SHELVED,
-        AlarmStep.RETURN,
-    ): AlarmStage.CLEARED,  # no longer shelved, and its condition is over
+    (AlarmStage.SHELVED, AlarmStep.RETURN): AlarmStage.CLEARED,  # after its shelving
 }
 _STEPS = {(was, now): step for (was, step), now in TRANSITIONS.items()}
 
@@ -97,9 +94,10 @@ class Condition(Struct, frozen=True):
 
 
 class Alarm(Struct, frozen=True):
-    """An alarm and its history: `first_wall` and `last_wall` (Unix seconds) are when it was raised and when
-    it last held, `count` its occurrences since then. `held_at` (monotonic) is when it last held,
-    `shelved_until` (monotonic) the end of its shelving. `holds` is False during the off-delay as well."""
+    """An alarm and its history: `first_wall` and `last_wall` (Unix seconds) are when it was raised, with
+    `first_text`, and when it last held, `count` its occurrences since then. `held_at` (monotonic) is when it
+    last held, `shelved_until` (monotonic) the end of its shelving. `holds` is False during the off-delay as
+    well."""
 
     condition: Condition
     first_wall: float
@@ -109,6 +107,7 @@ class Alarm(Struct, frozen=True):
     count: int = 1
     holds: bool = True
     shelved_until: float = field(default=0.0, name="until")  # as recordings have it
+    first_text: str = ""
 
     @property
     def key(self) -> Key:
@@ -182,7 +181,8 @@ def advance(
         if alarm.stage is not AlarmStage.CLEARED:
             result.append(alarm)
     result.extend(
-        Alarm(condition, wall, wall, at, count=max(1, len(condition.parts))) for condition in holding.values()
+        Alarm(one, wall, wall, at, count=max(1, len(one.parts)), first_text=one.text)
+        for one in holding.values()
     )
     # The same object means no change: the audit log compares ten times a second.
     is_same = len(result) == len(alarms) and all(map(is_, result, alarms))

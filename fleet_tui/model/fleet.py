@@ -10,7 +10,7 @@ from fleet_tui.model.commands import CommandRecord
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.link import LinkState
 from fleet_tui.model.robot import Reading, Robot
-from fleet_tui.text.durations import age
+from fleet_tui.text.durations import age, duration
 
 CONTACT = 3.0
 """Seconds in contact from which an obstacle is shown at the robot; shorter ones occur on every drive."""
@@ -130,18 +130,13 @@ def with_robot(state: FleetState, robot: Robot) -> FleetState:
     return replace(state, robots={**state.robots, robot.name: robot})
 
 
-WHOLE_FROM = 100.0
-"""Seconds from which tenths don't matter."""
-
-
 def obstacle_text(state: FleetState, robot: Robot, contact: Reading[float]) -> str:
     """Return `obstacle 4.2 s` while the contact lasts; afterwards in the past tense."""
     if state.is_old(robot, "obstacle"):
-        return f"contact for {contact.value:.1f} s, {age(state.now - contact.at)} ago"
-    tenths = 1 if contact.value < WHOLE_FROM else 0
-    return f"obstacle {contact.value:.{tenths}f} s"
+        return f"contact for {duration(contact.value)}, {age(state.now - contact.at)} ago"
+    return f"obstacle {duration(contact.value)}"
 
 
 def behind_text(state: FleetState) -> str:
     """Return the text of this console's delay."""
-    return f"this console is {state.behind:.1f} s behind"
+    return f"this console is {duration(state.behind)} behind"

@@ -5,6 +5,7 @@ import math
 from msgspec import Struct
 
 from fleet_tui.model.order import OrderState, Stop
+from fleet_tui.text.durations import duration
 
 
 class Goal(Struct, frozen=True):
@@ -65,5 +66,5 @@ class Blocked(Struct, frozen=True):
 def blocked_text(blocked: Blocked, now: float) -> str:
     """Return the text of a robot held back, with the seconds since this console's first message of it."""
     if blocked.is_stopped:
-        return f"blocked {now - blocked.since:.1f} s (seen)"
+        return f"blocked {duration(now - blocked.since)} (seen)"
     return f"slowed by its collision monitor ({blocked.action})"

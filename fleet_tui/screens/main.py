@@ -78,9 +78,8 @@ class MainScreen(Screen[None]):
         self.dispatch = Dispatch(
             store, backend, settings.permissions, self.notices, lambda *asked: self.rest.confirm.ask(*asked)
         )
-        self.session = open_session(
-            SessionParts(self.dispatch, self.notices, files, settings.clock, self._forget_trails)
-        )
+        parts = SessionParts(self.dispatch, self.notices, files, settings, self._forget_trails)
+        self.session = open_session(parts)
         self._all_orders = False
         self._hinted: tuple[Pane, bool, set[str], int] | None = None
         self._mapped: tuple[str, str] | None = None
@@ -130,7 +129,7 @@ class MainScreen(Screen[None]):
         ]
         page, recent = partial(robot_page, state, robot, clock), partial(recent_table, state, clock)
         self.panes.show(tables, page, recent, self.rest.covered if self.is_complete else 0)
-        self.status.show(*self.session.headline(state, robot))
+        self.status.show(*self.session.headline(state, robot, self.status.size.width))
         self.message.show(message_line(state, self.notices.text, self.notices.at, self.message.size.width))
         self._show_hints(state, robot)
         self.settings.announce(state)

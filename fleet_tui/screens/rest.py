@@ -63,7 +63,7 @@ class Rest:
         navigation, notices = screen.navigation, screen.notices
         self.map = MapView(id="map")
         self.map.picture.options = MapOptions(drawing=settings.drawing)
-        self.map_controls = MapControls(self.map)
+        self.map_controls = MapControls(self.map, notices.say, settings.keys["next_vertex"])
         self.confirm, self.menu = Confirm(id="confirm"), Menu(id="menu")
         self.order_form = OrderForm(lambda: store.state, dispatch.give)
         self.key_help = Help()

@@ -1,6 +1,6 @@
 """Sizes, counts and short times as text."""
 
-from fleet_tui.text.durations import age
+from fleet_tui.text.durations import duration
 
 
 def size_text(count: float) -> str:
@@ -14,8 +14,7 @@ def ago(at: float | None, now: float) -> str:
     """Return the age of an event, `never` if there was none."""
     if at is None:
         return "never"
-    seconds = max(0.0, now - at)
-    return f"{seconds:.1f} s ago" if seconds < 10 else f"{age(seconds)} ago"
+    return f"{duration(now - at)} ago"
 
 
 def milliseconds(seconds: float) -> str:

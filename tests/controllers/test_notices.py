@@ -15,6 +15,23 @@ def test_what_is_said_is_shown_at_once_and_what_is_noted_with_the_next_tick() ->
     assert (notices.text, drawn) == ("two", ["one"])
 
 
+def test_a_text_goes_after_a_while_unless_it_stays() -> None:
+    now = [T0]
+    notices = Notices(Store(fleet()), lambda: None, "welcome", clock=lambda: now[0])
+    now[0] += 60
+    assert notices.text == "welcome"
+    notices.say("no order here")
+    now[0] += 9.9
+    assert notices.text == "no order here"
+    now[0] += 0.2
+    assert notices.text == ""
+    notices.say("link not opened", stays=True)
+    now[0] += 60
+    assert notices.text == "link not opened"
+    notices.clear()
+    assert notices.text == ""
+
+
 def test_a_command_that_comes_later_is_newer_than_the_text() -> None:
     store = Store(fleet())
     notices = Notices(store, lambda: None)

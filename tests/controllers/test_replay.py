@@ -43,18 +43,19 @@ def played(tmp_path: Path) -> Played:
 
 
 def test_the_headline_begins_with_the_recorded_time(played: Played) -> None:
-    (first, role), *_ = played.replay.headline(played.store.state, R0)[0]
+    (first, role), *_ = played.replay.headline(played.store.state, R0, 120)[0]
     assert (first.strip(), role) == (at(0), StyleRole.WARN)
 
 
 def test_a_jump_forgets_the_notice_once_there_is_a_map(played: Played) -> None:
     played.player.enter(T0 + 50)
-    played.notices.text, played.has_map = "old", False
-    played.replay.headline(played.store.state, R0)
+    played.notices.note("old")
+    played.has_map = False
+    played.replay.headline(played.store.state, R0, 120)
     assert played.notices.text == "old" and played.jumps == 0
     played.has_map = True
     for _ in range(2):
-        played.replay.headline(played.store.state, R0)
+        played.replay.headline(played.store.state, R0, 120)
     assert played.notices.text == "" and played.jumps == 1
 
 

@@ -2,9 +2,10 @@
 
 from fleet_tui.controllers.session import ConsoleSession, LiveSession
 from fleet_tui.keys import KEYS, Pane
+from fleet_tui.model.events import PausedReported
 from fleet_tui.model.problem import Permissions
 from tests.support.desk import Desk, ready
-from tests.support.fleets import R0, text_of
+from tests.support.fleets import R0, T0, reduced, text_of, tick
 
 
 def test_no_key_and_no_line_of_a_recording_means_anything() -> None:
@@ -16,6 +17,21 @@ def test_no_key_and_no_line_of_a_recording_means_anything() -> None:
 def test_the_headline_says_what_keeps_commands_here() -> None:
     desk = Desk(ready(), Permissions(read_only=True, armed=False))
     session = LiveSession(desk.parts)
-    left, right = session.headline(desk.store.state, R0)
+    left, right = session.headline(desk.store.state, R0, 120)
     assert "read-only" in text_of(left) and "not armed" in text_of(left)
     assert "12:00:00" in text_of(right)
+
+
+def test_the_way_back_from_all_paused_is_shown_where_it_fits_and_may_be_gone() -> None:
+    paused = reduced(ready(), PausedReported(R0, T0 + 0.4, True), tick(T0 + 0.5))
+
+    def headline(width: int, permissions: Permissions | None = None) -> str:
+        return text_of(LiveSession(Desk(paused, permissions).parts).headline(paused, R0, width)[0])
+
+    fitting = headline(300)
+    assert "ALL PAUSED, :resume all  " in fitting
+    assert headline(len(fitting)) == fitting
+    assert "ALL PAUSED  " in headline(len(fitting) - 1)
+    assert "resume" not in headline(300, Permissions(read_only=True)) + headline(
+        300, Permissions(armed=False)
+    )

@@ -1,6 +1,7 @@
 """The main screen: what it shows of a real fleet, and its keys."""
 
 import pytest
+from msgspec.structs import replace
 
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.view.map.drawing import Drawing
@@ -103,16 +104,16 @@ async def test_an_alarm_is_new_until_it_is_seen(server: RosbridgeServer) -> None
         await it.press("A")
         await it.until(lambda state: not state.alarms)
         server.bridge.publish_raw("/robot_0/obstacle", {"data": 44.2})
-        await it.shows("obstacle 44.2 s", "alarms")
-        await it.shows("obstacle 44.2 s", "fleet")
+        await it.shows("obstacle 44 s", "alarms")
+        await it.shows("obstacle 44 s", "fleet")
         await it.shows("1 alarm (1 new)")
         await it.press("a")
         await it.shows("1 alarm ")
         server.bridge.publish_raw("/robot_0/obstacle", {"data": 0.0})
-        await it.hides("obstacle 44.2 s")
+        await it.hides("obstacle 44 s")
         await it.shows("0 alarms")
         server.bridge.publish_raw("/robot_0/obstacle", {"data": 49.0})
-        await it.shows("obstacle 49.0 s", "alarms")
+        await it.shows("obstacle 49 s", "alarms")
         await it.press("A")
         await it.hides("new)")
 
@@ -144,3 +145,22 @@ async def test_a_digit_counts_the_configuration_and_says_whom_it_means(server: R
         await it.press("2")
         await it.shows("2 selects robot_1: keys count the configuration")
         assert it.app.main.navigation.robot == "robot_1"
+
+
+async def test_enter_on_free_ground_tells_the_key_of_the_next_place(server: RosbridgeServer) -> None:
+    async with console(replace(config_of(server.url, 1), keys={"next_vertex": "ctrl+n"})) as it:
+        await it.press("g", "left", "enter")
+        await it.shows("no place here: Ctrl-N goes to the next one", "message")
+        await it.press("ctrl+n", "enter")
+        await it.until(lambda _: it.app.main.rest.order_form.is_open)
+
+
+async def test_all_paused_shows_the_way_back_at_80_columns_too(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2, 2), (80, 24)) as it:
+        await it.press("P")
+        await it.shows("ALL PAUSED, :resume all")
+        assert server.url in it.text.splitlines()[0]
+        await it.press("colon")
+        await it.type("resume all")
+        await it.press("enter")
+        await it.hides("ALL PAUSED")

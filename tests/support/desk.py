@@ -8,6 +8,7 @@ from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.navigation import Navigation
 from fleet_tui.controllers.notices import Notices
 from fleet_tui.controllers.session import SessionParts
+from fleet_tui.controllers.settings import ConsoleSettings
 from fleet_tui.controllers.typed import Entry
 from fleet_tui.model.commands import Command
 from fleet_tui.model.counters import LinkCounter
@@ -18,6 +19,7 @@ from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
 from fleet_tui.state.store import Store
 from fleet_tui.state.streams import Streams
+from fleet_tui.view.map.drawing import Drawing
 from tests.support.fleets import (
     LINK,
     R0,
@@ -31,6 +33,7 @@ from tests.support.fleets import (
     reduced,
     tick,
 )
+from tests.support.kinds import KEYS
 
 
 class CollectingBackend:
@@ -111,9 +114,16 @@ class Desk:
     @property
     def parts(self) -> SessionParts:
         """The parts of a session, without a map."""
-        return SessionParts(
-            self.dispatch, self.notices, ConsoleFiles(), lambda _wall: "12:00:00", lambda: False
+        settings = ConsoleSettings(
+            KEYS,
+            lambda _wall: "12:00:00",
+            self.dispatch.permissions,
+            Drawing.ASCII,
+            {},
+            lambda _state: None,
+            lambda: None,
         )
+        return SessionParts(self.dispatch, self.notices, ConsoleFiles(), settings, lambda: False)
 
     def ask(self, question: Callable[[], str], then: Callable[[], None]) -> None:
         assert question()

@@ -74,7 +74,7 @@ def test_other_priorities_are_quiet() -> None:
 
 def test_the_notification_names_the_worst() -> None:
     state = reduced(in_the_way(), battery(T0, 15.0, "robot_1"), tick(T0 + 0.1))
-    text = "\x1b]9;fleet-tui: robot_0 obstacle 44.2 s and 1 more\x1b\\"
+    text = "\x1b]9;fleet-tui: robot_0 obstacle 44 s and 1 more\x1b\\"
     assert Wire(["low"], ALL).look(state) == ["\x07" + text]
 
 
@@ -121,7 +121,7 @@ def test_text_from_the_wire_ends_no_sequence(text: str, inside_tmux: bool) -> No
 def test_in_tmux_it_is_handed_on_and_the_linux_console_gets_none(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("TMUX", "/tmp/tmux-1000/default,1,0")
     (sequence,) = Wire([], ALL).look(in_the_way())
-    assert sequence == "\x1bPtmux;\x1b\x1b]9;fleet-tui: robot_0 obstacle 44.2 s\x1b\x1b\\\x1b\\"
+    assert sequence == "\x1bPtmux;\x1b\x1b]9;fleet-tui: robot_0 obstacle 44 s\x1b\x1b\\\x1b\\"
     monkeypatch.setenv("TERM", "linux")
     assert Wire([], ALL).look(in_the_way()) == []
 
@@ -141,7 +141,7 @@ async def test_a_call_goes_to_the_terminal_and_changes_nothing_there() -> None:
         paint(app)
         terminal = terminal_of(app)
         before = shown(terminal)
-        sequence = "\x07" + notification("robot_0 obstacle 44.2 s", inside_tmux=False)
+        sequence = "\x07" + notification("robot_0 obstacle 44 s", inside_tmux=False)
         assert app.output.call(sequence)
         assert terminal.written[-1] == sequence
         assert shown(terminal) == before

@@ -14,7 +14,7 @@ from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
 from fleet_tui.rules.alarms.navigation import NAVIGATION_RULES
 from fleet_tui.rules.commands.failures import failed_commands
 from fleet_tui.rules.lag import BEHIND
-from fleet_tui.text.durations import age
+from fleet_tui.text.durations import age, duration
 
 BAD_AFTER, BAD_FOR = 1.0, 10.0
 """Seconds from bad data to its alarm (other robots may send some, too), and without any until it counts as
@@ -159,7 +159,7 @@ def late(state: FleetState, link: LinkState, _active: ActiveConditions) -> Condi
     if link.phase is not Phase.UP or link.late < BEHIND:
         return None
     due = state.began.get((link.name, "late"), state.now) + BEHIND_FOR
-    text = f"messages {link.late:.1f} s late: {OVERLOADED}"
+    text = f"messages {duration(link.late)} late: {OVERLOADED}"
     return Condition(link.name, "late", Priority.MEDIUM, text, "messages on time", due)
 
 

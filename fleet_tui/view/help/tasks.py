@@ -10,6 +10,7 @@ Step = tuple[tuple[str, ...], str]
 ROBOTS = tuple(f"robot_{number}" for number in range(1, 10))
 """The ids of the keys that select a robot by its number."""
 ORDERING = "Send an order"
+RESUMING = "Resume it; all: type resume all"
 TASKS: dict[str, tuple[Step, ...]] = {
     ORDERING: (
         (("order",), "Order form: From, Enter, To, Enter"),
@@ -19,7 +20,7 @@ TASKS: dict[str, tuple[Step, ...]] = {
     ),
     "Stop a robot": (
         (("pause",), "Pause the selected robot"),
-        (("resume",), "Resume it"),
+        (("resume", "palette"), RESUMING),
         (("pause_all", "pause_all_anywhere"), "Pause all robots (no safety device)"),
         (("cancel",), "Cancel order at the queue cursor"),
         (("clear",), "Clear all orders of the robot"),
@@ -62,7 +63,11 @@ def tasks(keys: Mapping[str, tuple[str, ...]], hidden: Collection[str]) -> list[
     for title, steps in TASKS.items():
         if title == ORDERING and "order" in hidden:
             continue
-        offered = [([id_ for id_ in ids if id_ not in hidden], text) for ids, text in steps]
+        offered = [
+            ([id_ for id_ in ids if id_ not in hidden], text)
+            for ids, text in steps
+            if text != RESUMING or "resume" not in hidden
+        ]
         rows = tuple(key_row(ids, text, keys, 1) for ids, text in offered if ids)
         if rows:
             sections.append(HelpSection(title, rows))

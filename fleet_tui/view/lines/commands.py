@@ -1,5 +1,6 @@
 """The line with the state of the last commands, in operator terms."""
 
+import math
 from collections.abc import Iterator, Sequence
 from typing import assert_never
 
@@ -18,6 +19,8 @@ from fleet_tui.view.tables.table import Run, cut, width_of
 FEW = 3
 # Seconds for which a failed command is shown.
 REMEMBERED = 30.0
+# Seconds for which the success of the last command is shown.
+SUCCEEDED = 10.0
 # Seconds for which the successful end of an order is shown.
 ENDED_WELL = 5.0
 
@@ -77,29 +80,30 @@ def _group_runs(
     return (text, StyleRole.TEXT), (f": {stage_text(first, state.now)}", role), (detail, StyleRole.DIM)
 
 
-def _worth_saying(state: FleetState) -> list[commands.CommandRecord]:
-    """Return the last command, the open ones, and those that failed a short while ago."""
-    last = state.commands[-1]
-    return [
-        record
-        for record in state.commands
-        if last.issued_at - record.issued_at < TOGETHER
-        # Orders kept by this console are in the queue pane.
-        or not (record.is_decided or record.stage is commands.Stage.WAITING)
-        or (record.stage in TROUBLE and state.now - record.at < REMEMBERED)
-        or (
-            record.stage in (commands.Stage.DONE, commands.Stage.CANCELLED)
-            and state.now - record.at < ENDED_WELL
-        )
-    ]
+def _worth_saying(state: FleetState, said_at: float) -> list[commands.CommandRecord]:
+    """Return the open commands, those that failed a short while ago, and the last one until a while after its
+    success or until something newer was said."""
+    return [record for record in state.commands if state.now - record.at < _shown_for(state, record, said_at)]
+
+
+def _shown_for(state: FleetState, record: commands.CommandRecord, said_at: float) -> float:
+    """Return the seconds for which a command is shown at its stage."""
+    # Orders kept by this console are in the queue pane.
+    if not (record.is_decided or record.stage is commands.Stage.WAITING):
+        return math.inf
+    if record.stage in TROUBLE:
+        return REMEMBERED
+    if record.at >= said_at and state.commands[-1].issued_at - record.issued_at < TOGETHER:
+        return SUCCEEDED
+    return ENDED_WELL if record.stage in (commands.Stage.DONE, commands.Stage.CANCELLED) else 0.0
 
 
 Part = tuple[Run, ...]
 
 
-def _parts(state: FleetState) -> Iterator[tuple[bool, float, Part, Part]]:
+def _parts(state: FleetState, said_at: float) -> Iterator[tuple[bool, float, Part, Part]]:
     """Return the parts of the line: success, time, full text and short text of each."""
-    worth = {record.id: record for record in _worth_saying(state)} if state.commands else {}
+    worth = {record.id: record for record in _worth_saying(state, said_at)}
     for batch in pauses(state.commands):
         if any(record.id in worth for record in batch):
             for record in batch:
@@ -129,9 +133,10 @@ def _batch_runs(state: FleetState, batch: Sequence[commands.CommandRecord]) -> P
 
 
 def message_line(state: FleetState, said: str, said_at: float, width: int) -> Part:
-    """Return the newest message to the operator: the console's notice, the state of the last commands."""
+    """Return the newest message to the operator: the console's notice, the state of the last commands. `said`
+    is empty once it is over, `said_at` remains."""
     # Failures first, the newest leading: they must not be cut at the right end.
-    found = sorted(_parts(state), key=lambda part: (part[0], -part[1]))
+    found = sorted(_parts(state, said_at), key=lambda part: (part[0], -part[1]))
     parts, briefs = [part[2] for part in found], [part[3] for part in found]
     if said and _is_news(state, said_at):
         parts.insert(0, ((said, StyleRole.WARN),))

@@ -1,12 +1,13 @@
 """The line that is always visible: the link, the alarms, the selected robot."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
+from fleet_tui.keys.key import key_name
 from fleet_tui.model.fleet import FleetState, behind_text
 from fleet_tui.model.kind import PAUSE
 from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.rules.lag import BEHIND
-from fleet_tui.text.durations import age
+from fleet_tui.text.durations import age, duration
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run
@@ -17,6 +18,7 @@ SILENT_AFTER = 2.0
 STARTING = 2.0
 # The writer ticks ten times a second. Without ticks, ages stop and everything looks live.
 BLIND_AFTER = 2.0
+ALL_PAUSED = "ALL PAUSED"
 
 
 def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: float) -> list[str]:
@@ -24,13 +26,19 @@ def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: f
     seconds old."""
     online = [robot for robot in state.robots.values() if state.is_online(robot) and robot.kind.can(PAUSE)]
     notes = {
-        "ALL PAUSED": bool(online) and all(map(state.is_paused, online)),
+        ALL_PAUSED: bool(online) and all(map(state.is_paused, online)),
         "read-only": read_only,
         "not armed": not armed,
         behind_text(state): state.behind >= BEHIND,
         f"no updates for {age(standstill)}: restart this console": standstill > BLIND_AFTER,
     }
     return [note for note, holds in notes.items() if holds]
+
+
+def resume_all(keys: Mapping[str, tuple[str, ...]]) -> str:
+    """Return the way to resume all robots: typed in the palette."""
+    key = "".join(map(key_name, keys["palette"][:1]))
+    return f"{key}{' ' * (len(key) > 1)}resume all"
 
 
 def _no_link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
@@ -60,7 +68,7 @@ def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
         yield "nothing received yet", StyleRole.DIM
     else:
         silent = max(0.0, now - link.last_received)
-        yield f"{silent:.1f} s", StyleRole.DIM if silent < SILENT_AFTER else StyleRole.WARN
+        yield f"{duration(silent)}", StyleRole.DIM if silent < SILENT_AFTER else StyleRole.WARN
     if link.command_path is CommandPath.DEAD:
         yield f" commands dead: {sanitize(link.command_reason)}", StyleRole.ALARM
     elif link.command_path is CommandPath.UNREGISTERED:
@@ -68,7 +76,7 @@ def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
     if link.unsourced:
         yield f" {sanitize(link.unsourced_text)}", StyleRole.ALARM
     if link.late >= BEHIND:
-        yield f" {link.late:.1f} s late: bridge overloaded", StyleRole.WARN
+        yield f" {duration(link.late)} late: bridge overloaded", StyleRole.WARN
     if link.faults:
         yield f" {link.faults} bad frames", StyleRole.WARN
 

@@ -41,7 +41,9 @@ def _alarms(state: FleetState) -> Iterator[Event]:
 
 def _alarm(alarm: Alarm) -> tuple[Run, ...]:
     is_quiet = not alarm.holds or alarm.stage is AlarmStage.SHELVED
-    return ((sanitize(alarm.text), StyleRole.DIM if is_quiet else StyleRole.ALARM),)
+    # As it was at its time: a duration that counts on would contradict that.
+    text = (alarm.holds and alarm.first_text) or alarm.text
+    return ((sanitize(text), StyleRole.DIM if is_quiet else StyleRole.ALARM),)
 
 
 def _commands(state: FleetState) -> Iterator[Event]:

@@ -6,7 +6,7 @@ from typing import Any
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Reading, Robot
-from fleet_tui.text.durations import age
+from fleet_tui.text.durations import age, duration
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import command_text, stage_text
 from fleet_tui.view.roles import StyleRole
@@ -97,7 +97,7 @@ def _percent(reading: Reading[float] | None) -> str:
 
 
 def _contact(reading: Reading[float] | None) -> str:
-    return "none" if reading is None or reading.value == 0.0 else f"for {reading.value:.1f} s"
+    return "none" if reading is None or reading.value == 0.0 else f"for {duration(reading.value)}"
 
 
 def _yes_or_no(reading: Reading[bool] | None) -> str:

@@ -38,7 +38,7 @@ def test_a_contact_that_comes_and_goes_is_one_alarm_with_a_count() -> None:
 
 def test_its_word_goes_at_once_though_the_alarm_stays() -> None:
     state = reduced(up(), contact(T0, 34.2), tick(T0))
-    assert alarm(state, "obstacle").text == "obstacle 34.2 s"
+    assert alarm(state, "obstacle").text == "obstacle 34 s"
     state = reduced(state, contact(T0 + 0.1, 0.0), tick(T0 + 0.1))
     assert (alarm(state, "obstacle").text, alarm(state, "obstacle").stage) == (
         "cleared: obstacle",

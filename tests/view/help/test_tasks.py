@@ -30,3 +30,11 @@ def test_steps_without_a_key_of_use_are_left_out() -> None:
     found = marks(tasks(KEYS, {"order", "pause_all", "why"}))
     assert "Send an order" not in found, "the map's cursor orders nothing then"
     assert "F12" in found["Stop a robot"] and "w" not in found["See what is wrong"]
+
+
+def test_the_way_back_from_pause_all_is_named_where_robots_can_resume() -> None:
+    def texts(hidden: set[str]) -> str:
+        (stop,) = [section for section in tasks(KEYS, hidden) if section.title == "Stop a robot"]
+        return " ".join(row.text for row in stop.rows)
+
+    assert "type resume all" in texts(set()) and "type resume all" not in texts({"resume"})

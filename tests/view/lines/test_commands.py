@@ -86,6 +86,26 @@ def test_the_newest_word_is_shown_and_commands_given_together_stand_together() -
     assert "refused" not in text_of(message_line(later, "", 0.0, WIDE))
 
 
+@pytest.mark.parametrize(
+    ("stage", "shown_for"),
+    [(Stage.CONFIRMED, 10), (Stage.UNVERIFIABLE, 10), (Stage.REFUSED, 30), (Stage.ACCEPTED, 3600)],
+)
+def test_an_outcome_goes_once_it_was_in_view_and_an_open_command_stays(stage: Stage, shown_for: int) -> None:
+    before = [Stage.SENT] if stage in (Stage.REFUSED, Stage.ACCEPTED) else [Stage.SENT, Stage.ACCEPTED]
+    given = reduced(fleet(), *pause(1, T0, *before, stage))
+    assert "robot_0 pause" in text_of(message_line(reduced(given, tick(T0 + shown_for - 1)), "", 0.0, WIDE))
+    later = reduced(given, tick(T0 + shown_for + 1))
+    assert ("robot_0 pause" in text_of(message_line(later, "", 0.0, WIDE))) == (stage is Stage.ACCEPTED)
+
+
+def test_a_success_goes_as_soon_as_something_newer_is_said() -> None:
+    state = reduced(fleet(), *pause(1, T0, Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED), tick(T0 + 2))
+    assert text_of(message_line(state, "no vertex here", T0 + 2, WIDE)) == " no vertex here"
+    assert text_of(message_line(state, "", T0 + 2, WIDE)) == "", "it does not come back"
+    bad = reduced(fleet(), *pause(1, T0, Stage.SENT, Stage.REFUSED), tick(T0 + 2))
+    assert "refused" in text_of(message_line(bad, "no vertex here", T0 + 2, WIDE))
+
+
 def test_pause_all_of_a_large_fleet_is_one_word() -> None:
     facts = [
         fact for n in range(9) for fact in pause(n, T0, Stage.NOT_SENT, robot=f"robot_{n}", detail="no link")

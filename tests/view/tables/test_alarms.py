@@ -99,7 +99,7 @@ def test_what_is_shelved_stands_last_and_is_counted_apart() -> None:
 def test_no_alarm_needs_more_than_its_word_in_48_cells() -> None:
     state = reduced(fleet(), link_up(T0), events.ObstacleReported(R0, T0, 44.2), tick(T0))
     (row,) = alarm_table(state, lambda _wall: "12:34:56").rows
-    assert text_of(row.runs) == "▲ new  high robot_0 obstacle 44.2 s 12:34:56"
+    assert text_of(row.runs) == "▲ new  high robot_0 obstacle 44 s 12:34:56"
 
 
 def test_an_alarm_that_is_over_leaves_the_pane_unless_its_class_is_latched() -> None:

@@ -3,7 +3,7 @@
 from msgspec import structs
 
 from fleet_tui.model.commands import PauseRobot, Stage
-from fleet_tui.model.events import CommandIssued
+from fleet_tui.model.events import CommandIssued, ObstacleReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.recent import recent_table
@@ -49,3 +49,10 @@ def test_the_newest_come_first_as_many_as_there_are_lines() -> None:
     assert lines(state, 2) == lines(state)[:2]
     roles = [row.runs[-1][1] for row in recent_table(state, clock, 9).rows]
     assert roles == [StyleRole.ALARM, StyleRole.WARN, StyleRole.WARN]
+
+
+def test_an_alarm_reads_as_it_was_at_its_time() -> None:
+    seen = [(ObstacleReported(R0, T0 + n, 40.0 + n), tick(T0 + n)) for n in range(90)]
+    state = reduced(fleet(), link_up(T0), *(event for both in seen for event in both))
+    assert [alarm.text for alarm in state.alarms] == ["obstacle 2 min"]
+    assert lines(state) == ["0 robot_0 obstacle 40 s"]
