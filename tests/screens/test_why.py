@@ -71,6 +71,7 @@ async def test_a_pause_reaches_through_it(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2, 2)) as it:
         await it.press("w", "f12")
         await it.until(lambda _: len(server.bridge.services.calls) == 2)
+        await it.until(lambda state: all(one.is_decided for one in state.commands))
         await it.press("P")
         await it.until(lambda _: len(server.bridge.services.calls) == 4)
         await it.shows("reported by the robot, sent by this console")
