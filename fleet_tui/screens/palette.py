@@ -8,7 +8,9 @@ from textual.app import ComposeResult
 from textual.fuzzy import Matcher
 from textual.widgets import Input
 
-from fleet_tui.controllers.typed import Entry, Typed
+from fleet_tui.controllers.offers import Offer
+from fleet_tui.controllers.typed import Typed
+from fleet_tui.rules.language.ranking import rank
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.widgets.field import Field, Keys
@@ -20,10 +22,10 @@ SHOWN = 40
 class Palette(Overlay):
     """Typed text searches, Enter runs the marked entry, Tab completes a command."""
 
-    def __init__(self, entries: Callable[[], Iterable[Entry]], typed: Callable[[str], Typed]) -> None:
+    def __init__(self, entries: Callable[[], Iterable[Offer]], typed: Callable[[str], Typed]) -> None:
         super().__init__(id="palette")
         self._entries, self._typed_as = entries, typed
-        self._found: list[Entry] = []
+        self._found: list[Offer] = []
         self._turn: list[str] = []
         self._matches = Matches(id="requests")
 
@@ -67,20 +69,16 @@ class Palette(Overlay):
         Enter on an incomplete command continues typing."""
         line = self.query_one(Field).value
         typed, command = line.strip(), self._typed_as(line)
-        matcher = Matcher(typed)
-        scored = [
-            (matcher.match(text) if typed else 1.0, entry) for entry in self._entries() for text in entry[:1]
-        ]
-        scored.sort(key=lambda pair: -pair[0])
-        found = [*command.entries, *(entry for score, entry in scored if score > 0)][:SHOWN]
+        offers = (Offer(*entry) for entry in command.entries)
+        found = [*offers, *_matching(typed, list(self._entries()))][:SHOWN]
         if command.is_command:
             lines = [one for one in command.completed if one.strip() != typed]
-            found += [(sanitize(one), partial(self._go_on, one)) for one in lines[:SHOWN]]
+            found += [Offer(sanitize(one), partial(self._go_on, one)) for one in lines[:SHOWN]]
         if not found and typed:
             said = command.problem or f"no match for {sanitize(typed)}: press ? for all keys"
-            found = [(said, partial(self._go_on, line))]
+            found = [Offer(said, partial(self._go_on, line))]
         self._found = found
-        self._matches.show(text for text, _ in found)
+        self._matches.show([offer.text for offer in found], keys=[offer.key for offer in found])
 
     def _complete(self) -> None:
         """Replace the last word by its next completion."""
@@ -99,19 +97,33 @@ class Palette(Overlay):
     def _do(self) -> None:
         # The last letters may not have been listed yet.
         marked = self._matches.marked
-        before = [text for text, _ in self._found]
+        before = [offer.text for offer in self._found]
         self._list()
-        if before != [text for text, _ in self._found]:
+        if before != [offer.text for offer in self._found]:
             marked = 0
         if marked < len(self._found):
             self._run(marked)
 
     def _run(self, index: int) -> None:
         self.action_close()
-        self._found[index][1]()
+        self._found[index].do()
 
     @on(Matches.OptionSelected, "#requests")
     def _clicked(self, event: Matches.OptionSelected) -> None:
         event.stop()
         if self.is_open:
             self._run(event.option_index)
+
+
+def _matching(typed: str, offers: list[Offer]) -> list[Offer]:
+    """Return the offers with the typed words, the best first; without any, those with its letters."""
+    if not typed:
+        return offers
+    ranked = [
+        (place, n) for n, one in enumerate(offers) if (place := rank(typed, one.text, one.name)) is not None
+    ]
+    if ranked:
+        return [offers[n] for _, n in sorted(ranked)]
+    matcher = Matcher(typed)
+    scored = [(-score, n) for n, one in enumerate(offers) if (score := matcher.match(one.text)) > 0]
+    return [offers[n] for _, n in sorted(scored)]

@@ -81,7 +81,7 @@ class Rest:
             screen.files, self.confirm.ask, lambda line: self.palette.show(line), notices.say
         )
         offers = Offers(
-            store, dispatch, navigation, screen.session, self.save, settings.themes, partial(_run, screen)
+            store, dispatch, navigation, screen.session, self.save, settings, partial(_run, screen)
         )
         self.palette = Palette(offers.entries, lambda line: self._typed_set_up(line) or offers.typed(line))
         self._set_up_with(SetUpParts(store, dispatch, navigation, notices, menu, self.palette.show))

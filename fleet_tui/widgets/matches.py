@@ -1,8 +1,12 @@
 """Matches of a field, listed below it: the field keeps the focus, one match is marked."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from itertools import zip_longest
 
+from textual.content import Content
 from textual.widgets import OptionList
+
+from fleet_tui.text.sanitize import cell_width
 
 
 class Matches(OptionList, can_focus=False):
@@ -10,12 +14,26 @@ class Matches(OptionList, can_focus=False):
 
     def __init__(self, *, id: str) -> None:
         super().__init__(id=id, markup=False)
+        self._texts: list[tuple[str, str]] = []
 
-    def show(self, texts: Iterable[str], mark: bool = True) -> None:
-        """List these, the first one marked unless none may be taken yet."""
+    def show(self, texts: Iterable[str], mark: bool = True, keys: Sequence[str] = ()) -> None:
+        """List these, the first one marked unless none may be taken yet; at the right the key of each."""
+        self._texts = list(zip_longest(texts, keys, fillvalue=""))
         self.clear_options()
-        self.add_options(list(texts))
+        self.add_options([self._prompt(*line) for line in self._texts])
         self.highlighted = 0 if mark and self.option_count else None
+
+    def on_resize(self) -> None:
+        """Put the keys at the new right end."""
+        for n, line in enumerate(self._texts):
+            if line[1]:
+                self.replace_option_prompt_at_index(n, self._prompt(*line))
+
+    def _prompt(self, text: str, key: str) -> str | Content:
+        # The scroll bar may come and go, with a gap before it.
+        width = self.size.width - self.styles.scrollbar_size_vertical - 1
+        gap = width - cell_width(text) - cell_width(key)
+        return Content.assemble(text, " " * gap, (key, "$text-accent")) if key and gap > 0 else text
 
     def step(self, rows: int) -> None:
         """Mark another one."""

@@ -2,6 +2,8 @@
 
 from typing import Any, cast
 
+from msgspec.structs import replace
+
 from fleet_tui.controllers.offers import Offers
 from fleet_tui.controllers.save import SaveCommand
 from fleet_tui.controllers.session import ConsoleSession
@@ -35,7 +37,7 @@ class Palette:
             *(self.desk.store, self.desk.dispatch, self.desk.navigation),
             cast("ConsoleSession", Answers("time")),
             cast("SaveCommand", Answers("save")),
-            {"dark": lambda: self.themes.append("dark")},
+            replace(self.desk.parts.settings, themes={"dark": lambda: self.themes.append("dark")}),
             self._run,
         )
 
@@ -43,12 +45,12 @@ class Palette:
         self.run.append(key.id)
 
     def choose(self, text: str) -> None:
-        next(do for entry, do in self.offers.entries() if entry.startswith(text))()
+        next(offer.do for offer in self.offers.entries() if offer.text.startswith(text))()
 
 
 def test_everything_with_a_name_can_be_gone_to() -> None:
     palette = Palette()
-    texts = [text for text, _ in palette.offers.entries()]
+    texts = [offer.text for offer in palette.offers.entries()]
     assert {"Go to robot robot_0", "Go to floor floor_0", "Go to vertex Base", "Theme: dark"} <= set(texts)
     assert "Go to vertex St␛ore" in texts and not any("Nowhere" in text for text in texts)
     palette.choose("Go to vertex Base")
@@ -59,8 +61,10 @@ def test_everything_with_a_name_can_be_gone_to() -> None:
 
 def test_actions_are_those_of_the_table_that_work_here() -> None:
     palette = Palette()
-    texts = [text for text, _ in palette.offers.entries()]
+    texts = [offer.text for offer in palette.offers.entries()]
     assert not any("Play or pause" in text for text in texts), "there is no recording"
+    keys = {offer.text: offer.key for offer in palette.offers.entries()}
+    assert keys["Pause the selected robot immediately"] == "p" and keys["Resume all robots"] == ""
     palette.choose("Pause the selected robot")
     assert palette.run == ["pause"]
 

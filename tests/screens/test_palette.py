@@ -1,5 +1,6 @@
 """Typed commands, chains, again and back: what is asked, what is refused, what reaches the wire."""
 
+import pytest
 from textual.widgets import Input
 
 from fleet_tui.model.problem import Permissions
@@ -208,3 +209,16 @@ async def test_with_cargo_a_chain_begins_with_the_cargo(server: RosbridgeServer)
         assert [name for name, _ in sent(server)] == ["Execute_order_with_cargo", "Execute_order"]
         base, store = vertex(it, "Base"), vertex(it, "Store")
         assert it.store.state.commands[-1].command == place_order("robot_0", base, store)
+
+
+@pytest.mark.parametrize("size", [(120, 40), (80, 24)])
+async def test_an_action_is_listed_with_its_key_and_beginnings_of_words_come_first(
+    server: RosbridgeServer, size: tuple[int, int]
+) -> None:
+    async with console(config_of(server.url, 1), size) as it:
+        await it.press("colon")
+        await it.type("cen")
+        await it.shows("Toggle the zoom centre", "requests")
+        rows = [row.split() for row in it.pane("requests").splitlines()]
+        assert [(row[0], row[-1]) for row in rows] == [("Centre", "c"), ("Toggle", "z")]
+        assert len({len(row.rstrip()) for row in it.pane("requests").splitlines()}) == 1, "one column"
