@@ -18,6 +18,8 @@ from fleet_tui.view.set_up.scan_match import newest_beams
 
 SNAP = "place_snap"
 """The id of its key."""
+DOUBTFUL = 0.75
+"""Share of fitting beams below which the best fit nearby is often at a wrong place."""
 
 
 class PoseSnap:
@@ -82,5 +84,5 @@ class PoseSnap:
 def _found(start: Pose, pose: Pose, matched: Match) -> str:
     metres = math.dist((start.x, start.y), (pose.x, pose.y))
     degrees = abs(math.degrees(math.remainder(pose.yaw - start.yaw, math.tau)))
-    poor = ": poor, search elsewhere" if matched.is_poor else ""
-    return f"{percent(matched.share)} fit, {metres:.1f} m and {degrees:.0f} degrees from the cursor{poor}"
+    doubt = ": doubtful, search elsewhere too" if matched.share < DOUBTFUL else ""
+    return f"{percent(matched.share)} fit, {metres:.1f} m and {degrees:.0f} degrees from the cursor{doubt}"

@@ -153,13 +153,13 @@ async def test_a_mode_that_was_left_meanwhile_stays_left() -> None:
         assert again.pose != NEAR
 
 
-async def test_a_fit_that_is_poor_says_so() -> None:
+async def test_a_fit_that_is_doubtful_says_so() -> None:
     async with site() as it:
         it.scans()
         it.chooses(Pose(10.0, 7.0))
         it.it.snap()
         it.ends()
-        assert it.said.endswith(" degrees from the cursor: poor, search elsewhere")
+        assert it.said.endswith(" degrees from the cursor: doubtful, search elsewhere too")
 
 
 async def test_a_goal_has_no_scan_to_fit() -> None:
