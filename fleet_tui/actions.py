@@ -191,6 +191,7 @@ class PlaceActions(Struct, frozen=True):
     goal: Act
     turn: Step
     """By degrees, counter-clockwise."""
+    snap: Act
     send: Act
     leave: Act
 

@@ -13,6 +13,7 @@ from fleet_tui.config.load import load_if_any
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import ConfigError
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.units import percent
 
 PATIENCE = 0.5
 """Seconds between two progress messages."""
@@ -88,4 +89,4 @@ class _Progress:
         now = time.monotonic()
         if now >= self._next and sys.stderr.isatty():
             self._next = now + PATIENCE
-            click.echo(f"\rreading: {share:4.0%} ", nl=False, err=True)
+            click.echo(f"\rreading: {percent(share):>5} ", nl=False, err=True)

@@ -70,16 +70,17 @@ class MapControls:
             self._picture.viewport.centre(self._picture.scene, at)
             self._view.draw()
 
-    def reveal(self) -> None:
-        """Centre on the selected robot if it is out of view."""
+    def reveal(self, at: tuple[float, float] | None = None) -> None:
+        """Centre on a place in metres, or on the selected robot, if it is out of view."""
         scene = self._picture.scene
         robot = scene.selected if scene is not None else None
-        if scene is None or robot is None:
+        place = at or ((robot.pose.x, robot.pose.y) if robot is not None else None)
+        if scene is None or place is None:
             return
         camera = self._picture.viewport.camera(scene)
-        pixel = scene.frame.to_pixel(robot.pose.x, robot.pose.y)
+        pixel = scene.frame.to_pixel(*place)
         if all(map(math.isfinite, pixel)) and not camera.shows(*camera.to_cell(*pixel)):
-            self.centre()
+            self.centre(at)
 
     def edges(self) -> None:
         """Show or hide the graph's edges."""

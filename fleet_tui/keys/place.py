@@ -75,5 +75,8 @@ PLACE: tuple[Key[Actions], ...] = (
     ),
     _place("fine_left", ("H",), lambda do: do.turn(FINE_TURN), f"Turn {FINE_TURN} degree to the left"),
     _place("fine_right", ("L",), lambda do: do.turn(-FINE_TURN), f"Turn {FINE_TURN} degree to the right"),
+    _place(
+        "snap", ("s",), lambda do: do.snap(), "Snap the pose to the best fit of the scan nearby", "best fit"
+    ),
     _place("leave", ("escape",), lambda do: do.leave(), "Leave without sending", "back"),
 )

@@ -47,16 +47,7 @@ def key_actions(screen: "MainScreen", rest: "Rest") -> Actions:
         files=_file_actions(screen, rest),
         alarms=AlarmActions(rest.alarms.acknowledge, rest.alarms.acknowledge_all),
         map=rest.map_controls,
-        place=PlaceActions(
-            laser=rest.streams.laser,
-            path=rest.streams.path,
-            mapping=rest.mapping.menu,
-            pose=rest.poses.pose,
-            goal=rest.poses.goal,
-            turn=rest.poses.turn,
-            send=rest.poses.send,
-            leave=rest.poses.leave,
-        ),
+        place=_place_actions(rest),
         edit=_edit_actions(rest),
         play=screen.session.play,
     )
@@ -125,6 +116,20 @@ def _next_trouble(screen: "MainScreen") -> None:
         screen.navigation.find_robot(robot)
     else:
         screen.notices.say("no robot has an alarm")
+
+
+def _place_actions(rest: "Rest") -> PlaceActions:
+    return PlaceActions(
+        laser=rest.streams.laser,
+        path=rest.streams.path,
+        mapping=rest.mapping.menu,
+        pose=rest.poses.pose,
+        goal=rest.poses.goal,
+        turn=rest.poses.turn,
+        snap=rest.snap.snap,
+        send=rest.poses.send,
+        leave=rest.poses.leave,
+    )
 
 
 def _edit_actions(rest: "Rest") -> EditActions:

@@ -139,12 +139,12 @@ class MainScreen(Screen[None]):
     def _show_hints(self, state: FleetState, robot: str) -> None:
         pane = Pane.ANYWHERE if self._in_overlay() else self.focused_pane()
         keys, may_command = self.settings.keys, not self.dispatch.permissions.read_only
-        shown = pane, may_command, hidden_keys(state, robot), self.hints.size.width
-        if shown == self._hinted:
-            return
-        self._hinted = shown
-        runs, buttons = footer(*hints(keys, *shown[:3]), keys, shown[3])
-        self.hints.show(runs, buttons=buttons)
+        hidden = hidden_keys(state, robot) | (self.rest.snap.idle_keys if self.is_complete else set())
+        shown = pane, may_command, hidden, self.hints.size.width
+        if shown != self._hinted:
+            self._hinted = shown
+            runs, buttons = footer(*hints(keys, *shown[:3]), keys, shown[3])
+            self.hints.show(runs, buttons=buttons)
 
     def idle_keys(self) -> set[str]:
         """Return the ids of keys without a use in this session."""

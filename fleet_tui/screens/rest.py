@@ -20,6 +20,7 @@ from fleet_tui.controllers.robots import RobotRequests
 from fleet_tui.controllers.save import SaveCommand
 from fleet_tui.controllers.set_up.mapping import MappingControls
 from fleet_tui.controllers.set_up.poses import PoseRequests
+from fleet_tui.controllers.set_up.snap import PoseSnap
 from fleet_tui.controllers.set_up.streams import ShownStreams
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.keys import Key, Pane, overruled
@@ -100,20 +101,17 @@ class Rest:
         keys = self._screen.settings.keys
         self._overruled = {pane: overruled(keys, pane) for pane in Pane if pane.is_mode}
         ask, comparison = self.confirm.ask, self.streams.comparison
-        self.poses = PoseRequests(*parts[:4], ask, self.map_controls, self.map.picture, comparison)
-        self.editor = GraphEditor(parts, self.map_controls, self.map.picture, self._screen.files.draft)
-        self.checks = DraftChecks(parts, self.editor, partial(_in_background, self._screen))
+        streams, controls, picture = self._screen.backend.streams, self.map_controls, self.map.picture
+        in_background = partial(_in_background, self._screen)
+        self.poses = PoseRequests(*parts[:4], ask, controls, picture, comparison)
+        self.snap = PoseSnap(parts, streams, controls, picture, in_background)
+        self.editor = GraphEditor(parts, controls, picture, self._screen.files.draft)
+        self.checks = DraftChecks(parts, self.editor, in_background)
         files = self._screen.files
         self.draft_files = DraftFiles(parts, self.editor, self.checks, files, ask)
         self.sending = DraftSending(parts, self.editor, self.checks, lambda: files.folder)
-        self.mapping = MappingControls(
-            parts,
-            self.map.picture,
-            files,
-            ask,
-            partial(_in_background, self._screen),
-            partial(self._screen.app.call_from_thread, self._screen.notices.say),
-        )
+        say_from_thread = partial(self._screen.app.call_from_thread, self._screen.notices.say)
+        self.mapping = MappingControls(parts, picture, files, ask, in_background, say_from_thread)
         self.values = VertexValues(parts, self.editor)
         self.drawing = GraphDrawing(parts, self.editor, self.values)
 

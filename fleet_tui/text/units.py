@@ -23,6 +23,11 @@ def milliseconds(seconds: float) -> str:
     return f"{found:.2f} ms" if found < 10 else f"{found:.0f} ms"
 
 
+def percent(share: float) -> str:
+    """Return a share of 1 as text: `4 %`."""
+    return f"{share * 100:.0f} %"
+
+
 def counted(count: int, one: str, many: str = "") -> str:
     """Return a count with its noun: `1 error`, `2 vertices`."""
     return f"{count} {one if count == 1 else many or f'{one}s'}"

@@ -17,11 +17,12 @@ from fleet_tui.adapters.ros.reading import FrameReader
 from fleet_tui.client.set_up.stream_writer import StreamWriter
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.occupancy import grid_from_ros
-from fleet_tui.model.set_up.streams import Beams
+from fleet_tui.model.set_up.streams import Beams, LaserScan, beams_of
 from fleet_tui.rules.localisation.match import match
+from fleet_tui.rules.localisation.nearby import best_near
 from fleet_tui.simulator.floorplan import HEIGHT, ORIGIN, RESOLUTION, WIDTH
 from fleet_tui.simulator.frames import OutgoingFrame
-from fleet_tui.simulator.senses.laser import scan
+from fleet_tui.simulator.senses.laser import BEAMS, ranges, scan
 from fleet_tui.simulator.warehouse import build_building
 from fleet_tui.state.store import Store
 from tests.bench.rows import Row, row
@@ -53,6 +54,19 @@ def per_cent(frames: list[bytes], is_binary: bool, with_match: bool) -> float:
     return (time.process_time() - start) / (len(frames) / RATE) * 100
 
 
+def seconds_of_search() -> float:
+    """The longest search for the best fit, with the distances of the map measured in it."""
+    cells, longest = build_building(1).floors[0].cells, 0.0
+    laser = LaserScan(ranges(cells, TRUE), -math.pi, 2 * math.pi / BEAMS, 0.1, 12.0, "laser", None)
+    points = beams_of(laser, None).points
+    for heading in range(8):
+        grid = grid_from_ros(MapFrame(RESOLUTION, WIDTH, HEIGHT, Pose(*ORIGIN)), cells.tobytes())
+        start = time.perf_counter()
+        assert best_near(grid, points, Pose(TRUE.x + 1.5, TRUE.y - 1.0, heading)) is not None
+        longest = max(longest, time.perf_counter() - start)
+    return longest
+
+
 def main() -> list[Row]:
     cells = build_building(1).floors[0].cells
     header = {"stamp": {"sec": 1, "nanosec": 0}, "frame_id": "laser"}
@@ -66,6 +80,9 @@ def main() -> list[Row]:
         row("P24", f"{what}: read and placed", ours, "%", AT_MOST),
         row("P24", f"{what}: with its match", per_cent([binary] * FRAMES, True, True), "%", AT_MOST),
         row("P24", f"{what}: as JSON", per_cent([text.encode()] * FRAMES, False, False), "%", None),
+        row(
+            "P24", "best fit nearby, map of 800 x 520, longest of 8", seconds_of_search() * 1000, "ms", 300.0
+        ),
         row("P24", "a scan on the wire", len(binary) / 1000, "kB", None, len(text) / 1000, "JSON"),
     ]
 

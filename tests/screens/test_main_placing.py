@@ -37,6 +37,26 @@ async def test_a_mislocalised_robot_is_put_right_by_keys_alone(site: Site) -> No
         assert not streams.wants("robot_0", "scan")
 
 
+async def test_a_pose_snaps_to_the_scan_and_a_goal_does_not(site: Site) -> None:
+    robot = site.navigation().robot
+    async with console(site.config) as it:
+        await it.until(lambda state: state.robots["robot_0"].still_for > 1)
+        await it.press("I")
+        await it.shows(" % fit", "map")
+        await it.shows(" s best fit ", "hints")
+        mode, truth = it.app.main.rest.poses.mode, robot.pose
+        assert mode is not None
+        mode.cursor, mode.yaw = (truth.x + 1.0, truth.y), truth.yaw + 2.0
+        await it.press("s")
+        await it.shows(" degrees from the cursor", "message")
+        assert math.dist(mode.cursor, (truth.x, truth.y)) < 0.2
+        await it.press("escape", "G")
+        await it.shows("GOAL", "map")
+        await it.press("s")
+        await it.shows("only a pose of a robot", "message")
+        assert " best fit " not in it.pane("hints")
+
+
 async def test_a_goal_is_an_order_to_a_pose(site: Site) -> None:
     async with console(site.config) as it:
         await it.press("G")

@@ -2,7 +2,7 @@
 
 import pytest
 
-from fleet_tui.text.units import ago, counted, milliseconds, size_text
+from fleet_tui.text.units import ago, counted, milliseconds, percent, size_text
 
 
 @pytest.mark.parametrize(
@@ -25,3 +25,7 @@ def test_short_spans() -> None:
 def test_a_count_has_its_noun() -> None:
     assert counted(1, "error") == "1 error"
     assert (counted(0, "error"), counted(2, "vertex", "vertices")) == ("0 errors", "2 vertices")
+
+
+def test_shares_have_a_space_before_the_sign() -> None:
+    assert (percent(0.0), percent(0.044), percent(1.0)) == ("0 %", "4 %", "100 %")

@@ -8,6 +8,7 @@ from fleet_tui.model.set_up.commands import SetPose
 from fleet_tui.rules.localisation.match import Match
 from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.units import percent
 from fleet_tui.view.set_up.scan_match import scan_match
 
 GIVEN_UP = 5.0
@@ -53,8 +54,8 @@ class ScanComparison:
 
 
 def _compared(before: Match | None, after: Match) -> str:
-    text = f"{after.share * 100:.0f} % of the scan fits the map"
+    text = f"{percent(after.share)} of the scan fits the map"
     if before is None:
         return text
     worse = ": worse, look at the scan (u)" if after.share < before.share else ""
-    return f"{text}, {before.share * 100:.0f} % before{worse}"
+    return f"{text}, {percent(before.share)} before{worse}"

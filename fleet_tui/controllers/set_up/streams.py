@@ -11,6 +11,7 @@ from fleet_tui.model.kind import PATH, SCAN
 from fleet_tui.model.set_up.streams import Beams, PlannedPath, Points
 from fleet_tui.rules.localisation.match import Match
 from fleet_tui.state.store import Store
+from fleet_tui.text.units import percent
 from fleet_tui.view.map.map_picture import MapPicture
 from fleet_tui.view.map.modes.place import PlaceMode
 from fleet_tui.view.map.scene import Scene
@@ -109,4 +110,4 @@ class ShownStreams:
 
 
 def _text(match: Match | None) -> str:
-    return "no scan to compare" if match is None else f"{match.share * 100:.0f} % fit, {match.median:.2f} m"
+    return "no scan to compare" if match is None else f"{percent(match.share)} fit, {match.median:.2f} m"

@@ -7,6 +7,7 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.set_up.streams import Points, placed
 from fleet_tui.rules.localisation.distance_field import distance_field
+from fleet_tui.text.units import percent
 
 NEAR = 0.2
 """Metres to an occupied cell within which a beam fits the map."""
@@ -32,7 +33,7 @@ class Match(Struct, frozen=True):
     @property
     def text(self) -> str:
         """Return the match in words."""
-        return f"{self.share:.0%} of {self.beams} beams fit the map, median {self.median:.2f} m"
+        return f"{percent(self.share)} of {self.beams} beams fit the map, median {self.median:.2f} m"
 
 
 def match(grid: OccupancyGrid, points: Points, pose: Pose) -> Match | None:

@@ -6,6 +6,7 @@ from enum import IntEnum
 from msgspec import Struct
 
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.units import percent
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, cut, width_of
 
@@ -101,7 +102,7 @@ def factor(speed: float) -> str:
 
 def _pace(moment: ReplayPosition) -> str:
     if moment.busy is not None:
-        return f"seeking: {moment.busy:.0%}"
+        return f"seeking: {percent(moment.busy)}"
     if moment.is_over:
         return "end of recording"
     reached = f" ({factor(round(moment.reached, 1))} reached)" if moment.reached is not None else ""

@@ -25,6 +25,7 @@ def test_elsewhere_is_poor_and_says_so() -> None:
     found = match(GRID, POINTS, TRUE.after(Pose(3.0, 2.5, 0.7)))
     assert found is not None and found.is_poor
     assert found.text.endswith(" m") and " beams fit the map, median " in found.text
+    assert found.text.startswith(f"{found.share * 100:.0f} % of ")
 
 
 def test_a_small_turn_is_seen() -> None:

@@ -206,4 +206,4 @@ def test_a_scan_that_does_not_fit_comes_first_and_without_one_nothing_is_said() 
     assert reasons(state, robot, Match(0.9, 0.05, 600)) == reasons(state, robot)
     first = reasons(state, robot, Match(0.1, 1.5, 600))[0]
     assert first.name == "not localised"
-    assert first.evidence == "10% of 600 beams fit the map, median 1.50 m"
+    assert first.evidence == "10 % of 600 beams fit the map, median 1.50 m"

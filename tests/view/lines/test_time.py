@@ -71,7 +71,7 @@ def test_a_cell_is_the_time_under_it() -> None:
         ({"speed": 0.25}, "playing x0.25"),
         ({"speed": 64.0, "reached": 12.34}, "playing x64 (x12.3 reached)"),
         ({"paused": True}, "‖ 12:04:31 stopped x1"),
-        ({"busy": 0.4}, "seeking: 40%"),
+        ({"busy": 0.4}, "seeking: 40 %"),
         ({"is_over": True, "paused": True}, "end of recording"),
         ({"note": "it was cut off"}, "it was cut off"),
     ],

@@ -29,8 +29,7 @@ class PlaceMode(PlainMode):
     def __init__(self, title: str, robot: str, floor: str, pose: Pose, moves_scan: bool = False) -> None:
         self.title, self.robot, self.floor, self.note = title, robot, floor, ""
         self.moves_scan = moves_scan
-        self.cursor: Point = (pose.x, pose.y)
-        self.yaw = pose.yaw
+        self.put(pose)
         self.layers: tuple[Layer, ...] = (self._draw,)
 
     @property
@@ -53,6 +52,11 @@ class PlaceMode(PlainMode):
         if scene.floor != self.floor or not self.moves_scan or scene.beams is None:
             return scene
         return replace(scene, beams_at=self.pose)
+
+    def put(self, pose: Pose) -> None:
+        """Choose a pose."""
+        self.cursor: Point = (pose.x, pose.y)
+        self.yaw = pose.yaw
 
     def turn(self, degrees: float) -> None:
         """Turn counter-clockwise."""

@@ -1,0 +1,88 @@
+"""The chosen pose put where the newest scan fits the map best, nearby."""
+
+import math
+from functools import partial
+
+from fleet_tui.controllers.map import MapControls
+from fleet_tui.controllers.parts import InBackground, SetUpParts
+from fleet_tui.model.geometry import Pose
+from fleet_tui.rules.commands.set_up.checks import map_of
+from fleet_tui.rules.localisation.match import FEWEST, Match
+from fleet_tui.rules.localisation.nearby import REACH, best_near
+from fleet_tui.state.streams import Streams
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.units import percent
+from fleet_tui.view.map.map_picture import MapPicture
+from fleet_tui.view.map.modes.place import PlaceMode
+from fleet_tui.view.set_up.scan_match import newest_beams
+
+SNAP = "place_snap"
+"""The id of its key."""
+DOUBTFUL = 0.75
+"""Share of fitting beams below which the best fit nearby is often at a wrong place."""
+
+
+class PoseSnap:
+    """Searches off the loop, one search at a time from a pose. Nothing is sent."""
+
+    def __init__(
+        self,
+        parts: SetUpParts,
+        streams: Streams,
+        controls: MapControls,
+        picture: MapPicture,
+        in_background: InBackground,
+    ) -> None:
+        self._store, self._notices, self._streams = parts.store, parts.notices, streams
+        self._controls, self._picture, self._in_background = controls, picture, in_background
+        self._searched: tuple[PlaceMode, Pose] | None = None
+
+    @property
+    def idle_keys(self) -> set[str]:
+        """Return the ids of keys without a use now: a goal has no scan to fit."""
+        mode = self._picture.mode
+        return {SNAP} if isinstance(mode, PlaceMode) and not mode.moves_scan else set()
+
+    def snap(self) -> None:
+        """Search for the best fit around the chosen pose."""
+        mode = self._picture.mode
+        if not isinstance(mode, PlaceMode) or self._searched == (mode, mode.pose):
+            return
+        if not mode.moves_scan:
+            self._notices.say("only a pose of a robot with a laser scan can be fitted to the map")
+            return
+        state = self._store.state
+        robot = state.robots[mode.robot]
+        beams, grid = newest_beams(state, robot, self._streams), map_of(state, robot, mode.floor)
+        if grid is None:
+            self._notices.say(f"no map of {sanitize(mode.floor)} to compare the scan with")
+        elif beams is None or beams.is_sought or len(beams.points) < FEWEST:
+            self._notices.say("no scan to compare: press again when it has come")
+        else:
+            self._searched = mode, mode.pose
+            self._notices.say("searching for the best fit nearby")
+            work = partial(best_near, grid, beams.points, mode.pose)
+            self._in_background(work, partial(self._take, mode, mode.pose))
+
+    def _take(self, mode: PlaceMode, start: Pose, found: tuple[Pose, Match] | None) -> None:
+        """Go to the best fit, unless the mode was left or its pose changed meanwhile."""
+        if self._searched == (mode, start):
+            self._searched = None
+        if self._picture.mode is not mode:
+            return
+        if mode.pose != start:
+            self._notices.say("the cursor was moved during the search: press again")
+        elif found is None:
+            self._notices.say(f"no better fit within {REACH:g} m of the cursor")
+        else:
+            mode.put(found[0])
+            self._controls.enter(mode)
+            self._controls.reveal(mode.cursor)
+            self._notices.say(_found(start, *found))
+
+
+def _found(start: Pose, pose: Pose, matched: Match) -> str:
+    metres = math.dist((start.x, start.y), (pose.x, pose.y))
+    degrees = abs(math.degrees(math.remainder(pose.yaw - start.yaw, math.tau)))
+    doubt = ": doubtful, search elsewhere too" if matched.share < DOUBTFUL else ""
+    return f"{percent(matched.share)} fit, {metres:.1f} m and {degrees:.0f} degrees from the cursor{doubt}"
