@@ -1,7 +1,7 @@
 """Makes pictures of the console in a real terminal on a virtual screen.
 
 Run: python docs/pictures.py states FOLDER [NAME ...]   every state at four sizes, to be looked at
-     python docs/pictures.py docs                       the pictures in docs/, and the moving one
+     python docs/pictures.py docs [NAME ...]            the pictures in docs/; by default all, and the film
 
 Needs Xvfb, xterm and xdotool, which are Debian packages of these names; without them `states` writes what
 the application exports itself.
@@ -39,12 +39,14 @@ ARRIVED, SETTLED = 12.0, 0.8
 
 @dataclass(frozen=True)
 class Console:
-    """A console, and the keys before each of its pictures: words of xdotool, `'text` is typed."""
+    """A console, and the keys before each of its pictures: words of xdotool, `'text` is typed. `wait` and
+    `settled`: seconds before the first keys, and from keys to the picture."""
 
     demo: list[str]
     states: dict[str, list[str]]
     environment: dict[str, str] = field(default_factory=dict)
     wait: float = ARRIVED
+    settled: float = SETTLED
 
 
 FRAME = 0.5
@@ -90,6 +92,7 @@ CONSOLES = {
     "edit": Console(["--robots", "3"], {"drawn": DRAW, "checks": ["exclam"], "menu": [ESC, "Return"]}),
 }
 
+NAV2_ALONE = ["--robots", "1", "--floors", "1", "--kind", "nav2"]
 ORDER = ["o", "'Ba", "Return", "'Con", "Return"]
 DOCS = {
     "console": ((120, 32), Console(["--robots", "12"], {"ordered": ORDER, "edges": ["e"]})),
@@ -108,6 +111,24 @@ DOCS = {
             ["--robots", "3", "--floors", "1", "--kind", "nav2", "--fault", "foreign-goal:robot_1"],
             {"orders": ["colon", "'robot_0 Base > Consumidores", "Return"]},
             wait=25,
+        ),
+    ),
+    "pose": (
+        (100, 30),
+        Console(
+            [*NAV2_ALONE, "--fault", "mislocalised"],
+            {"laser": ["'u"], "mode": ["'I"], "moved": ["Up", "Right", "'s", "plus"]},
+        ),
+    ),
+    "mapping": (
+        (100, 30),
+        Console(
+            [*NAV2_ALONE, "--speed", "4"],
+            {
+                "mapping": ["colon", "'mapping robot_0 on", "Return", "'y"],
+                "driving": ["colon", "'robot_0 Base > Consumidores", "Return", "'y"],
+            },
+            settled=10,
         ),
     ),
 }
@@ -195,23 +216,25 @@ def states(folder: Path, names: list[str]) -> None:
                 time.sleep(console.wait)
                 for state, keys in console.states.items():
                     press(keys)
-                    time.sleep(SETTLED if keys else 0)
+                    time.sleep(console.settled if keys else 0)
                     photograph().save(folder / f"{name}-{state}-{width}x{height}.png")
 
 
-def pictures_of_docs() -> None:
-    """Make the pictures that documentation pages show."""
+def pictures_of_docs(names: list[str]) -> None:
+    """Make the named pictures that documentation pages show, or all."""
     folder = Path(__file__).parent
-    for name, (size, console) in DOCS.items():
+    for name in names or DOCS:
+        size, console = DOCS[name]
         with terminal(console, size):
             time.sleep(console.wait)
             for keys in console.states.values():
                 press(keys)
-                time.sleep(SETTLED)
+                time.sleep(console.settled)
             photograph().quantize(COLOURS, dither=Image.Dither.NONE).save(
                 folder / f"{name}.png", optimize=True
             )
-    film(folder / "console.gif")
+    if not names:
+        film(folder / "console.gif")
 
 
 def film(path: Path) -> None:
@@ -252,7 +275,7 @@ def main(what: str, arguments: list[str]) -> None:
     missing = [tool for tool in ("Xvfb", "xterm", "xdotool") if shutil.which(tool) is None]
     if missing and what == "docs":
         sys.exit(f"not installed: {', '.join(missing)} (Debian: apt install xvfb xterm xdotool)")
-    if arguments:
+    if arguments and what == "states":
         Path(arguments[0]).mkdir(parents=True, exist_ok=True)
     if missing:
         sys.stderr.write(
@@ -262,7 +285,7 @@ def main(what: str, arguments: list[str]) -> None:
         return
     with screen():
         if what == "docs":
-            pictures_of_docs()
+            pictures_of_docs(arguments)
         else:
             states(Path(arguments[0]), arguments[1:])
 
