@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, assert_never
 from fleet_tui.controllers.alarms import AlarmResponses
 from fleet_tui.controllers.editing.checks import DraftChecks
 from fleet_tui.controllers.editing.drawing import GraphDrawing
+from fleet_tui.controllers.editing.edge_values import EdgeValues
 from fleet_tui.controllers.editing.editor import GraphEditor
 from fleet_tui.controllers.editing.files import DraftFiles
 from fleet_tui.controllers.editing.sending import DraftSending
@@ -112,12 +113,13 @@ class Rest:
         self.sending = DraftSending(parts, self.editor, self.checks, lambda: files.folder)
         say_from_thread = partial(self._screen.app.call_from_thread, self._screen.notices.say)
         self.mapping = MappingControls(parts, picture, files, ask, in_background, say_from_thread)
-        self.values = VertexValues(parts, self.editor)
-        self.drawing = GraphDrawing(parts, self.editor, self.values)
+        self.values, self.edge_values = VertexValues(parts, self.editor), EdgeValues(parts, self.editor)
+        self.drawing = GraphDrawing(parts, self.editor, self.values, self.edge_values)
 
     def _typed_set_up(self, line: str) -> Typed | None:
         """Parse a typed line that is about the draft or the map, None for any other."""
-        return self.values.typed(line) or self.draft_files.typed(line) or self.mapping.typed(line)
+        typed = self.values.typed(line) or self.edge_values.typed(line)
+        return typed or self.draft_files.typed(line) or self.mapping.typed(line)
 
     async def mount(self, screen: "MainScreen") -> None:
         """Mount all widgets, the focus on the map. The audit log starts before there is a link."""

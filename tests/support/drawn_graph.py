@@ -6,6 +6,7 @@ from pathlib import Path
 
 from fleet_tui.controllers.editing.checks import DraftChecks
 from fleet_tui.controllers.editing.drawing import GraphDrawing
+from fleet_tui.controllers.editing.edge_values import EdgeValues
 from fleet_tui.controllers.editing.editor import GraphEditor
 from fleet_tui.controllers.editing.files import DraftFiles
 from fleet_tui.controllers.editing.sending import DraftSending
@@ -45,7 +46,8 @@ class DrawnGraph:
         self.files = DraftFiles(parts, self.editor, self.checks, files, desk.ask)
         self.sending = DraftSending(parts, self.editor, self.checks, lambda: folder)
         self.values = VertexValues(parts, self.editor)
-        self.drawing = GraphDrawing(parts, self.editor, self.values)
+        self.edge_values = EdgeValues(parts, self.editor)
+        self.drawing = GraphDrawing(parts, self.editor, self.values, self.edge_values)
         pane.map.show(floor_scene(state, desk.navigation.selection))
 
     @property
@@ -65,7 +67,7 @@ class DrawnGraph:
 
     def typed(self, line: str) -> None:
         """Type a line into the palette, and press Enter."""
-        typed = self.values.typed(line) or self.files.typed(line)
+        typed = self.values.typed(line) or self.edge_values.typed(line) or self.files.typed(line)
         assert typed is not None
         typed.entries[0][1]()
 

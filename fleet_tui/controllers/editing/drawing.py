@@ -5,6 +5,7 @@ from functools import partial
 
 from msgspec.structs import replace
 
+from fleet_tui.controllers.editing.edge_values import COST, SPEED, EdgeValues, values_text
 from fleet_tui.controllers.editing.editor import GraphEditor
 from fleet_tui.controllers.editing.values import HEADING, VertexValues
 from fleet_tui.controllers.parts import SetUpParts
@@ -24,8 +25,11 @@ OLD_POSE = 1.0
 class GraphDrawing:
     """Turns keys and the mouse into steps of the draft."""
 
-    def __init__(self, parts: SetUpParts, editor: GraphEditor, values: VertexValues) -> None:
-        self._parts, self._notices, self._editor, self._values = parts, parts.notices, editor, values
+    def __init__(
+        self, parts: SetUpParts, editor: GraphEditor, values: VertexValues, edge_values: EdgeValues
+    ) -> None:
+        self._parts, self._notices, self._editor = parts, parts.notices, editor
+        self._values, self._edge_values = values, edge_values
 
     def _at_cursor(self, mode: EditMode, scene: Scene) -> str:
         return mode.vertex_at(self._editor.picture.viewport, scene, mode.cursor)
@@ -124,8 +128,14 @@ class GraphDrawing:
         if mode.edge:
             edge = draft.floor.edges[mode.edge]
             ways = "both ways" if edge.two_way else "one way"
-            entries: list[Entry] = [("Direction (d)", self.turn), ("Remove (x)", self.remove)]
-            self._parts.open_menu(sanitize(f"edge {edge.id}: {edge.start} -> {edge.end}, {ways}"), entries)
+            told = f"{edge.start} -> {edge.end}, {ways}, {values_text(edge)}"
+            entries: list[Entry] = [
+                ("Direction (d)", self.turn),
+                ("Speed", partial(self._parts.begin, f"{SPEED} ")),
+                ("Cost", partial(self._parts.begin, f"{COST} ")),
+                ("Remove (x)", self.remove),
+            ]
+            self._parts.open_menu(sanitize(f"edge {edge.id}: {told}"), entries)
             return
         vertex = draft.floor.vertices[mode.selected]
         heading = "any" if vertex.heading is None else f"{math.degrees(vertex.heading):.0f} degrees"
@@ -170,11 +180,5 @@ class GraphDrawing:
 
     def turn(self) -> None:
         """Give the selected edge, or the one at the cursor, its next direction."""
-        if opened := self._editor.opened:
-            draft, mode, scene = opened
-            id_ = mode.edge or mode.edge_at(self._editor.picture.viewport, scene, mode.cursor)
-            if not id_:
-                self._notices.say("no edge is selected: cursor on it, Enter")
-                return
-            mode.edge, mode.selected = id_, ""
-            self._editor.do(edits.turned(draft.floor.edges[id_]))
+        if edge := self._edge_values.chosen():
+            self._editor.do(edits.turned(edge))

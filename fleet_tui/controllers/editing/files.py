@@ -159,7 +159,10 @@ def _merged(old: DocumentFloor, new: DocumentFloor) -> DocumentFloor:
     for id_ in edges.keys() & old.edges.keys():
         way, before = edges[id_], old.edges[id_]
         if {way.start, way.end} == {before.start, before.end}:
-            edges[id_] = replace(before, start=way.start, end=way.end, two_way=way.two_way)
+            speed = before.speed if way.speed is None else way.speed
+            cost = before.cost if way.cost is None else way.cost
+            drawn = replace(before, start=way.start, end=way.end, two_way=way.two_way)
+            edges[id_] = replace(drawn, speed=speed, cost=cost)
     return replace(old, vertices=vertices, edges=edges)
 
 

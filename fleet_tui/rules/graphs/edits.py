@@ -33,6 +33,11 @@ def edge_removed(edge: DocumentEdge) -> Change:
     return Change(f"remove edge {edge.id}", edges=((edge, None),))
 
 
+def edge_renewed(before: DocumentEdge, after: DocumentEdge, what: str) -> Change:
+    """Change a value of an edge; `what` says which."""
+    return Change(f"edge {before.id}: {what}", edges=((before, after),))
+
+
 def connected(id_: str, start: str, end: str) -> Change:
     """Add an edge, drivable both ways."""
     return Change(f"add edge {start} - {end}", edges=((None, DocumentEdge(id_, start, end)),))
@@ -59,7 +64,7 @@ def turned(edge: DocumentEdge) -> Change:
     else:
         after = replace(_swapped(edge), two_way=True)
     ways = "both ways" if after.two_way else f"{after.start} -> {after.end}"
-    return Change(f"edge {edge.id}: {ways}", edges=((edge, after),))
+    return edge_renewed(edge, after, ways)
 
 
 def _swapped(edge: DocumentEdge) -> DocumentEdge:

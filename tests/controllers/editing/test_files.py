@@ -118,14 +118,17 @@ async def test_what_robots_do_not_report_stays_in_the_file(tmp_path: Path) -> No
         it.editor.start()
         live = it.floor
         (edge,) = live.edges.values()
-        fast = replace(live, edges={edge.id: replace(edge, speed=0.7)}, to_site=(1.0, 2.0, 0.0))
+        fast = replace(live, edges={edge.id: replace(edge, speed=0.7, cost=3.0)}, to_site=(1.0, 2.0, 0.0))
         path.write_text(write_graph(of_floor(fast), GraphFormat.NATIVE, WriteChoices()))
         it.at((9.0, 9.0))
         it.drawing.add_at_cursor()
+        it.mode.edge = edge.id
+        it.typed("cost 2")
         it.typed(f"write {path}")
         said_yes(it)
         floor = read(path)[1].floors["floor_0"]
-        assert floor.edges[edge.id].speed == 0.7 and floor.to_site == (1.0, 2.0, 0.0)
+        assert (floor.edges[edge.id].speed, floor.edges[edge.id].cost) == (0.7, 2.0)
+        assert floor.to_site == (1.0, 2.0, 0.0)
         assert len(floor.vertices) == 3
 
 
