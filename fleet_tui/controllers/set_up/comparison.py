@@ -5,7 +5,7 @@ from fleet_tui.controllers.notices import Notices
 from fleet_tui.model.commands import CommandRecord
 from fleet_tui.model.kind import SCAN
 from fleet_tui.model.set_up.commands import SetPose
-from fleet_tui.rules.localisation.match import Match
+from fleet_tui.rules.localisation.match import DOUBTFUL, Match
 from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import percent
@@ -55,7 +55,8 @@ class ScanComparison:
 
 def _compared(before: Match | None, after: Match) -> str:
     text = f"{percent(after.share)} of the scan fits the map"
-    if before is None:
-        return text
-    worse = ": worse, look at the scan (u)" if after.share < before.share else ""
-    return f"{text}, {percent(before.share)} before{worse}"
+    if before is not None:
+        text += f", {percent(before.share)} before"
+    if before is not None and after.share < before.share:
+        return f"{text}: worse, look at the scan (u)"
+    return text if after.share >= DOUBTFUL else f"{text}: doubtful, look at the scan (u)"

@@ -7,7 +7,7 @@ from fleet_tui.controllers.map import MapControls
 from fleet_tui.controllers.parts import InBackground, SetUpParts
 from fleet_tui.model.geometry import Pose
 from fleet_tui.rules.commands.set_up.checks import map_of
-from fleet_tui.rules.localisation.match import FEWEST, Match
+from fleet_tui.rules.localisation.match import DOUBTFUL, FEWEST, Match
 from fleet_tui.rules.localisation.nearby import REACH, best_near
 from fleet_tui.state.streams import Streams
 from fleet_tui.text.sanitize import sanitize
@@ -18,8 +18,6 @@ from fleet_tui.view.set_up.scan_match import newest_beams
 
 SNAP = "place_snap"
 """The id of its key."""
-DOUBTFUL = 0.75
-"""Share of fitting beams below which the best fit nearby is often at a wrong place."""
 
 
 class PoseSnap:

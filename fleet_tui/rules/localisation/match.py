@@ -13,6 +13,8 @@ NEAR = 0.2
 """Metres to an occupied cell within which a beam fits the map."""
 POOR = 0.4
 """Share of fitting beams below which a robot is probably elsewhere."""
+DOUBTFUL = 0.75
+"""Share below which even a good fit is often at a wrong place."""
 FEWEST = 20
 """Beams below which a scan proves nothing."""
 

@@ -65,6 +65,15 @@ def test_both_are_said(first: float, then: float, words: str) -> None:
     assert (site.desk.notices.text, site.it.robot) == (words, "")
 
 
+def test_a_poor_fit_is_doubtful_though_it_is_better() -> None:
+    site = Site()
+    site.stands(ELSEWHERE, T0 + 1)
+    site.is_set(Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED)
+    site.stands(ELSEWHERE, T0 + 4)
+    site.it.look()
+    assert site.desk.notices.text.endswith("0 % before: doubtful, look at the scan (u)")
+
+
 def test_before_the_outcome_nothing_is_said() -> None:
     site = Site()
     site.is_set(Stage.SENT)
