@@ -11,7 +11,7 @@ from fleet_tui.controllers.notices import Notices
 from fleet_tui.controllers.settings import ConsoleSettings
 from fleet_tui.keys import Key, Pane
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.view.lines.status import ALL_PAUSED, console_notes, resume_all, status_line, status_right
+from fleet_tui.view.lines.status import PAUSED, console_notes, resume_all, status_line, status_right
 from fleet_tui.view.tables.table import Run, width_of
 
 if TYPE_CHECKING:
@@ -81,9 +81,9 @@ class LiveSession:
         may, files, settings = self._parts.dispatch.permissions, self._parts.files, self._parts.settings
         notes = console_notes(state, may.read_only, may.armed, time.monotonic() - state.now)
         runs = status_line(state, robot, [*notes, *files.notes()])
-        if ALL_PAUSED in notes and may.armed and not may.read_only:
-            way_back = f"{ALL_PAUSED}, {resume_all(settings.keys)}"
-            notes = [way_back if note == ALL_PAUSED else note for note in notes]
+        if may.armed and not may.read_only:
+            way_back = f", {resume_all(settings.keys)}"
+            notes = [note + way_back * note.endswith(PAUSED) for note in notes]
             longer = status_line(state, robot, [*notes, *files.notes()])
             runs = longer if width_of(longer) <= width else runs
         return runs, status_right(settings.clock(state.wall), files.operator)

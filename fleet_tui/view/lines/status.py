@@ -18,15 +18,19 @@ SILENT_AFTER = 2.0
 STARTING = 2.0
 # The writer ticks ten times a second. Without ticks, ages stop and everything looks live.
 BLIND_AFTER = 2.0
-ALL_PAUSED = "ALL PAUSED"
+PAUSED = "PAUSED"
+"""The end of the note that every robot that can be paused is."""
 
 
 def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: float) -> list[str]:
     """Return notes on this console, such as its delay, or a stalled clock when the state is `standstill`
     seconds old."""
-    online = [robot for robot in state.robots.values() if state.is_online(robot) and robot.kind.can(PAUSE)]
+    able = [robot for robot in state.robots.values() if robot.kind.can(PAUSE)]
+    online = [robot for robot in able if state.is_online(robot)]
+    # Of a robot that is not heard nobody knows whether it stands.
+    paused = f"ALL {PAUSED}" if len(online) == len(able) else f"{len(online)} of {len(able)} {PAUSED}"
     notes = {
-        ALL_PAUSED: bool(online) and all(map(state.is_paused, online)),
+        paused: bool(online) and all(map(state.is_paused, online)),
         "read-only": read_only,
         "not armed": not armed,
         behind_text(state): state.behind >= BEHIND,

@@ -19,7 +19,8 @@ _BAR = 14  # cells that the scale bar may take
 @dataclass(frozen=True, slots=True)
 class Caption:
     """The content of the first row. `waits`: the note only says what has not arrived yet; `banner` is that of
-    the map's mode; `hint` names the key of the legend, `elsewhere` robots in trouble on other floors."""
+    the map's mode; `hint` names the key of the legend, `elsewhere` robots in trouble out of view and on other
+    floors."""
 
     floor: str
     note: str
@@ -67,9 +68,9 @@ def _pieces(facts: Caption) -> list[Piece]:
         pieces.append((sanitize(facts.note), StyleRole.DIM if facts.waits else StyleRole.WARN))
     return [
         *pieces,
+        *([("follow on", StyleRole.TEXT)] if facts.follow else []),
         (_bar(facts), StyleRole.DIM),
         *_turn(facts),
-        *([("follow on", StyleRole.TEXT)] if facts.follow else []),
         *([("zoom robot", StyleRole.DIM)] if facts.zoom_robot else []),
         *([(facts.hint, StyleRole.DIM)] if facts.hint else []),
     ]

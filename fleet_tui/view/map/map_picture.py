@@ -104,7 +104,7 @@ class MapPicture:
             waits=scene.waits if scene.note else True,
             banner=self.mode.banner,
             hint=self.hint,
-            elsewhere=scene.elsewhere,
+            elsewhere=", ".join(filter(None, (_trouble_out_of_view(scene, camera), scene.elsewhere))),
         )
 
     def _still(self, scene: Scene, camera: Camera) -> Backdrop:
@@ -117,9 +117,19 @@ class MapPicture:
         return self._backdrop
 
 
+def _trouble_out_of_view(scene: Scene, camera: Camera) -> str:
+    """Return who has an alarm on the floor and is not in the view, empty if nobody."""
+    alarmed = tuple(robot for robot in scene.robots if robot.alarmed)
+    seen = {robot.name for robot, _ in seen_robots(replace(scene, robots=alarmed), camera)} if alarmed else ()
+    hidden = [robot.name for robot in alarmed if robot.name not in seen]
+    if len(hidden) > 1:
+        return f"! {len(hidden)} out of view"
+    return f"! {hidden[0]} out of view" if hidden else ""
+
+
 def _out_of_view(scene: Scene, camera: Camera) -> str:
     """Return a note if the selected robot is on the floor and not in the view."""
-    selected = tuple(robot for robot in scene.robots if robot.selected)
+    selected = tuple(robot for robot in scene.robots if robot.selected and not robot.alarmed)
     is_outside = selected and not seen_robots(replace(scene, robots=selected), camera)
     return f"{selected[0].name} is out of view" if is_outside else ""
 

@@ -109,6 +109,10 @@ class Viewport:
             # The selected robot is what one looks at: it stays where it is.
             zoomed = camera.zoomed(factor, robot)
             zoomed = zoomed if _shows(zoomed, robot) else zoomed.centred(*robot)
+        whole = Camera.fit(camera.extent, self.width, self.height, scene.area).scale
+        if camera.scale < whole <= zoomed.scale and not self.follow:
+            self.fit(scene)  # so far out all of it is shown, not a shifted half
+            return
         self._keep(scene, zoomed)
 
     def fit(self, scene: Scene) -> None:

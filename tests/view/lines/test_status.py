@@ -141,5 +141,7 @@ def test_it_says_when_all_robots_are_paused() -> None:
     alive = [battery(T0, robot=f"robot_{n}") for n in range(2)]
     one = reduced(fleet(2), link_up(T0), *alive, paused[0], tick(T0))
     assert "ALL PAUSED" not in console_notes(one, read_only=False, armed=True, standstill=0.0)
+    heard = reduced(fleet(2), link_up(T0), alive[0], paused[0], tick(T0))
+    assert console_notes(heard, read_only=False, armed=True, standstill=0.0) == ["1 of 2 PAUSED"]
     both = reduced(one, paused[1], tick(T0))
     assert console_notes(both, read_only=False, armed=True, standstill=0.0) == ["ALL PAUSED"]

@@ -66,3 +66,12 @@ def test_the_caption_says_that_the_selected_robot_is_out_of_view() -> None:
     assert "out of view" not in caption(picture)
     picture.viewport.pan(SCENE, 200, 0)
     assert "robot_0 is out of view" in caption(picture)
+
+
+def test_a_robot_with_an_alarm_that_is_out_of_view_is_named_as_such() -> None:
+    picture = shown()
+    assert picture.scene is not None
+    picture.show(replace(picture.scene, robots=(picture.scene.robots[0]._replace(alarmed=True),)))
+    assert "!" not in caption(picture)
+    picture.viewport.pan(SCENE, 200, 0)
+    assert "! robot_0 out of view" in caption(picture) and "is out of view" not in caption(picture)

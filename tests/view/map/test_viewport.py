@@ -80,6 +80,16 @@ def test_zooming_in_does_not_lose_the_selected_robot_and_a_fitted_view_stays_fit
     assert abs(it.middle(hall)[0] - middle[0]) < 0.5
 
 
+def test_zoomed_out_as_far_as_the_whole_floor_all_of_it_is_shown() -> None:
+    it, hall = view(), scene(ROBOT)
+    whole = it.camera(hall)
+    for factor in (2.0, 2.0, 0.5, 0.5):
+        it.zoom(hall, factor)
+        if factor > 1.0:
+            it.pan(hall, 4, 0)
+    assert it.camera(hall) == whole
+
+
 def test_the_place_under_the_pointer_stays_where_it_is() -> None:
     it, hall = view(), scene()
     place = it.camera(hall).to_pixel(10, 5)
