@@ -130,6 +130,18 @@ def with_robot(state: FleetState, robot: Robot) -> FleetState:
     return replace(state, robots={**state.robots, robot.name: robot})
 
 
+MISSING_AFTER = 3.0
+"""Seconds of a link after which a value that must arrive regularly is missing."""
+
+
+def missing_text(state: FleetState, robot: Robot, value: str) -> str:
+    """Return the text of a value that was not received: `-` if none has to be."""
+    if not robot.kind.expects(value):
+        return "-"
+    has_begun = state.now - state.links[robot.link].since < MISSING_AFTER
+    return f"no {value} yet" if has_begun else f"{value} missing"
+
+
 def obstacle_text(state: FleetState, robot: Robot, contact: Reading[float]) -> str:
     """Return `obstacle 4.2 s` while the contact lasts; afterwards in the past tense."""
     if state.is_old(robot, "obstacle"):

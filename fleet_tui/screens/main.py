@@ -68,8 +68,7 @@ class MainScreen(Screen[None]):
         super().__init__()
         self.store, self.backend, self.settings, self.files = store, backend, settings, files
         self.is_complete = False
-        self.status, self.message = LineView(id="status"), LineView(id="message")
-        self.hints = LineView(id="hints")
+        self.status, self.message, self.hints = (LineView(id=id_) for id_ in ("status", "message", "hints"))
         self.panes = Panes()
         self.fleet, self.alarms, self.queue = self.panes.fleet, self.panes.alarms, self.panes.queue
         self.views: list[RunsView] = [self.status, *self.panes.views, self.message, self.hints]
@@ -110,6 +109,10 @@ class MainScreen(Screen[None]):
         for view in [*self.views, *(self.rest.styled if self.is_complete else [])]:
             view.set_role_styles(styles)
 
+    def on_mount(self) -> None:
+        """Share out the lines before the first layout."""
+        self.tick()
+
     def on_resize(self) -> None:
         """Fill the panes at their new size."""
         self.tick()
@@ -121,6 +124,7 @@ class MainScreen(Screen[None]):
         state, robot, clock = self.store.state, self.navigation.robot, self.settings.clock
         if self.is_complete:
             self._show_floor(state)
+            self.rest.simple.show()
         self._mark_alarm(state)
         tables = [
             fleet_table(state, robot, self.fleet.row_width),
@@ -133,8 +137,6 @@ class MainScreen(Screen[None]):
         self.message.show(message_line(state, self.notices.text, self.notices.at, self.message.size.width))
         self._show_hints(state, robot)
         self.settings.announce(state)
-        if self.is_complete:
-            self.rest.simple.show()
 
     def _show_hints(self, state: FleetState, robot: str) -> None:
         pane = Pane.ANYWHERE if self._in_overlay() else self.focused_pane()
@@ -172,9 +174,8 @@ class MainScreen(Screen[None]):
         if wanted is not None and wanted != self._mapped:
             self._mapped = wanted
             self.backend.show_map(*wanted)
-        scene = self.rest.streams.on(floor_scene(state, selection, drafted))
-        self.rest.map.show(self.rest.mapping.on(scene))
-        self.panes.show_floor(self.rest.map.picture.lines_of_floor(self.rest.map.size.width))
+        scene = self.rest.mapping.on(self.rest.streams.on(floor_scene(state, selection, drafted)))
+        self.panes.show_map(self.rest.map, scene)
 
     def _mark_alarm(self, state: FleetState) -> None:
         """Mark an alarm. Unless the pane has the focus, the cursor moves from acknowledged to

@@ -3,6 +3,7 @@
 import math
 import time
 from collections.abc import Callable, Collection, Sequence
+from typing import TYPE_CHECKING
 
 from textual.containers import Container
 from textual.widget import Widget
@@ -20,6 +21,10 @@ from fleet_tui.view.layout import (
 )
 from fleet_tui.view.tables.table import Table
 from fleet_tui.widgets.rows_pane import RowsPane
+
+if TYPE_CHECKING:  # numpy
+    from fleet_tui.view.map.scene import Scene
+    from fleet_tui.widgets.map_view import MapView
 
 OTHERS = 3
 """Lines of the screen that are no panes: status, message, footer. Before the first layout."""
@@ -84,20 +89,28 @@ class Panes(Container):
             self._recent_at = time.monotonic()
             self.recent.show(recent(self.recent.size.height - 1))
 
-    def show_floor(self, lines: int) -> None:
+    def show_map(self, view: "MapView", scene: "Scene") -> None:
+        """Show a scene on the map, which is drawn once its height is that for its floor."""
+        view.picture.show(scene)
+        if not self._show_floor(view.picture.lines_of_floor(self.floor.size.width)):
+            view.draw()
+
+    def _show_floor(self, lines: int) -> bool:
         """Give the last events the lines that the floor leaves, at least those below an overlay about it.
-        `lines`: those of the floor as a whole."""
+        `lines`: those of the floor as a whole. Tell whether the map gets another height, and so a resize."""
         if not self.is_attached:
-            return  # the console ends
+            return False  # the console ends
         width = self.floor.size.width
         if lines and width > 2:
             self._shape = (lines - 2) / (width - 2)
         is_free = self.screen.has_class("-wide") and not self._is_small and not self._alone
         left = max(below_floor(self.floor.size.height, lines), self._wanted[1]) if is_free and lines else 0
-        if left != self._recent_lines:
-            self._recent_lines, self._recent_at = left, -math.inf
-            self.recent.styles.height = left
-            self.recent.display = left > 0
+        if left == self._recent_lines:
+            return False
+        self._recent_lines, self._recent_at = left, -math.inf
+        self.recent.styles.height = left
+        self.recent.display = left > 0
+        return True
 
     def on_resize(self) -> None:
         """Share out the new lines at once."""

@@ -55,8 +55,8 @@ class RunsView(Widget):
         return RowStrip([Segment(text, styles[role]) for text, role in row], width_of(row))
 
     def render_line(self, y: int) -> Strip:
-        """Return one row, whole."""
-        return self._strips[y] if y < len(self._strips) else Strip.blank(self.size.width)
+        """Return one row, whole. Before it is painted it has the background, not the terminal's own."""
+        return self._strips[y] if y < len(self._strips) else Strip.blank(self.size.width, self.rich_style)
 
     def render_lines(self, crop: Region) -> list[Strip]:
         """Return the rows as stored, bypassing the cache that would wrap each of them again."""

@@ -54,3 +54,11 @@ async def test_a_theme_changes_every_row_and_a_shorter_list_leaves_blank_ones() 
         assert text(view)[2] == " " * 20
         crop = view.render_lines(Region(1, 0, 3, 2))
         assert [strip.text for strip in crop] == ["aaa", "   "]
+
+
+async def test_before_the_first_rows_it_has_the_background_of_the_theme() -> None:
+    view = RunsView()
+    async with WidgetApp(view).run_test(size=(20, 3)):
+        (segment,) = view.render_line(1)
+        assert segment.style is not None and segment.style.bgcolor == view.rich_style.bgcolor
+        assert segment.style.bgcolor is not None

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 from functools import partial
 
-from fleet_tui.model.fleet import FleetState, obstacle_text
+from fleet_tui.model.fleet import FleetState, missing_text, obstacle_text
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.order import Order, Stop, pose_text, route_text
 from fleet_tui.model.robot import Robot
@@ -187,7 +187,7 @@ def _without_order(state: FleetState, robot: Robot) -> str:
         return ""
     waiting = sum(not order.is_over for order in all_orders(state, robot))
     if robot.queue is None and not waiting:
-        return "queue missing" if robot.kind.expects("queue") else "-"
+        return missing_text(state, robot, "queue")
     return f"{waiting} waiting" if waiting else "idle"
 
 

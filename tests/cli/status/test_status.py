@@ -53,7 +53,7 @@ async def test_what_needs_attention_is_1_and_named(
 async def test_what_never_came_is_named(server: RosbridgeServer, tmp_path: Path) -> None:
     server.bridge.muted.update(["/robot_0/queue", "/robot_0/paused"])
     config_file(tmp_path, server.url, 1)
-    done = await run(tmp_path, "status", "--timeout", "1")
+    done = await run(tmp_path, "status", "--timeout", "4")
     assert done.code == 1
     assert "robot_0: missing: queue" in done.out
     assert "queue missing" in done.out and "idle" not in done.out

@@ -173,8 +173,10 @@ def test_an_order_that_is_only_listed_still_is_not_waiting() -> None:
 
 
 def test_a_robot_whose_queue_never_came_is_not_idle() -> None:
-    text = row(reduced(fleet(), link_up(T0), pose(T0), battery(T0), tick(T0 + 0.1)))
-    assert "queue missing" in text and "idle" not in text
+    start = reduced(fleet(), link_up(T0), pose(T0), battery(T0), tick(T0 + 0.1))
+    assert "no queue yet" in row(start) and "idle" not in row(start)
+    late = row(reduced(start, tick(T0 + 3.1)))
+    assert "queue missing" in late and "idle" not in late
 
 
 def test_a_pause_that_did_not_come_from_here_is_told_from_ours() -> None:

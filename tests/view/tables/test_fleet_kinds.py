@@ -34,7 +34,7 @@ def test_a_value_that_has_not_come_is_a_dash_and_one_that_never_does_is_nothing(
     bare, late, full = rows(received(BARE, LATE, FULL))
     assert bare == "●   1 robot_0       floor_0"
     assert late.split() == ["●", "2", "robot_1", "-", "%", "floor_0", "-"]
-    assert full.split()[3:] == ["-", "%", "floor_0", "queue", "missing"]
+    assert full.split()[3:] == ["-", "%", "floor_0", "no", "queue", "yet"]
 
 
 def test_columns_stand_below_each_other_whatever_the_kind() -> None:
