@@ -76,7 +76,7 @@ def _after_step(state: FleetState, record: CommandRecord) -> FleetState:
 def advance_command(state: FleetState, event: events.CommandAdvanced) -> FleetState:
     """Advance a command. It ends once: later events for it change nothing."""
     found = next((record for record in state.commands if record.id == event.id), None)
-    if found is None or (event.stage is Stage.WAITING and not _may_wait_here(state, found)):
+    if found is None or (event.stage is Stage.WAITING and not isinstance(found.command, PlaceOrder)):
         return state
     record = found.advanced(Step(_late_or(event.stage, state, found), event.at, truncate(event.detail)))
     if record is found:
@@ -92,12 +92,6 @@ def advance_command(state: FleetState, event: events.CommandAdvanced) -> FleetSt
         record = replace(record, name=event.name)
         state = with_robot(state, replace(robot, named=event.name))
     return _after_step(_with_record(state, record), record)
-
-
-def _may_wait_here(state: FleetState, record: CommandRecord) -> bool:
-    """Tell whether this console keeps the queue for it: where the robot does, an outcome is final."""
-    robot = state.robots.get(record.command.robot)
-    return isinstance(record.command, PlaceOrder) and (robot is None or robot.kind.keeps_goals)
 
 
 def take_answer(state: FleetState, event: navigation_events.GoalAnswered) -> FleetState:

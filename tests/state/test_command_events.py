@@ -29,11 +29,6 @@ def test_a_command_ends_exactly_once_whatever_comes() -> None:
     assert not state.robots[R0].paused_by_us
 
 
-def test_an_outcome_is_final_where_the_robot_keeps_the_queue() -> None:
-    confirmed = reduced(fleet(), *commanded(1, place_order(R0), Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED))
-    assert reduced(confirmed, events.CommandAdvanced(1, Stage.WAITING, T0)) is confirmed
-
-
 def test_the_newest_commands_are_kept() -> None:
     commands: list[Command] = [place_order(R0, n, n) for n in range(COMMANDS_KEPT + 5)]
     state = fleet()
