@@ -77,7 +77,8 @@ class FleetState(Struct, frozen=True, eq=False):
 
     def is_online(self, robot: Robot) -> bool:
         """Tell whether its last message is within the limit."""
-        return robot.last_received is not None and self.now - robot.last_received <= self.patience
+        limit = self.limits.offline_after + self.behind
+        return robot.last_received is not None and self.now - robot.last_received <= limit
 
     def was_obstructed(self, robot: Robot) -> bool:
         """Tell whether its last report was a lasting contact with an obstacle."""
@@ -103,14 +104,16 @@ class FleetState(Struct, frozen=True, eq=False):
         """Tell whether a value, a field of Robot, has arrived and still holds: for as long as its kind
         allows, and never while the robot is offline."""
         reading: Reading[object] | None = getattr(robot, value)
-        if reading is None or not self.is_online(robot):
-            return False
-        silence = robot.kind.silence_of(value, self.limits.offline_after)
-        return self.now - reading.at <= silence + self.behind
+        return reading is not None and self._holds(robot, value, reading)
+
+    def _holds(self, robot: Robot, value: str, reading: Reading[object]) -> bool:
+        silence = robot.kind.silence.get(value, self.limits.offline_after)
+        return self.now - reading.at <= silence + self.behind and self.is_online(robot)
 
     def is_old(self, robot: Robot, value: str) -> bool:
         """Tell whether a value has arrived, and no longer holds."""
-        return getattr(robot, value) is not None and not self.is_fresh(robot, value)
+        reading: Reading[object] | None = getattr(robot, value)
+        return reading is not None and not self._holds(robot, value, reading)
 
     @property
     def unacknowledged(self) -> int:

@@ -143,8 +143,9 @@ class Robot(Struct, frozen=True, eq=False):
         Ids of different floors may be the same: the floor it is on comes first.
         """
         here = self.maps.get(self.floor or "")
-        maps = [here, *self.maps.values()] if here else self.maps.values()
-        names = (robot_map.name_of(vertex) for robot_map in maps)
+        if here is not None and (name := here.name_of(vertex)) is not None:
+            return name
+        names = (robot_map.name_of(vertex) for robot_map in self.maps.values())
         return next((name for name in names if name is not None), None)
 
     def knows_all_graphs(self) -> bool:

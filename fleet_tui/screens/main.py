@@ -131,8 +131,8 @@ class MainScreen(Screen[None]):
             alarm_table(state, clock, self.alarms.row_width),
             queue_table(state, robot, self._all_orders, self.queue.row_width),
         ]
-        page, recent = partial(robot_page, state, robot, clock), partial(recent_table, state, clock)
-        self.panes.show(tables, page, recent, self.rest.covered if self.is_complete else 0)
+        page, recent = partial(robot_page, state, clock=clock), partial(recent_table, state, clock)
+        self.panes.show(tables, robot, page, recent, self.rest.covered if self.is_complete else 0)
         self.status.show(*self.session.headline(state, robot, self.status.size.width))
         self.message.show(message_line(state, self.notices.text, self.notices.at, self.message.size.width))
         self._show_hints(state, robot)

@@ -34,6 +34,8 @@ USUAL_SHAPE = 0.4
 """Lines of a floor per cell of its width, until one is known."""
 RECENT_EVERY = 1.0
 """Seconds between two updates of the last events."""
+PAGE_EVERY = 0.5
+"""Seconds between two updates of a robot's page: nobody reads a pose that changes faster."""
 
 
 def lines_below(overlay: Widget) -> int:
@@ -58,6 +60,7 @@ class Panes(Container):
         super().__init__(self.floor, self.fleet, self.alarms, self.queue, self.page, id="panes")
         self._alone = ""
         self._recent_lines, self._recent_at = 0, -math.inf
+        self._page_of, self._page_at = "", -math.inf
         self._shape = USUAL_SHAPE
         self._wanted = Wanted(0, 0, 0), 0
         self._shared_out: tuple[str, str, bool] | None = None
@@ -70,23 +73,26 @@ class Panes(Container):
     def show(
         self,
         tables: Sequence[Table],
-        page: Callable[[], Table],
+        robot: str,
+        page: Callable[[str], Table],
         recent: Callable[[int], Table],
         covered: int = 0,
     ) -> None:
-        """Show fleet, alarms and queue, and the page and the last events if there are lines for them.
-        `covered`: lines at the bottom below an overlay about the map."""
+        """Show fleet, alarms and queue, and if there are lines for them the page of the selected robot and
+        the last events. `covered`: lines at the bottom below an overlay about the map."""
         if not self.is_attached:
             return  # the console ends
         self._wanted = Wanted(*(table.lines for table in tables)), covered
         self.share_out()
         for pane, table in zip(self.views, tables, strict=False):
             pane.show(table)
-        if self.page.size.height:
-            self.page.show(page())
+        now = time.monotonic()
+        if self.page.size.height and (robot != self._page_of or now >= self._page_at + PAGE_EVERY):
+            self._page_of, self._page_at = robot, now
+            self.page.show(page(robot))
         # Of a fleet of hundreds they take a while to collect.
-        if self.recent.size.height and time.monotonic() >= self._recent_at + RECENT_EVERY:
-            self._recent_at = time.monotonic()
+        if self.recent.size.height and now >= self._recent_at + RECENT_EVERY:
+            self._recent_at = now
             self.recent.show(recent(self.recent.size.height - 1))
 
     def show_map(self, view: "MapView", scene: "Scene") -> None:

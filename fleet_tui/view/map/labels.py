@@ -63,13 +63,16 @@ class CellOccupancy:
         arrow: two numbers never read as one. It stays on the side that it had `before`; else it covers a
         label only if both sides do.
         """
-        sides = [side for side in (before or -1, -(before or -1)) if self._fits(x, y, arrow, cells, side)]
+        if before and self._fits(x, y, arrow, cells, before):
+            self.take(_start(x, arrow, cells, before), y, cells)
+            return before
+        sides = [side for side in (-1, 1) if self._fits(x, y, arrow, cells, side)]
         if not sides:
             return 0
         spared = [side for side in sides if self.free(_start(x, arrow, cells, side), y, cells)]
         # A number beyond the floor's edge reads as one of nothing.
         inside = [side for side in spared if not self._is_beyond(_start(x, arrow, cells, side), y, cells)]
-        side = before if before in sides else [*inside, *spared, *sides][0]
+        side = [*inside, *spared, *sides][0]
         self.take(_start(x, arrow, cells, side), y, cells)
         return side
 

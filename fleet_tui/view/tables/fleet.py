@@ -7,7 +7,7 @@ from functools import partial
 from fleet_tui.model.fleet import FleetState, missing_text, obstacle_text
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.order import Order, Stop, pose_text, route_text
-from fleet_tui.model.robot import Robot
+from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.conditions import is_news, obstacle_lasts
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
 from fleet_tui.rules.alarms.trouble import in_trouble
@@ -28,6 +28,8 @@ LONG_STILL = 30.0
 """Seconds from which that comes before its order in a narrow pane: longer than loading takes."""
 WHOLE_ROUTES = 26
 """Cells of the last column from which orders without a column of their own have their start, too."""
+_NAMES = {name: name for name in ("pose", "battery", "queue", "cargo", "obstacle")} | {"paused": "pause"}
+"""Values that may be old, with their names."""
 SEEN_FROM = 2.0
 """Seconds from which the age of a robot's last message is shown."""
 
@@ -62,17 +64,9 @@ def way(robot: Robot, stops: tuple[Stop, ...]) -> str:
 
 def _old(state: FleetState, robot: Robot) -> Iterator[Run]:
     """Yield the old values of a robot that is online: they must not look live."""
-    readings = {
-        "pose": robot.pose,
-        "battery": robot.battery,
-        "queue": robot.queue,
-        "cargo": robot.cargo,
-        "obstacle": robot.obstacle,
-        "paused": robot.paused,
-    }
-    for value, reading in readings.items():
-        if reading is not None and state.is_old(robot, value):
-            name = "pause" if value == "paused" else value
+    for value, name in _NAMES.items():
+        if state.is_old(robot, value):
+            reading: Reading[object] = getattr(robot, value)
             yield f"{name} {age(state.now - reading.at)} old", StyleRole.WARN
 
 
