@@ -1,8 +1,8 @@
 """The panes of the main screen, and how they share its lines."""
 
 import math
-import time
 from collections.abc import Callable, Collection, Sequence
+from time import monotonic
 from typing import TYPE_CHECKING
 
 from textual.containers import Container
@@ -32,10 +32,22 @@ BELOW = 2
 """Those of them below the panes: message, footer."""
 USUAL_SHAPE = 0.4
 """Lines of a floor per cell of its width, until one is known."""
-RECENT_EVERY = 1.0
-"""Seconds between two updates of the last events."""
-PAGE_EVERY = 0.5
-"""Seconds between two updates of a robot's page: nobody reads a pose that changes faster."""
+
+
+class Pace:
+    """Lets a view be made again every so many seconds, and at once for another `key`."""
+
+    def __init__(self, every: float) -> None:
+        self._every, self._at = every, -math.inf
+        self._key: object = None
+
+    def is_due(self, key: object = None) -> bool:
+        """Tell whether it is to be made now."""
+        now = monotonic()
+        if key == self._key and now < self._at + self._every:
+            return False
+        self._key, self._at = key, now
+        return True
 
 
 def lines_below(overlay: Widget) -> int:
@@ -59,8 +71,9 @@ class Panes(Container):
         self.floor = Container(Container(id="map"), self.recent, id="floor")
         super().__init__(self.floor, self.fleet, self.alarms, self.queue, self.page, id="panes")
         self._alone = ""
-        self._recent_lines, self._recent_at = 0, -math.inf
-        self._page_of, self._page_at = "", -math.inf
+        # Nobody reads values that change ten times a second, and rows of a large fleet take a while to make.
+        self._fleet_pace, self._page_pace, self._recent_pace = Pace(0.2), Pace(0.5), Pace(1.0)
+        self._recent_lines = 0
         self._shape = USUAL_SHAPE
         self._wanted = Wanted(0, 0, 0), 0
         self._shared_out: tuple[str, str, bool] | None = None
@@ -84,15 +97,14 @@ class Panes(Container):
             return  # the console ends
         self._wanted = Wanted(*(table.lines for table in tables)), covered
         self.share_out()
-        for pane, table in zip(self.views, tables, strict=False):
-            pane.show(table)
-        now = time.monotonic()
-        if self.page.size.height and (robot != self._page_of or now >= self._page_at + PAGE_EVERY):
-            self._page_of, self._page_at = robot, now
+        fleet, alarms, queue = tables
+        if self._fleet_pace.is_due((robot, self.fleet.size, fleet.title, fleet.keys)):
+            self.fleet.show(fleet)
+        self.alarms.show(alarms)
+        self.queue.show(queue)
+        if self.page.size.height and self._page_pace.is_due((robot, self.page.size)):
             self.page.show(page(robot))
-        # Of a fleet of hundreds they take a while to collect.
-        if self.recent.size.height and now >= self._recent_at + RECENT_EVERY:
-            self._recent_at = now
+        if self.recent.size.height and self._recent_pace.is_due(self._recent_lines):
             self.recent.show(recent(self.recent.size.height - 1))
 
     def show_map(self, view: "MapView", scene: "Scene") -> None:
@@ -113,7 +125,7 @@ class Panes(Container):
         left = max(below_floor(self.floor.size.height, lines), self._wanted[1]) if is_free and lines else 0
         if left == self._recent_lines:
             return False
-        self._recent_lines, self._recent_at = left, -math.inf
+        self._recent_lines = left
         self.recent.styles.height = left
         self.recent.display = left > 0
         return True
