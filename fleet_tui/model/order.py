@@ -3,6 +3,7 @@
 import re
 from collections.abc import Callable
 from enum import Enum
+from functools import lru_cache
 
 from msgspec import Struct
 
@@ -40,11 +41,12 @@ class Stop(Struct, frozen=True):
     pose: Pose | None = None
 
 
-def natural(id_: str) -> list[tuple[int, str]]:
+@lru_cache(maxsize=4096)
+def natural(id_: str) -> tuple[tuple[int, str], ...]:
     """A key that sorts ids naturally: 2 before 10."""
     # Text and numbers alternate; of two numbers the longer one is the larger.
     parts = enumerate(_DIGITS.split(id_))
-    return [(len(part.lstrip("0")), part.lstrip("0")) if n % 2 else (0, part) for n, part in parts]
+    return tuple((len(part.lstrip("0")), part.lstrip("0")) if n % 2 else (0, part) for n, part in parts)
 
 
 def at_vertices(*vertices: str) -> tuple[Stop, ...]:

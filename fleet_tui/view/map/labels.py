@@ -1,6 +1,7 @@
 """Placement of labels and numbers: whole and without overlap, or not at all. Robots pass over labels; those
 of the selected robot's order step aside."""
 
+import sys
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import NamedTuple
@@ -104,17 +105,18 @@ class CellOccupancy:
         beside = (*same_row, (middle, y - 1), (middle, y + 1))
         shifted: tuple[Place, ...] = ((x, y - 1), (x, y + 1), (x + 1 - cells, y - 1), (x + 1 - cells, y + 1))
         corners = ((right, y - 1), (right, y + 1), (left, y - 1), (left, y + 1))
-        costs = [
-            (_hidden(roles[row, column : column + cells]) + further, column, row)
-            for further, spots in enumerate((beside, shifted, corners))
-            for column, row in spots
-            if self._apart(column, row, cells)
-        ]
-        if not costs:
-            return None
-        _, column, row = min(costs, key=lambda cost: cost[0])
-        self.take(column, row, cells)
-        return column, row
+        best: Place | None = None
+        least = sys.maxsize
+        for further, spots in enumerate((beside, shifted, corners)):
+            if least <= further:
+                break
+            for column, row in spots:
+                if self._apart(column, row, cells):
+                    cost = _hidden(roles[row, column : column + cells]) + further
+                    best, least = ((column, row), cost) if cost < least else (best, least)
+        if best is not None:
+            self.take(*best, cells)
+        return best
 
     def _apart(self, x: int, y: int, cells: int) -> bool:
         if not (0 <= y < self._height and x >= 0 and x + cells <= self._width):

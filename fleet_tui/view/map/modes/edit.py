@@ -53,7 +53,7 @@ class EditMode:
         else:
             self._renew(change)
         self._vertices, self._edges = tuple(self._made.values()), tuple(self._lines.values())
-        self._drawn = tuple(line for id_, line in self._lines.items() if id_ in self._changed)
+        self._drawn = tuple(self._lines[id_] for id_ in self._changed if id_ in self._lines)
         self._one_way = tuple(line for id_, line in self._lines.items() if not floor.edges[id_].two_way)
 
     def _renew(self, change: Change) -> None:
