@@ -82,7 +82,8 @@ def snapped(floor: DocumentFloor, x: float, y: float, near: float) -> tuple[floa
 
 
 def _in_line(value: float, others: Iterable[float], near: float, step: float) -> float:
-    in_line = [other for other in others if -near <= other - value <= near]
+    low, high = value - near, value + near
+    in_line = [other for other in others if low <= other <= high]
     if in_line:
         return min(in_line, key=lambda other: abs(other - value))
     # Multiples of 0.1 are written as such: 0.3, not 0.30000000000000004.

@@ -75,7 +75,13 @@ def _glyphs(
     vertices: Same[tuple[SceneVertex, ...]], plain: bool
 ) -> tuple[NDArray[np.uint32], NDArray[np.uint8]]:
     """Return the code points and roles of vertices."""
-    glyphs = [vertex_glyph(vertex.role, bool(vertex.label), plain) for vertex in vertices.rows]
+    bare, labelled = (vertex_glyph(Role.PLAIN, is_labelled, plain) for is_labelled in (False, True))
+    glyphs = [
+        vertex_glyph(vertex.role, bool(vertex.label), plain)
+        if vertex.role is not Role.PLAIN
+        else (labelled if vertex.label else bare)  # most of them are: no look into the cache for each
+        for vertex in vertices.rows
+    ]
     return np.array([ord(glyph) for glyph, _ in glyphs], np.uint32), np.array(
         [role for _, role in glyphs], np.uint8
     )

@@ -33,6 +33,8 @@ class EditMode:
         self.cursor, self.note, self._roles = cursor, "", roles
         self._made = dict[str, SceneVertex]()
         self._lines = dict[str, Line]()
+        self._arrows = dict[str, Line]()
+        """The lines of edges that lead one way."""
         self._changed = set[str]()
         """Edges that were drawn, turned or moved since the mode was entered."""
         self.selected = self.edge = ""
@@ -49,12 +51,14 @@ class EditMode:
         self.held = self.held and bool(self.selected)
         if change is None:
             self._made = {id_: self._shown(vertex) for id_, vertex in floor.vertices.items()}
-            self._lines = {id_: line for id_, edge in floor.edges.items() if (line := self._line(edge))}
+            self._lines, self._arrows = {}, {}
+            for id_ in floor.edges:
+                self._renew_edge(id_)
         else:
             self._renew(change)
         self._vertices, self._edges = tuple(self._made.values()), tuple(self._lines.values())
         self._drawn = tuple(self._lines[id_] for id_ in self._changed if id_ in self._lines)
-        self._one_way = tuple(line for id_, line in self._lines.items() if not floor.edges[id_].two_way)
+        self._one_way = tuple(self._arrows.values())
 
     def _renew(self, change: Change) -> None:
         """Renew the changed elements: of thousands one or two."""
@@ -71,9 +75,16 @@ class EditMode:
             if id_ in floor.vertices:
                 self._made[id_] = self._shown(floor.vertices[id_])
         for id_ in edges:
-            self._lines.pop(id_, None)
-            if id_ in floor.edges and (line := self._line(floor.edges[id_])):
-                self._lines[id_] = line
+            self._renew_edge(id_)
+
+    def _renew_edge(self, id_: str) -> None:
+        self._lines.pop(id_, None)
+        self._arrows.pop(id_, None)
+        edge = self.floor.edges.get(id_)
+        if edge is not None and (line := self._line(edge)):
+            self._lines[id_] = line
+            if not edge.two_way:
+                self._arrows[id_] = line
 
     def _shown(self, vertex: DocumentVertex) -> SceneVertex:
         return SceneVertex(vertex.id, vertex.x, vertex.y, self._roles(vertex.type), sanitize(vertex.label))
