@@ -39,6 +39,23 @@ def test_what_drives_a_robot_or_writes_to_its_disk_is_left_to_a_person() -> None
     ]
 
 
+def test_what_maps_or_takes_a_graph_is_proposed_with_its_floor() -> None:
+    heard = {
+        "/r1/hall/graph_save": "OH_ressources/Graph",
+        "/r1/hall/labels_save": "OH_ressources/msg/LabeledVertices",
+    }
+    services = {"/r1/set_mapping": "std_srvs/srv/SetBool", "/r1/enable_mapping": "std_srvs/SetBool"}
+    it = Discovery({"r1": ["hall"]})
+    find_set_up(it, Listed({"/r1/mode": "std_msgs/String"}, services, (), heard), VOCABULARY)
+    assert [note.partition("   #")[0] for notes in it.notes.values() for note in notes] == [
+        'mode = "/{robot}/mode"',
+        'graph_save = "/{robot}/{floor}/graph_save"',
+        'labels_save = "/{robot}/{floor}/labels_save"',
+        'mapping_on = "/{robot}/set_mapping"',
+        'mapping_off = "/{robot}/set_mapping"',
+    ]
+
+
 def test_nothing_of_another_robot_or_type_is_taken() -> None:
     it = found(Listed({"/r3/scan": "sensor_msgs/LaserScan", "/r1/scan": "std_msgs/String"}, {}))
     assert not it.topics and not it.services and not it.notes
