@@ -40,11 +40,13 @@ class GraphDrawing:
         return edits.snapped(draft.floor, *mode.cursor, near)
 
     def add_at_cursor(self) -> None:
-        """Add a vertex at the cursor, and select it."""
+        """Add a vertex at the cursor, and select it; one that is there already is selected."""
         if opened := self._editor.opened:
             draft, mode, scene = opened
             if taken := self._at_cursor(mode, scene):
-                self._notices.say(f"vertex {sanitize(taken)} is here already: zoom in to place another")
+                mode.selected, mode.edge = taken, ""
+                self._editor.refresh()
+                self._notices.say(f"selected vertex {sanitize(taken)}: zoom in to place another here")
                 return
             self._add(draft, mode, self._place(draft, mode, scene))
 
