@@ -70,9 +70,11 @@ def failed_commands(state: FleetState) -> Iterator[Condition]:
 def _failed(state: FleetState, key: Key, records: Sequence[commands.CommandRecord]) -> Condition:
     last = records[-1]
     request = _request_text(state.robots[last.command.robot], last.command)
-    robots = len({record.command.robot for record in records})
-    if robots > 1:
-        request += f" of {robots} robots"
+    robots = {record.command.robot for record in records}
+    if len(robots) > 1:
+        request += f" of {len(robots)} robots"
+    elif key[0] not in robots:
+        request += f" of {last.command.robot}"  # the only one of many: the alarm is the link's
     high = any(isinstance(record.command, commands.PauseRobot) for record in records)
     return Condition(
         *key,

@@ -80,3 +80,9 @@ def test_a_pause_that_failed_is_urgent_and_for_many_robots_one_alarm() -> None:
     assert [one.key for one in state.alarms] == [(LINK, "many commands")]
     assert state.alarms[0].text == "refused: pause of 100 robots"
     assert (state.alarms[0].condition.priority.name, state.alarms[0].count) == ("HIGH", 100)
+
+
+def test_the_only_one_of_many_that_failed_is_named() -> None:
+    given = (events.CommandIssued(n, PauseRobot(f"robot_{n}"), T0 + n / 1000, WALL) for n in range(9))
+    state = reduced(up(9), *given, *ended(4, T0, Stage.REFUSED), tick(T0 + 1))
+    assert [one.text for one in state.alarms] == ["refused: pause of robot_4"]
