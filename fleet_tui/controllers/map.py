@@ -62,6 +62,8 @@ class MapControls:
         view.follow = not view.follow
         if view.follow and scene is not None:
             view.centre(scene)
+            if scene.selected is None:
+                self._say("follow begins once the robot has a position on this floor")
         self._view.draw()
 
     def centre(self, at: tuple[float, float] | None = None) -> None:

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import pytest
 
+from fleet_tui.controllers.map import MapControls
 from fleet_tui.view.map.drawing import Drawing
 from tests.support.map_pane import SCENE, Pane, moved, started
 
@@ -80,3 +81,18 @@ async def test_a_robot_that_is_selected_comes_into_view_and_one_in_view_moves_no
         before = app.rows()
         app.controls.reveal()
         assert app.rows() == before
+
+
+async def test_to_follow_a_robot_that_is_not_here_says_when_it_begins() -> None:
+    said = list[str]()
+    async with Pane().run_test(size=(100, 30)) as pilot:
+        app, view = await started(pilot)
+        controls = MapControls(view, said.append)
+        view.show(replace(SCENE, robots=SCENE.robots[1:]))
+        controls.follow()
+        assert said == ["follow begins once the robot has a position on this floor"]
+        controls.follow()
+        view.show(SCENE)
+        controls.follow()
+        assert len(said) == 1
+        assert "follow on" in app.rows()[0]
