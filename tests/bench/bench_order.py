@@ -62,7 +62,7 @@ async def orders(it: Console) -> list[float]:
             for name in ["o", *start, "enter", *end]:
                 key(it.app, name)
             # Let the typing settle: the measure is Enter alone, at any moment of the tick.
-            await asyncio.sleep(0.1 + n % 10 * 0.011)
+            await asyncio.sleep(0.4 + n % 10 * 0.011)
             started = time.perf_counter()
             key(it.app, "enter")
             await it.until(lambda _, n=n: len(sent) > n)  # type: ignore[misc]  # bound now

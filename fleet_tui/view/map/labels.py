@@ -77,6 +77,13 @@ class CellOccupancy:
         self.take(_start(x, arrow, cells, side), y, cells)
         return side
 
+    def extends(self, x: int, y: int, cells: int, side: int) -> bool:
+        """Occupy cells of a row that continue to a `side`, if they and the next one are free and in view."""
+        if not 0 <= y < self._height or not self._fits(x if side > 0 else x + cells, y, 0, cells, side):
+            return False
+        self.take(x, y, cells)
+        return True
+
     def _is_beyond(self, x: int, y: int, cells: int) -> bool:
         return bool(self._beyond >> self._bit(x, y) & (1 << cells) - 1)
 

@@ -222,8 +222,7 @@ def trace(mask: Mask, starts: Points, stops: Points, dashed: bool = False, done:
     # Column by column: numpy reduces many short rows several times as slowly.
     seen = (low < high) & np.isfinite(way[:, 0]) & np.isfinite(way[:, 1])
     starts, way, low, high = starts[seen], way[seen], low[seen], high[seen]
-    longest = np.maximum(np.abs(way[:, 0]), np.abs(way[:, 1]))
-    steps = (longest * (high - low)).astype(np.intp) + 2
+    steps = (np.maximum(*np.abs(way.T)) * (high - low)).astype(np.intp) + 2
     line = np.repeat(np.arange(len(steps)), steps)
     along = np.arange(len(line)) - np.repeat(np.cumsum(steps) - steps, steps)
     share = low[line] + (high - low)[line] * along / (steps[line] - 1)
@@ -248,5 +247,4 @@ def _within(shape: tuple[int, ...], starts: Points, stops: Points) -> tuple[Poin
     # A line along an axis divides by zero: +-inf outside, nan exactly on the border (taken as inside).
     low = np.nan_to_num(np.minimum(one, other), nan=-np.inf, neginf=-np.inf, posinf=np.inf)
     high = np.nan_to_num(np.maximum(one, other), nan=np.inf, neginf=-np.inf, posinf=np.inf)
-    first, last = np.maximum(low[:, 0], low[:, 1]), np.minimum(high[:, 0], high[:, 1])
-    return np.maximum(first, 0.0), np.minimum(last, 1.0)
+    return np.maximum(low.max(axis=1), 0.0), np.minimum(high.min(axis=1), 1.0)

@@ -3,7 +3,8 @@
 from collections.abc import Container, Iterator
 from dataclasses import dataclass, field
 from functools import partial
-from itertools import accumulate
+from itertools import accumulate, chain
+from typing import NamedTuple
 
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
@@ -14,8 +15,18 @@ from fleet_tui.view.map.places import Place, seen_robots
 from fleet_tui.view.map.scene import Scene, SceneRobot
 from fleet_tui.view.roles import StyleRole
 
+NEIGHBOURS = 4
+"""Cells from arrow to arrow within which robots have their numbers together, if one alone has no space."""
 Chips = list[tuple[int, int, str, StyleRole]]
 """Arrows and numbers: x, y, text, role."""
+
+
+class _Numbers(NamedTuple):
+    """The numbers of a cell: their first cell, their side of the arrow, and the texts."""
+
+    start: int
+    side: int
+    runs: list[tuple[str, StyleRole]]
 
 
 @dataclass
@@ -45,7 +56,8 @@ def _chips(
     """Return the chips of all robots: the selected one on top, then those in trouble.
 
     The arrow is in the robot's own cell; of several robots in a cell the first one has it, and their numbers
-    are listed. Where numbers would touch, one is left out.
+    are listed. A robot between others is listed with a neighbour; without space it has no number, unless it
+    is selected or in trouble.
     """
     sharing: dict[Place, list[SceneRobot]] = {}
     for robot, at in seen_robots(scene, camera):
@@ -54,21 +66,72 @@ def _chips(
     arrows = {at: _arrow(robots[0], at, sharing, turned, plain) for at, robots in sharing.items()}
     for (x, y), arrow in arrows.items():
         occupancy.take(x, y, len(arrow))
-    chips: Chips = []
-    for (x, y), robots in sharing.items():
-        arrow, number = arrows[x, y], robots[0].number
-        chips.append((x, y, arrow, robot_roles(robots[0])[0]))
-        for runs in _numbers(robots, plain):
-            cells = sum(len(text) for text, _ in runs)
-            side = occupancy.number_side(x, y, len(arrow), cells, sides.get(number, 0))
-            if side:
-                sides[number] = side
-                # The arrow is the first one's: where its colour says so, its number is beside it.
-                is_special = robot_roles(robots[0])[1] != StyleRole.ROBOT
-                listed = runs[::-1] if side < 0 and is_special and runs[-1][0][0] != "+" else runs
-                chips += _beside(x + len(arrow) if side > 0 else x - cells, y, listed)
-                break
-    return chips
+    chips = [(*at, arrows[at], robot_roles(robots[0])[0]) for at, robots in sharing.items()]
+    numbers: dict[Place, _Numbers] = {}
+    without: list[Place] = []
+    for at, robots in sharing.items():
+        if placed := _beside_arrow(occupancy, robots, at, len(arrows[at]), plain, sides):
+            numbers[at] = placed
+        else:
+            without.append(at)
+    for at in without:
+        alone = robot_number(sharing[at][0]), robot_roles(sharing[at][0])[1]
+        if not _join(occupancy, numbers, at, alone) and alone[1] is not StyleRole.ROBOT:
+            _stack(occupancy, numbers, at, alone)
+    listed = (_beside(placed.start, at[1], placed.runs) for at, placed in numbers.items())
+    return [*chips, *chain.from_iterable(listed)]
+
+
+def _beside_arrow(
+    occupancy: CellOccupancy,
+    robots: list[SceneRobot],
+    at: Place,
+    arrow: int,
+    plain: bool,
+    sides: dict[int, int],
+) -> _Numbers | None:
+    """Return the numbers of the robots in a cell beside their arrow of `arrow` cells, None without space."""
+    (x, y), number = at, robots[0].number
+    for runs in _numbers(robots, plain):
+        cells = sum(len(text) for text, _ in runs)
+        if side := occupancy.number_side(x, y, arrow, cells, sides.get(number, 0)):
+            sides[number] = side
+            # The arrow is the first one's: where its colour says so, its number is beside it.
+            is_special = robot_roles(robots[0])[1] != StyleRole.ROBOT
+            listed = runs[::-1] if side < 0 and is_special and runs[-1][0][0] != "+" else runs
+            return _Numbers(x + arrow if side > 0 else x - cells, side, listed)
+    return None
+
+
+def _join(
+    occupancy: CellOccupancy, numbers: dict[Place, _Numbers], at: Place, number: tuple[str, StyleRole]
+) -> bool:
+    """List the number of a robot between others with those of the nearest one in its row that has space, if
+    any: their sequence is that of the arrows."""
+    x, y = at
+    near = [other for other in numbers if other[1] == y and abs(other[0] - x) <= NEIGHBOURS]
+    for other in sorted(near, key=lambda one: abs(one[0] - x)):
+        start, side, runs = numbers[other]
+        end = start + sum(len(text) for text, _ in runs)
+        cells = len(number[0]) + 1
+        if occupancy.extends(start - cells if side < 0 else end, y, cells, side):
+            comma = ",", StyleRole.ROBOT
+            listed = [*runs, comma, number] if other[0] < x else [number, comma, *runs]
+            numbers[other] = _Numbers(start - cells if side < 0 else start, side, listed)
+            return True
+    return False
+
+
+def _stack(
+    occupancy: CellOccupancy, numbers: dict[Place, _Numbers], at: Place, number: tuple[str, StyleRole]
+) -> None:
+    """Put the number of a robot that is selected or in trouble above or below its arrow: its colour tells
+    whose it is."""
+    x, y = at
+    for row in (y - 1, y + 1):
+        if (x, row) not in numbers and occupancy.extends(x, row, len(number[0]), 1):
+            numbers[x, row] = _Numbers(x, 1, [number])
+            return
 
 
 def _beside(x: int, y: int, runs: list[tuple[str, StyleRole]]) -> Chips:

@@ -40,6 +40,19 @@ def test_robots_in_one_cell_are_listed_or_counted() -> None:
     assert "3→ 1+2→→5" in drawn((robot(3, -5), robot(1, 0), robot(2, 0), robot(4, 0), robot(5, 1)))
 
 
+def test_the_number_of_a_robot_between_others_is_with_a_neighbours_in_the_sequence_of_the_arrows() -> None:
+    assert " 1,2→→→3 " in drawn((robot(1, 0), robot(2, 1), robot(3, 2)))
+
+
+def test_the_selected_robot_in_a_crowd_has_its_number_above_it() -> None:
+    crowd = tuple(robot(number, number - 6) for number in range(1, 12))
+    selected = crowd[5]._replace(selected=True)
+    rows = drawn((*crowd[:5], selected, *crowd[6:])).split("\n")
+    row = next(n for n, text in enumerate(rows) if "→→→" in text)
+    assert rows[row - 1].strip() == "6"
+    assert rows[row][rows[row - 1].index("6")] == "→"
+
+
 def test_a_number_stays_on_its_side_while_there_is_space() -> None:
     before = Arrangement()
     assert "→2" in drawn((robot(1, 0), robot(2, 1)), before)
