@@ -9,7 +9,7 @@ from fleet_tui.backend import Backend
 from fleet_tui.controllers.navigation import Navigation
 from fleet_tui.controllers.notices import Notices
 from fleet_tui.controllers.typed import Entry, OpenMenu
-from fleet_tui.model.alarm import Alarm, AlarmStage, class_of
+from fleet_tui.model.alarm import Alarm, AlarmStage, Key, class_of
 from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved, AlarmUnshelved, Event
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.state.store import Store
@@ -61,11 +61,15 @@ class AlarmResponses:
         if time.monotonic() - self._cleared_at() < LOOK:
             self._notices.say("that alarm has just cleared: press again for the marked one")
             return
-        if self._post(AlarmAcknowledged(*key)) and key in fresh:
-            self._notices.note(f"acknowledged: {key[1]} alarm of {sanitize(key[0])}")
+        self._acknowledge((key[0], key[1]))
         if key in fresh and len(fresh) > 1:
             following = [*fresh[fresh.index(key) + 1 :], *fresh]
             self._pane.listing.cursor = following[0]
+
+    def _acknowledge(self, key: Key) -> None:
+        fresh = key in unacknowledged(self._store.state)
+        if self._post(AlarmAcknowledged(*key)) and fresh:
+            self._notices.note(f"acknowledged: {key[1]} alarm of {sanitize(key[0])}")
 
     def acknowledge_all(self) -> None:
         """Acknowledge every alarm."""
@@ -83,7 +87,9 @@ class AlarmResponses:
         first, last = self._clock(alarm.first_wall), self._clock(alarm.last_wall)
         seen = f"first seen {first}, last seen {last}, x{alarm.count}"
         title = f"{source}: {sanitize(alarm.text)}\n{CLASSES[class_of(kind)].action}\n{seen}"
-        self._open_menu(title, [*self._ways_to(alarm), *self._answers(alarm), *self._commands(alarm)])
+        # What is not always offered is last: each number means the same also after an acknowledgement.
+        entries = [*self._ways_to(alarm), *self._shelve(alarm), *self._commands(alarm), *self._answers(alarm)]
+        self._open_menu(title, entries)
 
     def _ways_to(self, alarm: Alarm) -> Iterator[Entry]:
         """Return entries that go to the robot, or to some of a group."""
@@ -116,9 +122,11 @@ class AlarmResponses:
     def _answers(self, alarm: Alarm) -> Iterator[Entry]:
         if alarm.needs_acknowledgement:
             key = " ".join(self._keys["acknowledge"])
-            yield f"Acknowledge ({key})", partial(self._post, AlarmAcknowledged(*alarm.key))
+            yield f"Acknowledge ({key})", partial(self._acknowledge, alarm.key)
         if alarm.stage is AlarmStage.SHELVED:
             yield "Unshelve", partial(self._post, AlarmUnshelved(*alarm.key))
+
+    def _shelve(self, alarm: Alarm) -> Iterator[Entry]:
         state = self._store.state
         seconds = state.limits.shelve_for
         shelved = AlarmShelved(*alarm.key, state.now + seconds)

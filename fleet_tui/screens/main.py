@@ -80,7 +80,7 @@ class MainScreen(Screen[None]):
         parts = SessionParts(self.dispatch, self.notices, files, settings, self._forget_trails)
         self.session = open_session(parts)
         self._all_orders = False
-        self._hinted: tuple[Pane, bool, set[str], int] | None = None
+        self._hinted: tuple[Pane, bool, set[str], str, int] | None = None
         self._mapped: tuple[str, str] | None = None
 
     def compose(self) -> ComposeResult:
@@ -142,10 +142,10 @@ class MainScreen(Screen[None]):
         pane = Pane.ANYWHERE if self._in_overlay() else self.focused_pane()
         keys, may_command = self.settings.keys, not self.dispatch.permissions.read_only
         hidden = hidden_keys(state, robot) | (self.rest.snap.idle_keys if self.is_complete else set())
-        shown = pane, may_command, hidden, self.hints.size.width
+        shown = pane, may_command, hidden, (self.focused and self.focused.id) or "", self.hints.size.width
         if shown != self._hinted:
             self._hinted = shown
-            runs, buttons = footer(*hints(keys, *shown[:3]), keys, shown[3])
+            runs, buttons = footer(*hints(keys, *shown[:4]), keys, shown[4])
             self.hints.show(runs, buttons=buttons)
 
     def idle_keys(self) -> set[str]:

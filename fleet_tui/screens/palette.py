@@ -5,7 +5,6 @@ from functools import partial
 
 from textual import on
 from textual.app import ComposeResult
-from textual.fuzzy import Matcher
 from textual.widgets import Input
 
 from fleet_tui.controllers.offers import Offer
@@ -116,14 +115,10 @@ class Palette(Overlay):
 
 
 def _matching(typed: str, offers: list[Offer]) -> list[Offer]:
-    """Return the offers with the typed words, the best first; without any, those with its letters."""
+    """Return the offers with the typed words, the best first."""
     if not typed:
         return offers
     ranked = [
         (place, n) for n, one in enumerate(offers) if (place := rank(typed, one.text, one.name)) is not None
     ]
-    if ranked:
-        return [offers[n] for _, n in sorted(ranked)]
-    matcher = Matcher(typed)
-    scored = [(-score, n) for n, one in enumerate(offers) if (score := matcher.match(one.text)) > 0]
-    return [offers[n] for _, n in sorted(scored)]
+    return [offers[n] for _, n in sorted(ranked)]

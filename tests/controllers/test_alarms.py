@@ -70,7 +70,7 @@ def test_the_menu_goes_to_the_robot_and_puts_the_alarm_on_the_shelf() -> None:
     (menu,) = desk.menus
     assert menu.title.splitlines()[1:] == [CLASSES["battery"].action, "first seen 12:00, last seen 12:00, x1"]
     command = "Command robot_1: pause, order, clear"
-    whole = ["Explain robot_1", "Show robot_1 on the map", "Acknowledge (a)", "Shelve for 30 min", command]
+    whole = ["Explain robot_1", "Show robot_1 on the map", "Shelve for 30 min", command, "Acknowledge (a)"]
     assert menu.texts == whole
     assert (desk.navigation.floor, desk.navigation.robot) == ("floor_1", R0)  # its floor, and nothing chosen
     menu.choose("Explain")

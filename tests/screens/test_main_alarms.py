@@ -18,15 +18,15 @@ async def test_shelved_and_taken_off_the_shelf(server: RosbridgeServer) -> None:
     async with in_the_way(server, "robot_0") as it:
         it.app.main.alarms.focus()
         await it.press("enter")
-        await it.shows("4  Shelve for 30 min")
-        await it.press("4")
+        await it.shows("3  Shelve for 30 min")
+        await it.press("3")
         await it.until(lambda state: state.shelved)
         await it.shows("Alarms 1 shelved", "alarms")
         await it.shows("0 alarms ", "status")
         await it.shows("◇ shelved until", "alarms")
         await it.press("enter")
-        await it.shows("3  Unshelve")
-        await it.press("3")
+        await it.shows("5  Unshelve")
+        await it.press("5")
         await it.until(lambda state: state.unacknowledged == 1)
         await it.shows("1 alarm (1 new)", "status")
 
@@ -41,7 +41,7 @@ async def test_a_shelf_ends_by_itself(server: RosbridgeServer) -> None:
         server.bridge.publish_raw("/robot_0/obstacle", {"data": 44.2})
         await it.shows("robot_0", "alarms")
         it.app.main.alarms.focus()
-        await it.press("enter", "4")
+        await it.press("enter", "3")
         await it.until(lambda _: it.store.told(AlarmShelved))
         await it.until(lambda state: not state.shelved)
         assert stages(it) == [AlarmStage.UNACKNOWLEDGED]

@@ -25,8 +25,9 @@ async def test_the_menu_acknowledges_by_number_and_names_the_key(server: Rosbrid
     async with in_the_way(server, "robot_0") as it:
         it.app.main.alarms.focus()
         await it.press("enter")
-        await it.shows("3  Acknowledge (a)")
-        await it.press("3")
+        await it.shows("5  Acknowledge (a)")
+        await it.press("5")
+        await it.shows("acknowledged: obstacle alarm of robot_0")
         await it.until(lambda state: state.unacknowledged == 0)
         await it.shows("△ seen high robot_0 obstacle 44 s", "alarms")
         await it.press("enter")

@@ -7,7 +7,7 @@ _WORD = re.compile(r"[^\s:;,()<>]+")
 
 def rank(typed: str, line: str, name: str = "") -> int | None:
     """Return how well a line fits, 0 best: it has this `name`, begins so, has words that are these or begin
-    so, contains them. None if it only has the letters, or not even those."""
+    so, contains them; else None."""
     typed, line = typed.strip().lower(), line.lower()
     wanted, words = typed.split(), _WORD.findall(line)
     tests = (

@@ -12,6 +12,9 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Button, Run, width_of
 
+OF_ROWS = {"alarms": "acknowledge", "queue": "cancel"}
+"""The keys of the console that are about the rows of one pane."""
+
 
 def hidden_keys(state: FleetState, selected: str) -> set[str]:
     """Return the ids of keys without a use for the kind of the selected robot, or the whole fleet."""
@@ -35,15 +38,17 @@ def hints(
     pane: Pane,
     can_command: bool = True,
     hidden: Collection[str] = (),
+    focused: str = "",
 ) -> tuple[list[Key[Any]], list[Key[Any]]]:
     """Return the keys to hint at the left, the pane's own first, and the permanent ones at the right. In an
-    overlay only global keys reach the console. `hidden`: ids of keys without a use here."""
+    overlay only global keys reach the console. `hidden`: ids of keys without a use here; `focused` is the id
+    of the widget, which may have a key for its rows."""
     away = {*hidden, *(key.id for key in KEYS if key.commands and not can_command)}
     offered = [key for key in KEYS if key.hint and keys[key.id] and key.id not in away]
     if pane is Pane.ANYWHERE:
         close = replace(BY_ID["back"], hint="close")
         return [close, *(key for key in offered if key.pane is pane)], []
-    offered.sort(key=lambda key: key.pane is not pane)
+    offered.sort(key=lambda key: (OF_ROWS.get(focused) != key.id, key.pane is not pane))
     left = [key for key in offered if key.pane in (pane, Pane.CONSOLE) and not key.always]
     return left, [key for key in offered if key.always]
 

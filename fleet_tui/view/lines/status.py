@@ -19,18 +19,21 @@ STARTING = 2.0
 # The writer ticks ten times a second. Without ticks, ages stop and everything looks live.
 BLIND_AFTER = 2.0
 PAUSED = "PAUSED"
-"""The end of the note that every robot that can be paused is."""
+"""The end of the note that robots are paused."""
+SEVERAL = 2
+"""Paused robots from which that is a note; a single one among others tells it in its row."""
 
 
 def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: float) -> list[str]:
     """Return notes on this console, such as its delay, or a stalled clock when the state is `standstill`
     seconds old."""
     able = [robot for robot in state.robots.values() if robot.kind.can(PAUSE)]
-    online = [robot for robot in able if state.is_online(robot)]
     # Of a robot that is not heard nobody knows whether it stands.
-    paused = f"ALL {PAUSED}" if len(online) == len(able) else f"{len(online)} of {len(able)} {PAUSED}"
+    online = [robot for robot in able if state.is_online(robot)]
+    stopped = [robot for robot in online if state.is_paused(robot)]
+    paused = f"ALL {PAUSED}" if len(stopped) == len(able) else f"{len(stopped)} of {len(able)} {PAUSED}"
     notes = {
-        paused: bool(online) and all(map(state.is_paused, online)),
+        paused: len(stopped) >= SEVERAL or (bool(stopped) and len(stopped) == len(online)),
         "read-only": read_only,
         "not armed": not armed,
         behind_text(state): state.behind >= BEHIND,

@@ -136,6 +136,15 @@ def test_a_console_gone_blind_says_so() -> None:
     assert note == "no updates for 7 s: restart this console"
 
 
+def test_several_paused_robots_are_counted_until_one_is_left() -> None:
+    alive = [battery(T0, robot=f"robot_{n}") for n in range(3)]
+    paused = [events.PausedReported(f"robot_{n}", T0, True) for n in range(3)]
+    some = reduced(fleet(3), link_up(T0), *alive, *paused[:2], tick(T0))
+    assert console_notes(some, read_only=False, armed=True, standstill=0.0) == ["2 of 3 PAUSED"]
+    one = reduced(fleet(3), link_up(T0), *alive, paused[0], tick(T0))
+    assert console_notes(one, read_only=False, armed=True, standstill=0.0) == []
+
+
 def test_it_says_when_all_robots_are_paused() -> None:
     paused = [events.PausedReported(f"robot_{n}", T0, True) for n in range(2)]
     alive = [battery(T0, robot=f"robot_{n}") for n in range(2)]
