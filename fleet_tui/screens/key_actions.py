@@ -60,14 +60,18 @@ def _app_actions(screen: "MainScreen", rest: "Rest") -> AppActions:
         suspend=app.action_suspend_process,
         repaint=app.action_repaint,
         quit=app.action_quit,
-        back=partial(_back, rest),
+        back=partial(_back, screen, rest),
         next_pane=app.action_focus_next,
         previous_pane=app.action_focus_previous,
     )
 
 
-def _back(rest: "Rest") -> None:
-    """Go one level back: end the map's mode, then focus the map. A draft is left on the map alone."""
+def _back(screen: "MainScreen", rest: "Rest") -> None:
+    """Go one level back: end the map's mode, give an enlarged pane its own place again, focus the map. A
+    draft is left on the map alone."""
+    if screen.panes.is_enlarged:
+        screen.panes.enlarge()
+        return
     if not rest.editor.is_open:
         rest.map_controls.leave_mode()
     if rest.map.display:

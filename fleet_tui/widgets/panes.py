@@ -134,6 +134,11 @@ class Panes(Container):
         """Share out the new lines at once."""
         self.share_out()
 
+    @property
+    def is_enlarged(self) -> bool:
+        """Tell whether a pane has its whole column."""
+        return bool(self._alone)
+
     def enlarge(self) -> None:
         """Give the focused pane its whole column, or all of them their places."""
         inside = [pane.id or "" for pane in self.children if pane.has_focus_within]

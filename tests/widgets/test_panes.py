@@ -46,7 +46,7 @@ async def test_the_focused_pane_takes_the_column_and_gives_it_back(server: Rosbr
         await it.press("escape", "=")
         await it.hides("Fleet")
         assert it.app.main.query_one("#map").size.width == 120
-        await it.press("=")
+        await it.press("escape")
         await it.shows("Fleet")
 
 

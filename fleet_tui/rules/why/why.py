@@ -84,6 +84,6 @@ def reasons(state: FleetState, robot: Robot, match: "Match | None" = None) -> li
     if moving is not None and jumps(state, robot) is None:
         return [moving]
     others = _misplaced(match) + others
-    if all(reason.strength is Strength.POSSIBLE for reason in others):
-        others += _held((unexplained,), state, robot)
+    if all(reason.strength >= Strength.POSSIBLE for reason in others):
+        others = _held((unexplained,), state, robot) + others
     return sorted(others, key=lambda reason: reason.strength)

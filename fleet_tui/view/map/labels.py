@@ -57,20 +57,24 @@ class CellOccupancy:
         """Tell whether one of these cells, all in the view, is occupied."""
         return bool(self._taken >> self._bit(x, y) & (1 << cells) - 1)
 
-    def number_side(self, x: int, y: int, arrow: int, cells: int, before: int) -> int:
+    def number_side(self, x: int, y: int, arrow: int, cells: int, before: int, spares: bool = False) -> int:
         """Occupy the cells for a number of `cells` cells beside an arrow of `arrow` cells at (x, y).
 
         Return its side: -1 left, 1 right, 0 if it fits on neither. Beside it is only its
         arrow: two numbers never read as one. It stays on the side that it had `before`; else it covers a
-        label only if both sides do.
+        label only if both sides do, and none at all if it `spares` them.
         """
-        if before and self._fits(x, y, arrow, cells, before):
+        if before and not spares and self._fits(x, y, arrow, cells, before):
             self.take(_start(x, arrow, cells, before), y, cells)
             return before
         sides = [side for side in (-1, 1) if self._fits(x, y, arrow, cells, side)]
         if not sides:
             return 0
         spared = [side for side in sides if self.free(_start(x, arrow, cells, side), y, cells)]
+        if spares and not spared:
+            return 0
+        if before in spared:
+            spared = [before]
         # A number beyond the floor's edge reads as one of nothing.
         inside = [side for side in spared if not self._is_beyond(_start(x, arrow, cells, side), y, cells)]
         side = [*inside, *spared, *sides][0]

@@ -92,9 +92,11 @@ def _beside_arrow(
 ) -> _Numbers | None:
     """Return the numbers of the robots in a cell beside their arrow of `arrow` cells, None without space."""
     (x, y), number = at, robots[0].number
-    for runs in _numbers(robots, plain):
+    for n, runs in enumerate(_numbers(robots, plain)):
         cells = sum(len(text) for text, _ in runs)
-        if side := occupancy.number_side(x, y, arrow, cells, sides.get(number, 0)):
+        # The age of a pose is also in the fleet: it covers no label.
+        has_ages = n == 0 and not all(robot.online for robot in robots)
+        if side := occupancy.number_side(x, y, arrow, cells, sides.get(number, 0), has_ages):
             sides[number] = side
             # The arrow is the first one's: where its colour says so, its number is beside it.
             is_special = robot_roles(robots[0])[1] != StyleRole.ROBOT

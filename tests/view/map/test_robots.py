@@ -11,7 +11,7 @@ from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop, picture
 from fleet_tui.view.map.robots import Arrangement
-from fleet_tui.view.map.scene import Scene, SceneRobot
+from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 
 CAMERA = Camera.fit((400, 200), 120, 40)
 CELL = CAMERA.scale * 2 * 0.05
@@ -51,6 +51,20 @@ def test_the_selected_robot_in_a_crowd_has_its_number_above_it() -> None:
     row = next(n for n, text in enumerate(rows) if "→→→" in text)
     assert rows[row - 1].strip() == "6"
     assert rows[row][rows[row - 1].index("6")] == "→"
+
+
+def test_the_age_of_an_old_pose_covers_no_label() -> None:
+    old = robot(1, 0)._replace(online=False, age=18.0)
+    assert "1 18 s→" in drawn((old,))
+    labelled = replace(
+        EMPTY,
+        robots=(old,),
+        vertices=tuple(SceneVertex(str(n), 10.05 + n * 9 * CELL, 5.0, label="Receive") for n in (-1, 1)),
+    )
+    text = picture(backdrop(labelled, CAMERA, MapOptions()), labelled, CAMERA, MapOptions()).text()
+    row = next(row for row in text.split("\n") if "→" in row)
+    assert row.count("Receive") == 2
+    assert "1→" in row or "→1" in row
 
 
 def test_a_number_stays_on_its_side_while_there_is_space() -> None:
