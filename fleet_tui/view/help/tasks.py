@@ -49,7 +49,7 @@ TASKS: dict[str, tuple[Step, ...]] = {
     ),
     "Get around": (
         (("next_pane", "enlarge"), "Next pane; whole column, back"),
-        (("menu",), "Menu of the row: all it offers"),
+        (("menu",), "Row menu; an alarm's: also shelve"),
         (("palette",), "Find any action, robot, place"),
         (("back", "quit"), "One level back; quit"),
     ),

@@ -59,7 +59,7 @@ def test_the_age_of_an_old_pose_covers_no_label() -> None:
     labelled = replace(
         EMPTY,
         robots=(old,),
-        vertices=tuple(SceneVertex(str(n), 10.05 + n * 9 * CELL, 5.0, label="Receive") for n in (-1, 1)),
+        vertices=tuple(SceneVertex(str(n), 10.05 + n * 4 * CELL, 5.0, label="Receive") for n in (-1, 1)),
     )
     text = picture(backdrop(labelled, CAMERA, MapOptions()), labelled, CAMERA, MapOptions()).text()
     row = next(row for row in text.split("\n") if "→" in row)
