@@ -20,7 +20,7 @@ CONSOLE: tuple[Key[Actions], ...] = (
         "help",
         ("?",),
         lambda do: do.view.help(),
-        "Show help: all keys, searchable",
+        "Show help: tasks, keys, legend, searchable",
         hint="help",
         eager="opens",
         always=True,
