@@ -9,6 +9,7 @@ from fleet_tui.model.commands import ORDER_ENDS, CommandRecord, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order_life import GoneOrder
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.batches import pauses, summary
 from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.view.lines.commands import TROUBLE, command_text, stage_text
 from fleet_tui.view.roles import StyleRole
@@ -47,7 +48,13 @@ def _alarm(alarm: Alarm) -> tuple[Run, ...]:
 
 
 def _commands(state: FleetState) -> Iterator[Event]:
+    together = pauses(state.commands)
+    for batch in together:
+        yield batch[0].wall, f"{len(batch)} robots", partial(_batch, state, batch)
+    of_batches = {record.id for batch in together for record in batch}
     for record in state.commands:
+        if record.id in of_batches:
+            continue
         # Of an order that was in a queue its own line tells.
         gone = [one.order.id for one in state.robots[record.command.robot].gone]
         if record.stage not in ORDER_ENDS or record.order_id not in gone:
@@ -57,6 +64,12 @@ def _commands(state: FleetState) -> Iterator[Event]:
 def _command(state: FleetState, record: CommandRecord) -> tuple[Run, ...]:
     text = command_text(state, record.command).removeprefix(f"{record.command.robot} ")
     return _said(f"{text}: {stage_text(record, state.now)}", record.stage)
+
+
+def _batch(state: FleetState, batch: list[CommandRecord]) -> tuple[Run, ...]:
+    name, outcome = summary(state, batch)
+    worst = next((record.stage for record in batch if record.stage in FAILED), batch[0].stage)
+    return _said(f"{name}: {outcome}", worst)
 
 
 def _orders(state: FleetState) -> Iterator[Event]:

@@ -3,7 +3,7 @@
 from msgspec import structs
 
 from fleet_tui.model.commands import PauseRobot, Stage
-from fleet_tui.model.events import CommandIssued, ObstacleReported
+from fleet_tui.model.events import CommandAdvanced, CommandIssued, ObstacleReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.recent import recent_table
@@ -49,6 +49,14 @@ def test_the_newest_come_first_as_many_as_there_are_lines() -> None:
     assert lines(state, 2) == lines(state)[:2]
     roles = [row.runs[-1][1] for row in recent_table(state, clock, 9).rows]
     assert roles == [StyleRole.ALARM, StyleRole.WARN, StyleRole.WARN]
+
+
+def test_a_pause_of_several_robots_is_one_line() -> None:
+    given = [event for n in range(3) for event in commanded(n + 1, PauseRobot(f"robot_{n}"), Stage.SENT)]
+    ended = [CommandAdvanced(n + 1, Stage.CONFIRMED, T0 + 1) for n in range(2)]
+    state = reduced(fleet(3), link_up(T0), *given, *ended, tick(T0 + 2))
+    (line,) = lines(state)
+    assert "3 robots pause all: 2 confirmed, 1 open (robot_2)" in line
 
 
 def test_an_alarm_reads_as_it_was_at_its_time() -> None:
