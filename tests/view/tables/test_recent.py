@@ -53,7 +53,8 @@ def test_the_newest_come_first_as_many_as_there_are_lines() -> None:
 
 def test_a_pause_of_several_robots_is_one_line() -> None:
     given = [event for n in range(3) for event in commanded(n + 1, PauseRobot(f"robot_{n}"), Stage.SENT)]
-    ended = [CommandAdvanced(n + 1, Stage.CONFIRMED, T0 + 1) for n in range(2)]
+    stages = (Stage.ACCEPTED, Stage.CONFIRMED)
+    ended = [CommandAdvanced(n + 1, stage, T0 + 1) for n in range(2) for stage in stages]
     state = reduced(fleet(3), link_up(T0), *given, *ended, tick(T0 + 2))
     (line,) = lines(state)
     assert "3 robots pause all: 2 confirmed, 1 open (robot_2)" in line
