@@ -81,7 +81,10 @@ def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
         true_at = min(event.at, event.stamp + clock.offset)
     pose, frame_id = Reading(event.pose, true_at), truncate(event.frame_id.lstrip("/"), LONGEST_NAME)
     standing = robot.standing
-    if standing is None or frame_id != robot.frame_id or moved(standing.value, event.pose):
+    if standing is not None and frame_id != robot.frame_id and not robot.kind.frames_are_floors:
+        # Odometry gave way to localisation, or back: to be placed elsewhere is no movement.
+        standing = Reading(event.pose, standing.at)
+    elif standing is None or frame_id != robot.frame_id or moved(standing.value, event.pose):
         standing = pose
     driving = _drives_on(robot, event.pose)
     stood_at = robot.paused_at or (event.pose if robot.paused_by_us else None)

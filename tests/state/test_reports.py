@@ -3,6 +3,7 @@
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 from fleet_tui.model.commands import Command, PauseRobot, Stage
 from fleet_tui.model.events import Event, GraphReceived, PausedReported
@@ -25,6 +26,23 @@ from tests.support.fleets import (
 )
 
 HOURS = 3600.0
+
+
+def of_one_frame(state: FleetState) -> FleetState:
+    """Return the fleet with robots whose frames do not name their floor."""
+    robots = {
+        name: replace(one, kind=replace(one.kind, frames_are_floors=False))
+        for name, one in state.robots.items()
+    }
+    return replace(state, robots=robots)
+
+
+def test_localisation_in_place_of_odometry_is_no_movement() -> None:
+    stands = reduced(of_one_frame(fleet()), pose(T0, frame="odom"), pose(T0 + 2, frame="odom"))
+    placed = reduced(stands, pose(T0 + 3, x=8.0, frame="map"))
+    assert robot(placed).still_for == 3.0
+    assert robot(reduced(placed, pose(T0 + 4, x=8.5, frame="map"))).still_for == 0.0
+    assert robot(reduced(fleet(), pose(T0), pose(T0 + 3, frame="floor_1"))).still_for == 0.0
 
 
 def robot(state: FleetState) -> Robot:
