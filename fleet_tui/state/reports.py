@@ -72,6 +72,16 @@ def _drives_on(robot: Robot, pose: Pose) -> bool:
     return math.dist((pose.x, pose.y), (at.x, at.y)) > BRAKING_DISTANCE
 
 
+def _standing(robot: Robot, pose: Reading[Pose], frame_id: str) -> Reading[Pose]:
+    standing = robot.standing
+    if standing is not None and frame_id != robot.frame_id and not robot.kind.frames_are_floors:
+        # Odometry gave way to localisation, or back: to be placed elsewhere is no movement.
+        return Reading(pose.value, standing.at)
+    if standing is None or frame_id != robot.frame_id or moved(standing.value, pose.value):
+        return pose
+    return standing
+
+
 def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
     """Apply a pose, as old as its stamp lags the freshest: one that arrives late must not look new."""
     clock, true_at = robot.clock, event.at
@@ -80,18 +90,12 @@ def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
         # For an extreme stamp the sum is off by minutes: no value is newer than its arrival.
         true_at = min(event.at, event.stamp + clock.offset)
     pose, frame_id = Reading(event.pose, true_at), truncate(event.frame_id.lstrip("/"), LONGEST_NAME)
-    standing = robot.standing
-    if standing is not None and frame_id != robot.frame_id and not robot.kind.frames_are_floors:
-        # Odometry gave way to localisation, or back: to be placed elsewhere is no movement.
-        standing = Reading(event.pose, standing.at)
-    elif standing is None or frame_id != robot.frame_id or moved(standing.value, event.pose):
-        standing = pose
     driving = _drives_on(robot, event.pose)
     stood_at = robot.paused_at or (event.pose if robot.paused_by_us else None)
     robot = replace(
         robot,
         pose=pose,
-        standing=standing,
+        standing=_standing(robot, pose, frame_id),
         place=_place(robot, pose, frame_id),
         jumps=_jumps(robot, event.pose, frame_id, true_at),
         relocated=relocation(robot, event.pose, frame_id, true_at),

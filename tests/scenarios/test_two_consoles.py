@@ -111,5 +111,5 @@ async def test_a_pause_from_the_other_one_is_named_as_such(server: RosbridgeServ
         record = await ended(it)
         assert stages(record) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
         await it.shows("▶ 1. no orders")
-        assert "paused" not in it.pane("fleet")
+        await it.hides("paused", "fleet")
         assert calls(server) == ["Pause", "Resume"]

@@ -102,9 +102,9 @@ class Console:
         """Wait until a text stands on the screen, or in a pane."""
         await self._wait(lambda: text in (self.pane(pane) if pane else self.text), text)
 
-    async def hides(self, text: str) -> None:
-        """Wait until a text has gone from the screen."""
-        await self._wait(lambda: text not in self.text, f"no {text}")
+    async def hides(self, text: str, pane: str = "") -> None:
+        """Wait until a text has gone from the screen, or from a pane."""
+        await self._wait(lambda: text not in (self.pane(pane) if pane else self.text), f"no {text}")
 
     async def shows_a_label(self) -> None:
         """Wait until the map has labels; a robot's number may cover the end of one of them."""

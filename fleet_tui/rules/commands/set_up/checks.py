@@ -65,14 +65,18 @@ def no_place(state: FleetState, robot: Robot, command: Command) -> Iterator[Prob
         )
 
 
+def moves(state: FleetState, robot: Robot) -> bool:
+    """Tell whether the poses of the last second show it moving."""
+    return robot.standing is not None and state.now - robot.standing.at < STANDS_AFTER
+
+
 def driving(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """Check that the robot stands: its pose must not change while it drives by it."""
     if not isinstance(command, SetPose | Localise):
         return
     current = robot.orders.current
     has_begun = current is not None and current.state in BEGUN and not state.is_paused(robot)
-    moves = robot.standing is not None and state.now - robot.standing.at < STANDS_AFTER
-    if moves and state.is_fresh(robot, "pose"):
+    if moves(state, robot) and state.is_fresh(robot, "pose"):
         yield Problem("driving", f"{robot.name} is driving: pause it first")
     elif has_begun and current is not None:
         yield Problem("driving", f"{robot.name} has order {current.id} in process: pause it first")
