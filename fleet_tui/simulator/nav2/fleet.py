@@ -13,6 +13,7 @@ from fleet_tui.simulator.nav2 import messages
 from fleet_tui.simulator.nav2.faults import FAULTS
 from fleet_tui.simulator.nav2.logs import Nav2Changes
 from fleet_tui.simulator.nav2.navigation import TO_POSE, SimNavigation
+from fleet_tui.simulator.nav2.route_server import SET_GRAPH, TYPE, RouteServers
 from fleet_tui.simulator.nav2.topics import Nav2News, steady_topics
 from fleet_tui.simulator.nav2.world import Nav2World
 from fleet_tui.simulator.navigating.diagnostics import health
@@ -46,6 +47,7 @@ class Nav2Fleet(Nav2World):
         if robots > 1:
             self.robots[next(reversed(self.robots))].percent = float("nan")
         self._set_up = SetUpDesk(self, *SERVICES, SAVES)
+        self.route_servers = RouteServers()
         self._news = Nav2News(self)
         self._changes = Nav2Changes(self)
 
@@ -72,12 +74,13 @@ class Nav2Fleet(Nav2World):
         }
 
     def services(self, dialect: Dialect) -> Mapping[str, ServiceType]:
-        """Return for each robot the service that reports whether Nav2 is active, and those that cancel
-        goals."""
-        trigger, cancel = (
-            service_type(dialect, name) for name in ("std_srvs/Trigger", "action_msgs/CancelGoal")
+        """Return for each robot the service that reports whether Nav2 is active, those that cancel goals,
+        and that of its route server."""
+        trigger, cancel, set_graph = (
+            service_type(dialect, name) for name in ("std_srvs/Trigger", "action_msgs/CancelGoal", TYPE)
         )
         return {f"/{name}/{ACTIVE}": trigger for name in self.robots} | {
+            **{f"/{name}/{SET_GRAPH}": set_graph for name in self.robots},
             **{f"{action}/{CANCEL}": cancel for action in self.actions},
             **self._set_up.services(dialect),
         }
@@ -86,6 +89,8 @@ class Nav2Fleet(Nav2World):
         """The answer of a service; `args` complete and of the right types."""
         if service.endswith(ACTIVE):
             return {"success": self.navigation[service.split("/")[1]].active, "message": ""}
+        if service.endswith(SET_GRAPH):
+            return {"success": self.route_servers.load(service.split("/")[1], args["graph_filepath"])}
         if (answer := self._set_up.answer(service, args)) is not None:
             return answer
         info = args["goal_info"]
