@@ -1,6 +1,7 @@
 """Nav2's route servers: each loads the graph of a file that is named to it, as the real one does."""
 
 import json
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -24,6 +25,10 @@ class RouteServers:
 
     def __init__(self) -> None:
         self.graphs: dict[str, TakenGraph] = {}
+
+    def answer(self, robot: str, args: Mapping[str, Any]) -> dict[str, Any]:
+        """Carry out a call to a robot's server."""
+        return {"success": self.load(robot, args["graph_filepath"])}
 
     def load(self, robot: str, path: str) -> bool:
         """Load a file, and tell whether it is a graph; a bad one leaves that before in use."""
