@@ -104,7 +104,7 @@ class RouteFiles:
         except GraphError as problem:
             return sanitize(f"not sent: {file.path}: {problem}")
         self._renumber(file.floor)
-        note = f"; the old file is {kept.name}" if kept is not None else ""
+        note = f" (before: {kept.name})" if kept is not None else ""
         self._sent[command] = SentFile(load_floor_graph(file.floor.name, file.path), note)
         if self._files.audit is not None:
             text = f"{file.floor.name}: {file.path} for {command.robot}{note}"

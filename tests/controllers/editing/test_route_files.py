@@ -119,14 +119,14 @@ async def test_a_call_that_fails_leaves_the_live_graph_and_is_said_with_the_file
     async with drawn(tmp_path) as it:
         text = ends(it, sent(it), *stages)
         start = f"routes.geojson is written, robot_0 {said}"
-        assert text == f"{start}; the old file is routes.geojson.bak"
+        assert text == f"{start} (before: routes.geojson.bak)"
         assert it.desk.backend.events == [] and it.checks.changes(it.floor)
 
 
 async def test_the_same_file_again_keeps_the_one_before(tmp_path: Path) -> None:
     async with drawn(tmp_path) as it:
         text = ends(it, sent(it), Stage.SENT, Stage.REFUSED)
-        assert "the old file" in text
+        assert "(before: routes.geojson.bak)" in text
         it.desk.answers.clear()
         sent(it)
     assert (tmp_path / "routes.geojson.bak").read_text() == OLD

@@ -18,6 +18,7 @@ from fleet_tui.model.set_up.commands import (
 )
 from fleet_tui.rules.commands.set_up.confirmation import believed, difference_text, present_graph
 from fleet_tui.text.durations import age
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import counted
 
 OLD = 5.0
@@ -60,7 +61,7 @@ def _file_lines(state: FleetState, robot: Robot, command: SendGraph) -> Iterator
     """Return the file that is written for a robot which loads it, and the robots that do not load it now."""
     if not command.path:
         return
-    yield f"writes {command.path}, the old file is kept as .bak"
+    yield f"writes {sanitize(command.path)}, the old file is kept as .bak"
     others = [
         one
         for one in state.robots.values()
