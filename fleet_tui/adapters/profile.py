@@ -13,7 +13,8 @@ class Profile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     `name` and `kind` mean the same. `fields` maps our name of a field to its path in the site's message,
     `scales` to its factor; `silence`: seconds after which a missing value is old. `origin = "added"` if the
     stack adds the map's origin. `settings`: tables of single kinds, by kind. `requests`: the fields of
-    services, with {robot} in texts, for maps saved by the robot also {name} and {floor}; `answers`: by
+    services, with {robot} in texts, for maps saved by the robot also {name} and {floor}, for graphs that it
+    loads {path} and {floor}; `answers`: by
     service the fields of an answer that mean success; `modes`: the meanings of a robot's words for its mode;
     `pose_frame`: the frame of poses that are set, with {robot} and {floor}, empty for the usual one;
     `base_frame`: the frame of the robot itself, with {robot}, empty for `base_link` or `base_footprint`.

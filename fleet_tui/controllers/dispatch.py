@@ -18,6 +18,8 @@ from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.questions import losses, question
 
+Prepare = Callable[[], str]
+"""Prepares a request that is about to be sent. Returns the reason not to send it, empty if there is none."""
 Ask = Callable[[Callable[[], str], Callable[[], None]], None]
 """Asks a question, and calls the next step only after a yes."""
 
@@ -51,12 +53,16 @@ class Dispatch:
         found = problems(self._store.state, request, self.permissions)
         return [*repeated(request, self.given, time.monotonic()), *found]
 
-    def give(self, request: Request, sent: Callable[[], None] = lambda: None) -> str:
+    def give(
+        self, request: Request, sent: Callable[[], None] = lambda: None, prepare: Prepare | None = None
+    ) -> str:
         """Send a request, after a question if something is lost or has a warning; `sent` is called when it
-        was sent, or waits for the first connection. Returns the reason not to send it, empty if it was
-        sent or the question is open."""
+        was sent, or waits for the first connection, `prepare` just before: such a request never waits.
+        Returns the reason not to send it, empty if it was sent or the question is open."""
         if self._backend.refusal:
             return self._backend.refusal
+        if prepare is not None:
+            return self._give_now(request, sent, prepare)
         request, left_out = acceptable(self._store.state, request)
         problem = self._give_able(request, sent)
         if left_out and not problem:
@@ -81,7 +87,7 @@ class Dispatch:
         """Send the requests that waited for the link, once it is up."""
         self._startup.release(self._store.state, time.monotonic())
 
-    def _give_now(self, request: Request, sent: Callable[[], None]) -> str:
+    def _give_now(self, request: Request, sent: Callable[[], None], prepare: Prepare | None = None) -> str:
         found = self._problems(request)
         for problem in found:
             if problem.blocks:
@@ -89,19 +95,19 @@ class Dispatch:
         if found or any(losses(self._store.state, request)):
             self._ask(
                 lambda: question(self._store.state, request, self._problems(request)),
-                partial(self._send_after_all, request, sent),
+                partial(self._send_after_all, request, sent, prepare),
             )
         else:
-            self._send(request, sent)
+            self._send(request, sent, prepare)
         return ""
 
-    def _send_after_all(self, request: Request, sent: Callable[[], None]) -> None:
+    def _send_after_all(self, request: Request, sent: Callable[[], None], prepare: Prepare | None) -> None:
         """Send a confirmed request, checked again: the fleet may have changed during the question."""
         wrong = [problem.text for problem in self._problems(request) if problem.blocks]
         if wrong:
             self._notices.say(f"not sent: {sanitize(wrong[0])}")
         else:
-            self._send(request, sent)
+            self._send(request, sent, prepare)
 
     def _refusal(self) -> str:
         """Return the reason to send nothing now. Checked last, for each command: the checks let pauses
@@ -110,7 +116,10 @@ class Dispatch:
             return self._backend.refusal
         return "not sent: this console is not armed: use Arm in the palette (:)"
 
-    def _send(self, request: Request, sent: Callable[[], None]) -> None:
+    def _send(self, request: Request, sent: Callable[[], None], prepare: Prepare | None) -> None:
+        if prepare is not None and (problem := self._refusal() or prepare()):
+            self._notices.say(problem)
+            return
         for command in request.commands:
             if problem := self._refusal() or self._backend.submit(command):
                 self._notices.say(problem)
@@ -119,7 +128,7 @@ class Dispatch:
         self.given = {**recent, request.commands: now}
         sent()
 
-    def do(self, request: Request) -> None:
+    def do(self, request: Request, prepare: Prepare | None = None) -> None:
         """Send a request, or show the reason not to."""
-        if problem := self.give(request):
+        if problem := self.give(request, prepare=prepare):
             self._notices.say(problem)

@@ -48,7 +48,8 @@ class Kind(Struct, frozen=True):
     and has no queue: this console keeps it. `holds`: a pause cancels its goal, which this console keeps
     and sends again. `takes_stops`: one order leads to any number of stops; `gives_stops`: this console
     sends those one by one. `changes_floors`: an order can lead it to another floor.
-    `streams` can be watched."""
+    `streams` can be watched. `loads_graphs`: a graph reaches it as the file of its floor, which it loads by
+    its path."""
 
     name: str = ""
     reports: tuple[str, ...] = ()
@@ -63,6 +64,7 @@ class Kind(Struct, frozen=True):
     gives_stops: bool = False
     changes_floors: bool = True
     streams: tuple[str, ...] = ()
+    loads_graphs: bool = False
 
     def can(self, verb: str) -> bool:
         """Tell whether it accepts the request of a verb; an order with or without a start, a goal also as an

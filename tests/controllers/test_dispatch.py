@@ -77,3 +77,27 @@ def test_what_waited_leaves_when_the_link_is_there() -> None:
     desk.store.put(ready())
     desk.dispatch.release_startup()
     assert desk.backend.submitted == [PauseRobot(R0)]
+
+
+def test_a_request_is_prepared_after_the_question_and_not_sent_if_that_fails() -> None:
+    desk, done = Desk(ready()), list[str]()
+
+    def prepare() -> str:
+        done.append("prepared")
+        return "not sent: disk full" if len(done) == 1 else ""
+
+    desk.dispatch.do(Request((ClearOrders(R0),)), prepare)
+    assert desk.answers and not done
+    desk.say_yes()
+    assert (desk.notices.text, desk.backend.submitted) == ("not sent: disk full", [])
+    desk.say_yes()
+    assert len(done) == 2 and desk.backend.submitted == [ClearOrders(R0)]
+    desk.dispatch.permissions = DISARMED
+    desk.say_yes()
+    assert len(done) == 2
+
+
+def test_a_request_that_needs_preparing_does_not_wait_for_the_link() -> None:
+    desk = Desk(fleet())
+    desk.dispatch.do(Request((ClearOrders(R0),)), lambda: "")
+    assert desk.notices.text.startswith("not sent: ") and not desk.answers

@@ -141,12 +141,13 @@ async def console(
     wait: bool = True,
     colour: bool = True,
     state_folder: Path | None = None,
+    files: ConsoleFiles | None = None,
 ) -> AsyncIterator[Console]:
     """Run the console until all telemetry has come. With a `state_folder` it records, too."""
     store = WatchedStore(initial_state(config, time.monotonic()))
     recordings = Recordings(config, store, state_folder) if state_folder else None
     opening = partial(recorded, recordings, None) if recordings else connect_live
-    backend, files = LiveBackend(config, store, opening), ConsoleFiles()
+    backend, files = LiveBackend(config, store, opening), files or ConsoleFiles()
     files.recordings = recordings
     app = FleetApp(config, store, load_themes(None)[0], Drawing.BRAILLE, colour, backend, files=files)
     async with AsyncExitStack() as stack:

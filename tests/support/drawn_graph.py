@@ -9,6 +9,7 @@ from fleet_tui.controllers.editing.drawing import GraphDrawing
 from fleet_tui.controllers.editing.edge_values import EdgeValues
 from fleet_tui.controllers.editing.editor import GraphEditor
 from fleet_tui.controllers.editing.files import DraftFiles
+from fleet_tui.controllers.editing.route_files import RouteFiles
 from fleet_tui.controllers.editing.sending import DraftSending
 from fleet_tui.controllers.editing.values import VertexValues
 from fleet_tui.controllers.files import ConsoleFiles
@@ -42,9 +43,10 @@ class DrawnGraph:
         )
         self.checks = DraftChecks(parts, self.editor, lambda work, then: then(work()))
         self.graph_file: Path | None = None
-        files = ConsoleFiles(graph_file=lambda _floor: self.graph_file)
+        files = ConsoleFiles(graph_file=lambda _floor: self.graph_file, folder=folder)
         self.files = DraftFiles(parts, self.editor, self.checks, files, desk.ask)
-        self.sending = DraftSending(parts, self.editor, self.checks, lambda: folder)
+        route_files = RouteFiles(parts, self.editor, files, desk.backend.post)
+        self.sending = DraftSending(parts, self.editor, self.checks, files, route_files)
         self.values = VertexValues(parts, self.editor)
         self.edge_values = EdgeValues(parts, self.editor)
         self.drawing = GraphDrawing(parts, self.editor, self.values, self.edge_values)

@@ -19,7 +19,7 @@ from fleet_tui.adapters.ros_navigation.kinds import kind_of_goals
 from fleet_tui.adapters.service_outcome import judge
 from fleet_tui.model import commands, events, navigation_events
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.set_up.commands import SetUpCommand, StoreMap
+from fleet_tui.model.set_up.commands import SendGraph, SetUpCommand, StoreMap
 
 REPORTS = ("blocked", "map", "queue", "progress")
 """Values besides position and charge; the last two are from the actions."""
@@ -85,7 +85,11 @@ class Nav2(NavigationAdapter):
         """Return the stage of a command that an answer leads to; `status` is that of a goal."""
         if status is not None:
             return judge_goal(values, status, result)
-        if isinstance(command, StoreMap) and result and (end := judge_saved(self.names, command, values)):
+        if (
+            result
+            and isinstance(command, StoreMap | SendGraph)
+            and (end := judge_saved(self.names, command, values))
+        ):
             return end
         if isinstance(command, SetUpCommand) or (isinstance(values, dict) and "success" in values):
             return judge(command, values, result, ())

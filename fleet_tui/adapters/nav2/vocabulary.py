@@ -44,9 +44,14 @@ VOCABULARY = Vocabulary(
         ),
         "map_save": ("/{robot}/map_saver/save_map", "nav2_msgs/SaveMap"),
         "map_pose_graph": ("/{robot}/slam_toolbox/serialize_map", "slam_toolbox/SerializePoseGraph"),
+        "graph_load": ("/{robot}/route_server/set_route_graph", "nav2_msgs/SetRouteGraph"),
     },
-    requests={**set_up.INVERSE, "map_save": MAP_SAVE},
-    answers={"map_save": {"result": True}, "map_pose_graph": {"result": 0}},
+    requests={**set_up.INVERSE, "map_save": MAP_SAVE, "graph_load": {"graph_filepath": "{path}"}},
+    answers={
+        "map_save": {"result": True},
+        "map_pose_graph": {"result": 0},
+        "graph_load": {"success": True},
+    },
     actions={
         "follow_waypoints": ("/{robot}/follow_waypoints", "nav2_msgs/action/FollowWaypoints"),
         "navigate_through_poses": (

@@ -7,7 +7,7 @@ from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros.set_up.requests import SetUpRequests
 from fleet_tui.adapters.ros_navigation import reading
 from fleet_tui.adapters.ros_navigation.pauses import Pauses
-from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, Kind
+from fleet_tui.model.kind import CANCEL, CLEAR, GRAPH, ORDER, ORDER_TO, Kind
 
 TOPICS = ("odometry", "pose", "battery")
 BATTERY_SILENCE = 60.0
@@ -48,6 +48,7 @@ def kind_of_goals(
         holds=pauses.holds,
         takes_stops=True,
         changes_floors=False,
+        loads_graphs=GRAPH in set_up.accepted,
         streams=set_up.streams,
     )
 

@@ -81,8 +81,8 @@ class DraftFiles:
             return
         floor = checked.floor
         try:
-            format_ = wanted or _format_of(path)
-            document = _joined(path, format_, floor)
+            format_ = wanted or format_of(path)
+            document = joined(path, format_, floor)
             at = datetime.now(UTC).strftime("%Y-%m-%dT%H:%M:%SZ")
             text = write_graph(document, format_, WriteChoices(vehicle, at))
             doubts = _doubts(document, format_, vehicle, path)
@@ -125,7 +125,7 @@ def _doubts(document: GraphDocument, format_: GraphFormat, vehicle: str, path: P
     return [*doubts, *(["the old file is kept as .bak"] if path.exists() else [])]
 
 
-def _format_of(path: Path) -> GraphFormat:
+def format_of(path: Path) -> GraphFormat:
     """Return the format of an existing file, else the one that its name tells."""
     try:
         found = recognised(graph_text(path)) if path.is_file() else None
@@ -136,7 +136,7 @@ def _format_of(path: Path) -> GraphFormat:
     return named_format(path.name) or USUAL
 
 
-def _joined(path: Path, format_: GraphFormat, floor: DocumentFloor) -> GraphDocument:
+def joined(path: Path, format_: GraphFormat, floor: DocumentFloor) -> GraphDocument:
     """Return the draft as a document, with all else that the file has: other floors, and values that robots
     do not report."""
     try:

@@ -1,10 +1,11 @@
 """Sends the draft of a graph to the selected robot, after its errors, warnings and differences are known."""
 
-from collections.abc import Callable
-from pathlib import Path
+from functools import partial
 
 from fleet_tui.controllers.editing.checks import DraftChecks, counts_text
 from fleet_tui.controllers.editing.editor import GraphEditor, live_floor
+from fleet_tui.controllers.editing.route_files import RouteFile, RouteFiles
+from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.typed import Entry
 from fleet_tui.errors import GraphError
@@ -15,23 +16,26 @@ from fleet_tui.model.graphs.document import DocumentFloor, GraphFormat, of_floor
 from fleet_tui.model.graphs.live import roles_of, route_graph
 from fleet_tui.model.kind import GRAPH
 from fleet_tui.model.request import Request
+from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SendGraph
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import counted
 
 
 class DraftSending:
-    """Errors stop it, warnings are shown. The robot's present graph is kept in `folder` first, the last 20 of
-    each robot and floor."""
+    """Errors stop it, warnings are shown. The robot's present graph is kept in the folder of `files` first,
+    the last 20 of each robot and floor. A robot that loads a file gets one before the call."""
 
     def __init__(
         self,
         parts: SetUpParts,
         editor: GraphEditor,
         checks: DraftChecks,
-        folder: Callable[[], Path | None],
+        files: ConsoleFiles,
+        route_files: RouteFiles,
     ) -> None:
-        self._parts, self._editor, self._checks, self._folder = parts, editor, checks, folder
+        self._parts, self._editor, self._checks, self._files = parts, editor, checks, files
+        self._route_files = route_files
 
     def start(self) -> None:
         """Offer to send, with the number of warnings and differences."""
@@ -44,6 +48,8 @@ class DraftSending:
             refusal = robot.kind.lack(GRAPH)
         if not refusal and floor.name not in robot.maps:
             refusal = f"{robot.name} does not drive on {floor.name}"
+        if not refusal and robot.kind.loads_graphs:
+            refusal = self._route_files.refusal(floor.name)
         if refusal:
             parts.notices.say(sanitize(refusal))
             return
@@ -52,32 +58,55 @@ class DraftSending:
         if any(one.is_error for one in checked.found):
             parts.notices.say(f"not sent: {counts_text(checked.found)}: ! lists them")
             return
-        count = len(self._checks.changes(floor))
-        told = [f"{counted(count, 'difference')} from the live graph", counts_text(checked.found)]
+        self._offer(floor, robot, counts_text(checked.found))
+
+    def _offer(self, floor: DocumentFloor, robot: Robot, counts: str) -> None:
+        told = [f"{counted(len(self._checks.changes(floor)), 'difference')} from the live graph", counts]
+        send = self._send
+        if robot.kind.loads_graphs:
+            try:
+                file = self._route_files.file_of(floor)
+            except (GraphError, ValueError) as problem:
+                self._parts.notices.say(sanitize(f"not sent: {problem}"))
+                return
+            told += file.lost
+            send = partial(self._send_file, robot.name, file)
         entries: list[Entry] = [
-            (f"Send to {robot.name} (asks)", self._send),
+            (f"Send to {robot.name} (asks)", send),
             ("Show the differences", self._checks.compare),
             ("Show the findings", self._checks.show_findings),
         ]
-        parts.open_menu(", ".join(filter(None, told)), entries)
+        self._parts.open_menu(", ".join(filter(None, told)), entries)
+
+    def _send_file(self, robot: str, file: RouteFile) -> None:
+        """Send the path of a file, which is written after the question."""
+        if self._is_kept(robot):
+            command = self._route_files.command(robot, file)
+            prepare = partial(self._route_files.write, command, file)
+            self._parts.dispatch.do(Request((command,)), prepare)
 
     def _send(self) -> None:
         opened, parts = self._editor.opened, self._parts
         if opened is None:
             return
         floor, robot = opened[0].floor, parts.navigation.robot
-        if problem := self._keep(robot):
-            parts.notices.say(f"not sent: the present graph can't be kept: {sanitize(problem)}")
+        if not self._is_kept(robot):
             return
         graph, labels = route_graph(floor, roles_of(self._editor.live_graph()))
         vertices, pairs = tuple(graph.vertices.values()), tuple(sorted(labels.items()))
         command = SendGraph(robot, floor.name, vertices, graph.edges, graph.directed, pairs)
         parts.dispatch.do(Request((command,)))
 
+    def _is_kept(self, robot: str) -> bool:
+        """Keep the robot's present graph; say so if it can't be."""
+        if problem := self._keep(robot):
+            self._parts.notices.say(f"not sent: the present graph can't be kept: {sanitize(problem)}")
+        return not problem
+
     def _keep(self, robot: str) -> str:
         """Write the robot's present graph to a file. Returns the reason if it can't be."""
         live: DocumentFloor = live_floor(self._parts.store.state, self._parts.navigation.selection)
-        folder = self._folder()
+        folder = self._files.folder
         if folder is None or not live.vertices:
             return ""
         try:

@@ -144,7 +144,7 @@ class StorePoseGraph(StoreMap, frozen=True, tag=True):
 
 class SendGraph(SetUpCommand, frozen=True, tag=True, dict=True):
     """Replace the route graph of a floor in a robot. `labels` are pairs of vertex id and label; edges go both
-    ways unless `directed`."""
+    ways unless `directed`. `path`: the file that has it, for a robot that loads files."""
 
     ability: ClassVar[str] = GRAPH
     what: ClassVar[str] = "send graph"
@@ -155,6 +155,7 @@ class SendGraph(SetUpCommand, frozen=True, tag=True, dict=True):
     edges: tuple[Edge, ...] = ()
     directed: bool = False
     labels: tuple[tuple[str, str], ...] = ()
+    path: str = ""
 
     @property
     def text(self) -> str:

@@ -13,11 +13,12 @@ from fleet_tui.simulator.nav2 import messages
 from fleet_tui.simulator.nav2.faults import FAULTS
 from fleet_tui.simulator.nav2.logs import Nav2Changes
 from fleet_tui.simulator.nav2.navigation import TO_POSE, SimNavigation
+from fleet_tui.simulator.nav2.route_server import SET_GRAPH, TYPE, RouteServers
 from fleet_tui.simulator.nav2.topics import Nav2News, steady_topics
 from fleet_tui.simulator.nav2.world import Nav2World
 from fleet_tui.simulator.navigating.diagnostics import health
 from fleet_tui.simulator.navigating.poses import FRAME
-from fleet_tui.simulator.navigating.set_up import SetUpDesk, initial_poses
+from fleet_tui.simulator.navigating.set_up import FileServices, SetUpDesk, initial_poses
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
 from fleet_tui.simulator.ros_types import ServiceType, service_type
@@ -26,7 +27,7 @@ Message = dict[str, Any]
 
 SERVICES = "reinitialize_global_localization", "slam_toolbox/set_localization_mode"
 """Names of global localisation, and of the switch that ends mapping."""
-SAVES: Mapping[str, tuple[str, Message]] = {
+SAVES: FileServices = {
     "map_saver/save_map": ("nav2_msgs/SaveMap", {"result": True}),
     "slam_toolbox/serialize_map": ("slam_toolbox/SerializePoseGraph", {"result": 0}),
 }
@@ -45,7 +46,8 @@ class Nav2Fleet(Nav2World):
         super().__init__(robots, floors, seed, quiet, first, time.time_ns, step)
         if robots > 1:
             self.robots[next(reversed(self.robots))].percent = float("nan")
-        self._set_up = SetUpDesk(self, *SERVICES, SAVES)
+        self.route_servers = RouteServers()
+        self._set_up = SetUpDesk(self, *SERVICES, {**SAVES, SET_GRAPH: (TYPE, self.route_servers.answer)})
         self._news = Nav2News(self)
         self._changes = Nav2Changes(self)
 
@@ -72,8 +74,7 @@ class Nav2Fleet(Nav2World):
         }
 
     def services(self, dialect: Dialect) -> Mapping[str, ServiceType]:
-        """Return for each robot the service that reports whether Nav2 is active, and those that cancel
-        goals."""
+        """Return for each robot whether Nav2 is active, the cancellation of goals, and set-up."""
         trigger, cancel = (
             service_type(dialect, name) for name in ("std_srvs/Trigger", "action_msgs/CancelGoal")
         )

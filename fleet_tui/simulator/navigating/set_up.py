@@ -17,6 +17,10 @@ from fleet_tui.simulator.senses.mapping import Surveys
 
 Message = dict[str, Any]
 Subscriptions = dict[str, tuple[str, Callable[[Message], None]]]
+FileServices = Mapping[str, tuple[str, Message | Callable[[str, Mapping[str, Any]], Message]]]
+"""Services about files by the last part of their names: the type, and the answer, or what gives it from the
+name of a robot and a request."""
+NO_FILES: FileServices = {}
 POSE = "geometry_msgs/PoseWithCovarianceStamped"
 SETTLE = "request_nomotion_update"
 UNIT = 0.01
@@ -31,17 +35,17 @@ def initial_poses(robots: Mapping[str, NavigatingRobot]) -> Subscriptions:
 class SetUpDesk:
     """The set-up of a fleet's robots: their maps, modes and services. `localise` and `switch` are the last
     parts of the names of services: global localisation, and mapping, which is on after a call with False.
-    `saves`: the types of those that save something, with the answer of each, by the last part of its name."""
+    `files`: the services that save or load files."""
 
     def __init__(
         self,
         world: NavigatingWorld[Any],
         localise: str,
         switch: str,
-        saves: Mapping[str, tuple[str, Message]] = {},
+        files: FileServices = NO_FILES,
     ) -> None:
         self._robots, self._building = world.robots, world.building
-        self._localise, self._switch, self._saves = localise, switch, saves
+        self._localise, self._switch, self._files = localise, switch, files
         self.surveys = Surveys(world.robots, lambda floor: [map_topic(world.building, floor)])
         world.troubles.append(self.surveys.step)
 
@@ -58,7 +62,7 @@ class SetUpDesk:
         """Return every service with its type."""
         empty, switch = (service_type(dialect, f"std_srvs/{name}") for name in ("Empty", "SetBool"))
         parts = {self._localise: empty, SETTLE: empty, self._switch: switch}
-        parts |= {part: service_type(dialect, type_) for part, (type_, _) in self._saves.items()}
+        parts |= {part: service_type(dialect, type_) for part, (type_, _) in self._files.items()}
         return {f"/{name}/{part}": type_ for name in self._robots for part, type_ in parts.items()}
 
     def answer(self, service: str, args: Mapping[str, Any]) -> Message | None:
@@ -68,8 +72,9 @@ class SetUpDesk:
         if part == self._switch:
             self.surveys.switch(name, on=not args["data"])
             return {"success": True, "message": ""}
-        if part in self._saves:
-            return dict(self._saves[part][1])
+        if part in self._files:
+            answer = self._files[part][1]
+            return answer(name, args) if callable(answer) else dict(answer)
         if part not in (self._localise, SETTLE):
             return None
         robot.place(robot.pose if part == self._localise else robot.belief.of(robot.pose))

@@ -97,6 +97,7 @@ slam_toolbox_msgs/SerializePoseGraph: string filename ->
 slam_toolbox/SerializePoseGraph: string filename -> uint8 result
 nav2_msgs/SaveMap: string map_topic, string map_url, string image_format, string map_mode, \
 float32 free_thresh, float32 occupied_thresh -> bool result
+nav2_msgs/SetRouteGraph: string graph_filepath -> bool success
 rosapi/Topics: -> string[] topics, string[] types
 rosapi/TopicsAndRawTypes: -> string[] topics, string[] types, string[] typedefs_full_text
 rosapi/TopicsForType: string type -> string[] topics

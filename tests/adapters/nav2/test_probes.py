@@ -3,7 +3,7 @@
 import pytest
 
 from fleet_tui.adapters.nav2.probes import judge_bridge, judge_lifecycle
-from fleet_tui.adapters.probes import ActionProbe, QueryProbe
+from fleet_tui.adapters.probes import ActionProbe, QueryProbe, ServiceProbe
 from tests.support.nav2_adapter import adapter
 
 
@@ -43,3 +43,14 @@ def test_only_what_the_site_has_is_looked_at() -> None:
     without = list(adapter(actions={"follow_waypoints": ""}, services={"is_active": ""}).probes("tb2"))
     assert [one.action for one in without if isinstance(one, ActionProbe)] == ["/tb2/navigate_to_pose"]
     assert not [one for one in without if isinstance(one, QueryProbe)]
+
+
+def test_the_route_server_is_looked_at_where_it_is_named() -> None:
+    def of_graphs(**services: str) -> list[ServiceProbe]:
+        probes = adapter(services=services).probes("tb2")
+        return [one for one in probes if isinstance(one, ServiceProbe) and one.keys == ("graph_load",)]
+
+    (probe,) = of_graphs()
+    assert probe.service == "/tb2/route_server/set_route_graph"
+    assert (probe.type, probe.lost) == ("nav2_msgs/SetRouteGraph", "sending of graphs")
+    assert of_graphs(graph_load="") == []

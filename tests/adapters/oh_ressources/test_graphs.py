@@ -104,8 +104,8 @@ def test_both_topics_are_needed() -> None:
         sent(bare, SENT)
 
 
-def test_other_kinds_have_none() -> None:
-    other = adapter_of(Profile(kind="nav2"))
+def test_move_base_has_none() -> None:
+    other = adapter_of(Profile(kind="move_base"))
     assert other.kind.lack("graph") == "this kind has no sending of graphs"
     robot = replace(fleet().robots[R0], kind=other.kind)
     with pytest.raises(CommandError, match="this kind has no sending of graphs"):

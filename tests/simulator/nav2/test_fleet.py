@@ -1,12 +1,14 @@
 """Goals through the bridge, and what other clients see and may do of them."""
 
 import json
+from pathlib import Path
 
 import pytest
 from websockets.asyncio.client import ClientConnection, connect
 
 from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
+from fleet_tui.simulator.navigating.graph_file import write_graphs
 from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.goals import CANCELED, EXECUTING
@@ -116,3 +118,13 @@ async def test_fleets_of_several_kinds_share_a_bridge() -> None:
         assert (await result(client, "a"))["status"] == 4
     await server.stop()
     assert server.world.robots["robot_0"].paused
+
+
+async def test_a_route_server_takes_a_graph_by_the_path_of_its_file(
+    client: ClientConnection, fleet: Nav2Fleet, tmp_path: Path
+) -> None:
+    (file,) = write_graphs(tmp_path / "routes.geojson", 1)
+    service = "/robot_1/route_server/set_route_graph"
+    assert await call(client, service, graph_filepath=str(file)) == {"success": True}
+    assert await call(client, service, graph_filepath=str(tmp_path)) == {"success": False}
+    assert fleet.route_servers.graphs.keys() == {"robot_1"}

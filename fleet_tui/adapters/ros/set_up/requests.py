@@ -9,13 +9,12 @@ from fleet_tui.adapters.probes import ListenerProbe, ServiceProbe
 from fleet_tui.adapters.ros.facts import is_place
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros.set_up.frames import read_frames
-from fleet_tui.adapters.ros.set_up.saving import KEYS, save_request
+from fleet_tui.adapters.ros.set_up.saving import KEYS, load_request, save_request
 from fleet_tui.errors import CommandError
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.kind import (
     GOAL,
     GOAL_CANCEL,
-    GRAPH,
     LOCALISE,
     MAPPING,
     PATH,
@@ -61,7 +60,8 @@ class SetUpRequests:
         self._names, self._site, self._frames_are_floors = names, site, frames_are_floors
         table = names.table
         keys = {POSE: "topics.initial_pose", LOCALISE: "services.localise", SETTLE: "services.settle"}
-        keys |= {ability: f"services.{key}" for ability, key in KEYS.items()}
+        there = names.vocabulary.services
+        keys |= {ability: f"services.{key}" for ability, key in KEYS.items() if key in there}
         if frames_are_floors:
             keys |= {GOAL: "topics.goal", GOAL_CANCEL: "topics.goal_cancel"}
         self._keys = {ability: f"{table}.{key}" for ability, key in keys.items()}
@@ -158,8 +158,10 @@ class SetUpRequests:
                 return self._call("mapping_on" if on else "mapping_off", name)
             case commands.StoreMap(name):
                 return self._call(KEYS[command.ability], name, save_request(self._names, command, robot))
+            case commands.SendGraph(name) if command.ability in self._keys:
+                return self._call(KEYS[command.ability], name, load_request(self._names, command))
             case commands.SendGraph():
-                raise CommandError(robot.kind.lack(GRAPH))
+                raise CommandError(robot.kind.lack(command.ability))
             case _:
                 assert_never(command)
 

@@ -1,4 +1,5 @@
-"""Maps and pose graphs that a robot saves on its own disk: requests, and the meaning of their answers."""
+"""Files of maps, pose graphs and route graphs that a robot saves or loads: requests, and the meaning of their
+answers."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -6,13 +7,13 @@ from typing import Any
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.errors import CommandError
 from fleet_tui.model.commands import Stage
-from fleet_tui.model.kind import MAP_SAVE, POSE_GRAPH_SAVE
+from fleet_tui.model.kind import GRAPH, MAP_SAVE, POSE_GRAPH_SAVE
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.set_up.commands import MAP_NAME, StoreMap
+from fleet_tui.model.set_up.commands import MAP_NAME, SendGraph, StoreMap
 from fleet_tui.text.limits import truncate
 
-KEYS = {MAP_SAVE: "map_save", POSE_GRAPH_SAVE: "map_pose_graph"}
-"""The services, by the ability that they give."""
+KEYS = {MAP_SAVE: "map_save", POSE_GRAPH_SAVE: "map_pose_graph", GRAPH: "graph_load"}
+"""The services, by the ability that they give; not every kind has each."""
 CODES = {1: "no map", 255: "failed"}
 """Results of slam_toolbox."""
 
@@ -30,7 +31,16 @@ def save_request(names: Names, command: StoreMap, robot: Robot) -> Mapping[str, 
     return request
 
 
-def judge_saved(names: Names, command: StoreMap, values: object) -> tuple[Stage, str] | None:
+def load_request(names: Names, command: SendGraph) -> Mapping[str, Any]:
+    """Return the fields of a request to load the file of a graph. Raises CommandError without a file: the
+    robot would load another one."""
+    if not command.path:
+        raise CommandError("no file of the graph was written: send it from the graph editor")
+    values = {"robot": command.robot, "floor": command.floor, "path": command.path}
+    return names.request(KEYS[command.ability], values)
+
+
+def judge_saved(names: Names, command: StoreMap | SendGraph, values: object) -> tuple[Stage, str] | None:
     """Return the stage that an answer leads to, which is at most that the robot accepted the request; None if
     the profile names no fields for it, or it has none."""
     wanted = names.answer(KEYS[command.ability])

@@ -82,13 +82,11 @@ def set_up_seen(state: FleetState, robot: Robot, record: CommandRecord, command:
         case SetMapping() if "mode" in robot.kind.reports:
             since = record.time_of(Stage.SENT) if unseen is None else None
             return _by_robot(state, is_in_mode(robot, command.on, since))
-        case SendGraph() if {"graph", "labels"} <= set(robot.kind.reports):
-            return _by_robot(state, _has_graph(robot, command))
+        case SendGraph():
+            return _graph_seen(state, robot, command, unseen)
         case Settle():
             return _settled(state, robot, record) if unseen else None
-        case (
-            CancelGoal() | Localise() | SetMapping() | SendGraph() | StoreMap()
-        ):  # no report shows the effect
+        case CancelGoal() | Localise() | SetMapping() | StoreMap():  # no report shows the effect
             return unseen
         case _:
             assert_never(command)
@@ -96,6 +94,15 @@ def set_up_seen(state: FleetState, robot: Robot, record: CommandRecord, command:
 
 def _by_robot(state: FleetState, seen: bool) -> Step | None:
     return Step(Stage.CONFIRMED, state.now, "by the robot") if seen else None
+
+
+def _graph_seen(state: FleetState, robot: Robot, command: SendGraph, unseen: Step | None) -> Step | None:
+    """Return the evidence for a graph: the robot's own, or its answer if it loads a file."""
+    if command.path:
+        return Step(Stage.CONFIRMED, state.now, "the robot has loaded the file") if unseen else None
+    if {"graph", "labels"} <= set(robot.kind.reports):
+        return _by_robot(state, _has_graph(robot, command))
+    return unseen
 
 
 def _has_graph(robot: Robot, command: SendGraph) -> bool:
@@ -146,6 +153,8 @@ def instead_of_set_up(robot: Robot, record: CommandRecord, command: SetUp) -> st
             return "the robot was not seen to stop"
         case SetMapping():
             return f"the robot reports {robot.mode.value}" if robot.mode else "no mode received"
+        case SendGraph() if command.path:
+            return "the robot may have loaded the file or not"
         case SendGraph(_, floor):
             present = present_graph(robot, floor)
             return f"the robot has {present}" if present else f"no graph of {floor} received"

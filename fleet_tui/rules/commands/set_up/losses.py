@@ -18,6 +18,8 @@ from fleet_tui.model.set_up.commands import (
 )
 from fleet_tui.rules.commands.set_up.confirmation import believed, difference_text, present_graph
 from fleet_tui.text.durations import age
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.units import counted
 
 OLD = 5.0
 """Seconds after which the age of a pose is said."""
@@ -45,6 +47,7 @@ def set_up_losses(state: FleetState, robot: Robot, command: SetUp) -> Iterator[s
         case SendGraph(name, floor):
             yield f"{name}: {command.text}?"
             yield f"replaces {present_graph(robot, floor) or f'its graph of {floor}, which is unknown here'}"
+            yield from _file_lines(state, robot, command)
             count = len(robot.orders.open)
             too = f", {count} open order{'s' * (count != 1)} too" if count else ""
             yield f"orders are driven on it from then on{too}"
@@ -52,3 +55,17 @@ def set_up_losses(state: FleetState, robot: Robot, command: SetUp) -> Iterator[s
             return
         case _:
             assert_never(command)
+
+
+def _file_lines(state: FleetState, robot: Robot, command: SendGraph) -> Iterator[str]:
+    """Return the file that is written for a robot which loads it, and the robots that do not load it now."""
+    if not command.path:
+        return
+    yield f"writes {sanitize(command.path)}, the old file is kept as .bak"
+    others = [
+        one
+        for one in state.robots.values()
+        if one is not robot and command.floor in one.maps and one.kind.loads_graphs
+    ]
+    if others:
+        yield f"{counted(len(others), 'other robot')} of {command.floor}: send it to each, too"

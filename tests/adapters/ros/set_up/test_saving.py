@@ -1,4 +1,4 @@
-"""Maps that a robot saves: requests with harmless names only, and the meaning of answers."""
+"""Maps that a robot saves and graphs that it loads: requests, and the meaning of answers."""
 
 import pytest
 from msgspec.structs import replace
@@ -8,13 +8,13 @@ from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.registry import KINDS
 from fleet_tui.errors import CommandError
 from fleet_tui.model.commands import Stage
-from fleet_tui.model.set_up.commands import StoreMap, StorePoseGraph
+from fleet_tui.model.set_up.commands import SendGraph, StoreMap, StorePoseGraph
 from tests.support.nav2_adapter import adapter, robot
 
 HALL = StoreMap("tb2", "hall_2")
 
 
-def asked(command: StoreMap, kind: str = "nav2", **profile: object) -> ServiceCall:
+def asked(command: StoreMap | SendGraph, kind: str = "nav2", **profile: object) -> ServiceCall:
     it = KINDS[kind].adapter(Profile(kind=kind, **profile), Site())  # type: ignore[arg-type]  # each is of its field
     (call,) = it.outgoing(command, 1, robot())
     assert isinstance(call, ServiceCall)
@@ -95,3 +95,53 @@ def test_without_fields_the_answer_is_that_it_came() -> None:
     for kind in ("move_base", "oh_ressources"):
         it = KINDS[kind].adapter(Profile(kind=kind), Site())
         assert it.outcome(HALL, {}, True) == (Stage.ACCEPTED, "")
+
+
+PATH = "/srv/it's a {robot}/$(hall) ü.geojson"
+GRAPH = SendGraph("tb2", "hall", path=PATH)
+
+
+def test_a_route_server_gets_the_path_as_it_is() -> None:
+    found = asked(GRAPH)
+    assert (found.address, found.type) == ("/tb2/route_server/set_route_graph", "nav2_msgs/SetRouteGraph")
+    assert found.args == {"graph_filepath": PATH}
+    assert adapter().kind.loads_graphs and adapter().kind.can("graph")
+
+
+def test_a_site_names_another_service_and_another_path() -> None:
+    found = asked(
+        GRAPH,
+        services={"graph_load": "/{robot}/routes/load"},
+        service_types={"graph_load": "site_msgs/Load"},
+        requests={"graph_load": {"file": "/data/{floor}.geojson", "of": "{robot}", "again": True}},
+    )
+    assert (found.address, found.type) == ("/tb2/routes/load", "site_msgs/Load")
+    assert found.args == {"file": "/data/hall.geojson", "of": "tb2", "again": True}
+
+
+def test_no_graph_is_loaded_without_a_file_or_a_service() -> None:
+    with pytest.raises(CommandError, match="no file of the graph"):
+        asked(SendGraph("tb2", "hall"))
+    bare = adapter(services={"graph_load": ""})
+    assert bare.kind.lack("graph") == "profile.services.graph_load is empty: no sending of graphs"
+    assert not bare.kind.loads_graphs
+    with pytest.raises(CommandError, match="graph_load is empty"):
+        bare.outgoing(GRAPH, 1, robot())
+
+
+@pytest.mark.parametrize(
+    ("answers", "values", "result", "end"),
+    [
+        ({}, {"success": True}, True, (Stage.ACCEPTED, "")),
+        ({}, {"success": False}, True, (Stage.REFUSED, "success False")),
+        ({}, {"other": 1}, True, (Stage.REFUSED, "success None")),
+        ({"graph_load": {"code": 0}}, {"code": 4}, True, (Stage.REFUSED, "code 4")),
+        ({"graph_load": {"code": 0}}, {"code": 0}, True, (Stage.ACCEPTED, "")),
+        ({}, "Service /x does not exist", False, (Stage.REFUSED, "Service /x does not exist")),
+        ({}, "it died", False, (Stage.UNKNOWN, "it died")),
+    ],
+)
+def test_a_graph_is_loaded_by_the_servers_word(
+    answers: dict[str, dict[str, bool | int | str]], values: object, result: bool, end: tuple[Stage, str]
+) -> None:
+    assert adapter(answers=answers).outcome(GRAPH, values, result) == end

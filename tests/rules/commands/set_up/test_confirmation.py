@@ -5,7 +5,7 @@ import math
 from msgspec.structs import replace
 
 from fleet_tui.model.commands import Command, Stage
-from fleet_tui.model.events import Event, PoseReported
+from fleet_tui.model.events import CommandAdvanced, CommandIssued, Event, PoseReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Edge, Vertex
@@ -151,6 +151,16 @@ def test_another_graph_is_counted_after_ten_seconds() -> None:
 def test_a_graph_that_no_topic_shows_is_unverifiable() -> None:
     state = after(GRAPH, tick(T0 + 1), kind=Kind("oh_ressources", ("pose", "graph")))
     assert stage(state)[0] is Stage.UNVERIFIABLE
+
+
+def test_a_graph_in_a_file_is_confirmed_by_the_answer() -> None:
+    sent = replace(GRAPH, path="/srv/hall.geojson")
+    state = after(sent, tick(T0 + 1), kind=replace(NAVIGATES, loads_graphs=True))
+    assert stage(state) == (Stage.CONFIRMED, "the robot has loaded the file")
+    steps = CommandAdvanced(1, Stage.SENT, T0), CommandAdvanced(1, Stage.NO_ANSWER, T0 + 1)
+    linked = reduced(fleet(), link_up(T0 - 100), tick(T0), CommandIssued(1, sent, T0, 0.0))
+    silent = reduced(linked, *steps, tick(T0 + 90))
+    assert stage(silent) == (Stage.NOT_CONFIRMED, "no answer; the robot may have loaded the file or not")
 
 
 def test_a_cancelled_goal_is_confirmed_by_a_robot_that_stops() -> None:

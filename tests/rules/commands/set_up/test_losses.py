@@ -1,9 +1,10 @@
 """The questions of set-up commands."""
 
 from fleet_tui.model.geometry import Pose
+from fleet_tui.model.kind import Kind
 from fleet_tui.model.set_up.commands import Localise, SendGoal, SendGraph, SetMapping, SetPose, Settle
 from fleet_tui.rules.commands.set_up.losses import set_up_losses
-from tests.support.fleets import F0, R0, T0, fleet, graph, labels, pose, queue, reduced, tick
+from tests.support.fleets import F0, R0, T0, fleet, graph, labels, of_kinds, pose, queue, reduced, tick
 
 
 def test_a_pose_is_compared_with_the_present_one() -> None:
@@ -31,6 +32,13 @@ def test_a_graph_replaces_the_present_one() -> None:
     assert list(set_up_losses(state, state.robots[R0], sent)) == [
         "robot_0: send graph of floor_0: 0 vertices, 0 edges, 0 labels?",
         "replaces its graph of floor_0, which is unknown here",
+        "orders are driven on it from then on",
+    ]
+    loads = of_kinds(fleet(3), *[Kind("nav2", loads_graphs=True)] * 3)
+    filed = SendGraph(R0, F0, path="/srv/hall.geojson")
+    assert list(set_up_losses(loads, loads.robots[R0], filed))[2:] == [
+        "writes /srv/hall.geojson, the old file is kept as .bak",
+        "2 other robots of floor_0: send it to each, too",
         "orders are driven on it from then on",
     ]
     driving = queue(T0, (4, 1, 2, "W"), current=4)

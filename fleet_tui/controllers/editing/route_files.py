@@ -1,0 +1,156 @@
+"""Graphs for robots that load a file: written before the call, followed until the robot has answered."""
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import NamedTuple, TypeVar
+
+from fleet_tui.controllers.editing.editor import GraphEditor
+from fleet_tui.controllers.editing.files import format_of, joined
+from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.controllers.parts import SetUpParts
+from fleet_tui.errors import GraphError
+from fleet_tui.graph_files.geojson import new_ids
+from fleet_tui.graph_files.graph_file import WriteChoices
+from fleet_tui.graph_files.losses import losses
+from fleet_tui.graph_files.writing import write_graph
+from fleet_tui.maps.graph_storage import graph_text, save_graph_file
+from fleet_tui.maps.route_graphs import load_floor_graph
+from fleet_tui.model.commands import CommandRecord, Stage
+from fleet_tui.model.events import Event, FloorGraphLoaded
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor, DocumentVertex, GraphFormat
+from fleet_tui.model.graphs.draft import Change
+from fleet_tui.model.graphs.live import route_graph
+from fleet_tui.model.set_up.commands import SendGraph
+from fleet_tui.rules.graphs.finding import LintInputs
+from fleet_tui.rules.graphs.targets import of_target
+from fleet_tui.text.sanitize import sanitize
+
+FORMAT = GraphFormat.GEOJSON
+"""The format that Nav2's route server reads."""
+E = TypeVar("E", DocumentVertex, DocumentEdge)
+
+
+class RouteFile(NamedTuple):
+    """The file that a robot is to load: its text and its floor, whose ids are as in the file. `lost` are the
+    parts of the draft that the file has not."""
+
+    path: Path
+    text: str
+    floor: DocumentFloor
+    lost: tuple[str, ...]
+
+
+class SentFile(NamedTuple):
+    """A file that was written for a robot: the graph in it, and a note on the old file."""
+
+    loaded: FloorGraphLoaded
+    note: str
+
+
+class RouteFiles:
+    """Writes the floor's graph file just before a robot is told to load it. Once it has, the graph of that
+    file is the live one here; until then, and if it has not, the earlier one stays."""
+
+    def __init__(
+        self,
+        parts: SetUpParts,
+        editor: GraphEditor,
+        files: ConsoleFiles,
+        post: Callable[[Event], object],
+    ) -> None:
+        """`post` applies an event, from any thread."""
+        self._notices, self._editor, self._files, self._post = parts.notices, editor, files, post
+        self._sent: dict[SendGraph, SentFile] = {}
+        parts.store.watchers.append(self._watch)
+
+    def refusal(self, floor: str) -> str:
+        """Return the reason that a floor has no file to load, with its remedy; empty if it has one."""
+        path = self._files.graph_file(floor)
+        if path is None:
+            remedy = 'set graph = "FILE.geojson" there'
+            return f"not sent: {floor} has no graph file in [[floors]]: {remedy}, the robot loads that file"
+        if (found := format_of(path)) is not FORMAT:
+            remedy = (
+                "make a file.geojson of it with fleet-tui graph convert, and name that in [[floors]] graph"
+            )
+            return f"not sent: {path.name} is {found.value}, the robot loads geojson: {remedy}"
+        return ""
+
+    def file_of(self, floor: DocumentFloor) -> RouteFile:
+        """Return the file for a draft. Raises GraphError, also for what the route server refuses."""
+        path = self._files.graph_file(floor.name)
+        if path is None:
+            raise GraphError(f"{floor.name} has no graph file")
+        document = joined(path, FORMAT, floor)
+        for one in of_target(document, LintInputs(target=FORMAT)):
+            if one.is_error:
+                raise GraphError(one.text)
+        lost = tuple(f"lost: {loss}" for loss in losses(document, FORMAT))
+        text = write_graph(document, FORMAT, WriteChoices())
+        return RouteFile(path.absolute(), text, new_ids(floor).floor, lost)
+
+    def command(self, robot: str, file: RouteFile) -> SendGraph:
+        """Return the command to load a file."""
+        graph, labels = route_graph(file.floor)
+        vertices, pairs = tuple(graph.vertices.values()), tuple(sorted(labels.items()))
+        floor, path = file.floor.name, str(file.path)
+        return SendGraph(robot, floor, vertices, graph.edges, graph.directed, pairs, path)
+
+    def write(self, command: SendGraph, file: RouteFile) -> str:
+        """Write the file of a command that is about to be sent. Returns the reason that it can't be."""
+        try:
+            kept = None if _has(file) else save_graph_file(file.path, file.text)
+        except GraphError as problem:
+            return sanitize(f"not sent: {file.path}: {problem}")
+        self._renumber(file.floor)
+        note = f" (before: {kept.name})" if kept is not None else ""
+        self._sent[command] = SentFile(load_floor_graph(file.floor.name, file.path), note)
+        if self._files.audit is not None:
+            text = f"{file.floor.name}: {file.path} for {command.robot}{note}"
+            self._files.audit.log_console("graph written", text)
+        return ""
+
+    def _renumber(self, floor: DocumentFloor) -> None:
+        """Give the draft the ids of its file, as a step: the robot has no others."""
+        draft = self._editor.draft
+        if draft is None or draft.floor.name != floor.name:
+            return
+        vertices = _pairs(draft.floor.vertices, floor.vertices)
+        edges = _pairs(draft.floor.edges, floor.edges)
+        if vertices or edges:
+            self._editor.do(Change("ids as in the file", vertices, edges))
+
+    def _watch(self, before: FleetState, after: FleetState) -> None:
+        """Note the end of each command to load a file. Runs in the thread of the store's writer."""
+        if not self._sent or before.commands is after.commands:
+            return
+        ended = {record.id for record in before.commands if record.is_decided}
+        for record in after.commands:
+            if record.is_decided and record.id not in ended:
+                self._end(record)
+
+    def _end(self, record: CommandRecord) -> None:
+        command = record.command
+        if not isinstance(command, SendGraph) or (sent := self._sent.pop(command, None)) is None:
+            return
+        if record.stage is Stage.CONFIRMED:
+            self._post(sent.loaded)
+            return
+        loaded = "may have loaded it or not" if record.stage is Stage.NOT_CONFIRMED else "has not loaded it"
+        name = Path(command.path).name
+        self._notices.note(sanitize(f"{name} is written, {command.robot} {loaded}{sent.note}"))
+
+
+def _has(file: RouteFile) -> bool:
+    """Tell whether a file is there as it is to be written: its .bak would be the same, not the one before."""
+    try:
+        return graph_text(file.path) == file.text
+    except GraphError:
+        return False
+
+
+def _pairs(old: Mapping[str, E], new: Mapping[str, E]) -> tuple[tuple[E | None, E | None], ...]:
+    """Return each element that differs, before and after."""
+    ids = {**old, **new}
+    return tuple((old.get(id_), new.get(id_)) for id_ in ids if old.get(id_) != new.get(id_))
