@@ -137,12 +137,17 @@ MISSING_AFTER = 3.0
 """Seconds of a link after which a value that must arrive regularly is missing."""
 
 
+def is_missing(state: FleetState, robot: Robot, value: str) -> bool:
+    """Tell whether a value that must arrive regularly has never come, though there was time for it."""
+    has_begun = state.now - state.links[robot.link].since < MISSING_AFTER
+    return getattr(robot, value) is None and robot.kind.expects(value) and not has_begun
+
+
 def missing_text(state: FleetState, robot: Robot, value: str) -> str:
     """Return the text of a value that was not received: `-` if none has to be."""
     if not robot.kind.expects(value):
         return "-"
-    has_begun = state.now - state.links[robot.link].since < MISSING_AFTER
-    return f"no {value} yet" if has_begun else f"{value} missing"
+    return f"{value} missing" if is_missing(state, robot, value) else f"no {value} yet"
 
 
 def obstacle_text(state: FleetState, robot: Robot, contact: Reading[float]) -> str:

@@ -13,7 +13,7 @@ from rich.segment import Segment
 from rich.style import Style
 
 from fleet_tui.terminal.cell_strip import CellStrip
-from fleet_tui.terminal.sgr import PLAIN, RESET, Sgr, look_of, turn
+from fleet_tui.terminal.sgr import PLAIN, RESET, Sgr, filled, look_of, turn
 
 Cells = NDArray[np.uint64]
 
@@ -24,6 +24,8 @@ _NOTHING = np.uint64(0xFFFFFFFFFFFFFFFF)
 """Unknown: as wanted, leave the cell alone; as sent, always send it."""
 
 _BLANK = np.uint64(ord(" "))
+_BLOCK = ord("█")
+"""Some fonts leave gaps between full blocks: the ground behind them closes those."""
 _TAIL = 0  # the character in the second cell of a wide one
 _CLUSTERS = 0x110000  # characters from here on are those of `_clusters`
 
@@ -58,6 +60,7 @@ class ScreenBuffer:
         self._clusters: dict[str, int] = {}
         self._styles: Sequence[Style] = ()
         self._roles: NDArray[np.uint64] = np.empty(0, np.uint64)
+        self._blocks = self._roles
 
     def fit(self, width: int, height: int) -> None:
         """Resize to this many cells; all cells are unknown afterwards."""
@@ -92,14 +95,18 @@ class ScreenBuffer:
     def _packed(self, strip: CellStrip) -> NDArray[np.uint64]:
         if strip.styles is not self._styles:
             self._styles = strip.styles
-            looks = [self._look(look_of(style, self._colours)) for style in strip.styles]
-            self._roles = np.array(looks, np.uint64) << _SHIFT
-        return strip.codes | self._roles[strip.roles]
+            looks = [look_of(style, self._colours) for style in strip.styles]
+            self._roles = self._numbers(looks)
+            self._blocks = self._numbers(filled(look) for look in looks)
+        cells = strip.codes | self._roles[strip.roles]
+        blocks = strip.codes == _BLOCK
+        cells[blocks] = _BLOCK | self._blocks[strip.roles[blocks]]
+        return cells
 
     def _spelled(self, segments: Iterable[Segment]) -> NDArray[np.uint64]:
         texts = [(text, style) for text, style, control in segments if text and not control]
         line = "".join([text for text, _ in texts])
-        looks = [self._look(look_of(style, self._colours)) for _, style in texts]
+        looks = [look_of(style, self._colours) for _, style in texts]
         if ONE_CELL_EACH.fullmatch(line):
             codes = np.frombuffer(line.encode("utf-32-le"), np.uint32)
             sizes = [len(text) for text, _ in texts]
@@ -107,7 +114,11 @@ class ScreenBuffer:
             parts = [self._cells(text) for text, _ in texts]
             codes = np.array([code for part in parts for code in part], np.uint32)
             sizes = [len(part) for part in parts]
-        return codes | np.repeat(np.array(looks, np.uint64) << _SHIFT, sizes)
+        cells = codes | np.repeat(self._numbers(looks), sizes)
+        if "█" in line:
+            blocks = codes == _BLOCK
+            cells[blocks] = _BLOCK | np.repeat(self._numbers(map(filled, looks)), sizes)[blocks]
+        return cells
 
     def _part(self, x: int, y: int) -> None:
         """Return a part of a row; a wide character on both sides of the left edge of cell x becomes
@@ -115,6 +126,9 @@ class ScreenBuffer:
         row = self._wanted[y]
         if x < len(row) and row[x] & _CODE == _TAIL:
             row[x - 1 : x + 1] = row[x - 1] & ~_CODE | _BLANK
+
+    def _numbers(self, looks: Iterable[Sgr]) -> NDArray[np.uint64]:
+        return np.array([self._look(look) for look in looks], np.uint64) << _SHIFT
 
     def _look(self, look: Sgr) -> int:
         return self._looks.setdefault(look, len(self._looks))

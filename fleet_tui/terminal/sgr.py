@@ -46,6 +46,14 @@ def look_of(style: Style | None, colours: ColorSystem | None) -> Sgr:
     return Sgr(weight, color, on)
 
 
+def filled(look: Sgr) -> Sgr:
+    """Return a look with its ground in the colour of its characters."""
+    if not look.color:
+        return look
+    first, *rest = look.color.split(";")
+    return look._replace(on=";".join([str(int(first) + 10), *rest]))
+
+
 def _apart(color: str, on: str) -> str:
     """Return a foreground that differs from its ground: with 16 colours a quiet one may equal it, the greys
     beside it don't."""

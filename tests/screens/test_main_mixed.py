@@ -99,7 +99,7 @@ async def test_every_robot_reads_as_in_a_fleet_of_its_own_and_tells_what_its_kin
         for name in (OH, MOVE_BASE):
             assert "stop 1 of" not in rows[name] and "m, " not in rows[name]
         for name in (MOVE_BASE, NAV2):
-            assert "■" not in rows[name] and "contact" not in rows[name]
+            assert "▪" not in rows[name] and "contact" not in rows[name]
 
 
 async def test_one_pause_reaches_all_over_both_bridges(site: MixedSite) -> None:

@@ -85,7 +85,7 @@ def shown(terminal: PlayedDriver) -> list[list[Cell]]:
 
 
 def intended(app: App[None]) -> list[list[Cell]]:
-    """The picture that Textual intends."""
+    """The picture that Textual intends; full blocks are sent on a ground of their own colour."""
     strips = app.screen._compositor.render_strips()
     return [list(chain.from_iterable(_cells(text, style) for text, style, _ in strip)) for strip in strips]
 
@@ -96,7 +96,11 @@ def _cells(text: str, style: Style | None) -> list[Cell]:
         "default" if part is None or part.is_default else part.get_truecolor().hex.lstrip("#")
         for part in (style.color, style.bgcolor)
     )
-    look = (color, on, bool(style.bold), bool(style.reverse), bool(style.underline))
+    look = bool(style.bold), bool(style.reverse), bool(style.underline)
     # NFC, because pyte keeps letters and their marks so.
     parts = ((normalize("NFC", text[start:end]), width) for start, end, width in split_graphemes(text)[0])
-    return [(part if x == 0 else "", *look) for part, width in parts for x in range(width)]
+    return [
+        (part if x == 0 else "", color, color if part == "█" else on, *look)
+        for part, width in parts
+        for x in range(width)
+    ]

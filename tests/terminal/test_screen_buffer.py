@@ -132,6 +132,18 @@ def test_a_row_of_cells_is_put_as_its_segments_would_be(
         assert pane.take() == ""
 
 
+def test_full_blocks_of_a_picture_have_their_own_colour_as_ground() -> None:
+    cells = Cells.blank(3, 1, StyleRole.FLOOR)
+    cells.write(0, 0, "█▀", StyleRole.WALL)
+    styles = [Style.parse("color(7) on color(4)")] * len(StyleRole)
+    screen = pyte.Screen(3, 1)
+    pane = glass(3, colours=ColorSystem.STANDARD)
+    pane.put(0, 0, 3, CellStrip(cells, 0, styles))
+    pyte.Stream(screen).feed(pane.take())
+    shown = [(screen.buffer[0][x].data, screen.buffer[0][x].fg, screen.buffer[0][x].bg) for x in range(2)]
+    assert shown == [("█", "white", "white"), ("▀", "white", "blue")]
+
+
 def test_looks_and_odd_characters_that_are_out_of_view_are_forgotten() -> None:
     onto, terminal = glass(8, 2, ColorSystem.TRUECOLOR), pyte.Screen(8, 2)
     stream = pyte.Stream(terminal)

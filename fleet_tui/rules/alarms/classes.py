@@ -74,9 +74,9 @@ CLASSES = {
     ),
     "localisation": AlarmClass(
         "medium",
-        "the robot does not know where it is on its map",
-        "it may drive into something, or stop",
-        "Pause it and set its pose",
+        "the robot does not know where it is on its map, or reports without a pose",
+        "it may drive into something, or stop; nobody sees where",
+        "Pause it and set its pose; without a pose check its localisation",
         2,
     ),
     "held": AlarmClass(

@@ -4,11 +4,14 @@ from fleet_tui.model.alarm import Condition, Priority
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.alarms.floods import ActiveConditions
+from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
 from fleet_tui.rules.commands.local_queue import HELD_BY_OTHERS, orders_to_save
+from fleet_tui.text.durations import age
 
 LOST_ABOVE, FOUND_BELOW = 0.5, 0.3
 """Variance of x and y in square metres above which localisation is lost, and below which it is back."""
+NO_POSE_AFTER = 30.0
+"""Seconds without a pose from a robot that reports, until it counts as driving unseen."""
 
 
 def blocked(state: FleetState, robot: Robot, _active: ActiveConditions) -> Condition | None:
@@ -22,7 +25,9 @@ def blocked(state: FleetState, robot: Robot, _active: ActiveConditions) -> Condi
 
 
 def not_sure_where(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
-    """Raise if its localisation is too uncertain to drive by."""
+    """Raise if its localisation is too uncertain to drive by, or its poses have ceased."""
+    if (lost := _pose_lost(state, robot, active)) is not None:
+        return lost
     if robot.variance is None:
         return None
     limit = FOUND_BELOW if (robot.name, "localisation") in active else LOST_ABOVE
@@ -30,6 +35,16 @@ def not_sure_where(state: FleetState, robot: Robot, active: ActiveConditions) ->
         return None
     text = f"localisation uncertain: within {2 * robot.variance.value**0.5:.1f} m"
     return Condition(robot.name, "localisation", Priority.MEDIUM, text, "localisation recovered")
+
+
+def _pose_lost(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
+    if robot.pose is None or not robot.kind.expects("pose") or state.is_fresh(robot, "pose"):
+        return None
+    if not state.is_online(robot) and not was_active(active, robot.name, robot.link, "localisation"):
+        return None
+    text = f"no pose for {age(state.now - robot.pose.at)}"
+    due = robot.pose.at + NO_POSE_AFTER
+    return Condition(robot.name, "localisation", Priority.MEDIUM, text, "localisation recovered", due)
 
 
 def held_orders(state: FleetState, robot: Robot, _active: ActiveConditions) -> Condition | None:

@@ -1,6 +1,8 @@
 """The robots in trouble: marked and listed first, and named where their floor is not shown."""
 
-from fleet_tui.model.alarm import AlarmStage
+from collections.abc import Iterable
+
+from fleet_tui.model.alarm import Alarm, AlarmStage
 from fleet_tui.model.fleet import FleetState
 
 
@@ -8,8 +10,16 @@ def in_trouble(state: FleetState) -> frozenset[str]:
     """Return the names of the robots with an alarm that is neither over nor shelved. Its off-delay keeps
     their rows where they are."""
     over = (AlarmStage.SHELVED, AlarmStage.RETURNED)
-    active = [one.condition for one in state.alarms if one.stage not in over]
-    named = {name for condition in active for name in (condition.source, *condition.parts)}
+    return _robots(state, (one for one in state.alarms if one.stage not in over))
+
+
+def shelved(state: FleetState) -> frozenset[str]:
+    """Return the names of the robots whose trouble goes on while its alarm is shelved."""
+    return _robots(state, (one for one in state.alarms if one.stage is AlarmStage.SHELVED and one.holds))
+
+
+def _robots(state: FleetState, alarms: Iterable[Alarm]) -> frozenset[str]:
+    named = {name for one in alarms for name in (one.condition.source, *one.condition.parts)}
     return frozenset(named & state.robots.keys())
 
 

@@ -17,6 +17,7 @@ from fleet_tui.text.units import ago
 JUMPS = 2
 """This many jumps within JUMPS_WITHIN seconds are more than corrections."""
 
+NO_POSE = "Check the robot's localisation: its node, its laser, the topic's name"
 FULL = 95.0
 """Per cent below which a robot at a charger may be charging."""
 
@@ -112,12 +113,14 @@ def stale_pose(state: FleetState, robot: Robot) -> Reason | None:
     if not state.is_online(robot) or state.is_fresh(robot, "pose") or "pose" not in robot.kind.reports:
         return None
     if robot.pose is None:
-        return Reason("no pose", "other reports received, no pose: position unknown")
+        evidence = "other reports received, no pose: position unknown"
+        return Reason("no pose", evidence, keys=("diagnostics",), remedy=NO_POSE)
     name, clock = f"pose {age(state.now - robot.pose.at)} old", robot.clock
     silence = robot.kind.silence_of("pose", state.limits.offline_after) + state.behind
     if clock is not None and state.now - clock.at <= silence:
         return Reason(name, "poses arrive late: their time stamps lag", seen=robot.pose.at)
-    return Reason(name, "other reports arrive: the robot may have moved since", since=robot.pose.at)
+    evidence = "other reports arrive: the robot may have moved since"
+    return Reason(name, evidence, since=robot.pose.at, keys=("diagnostics",), remedy=NO_POSE)
 
 
 def jumps(state: FleetState, robot: Robot) -> Reason | None:

@@ -13,7 +13,7 @@ from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.places import Points, Same, pixels
-from fleet_tui.view.map.raster import BRAILLE, pack
+from fleet_tui.view.map.raster import BRAILLE, pack, thicken
 from fleet_tui.view.map.scene import Scene, SceneRobot
 from fleet_tui.view.roles import StyleRole
 
@@ -24,7 +24,7 @@ OFF_EDGE = 1.0
 """Metres from which a robot is off its edge."""
 FADED = 30.0
 """Seconds after which a trail is paler and has half as many dots."""
-OUTLINE = 6.0
+OUTLINE = 10.0
 """Dots of a robot's longer side from which its outline is drawn."""
 _ARROW_ROOM = 8.0  # visible dots of an edge below which it has no arrow head
 _NEXT = ":"
@@ -183,14 +183,6 @@ def _sides(robot: SceneRobot) -> Iterator[Line]:
         yield from_x, from_y, to_x, to_y
 
 
-def _thick(mask: Mask) -> Mask:
-    """Widen to two dots, to differ from an edge without colour, too."""
-    thick = mask.copy()
-    thick[:-1] |= mask[1:]
-    thick[:, :-1] |= mask[:, 1:]
-    return thick
-
-
 def _stroke(cells: Cells, mask: Mask, role: StyleRole, look: MapOptions, plain: str) -> None:
     """Draw the dots in one role except over more important cells; as ASCII the character `plain`.
 
@@ -198,7 +190,7 @@ def _stroke(cells: Cells, mask: Mask, role: StyleRole, look: MapOptions, plain: 
     character.
     """
     passed = pack(mask)
-    bits = pack(_thick(mask)) if role is StyleRole.MISSION and not look.plain else passed
+    bits = thicken(mask, passed) if role is StyleRole.MISSION and not look.plain else passed
     drawn = (bits > 0) & _OPEN[cells.roles]
     if role in _WAYS:
         crossed = (passed > 0) & _KEPT[cells.roles]

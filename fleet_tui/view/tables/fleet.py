@@ -4,13 +4,13 @@ import math
 from collections.abc import Iterator
 from functools import partial
 
-from fleet_tui.model.fleet import FleetState, missing_text, obstacle_text
+from fleet_tui.model.fleet import FleetState, is_missing, missing_text, obstacle_text
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.order import Order, Stop, pose_text, route_text
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.conditions import is_news, obstacle_lasts
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
-from fleet_tui.rules.alarms.trouble import in_trouble
+from fleet_tui.rules.alarms.trouble import in_trouble, shelved
 from fleet_tui.rules.commands.local_queue import all_orders, foreign
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import own_pause_text
@@ -21,7 +21,7 @@ from fleet_tui.view.tables.fleet_columns import BAR, Columns, floor_text
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, width_of
 
-CARGO = "■"
+CARGO = "▪"
 STILL_FROM = 5.0
 """Seconds from which a robot stands still."""
 LONG_STILL = 30.0
@@ -63,7 +63,9 @@ def way(robot: Robot, stops: tuple[Stop, ...]) -> str:
 
 
 def _old(state: FleetState, robot: Robot) -> Iterator[Run]:
-    """Yield the old values of a robot that is online: they must not look live."""
+    """Yield the old values of a robot that is online, and a missing pose: they must not look live."""
+    if is_missing(state, robot, "pose"):
+        yield missing_text(state, robot, "pose"), StyleRole.WARN
     for value, name in _NAMES.items():
         if state.is_old(robot, value):
             reading: Reading[object] = getattr(robot, value)
@@ -125,12 +127,14 @@ def _battery_bar(state: FleetState, robot: Robot) -> Run:
     return "━" * cells + "┄" * (BAR - cells), role if role is StyleRole.ALARM else StyleRole.DIM
 
 
-def _signed(state: FleetState, robot: Robot, troubled: bool) -> Run:
-    """Return the sign at the start of a row: offline, in trouble, or all well."""
+def _signed(state: FleetState, robot: Robot, troubled: bool, shelved: bool) -> Run:
+    """Return the sign at the start of a row: offline, in trouble, with its trouble shelved, or all well."""
     if not state.is_online(robot):
         is_expected = robot.last_received is None and not troubled  # it may be switched off for today
         return "○ ", StyleRole.DIM if is_expected else StyleRole.ALARM
-    return ("▲ ", StyleRole.ALARM) if troubled else ("● ", StyleRole.GOOD)
+    if troubled:
+        return "▲ ", StyleRole.ALARM
+    return ("◇ ", StyleRole.WARN) if shelved else ("● ", StyleRole.GOOD)
 
 
 def _head(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Columns) -> list[Run]:
@@ -185,9 +189,20 @@ def _without_order(state: FleetState, robot: Robot) -> str:
     return f"{waiting} waiting" if waiting else "idle"
 
 
+def _shortened(runs: list[Run], cells: int) -> list[Run]:
+    """Return the news of a robot with one word for a pause, and beside others its sign, if more would be
+    cut."""
+    for short in ("paused", "‖")[: len(runs) // 2]:
+        if width_of(runs) - 1 <= cells:
+            break
+        runs = [(short if text.startswith("paused") else text, role) for text, role in runs]
+    return runs
+
+
 def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Columns) -> Row:
     role = StyleRole.TEXT if state.is_online(robot) else StyleRole.DIM
-    runs: list[Run] = [run for text, colour in news(state, robot) for run in ((text, colour), (" ", role))]
+    found = [run for text, colour in news(state, robot) for run in ((text, colour), (" ", role))]
+    runs = _shortened(found, columns.state)
     is_stuck = any(alarm.holds and alarm.key == (robot.name, "stuck") for alarm in state.alarms)
     movement = StyleRole.ALARM if is_stuck else StyleRole.DIM
     current, order = robot.orders.current, ""
@@ -217,16 +232,15 @@ def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Co
 def fleet_table(state: FleetState, selected: str, width: int) -> Table:
     """The whole fleet for a pane of `width` cells: robots with an alarm first, else in the order of the
     config."""
-    troubled = in_trouble(state)
+    troubled, silenced = in_trouble(state), shelved(state)
     robots = sorted(state.robots.values(), key=lambda robot: robot.name not in troubled)
     online = sum(state.is_online(robot) for robot in robots)
     columns = Columns.of(state, width)
 
     def row(place: int) -> Row:
         robot = robots[place]
-        return _row(
-            state, robot, _signed(state, robot, robot.name in troubled), robot.name == selected, columns
-        )
+        sign = _signed(state, robot, robot.name in troubled, robot.name in silenced)
+        return _row(state, robot, sign, robot.name == selected, columns)
 
     rows = LateRows([robot.name for robot in robots], row)
     title = ("Fleet", StyleRole.TITLE), (f" {online} of {len(rows)} online", StyleRole.DIM)

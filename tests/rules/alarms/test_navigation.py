@@ -8,9 +8,28 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.navigation import Blocked
 from fleet_tui.model.robot import Reading, Robot
-from fleet_tui.rules.alarms.navigation import FOUND_BELOW, LOST_ABOVE, blocked, held_orders, not_sure_where
+from fleet_tui.rules.alarms.navigation import (
+    FOUND_BELOW,
+    LOST_ABOVE,
+    NO_POSE_AFTER,
+    blocked,
+    held_orders,
+    not_sure_where,
+)
 from fleet_tui.rules.commands.local_queue import ANOTHER_CLIENT
-from tests.support.fleets import R0, T0, commanded, fleet, of_kinds, place_order, reduced, tick
+from tests.support.fleets import (
+    R0,
+    T0,
+    battery,
+    commanded,
+    fleet,
+    link_up,
+    of_kinds,
+    place_order,
+    pose,
+    reduced,
+    tick,
+)
 
 KEEPS = Kind("keeps", keeps_goals=True)
 
@@ -42,6 +61,20 @@ def test_a_localisation_between_the_limits_stays_what_it_was() -> None:
         assert (found is not None) is after
     lost = not_sure_where(*known(variance=Reading(1.0, T0)), {})
     assert lost is not None and lost.text == "localisation uncertain: within 2.0 m"
+
+
+def test_poses_that_cease_while_the_robot_speaks_are_an_alarm_until_they_come_again() -> None:
+    begun = reduced(fleet(), link_up(T0), pose(T0), battery(T0))
+    later = reduced(begun, battery(T0 + 40), tick(T0 + 40))
+    found = not_sure_where(*known(later), {})
+    assert found is not None and (found.text, found.due) == ("no pose for 40 s", T0 + NO_POSE_AFTER)
+    assert not_sure_where(*known(reduced(later, pose(T0 + 41), tick(T0 + 41))), {}) is None
+    silent = reduced(later, tick(T0 + 99))
+    assert not_sure_where(*known(silent), {}) is None, "then it is offline"
+    held = {(R0, "localisation"): found}
+    assert not_sure_where(*known(silent), held) is not None, "offline is no recovery"
+    moves_only = of_kinds(begun, Kind(reports=("pose",), silence={"pose": float("inf")}))
+    assert not_sure_where(*known(reduced(moves_only, battery(T0 + 40), tick(T0 + 40))), {}) is None
 
 
 def test_held_orders_are_counted_and_those_held_by_others_matter_more() -> None:

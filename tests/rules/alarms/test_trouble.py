@@ -2,7 +2,7 @@
 
 from fleet_tui.model.events import AlarmShelved
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.rules.alarms.trouble import in_trouble, trouble_elsewhere
+from fleet_tui.rules.alarms.trouble import in_trouble, shelved, trouble_elsewhere
 from tests.support.fleets import F0, R0, T0, battery, fleet, link_up, pose, reduced, tick
 
 F1 = F0.replace("0", "1")
@@ -19,8 +19,8 @@ def low(*robots: str) -> FleetState:
 def test_a_shelved_alarm_is_no_trouble() -> None:
     state = low(R0, "robot_1")
     assert in_trouble(state) == {R0, "robot_1"}
-    shelved = reduced(state, AlarmShelved(R0, "battery", T0 + 60))
-    assert in_trouble(shelved) == {"robot_1"}
+    after = reduced(state, AlarmShelved(R0, "battery", T0 + 60))
+    assert in_trouble(after) == {"robot_1"}
 
 
 def test_who_is_in_trouble_is_named_where_the_floor_is_not_shown() -> None:
@@ -28,3 +28,10 @@ def test_who_is_in_trouble_is_named_where_the_floor_is_not_shown() -> None:
     assert trouble_elsewhere(state, "floor_0") == "! robot_1 on floor_1"
     assert trouble_elsewhere(state, "floor_2") == "! 2 on other floors"
     assert trouble_elsewhere(low(R0), "floor_0") == ""
+
+
+def test_trouble_whose_alarm_is_shelved_is_known_until_it_ends() -> None:
+    state = reduced(low(R0), AlarmShelved(R0, "battery", T0 + 600), tick(T0))
+    assert shelved(state) == {R0} and not in_trouble(state)
+    assert shelved(reduced(state, battery(T0 + 1, 90.0), tick(T0 + 1))) == frozenset()
+    assert shelved(low(R0)) == frozenset()

@@ -38,7 +38,7 @@ def test_states_differ_from_each_other() -> None:
     roles = {role for _, role in by_meaning["the selected robot"]}
     assert StyleRole.ROBOT_SELECTED in roles
     assert StyleRole.ROBOT_ALARM in {
-        role for _, role in by_meaning["! stopped by an obstacle; red: with an alarm"]
+        role for _, role in by_meaning["! at an obstacle or with an alarm, then red"]
     }
 
 

@@ -245,3 +245,11 @@ def test_from_far_no_outline_is_drawn_and_one_that_is_nowhere_breaks_nothing() -
     assert with_size.text() == without.text()
     nowhere = robot._replace(pose=Pose(float("nan"), 1.0, float("inf")), size=(9.0, 9.0))
     assert drawn(replace(SCENE, robots=(nowhere,))).text() == drawn(SCENE).text()
+
+
+@given(st.floats(1.0, 9.0), st.floats(2.0, 18.0))
+def test_a_straight_way_takes_one_line_of_cells(y: float, x: float) -> None:
+    across = drawn(replace(SCENE, mission=Mission(((2.0, y, 18.0, y),))))
+    assert len(np.unique(np.nonzero(np.isin(across.roles, LINE))[0])) == 1
+    down = drawn(replace(SCENE, mission=Mission(((x, 1.0, x, 9.0),))))
+    assert len(np.unique(np.nonzero(np.isin(down.roles, LINE))[1])) == 1

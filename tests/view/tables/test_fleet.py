@@ -93,7 +93,7 @@ def test_paused_by_its_own_word_or_by_ours() -> None:
     assert "paused " in row(received(events.PausedReported(R0, T0 + 1, True)))
     assert "by us" not in row(received(events.PausedReported(R0, T0 + 1, True)))
     ours = commanded(1, PauseRobot(R0), Stage.SENT, Stage.ACCEPTED)
-    assert "paused (by us)" in row(received(*ours))
+    assert "paused (by us)" in text_of(fleet_table(received(*ours), R0, 120).rows[0].runs)
     assert "paused" not in row(received(*ours, pose(T0 + 1, 9.0)))
     assert "paused" not in row(received(*ours, events.PausedReported(R0, T0 + 1, False)))
 
@@ -125,6 +125,22 @@ def test_a_value_gone_quiet_shows_its_age_while_the_robot_speaks() -> None:
         assert f"{name} 40 s old" in row(state)
     assert "offline" not in row(state)
     assert "old" not in row(reduced(state, tick(T0 + 90)))  # then it is offline, which says more
+
+
+def test_a_robot_that_speaks_without_a_pose_is_not_well() -> None:
+    start = reduced(fleet(), link_up(T0), battery(T0), queue(T0), tick(T0 + 0.1))
+    assert "pose" not in row(start) and runs(start)[0][1] is StyleRole.GOOD
+    late = reduced(start, tick(T0 + 3.1))
+    assert "pose missing" in row(late) and runs(late)[0][1] is StyleRole.WARN
+
+
+@pytest.mark.parametrize(
+    ("width", "said"),
+    [(60, "obstacle 4.2 s ‖"), (44, "obstacle 4.2 s paused "), (150, "obstacle 4.2 s paused (elsewhere)")],
+)
+def test_a_pause_is_a_sign_where_its_words_would_be_cut(width: int, said: str) -> None:
+    facts = events.ObstacleReported(R0, T0 + 1, 4.2), events.PausedReported(R0, T0 + 1, True)
+    assert said in text_of(fleet_table(received(*facts), R0, width).rows[0].runs)
 
 
 def test_the_floor_as_far_as_the_pose_tells() -> None:
@@ -181,11 +197,11 @@ def test_a_robot_whose_queue_never_came_is_not_idle() -> None:
 
 def test_a_pause_that_did_not_come_from_here_is_told_from_ours() -> None:
     paused = events.PausedReported(R0, T0 + 1, True)
-    assert "paused (elsewhere)" in row(received(paused))
+    assert "paused (elsewhere)" in text_of(fleet_table(received(paused), R0, 120).rows[0].runs)
     ours = commanded(1, PauseRobot(R0), Stage.SENT, Stage.ACCEPTED)
     assert "paused " in row(received(*ours, paused)) and "elsewhere" not in row(received(*ours, paused))
     refused = commanded(1, PauseRobot(R0), Stage.SENT, Stage.REFUSED)
-    assert "paused (elsewhere)" in row(received(*refused, paused))
+    assert "paused (elsewhere)" in text_of(fleet_table(received(*refused, paused), R0, 120).rows[0].runs)
 
 
 def test_bad_data_is_in_the_row_as_long_as_it_is_news() -> None:
@@ -202,7 +218,9 @@ def test_a_robot_with_an_alarm_stands_first_and_the_others_keep_their_order() ->
     names = [row.key for row in fleet_table(reduced(state, tick(T0)), R0, 60).rows]
     assert names == ["robot_2", "robot_0", "robot_1", "robot_3"]
     shelved = reduced(state, tick(T0), events.AlarmShelved("robot_2", "battery", T0 + 1800), tick(T0 + 1))
-    assert fleet_table(shelved, R0, 60).rows[0].key == "robot_0"
+    rows = fleet_table(shelved, R0, 60).rows
+    assert [row.key for row in rows] == list(state.robots)
+    assert rows[2].runs[0] == ("◇ ", StyleRole.WARN) and rows[0].runs[0] == ("● ", StyleRole.GOOD)
 
 
 def standing(seconds: float) -> FleetState:

@@ -191,7 +191,7 @@ def test_only_what_is_accepted_has_a_button(kind: Kind, cancels: bool, clears: b
     assert (CANCEL_BUTTON in text_of(table.rows[0].runs)) is cancels
 
 
-@pytest.mark.parametrize(("width", "cargo"), [(38, " ■ "), (47, " cargo "), (60, " cargo on board ")])
+@pytest.mark.parametrize(("width", "cargo"), [(38, " ▪ "), (47, " cargo "), (60, " cargo on board ")])
 def test_clear_all_stays_when_cargo_is_on_board(width: int, cargo: str) -> None:
     table = queue_table(reduced(state(), events.CargoReported(R0, T0, True)), R0, False, width)
     assert cargo in text_of(table.title) and text_of(table.title).endswith(CLEAR)
