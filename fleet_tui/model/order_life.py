@@ -33,13 +33,15 @@ report; None if unknown."""
 
 
 class OrderTrace(Struct, frozen=True):
-    """An order in the queue: whether it was `begun`; `arrived_at` is when the robot was last at its end since
-    then (monotonic); `request_id` is the queue's echo while it was the newest, 0 for none."""
+    """An order in the queue: whether it was `begun`; `began_at` is when a queue first showed that, None if
+    nobody saw it change; `arrived_at` is when the robot was last at its end since then (both monotonic);
+    `request_id` is the queue's echo while it was the newest, 0 for none."""
 
     order: Order
     begun: bool = False
     arrived_at: float | None = None
     request_id: int = 0
+    began_at: float | None = None
 
     def was_driven(self, last_listed: float | None) -> bool:
         """Tell whether the robot was at its end when it left the queue; `last_listed`: when a queue last
@@ -97,18 +99,24 @@ def trace_queue(
         for id_, trace in traces.items()
         if _is_over(trace, listed.get(id_))
     ]
+    seen_at = at if last_listed is not None and at - last_listed < BLIND_AFTER else None
     still = {
-        id_: _traced(traces.get(id_), order, queue) for id_, order in listed.items() if not order.is_over
+        id_: _traced(traces.get(id_), order, queue, seen_at)
+        for id_, order in listed.items()
+        if not order.is_over
     }
     return trace_movement(still, away), gone
 
 
-def _traced(before: OrderTrace | None, order: Order, queue: OrderQueue) -> OrderTrace:
+def _traced(before: OrderTrace | None, order: Order, queue: OrderQueue, seen_at: float | None) -> OrderTrace:
     begun = order.state in BEGUN or queue.is_current(order)
+    began_at = seen_at if begun else None
     if before is None or not _is_same(before.order, order):
         is_newest = order.serial == queue.last_serial
-        return OrderTrace(order, begun, request_id=queue.request_id if is_newest else 0)
-    return replace(before, order=order, begun=before.begun or begun)
+        return OrderTrace(order, begun, request_id=queue.request_id if is_newest else 0, began_at=began_at)
+    if before.begun:
+        return replace(before, order=order)
+    return replace(before, order=order, begun=begun, began_at=began_at)
 
 
 def _is_same(one: Order, other: Order) -> bool:

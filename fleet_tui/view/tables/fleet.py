@@ -1,23 +1,18 @@
 """The fleet pane: one row for each robot, calm while nothing needs a person."""
 
 import math
-from collections.abc import Iterator
 from functools import partial
 
-from fleet_tui.model.fleet import FleetState, is_missing, missing_text, obstacle_text
-from fleet_tui.model.navigation import blocked_text
+from fleet_tui.model.fleet import FleetState, missing_text
 from fleet_tui.model.order import Order, Stop, pose_text, route_text
-from fleet_tui.model.robot import Reading, Robot
-from fleet_tui.rules.alarms.conditions import is_news, obstacle_lasts
-from fleet_tui.rules.alarms.navigation import LOST_ABOVE
+from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.trouble import in_trouble, shelved
 from fleet_tui.rules.commands.local_queue import all_orders, foreign
-from fleet_tui.rules.commands.newest import own_pause
-from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.fleet_columns import BAR, Columns, floor_text
+from fleet_tui.view.tables.news import news, shortened_news
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, width_of
 
@@ -28,8 +23,6 @@ LONG_STILL = 30.0
 """Seconds from which that comes before its order in a narrow pane: longer than loading takes."""
 WHOLE_ROUTES = 26
 """Cells of the last column from which orders without a column of their own have their start, too."""
-_NAMES = {name: name for name in ("pose", "battery", "queue", "cargo", "obstacle")} | {"paused": "pause"}
-"""Values that may be old, with their names."""
 SEEN_FROM = 2.0
 """Seconds from which the age of a robot's last message is shown."""
 
@@ -60,50 +53,6 @@ def whose_mission(state: FleetState, robot: Robot, order: Order) -> str:
 def way(robot: Robot, stops: tuple[Stop, ...]) -> str:
     """Return stops by their labels."""
     return route_text(stops, partial(place, robot))
-
-
-def _old(state: FleetState, robot: Robot) -> Iterator[Run]:
-    """Yield the old values of a robot that is online, and a missing pose: they must not look live."""
-    if is_missing(state, robot, "pose"):
-        yield missing_text(state, robot, "pose"), StyleRole.WARN
-    for value, name in _NAMES.items():
-        if state.is_old(robot, value):
-            reading: Reading[object] = getattr(robot, value)
-            yield f"{name} {age(state.now - reading.at)} old", StyleRole.WARN
-
-
-def _paused(state: FleetState, robot: Robot) -> str:
-    if robot.paused is None:
-        return own_pause_text(state, robot)
-    return "paused" if own_pause(state, robot) else "paused (elsewhere)"
-
-
-def news(state: FleetState, robot: Robot) -> Iterator[Run]:
-    """Return the news of a robot, the most urgent first."""
-    online = state.is_online(robot)
-    if robot.last_received is None:
-        yield "never seen", StyleRole.ALARM if robot.name in in_trouble(state) else StyleRole.DIM
-    elif not online:
-        yield f"offline {age(state.now - robot.last_received)}", StyleRole.ALARM
-    contact = robot.obstacle if state.was_obstructed(robot) else None
-    is_old = state.is_old(robot, "obstacle")
-    if contact is not None and not is_old:
-        yield (
-            obstacle_text(state, robot, contact),
-            StyleRole.ALARM if obstacle_lasts(state, robot) else StyleRole.WARN,
-        )
-    if robot.blocked is not None and robot.blocked.value.is_stopped and state.is_fresh(robot, "blocked"):
-        yield blocked_text(robot.blocked.value, state.now), StyleRole.ALARM
-    if robot.variance is not None and robot.variance.value > LOST_ABOVE:
-        yield "pose uncertain", StyleRole.WARN
-    if state.is_paused(robot):
-        yield _paused(state, robot), StyleRole.WARN
-    if contact is not None and is_old:
-        yield obstacle_text(state, robot, contact), StyleRole.DIM
-    if online:
-        yield from _old(state, robot)
-    if is_news(state, robot.fault_at):
-        yield f"bad data x{robot.faults}", StyleRole.WARN
 
 
 def _battery(state: FleetState, robot: Robot) -> Run:
@@ -142,7 +91,11 @@ def _head(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: C
     role = StyleRole.TEXT if state.is_online(robot) else StyleRole.DIM
     runs: list[Run] = [
         sign,
-        (f"{columns.number_of(robot):>{columns.number - 1}} ", StyleRole.DIM),
+        # Where the map has other numbers these are keys, and look like those of the footer.
+        (
+            f"{columns.number_of(robot):>{columns.number - 1}} ",
+            StyleRole.DIM if columns.by_place else StyleRole.KEY,
+        ),
         (fit(robot.name, columns.name), StyleRole.ACCENT if selected else role),
     ]
     if columns.battery:
@@ -189,20 +142,10 @@ def _without_order(state: FleetState, robot: Robot) -> str:
     return f"{waiting} waiting" if waiting else "idle"
 
 
-def _shortened(runs: list[Run], cells: int) -> list[Run]:
-    """Return the news of a robot with one word for a pause, and beside others its sign, if more would be
-    cut."""
-    for short in ("paused", "‖")[: len(runs) // 2]:
-        if width_of(runs) - 1 <= cells:
-            break
-        runs = [(short if text.startswith("paused") else text, role) for text, role in runs]
-    return runs
-
-
 def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Columns) -> Row:
     role = StyleRole.TEXT if state.is_online(robot) else StyleRole.DIM
     found = [run for text, colour in news(state, robot) for run in ((text, colour), (" ", role))]
-    runs = _shortened(found, columns.state)
+    runs = shortened_news(found, columns.state)
     is_stuck = any(alarm.holds and alarm.key == (robot.name, "stuck") for alarm in state.alarms)
     movement = StyleRole.ALARM if is_stuck else StyleRole.DIM
     current, order = robot.orders.current, ""

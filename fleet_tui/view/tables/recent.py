@@ -1,4 +1,4 @@
-"""The pane of the last events: current alarms, commands given here, orders that ended."""
+"""The pane of the last events: current alarms, commands given here, orders that began or ended."""
 
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -7,6 +7,7 @@ from heapq import nlargest
 from fleet_tui.model.alarm import Alarm, AlarmStage
 from fleet_tui.model.commands import ORDER_ENDS, CommandRecord, Stage
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.order import Order
 from fleet_tui.model.order_life import GoneOrder
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.batches import pauses, summary
@@ -76,6 +77,14 @@ def _orders(state: FleetState) -> Iterator[Event]:
     for robot in state.robots.values():
         for gone in robot.gone:
             yield state.wall - (state.now - gone.at), robot.name, partial(_order, state, robot, gone)
+        for trace in robot.traces.values():
+            if trace.began_at is not None:
+                began = partial(_begun, state, robot, trace.order)
+                yield state.wall - (state.now - trace.began_at), robot.name, began
+
+
+def _begun(state: FleetState, robot: Robot, order: Order) -> tuple[Run, ...]:
+    return ((f"{whose_mission(state, robot, order)}: started", StyleRole.DIM),)
 
 
 def _order(state: FleetState, robot: Robot, gone: GoneOrder) -> tuple[Run, ...]:

@@ -10,8 +10,9 @@ from fleet_tui.text.durations import age, duration
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import command_text, stage_text
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.fleet import news, whose_mission
+from fleet_tui.view.tables.fleet import whose_mission
 from fleet_tui.view.tables.fleet_columns import floor_text
+from fleet_tui.view.tables.news import news
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import Row, Run, Table
 

@@ -1,0 +1,72 @@
+"""The news of a robot: what is not as usual, the most urgent first."""
+
+from collections.abc import Iterator
+
+from fleet_tui.model.fleet import FleetState, is_missing, missing_text, obstacle_text
+from fleet_tui.model.navigation import blocked_text
+from fleet_tui.model.robot import Reading, Robot
+from fleet_tui.rules.alarms.conditions import is_news, obstacle_lasts
+from fleet_tui.rules.alarms.navigation import LOST_ABOVE
+from fleet_tui.rules.alarms.trouble import in_trouble
+from fleet_tui.rules.commands.newest import own_pause
+from fleet_tui.rules.commands.pauses import own_pause_text
+from fleet_tui.text.durations import age
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.table import Run, width_of
+
+_NAMES = {name: name for name in ("pose", "battery", "queue", "cargo", "obstacle")} | {"paused": "pause"}
+"""Values that may be old, with their names."""
+
+
+def _old(state: FleetState, robot: Robot) -> Iterator[Run]:
+    """Yield the old values of a robot that is online, and a missing pose: they must not look live."""
+    if is_missing(state, robot, "pose"):
+        yield missing_text(state, robot, "pose"), StyleRole.WARN
+    for value, name in _NAMES.items():
+        if state.is_old(robot, value):
+            reading: Reading[object] = getattr(robot, value)
+            yield f"{name} {age(state.now - reading.at)} old", StyleRole.WARN
+
+
+def _paused(state: FleetState, robot: Robot) -> str:
+    if robot.paused is None:
+        return own_pause_text(state, robot)
+    return "paused" if own_pause(state, robot) else "paused (elsewhere)"
+
+
+def news(state: FleetState, robot: Robot) -> Iterator[Run]:
+    """Return the news of a robot, the most urgent first."""
+    online = state.is_online(robot)
+    if robot.last_received is None:
+        yield "never seen", StyleRole.ALARM if robot.name in in_trouble(state) else StyleRole.DIM
+    elif not online:
+        yield f"offline {age(state.now - robot.last_received)}", StyleRole.ALARM
+    contact = robot.obstacle if state.was_obstructed(robot) else None
+    is_old = state.is_old(robot, "obstacle")
+    if contact is not None and not is_old:
+        yield (
+            obstacle_text(state, robot, contact),
+            StyleRole.ALARM if obstacle_lasts(state, robot) else StyleRole.WARN,
+        )
+    if robot.blocked is not None and robot.blocked.value.is_stopped and state.is_fresh(robot, "blocked"):
+        yield blocked_text(robot.blocked.value, state.now), StyleRole.ALARM
+    if robot.variance is not None and robot.variance.value > LOST_ABOVE:
+        yield "pose uncertain", StyleRole.WARN
+    if state.is_paused(robot):
+        yield _paused(state, robot), StyleRole.WARN
+    if contact is not None and is_old:
+        yield obstacle_text(state, robot, contact), StyleRole.DIM
+    if online:
+        yield from _old(state, robot)
+    if is_news(state, robot.fault_at):
+        yield f"bad data x{robot.faults}", StyleRole.WARN
+
+
+def shortened_news(runs: list[Run], cells: int) -> list[Run]:
+    """Return the news of a robot with one word for a pause, and beside others its sign, if more would be
+    cut."""
+    for short in ("paused", "‖")[: len(runs) // 2]:
+        if width_of(runs) - 1 <= cells:
+            break
+        runs = [(short if text.startswith("paused") else text, role) for text, role in runs]
+    return runs
