@@ -1,4 +1,4 @@
-"""The simple interface, in place of the map: robot, from, to, send. Arrows and Enter, or the mouse."""
+"""The simple interface, above the map or in its place: robot, from, to, send, by arrows or mouse."""
 
 from collections.abc import Callable
 from typing import Any, ClassVar, Self

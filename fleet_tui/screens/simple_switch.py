@@ -1,4 +1,4 @@
-"""Turns the simple interface on and off, in place of the map."""
+"""Turns the simple interface on and off, above the map or in its place."""
 
 from collections.abc import Callable
 
@@ -18,13 +18,13 @@ class SimpleSwitch:
         self._simple: Simple | None = None
 
     async def turn(self) -> None:
-        """Replace the map by the simple interface, or the reverse."""
+        """Show or hide the simple interface."""
         panes = self._panes
         if not panes.has_class("-simple") and not self._may_order():
             return
         if self._simple is None:
             simple = self._make()
-            await panes.mount(simple, before=0)
+            await panes.floor.mount(simple, before=0)
             self._simple = simple  # not before: ticks during the mounting would query missing widgets
         panes.toggle_class("-simple")
         panes.share_out()

@@ -122,7 +122,9 @@ class Panes(Container):
         if lines and width > 2:
             self._shape = (lines - 2) / (width - 2)
         is_free = self.screen.has_class("-wide") and not self._is_small and not self._alone
-        left = max(below_floor(self.floor.size.height, lines), self._wanted[1]) if is_free and lines else 0
+        buttons = self.floor.children[0].outer_size.height if self.has_class("-simple") else 0
+        space = self.floor.size.height - buttons
+        left = max(below_floor(space, lines), self._wanted[1]) if is_free and lines else 0
         if left == self._recent_lines:
             return False
         self._recent_lines = left
@@ -160,7 +162,7 @@ class Panes(Container):
         self.set_class(len(heights) == 2 and not self._is_small, "-beside")
         self.styles.grid_rows = rows
         for pane in self.children:
-            keeps = is_wide and pane.id in ("floor", "simple")
+            keeps = is_wide and pane.id == "floor"
             spans = (not is_wide and not self._is_small) or alone == "floor"
             pane.set_class(bool(alone) and pane.id != alone and not keeps, "-hidden")
             pane.set_class(bool(alone) and pane.id == alone and spans, "-across")

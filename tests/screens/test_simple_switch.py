@@ -1,20 +1,22 @@
-"""The simple interface comes in place of the map, and goes."""
+"""The simple interface comes above the map or in its place, and goes."""
 
 import pytest
 from textual.app import ComposeResult
 
 from fleet_tui.screens.simple import Simple
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.text.sanitize import sanitize
 from tests.support.console_pilot import console
 from tests.support.watched_store import config_of
 
 
-async def test_it_comes_and_goes_and_pausing_works_within(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2)) as it:
+@pytest.mark.parametrize(("size", "has_map"), [((80, 24), False), ((120, 40), True), ((120, 20), False)])
+async def test_it_comes_and_goes_and_pausing_works_within(
+    server: RosbridgeServer, size: tuple[int, int], has_map: bool
+) -> None:
+    async with console(config_of(server.url, 2), size) as it:
         await it.press("s")
         await it.shows("From: choose")
-        assert not it.app.main.panes.floor.display
+        assert (it.app.main.rest.map.region.height > 0) is has_map
         await it.press("enter")
         await it.shows("From where?")
         await it.press("f12")
@@ -22,7 +24,7 @@ async def test_it_comes_and_goes_and_pausing_works_within(server: RosbridgeServe
         await it.press("escape")
         await it.shows("From: choose")
         await it.press("s")
-        await it.shows(sanitize("Base"), "map")
+        await it.shows_a_label()
         assert it.app.main.focused is it.app.main.rest.map
 
 

@@ -78,7 +78,7 @@ async def test_an_enlarged_pane_leaves_the_simple_interface_in_place(server: Ros
         await it.press("s")
         it.app.main.fleet.focus()
         await it.press("=")
-        await it.until(lambda _: heights(it) == {"simple": 35, "fleet": 37})
+        await it.until(lambda _: heights(it) == {"simple": 17, "map": 19, "fleet": 37})
 
 
 async def test_an_enlarged_pane_gives_way_to_the_order_form_and_its_map(server: RosbridgeServer) -> None:

@@ -62,6 +62,7 @@ def no_orders(state: FleetState, robot: Robot) -> Reason | None:
     return Reason("no orders", evidence, strength, seen=robot.queue.at, keys=("order",))
 
 
+LOOK = "Go and look at it: wheels, emergency stop, manual mode"
 FAIR_SHARE = 0.5
 """Of a robot's standstill: for so long another one must have stood before it to be the cause."""
 
@@ -108,10 +109,8 @@ def none_current(_state: FleetState, robot: Robot) -> Reason | None:
     name = f"{len(waiting)} orders queued but not started"
     if len(waiting) == 1:
         name = f"order {waiting[0].id} queued but not started"
-    return Reason(name, evidence, Strength.LIKELY, seen=robot.queue.at, keys=("clear", "order"))
-
-
-LOOK = "Go and look at it: wheels, emergency stop, manual mode"
+    seen, keys = robot.queue.at, ("clear", "order")
+    return Reason(name, evidence, Strength.LIKELY, seen=seen, keys=keys, remedy=LOOK)
 
 
 def _ruled_out(state: FleetState, robot: Robot) -> Iterator[str]:

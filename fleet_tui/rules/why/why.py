@@ -61,7 +61,6 @@ RULES: tuple[Rule, ...] = (
     waits_behind,
     charges,
     battery,
-    none_current,
 )
 
 
@@ -84,6 +83,8 @@ def reasons(state: FleetState, robot: Robot, match: "Match | None" = None) -> li
     if moving is not None and jumps(state, robot) is None:
         return [moving]
     others = _misplaced(match) + others
+    if not any(reason.strength is Strength.CERTAIN for reason in others):
+        others += _held((none_current,), state, robot)  # else only its consequence
     if all(reason.strength >= Strength.POSSIBLE for reason in others):
         others = _held((unexplained,), state, robot) + others
     return sorted(others, key=lambda reason: reason.strength)

@@ -134,6 +134,13 @@ def test_the_planted_cause_is_listed_first(name: str) -> None:
     assert first(make()).name.startswith(wanted)
 
 
+def test_orders_that_a_certain_cause_holds_back_are_no_reason_of_their_own() -> None:
+    planted = waiting_orders().run(1)
+    assert "2 orders queued but not started" in names(planted.run(3).state)
+    planted.plant("paused:robot_0")
+    assert names(planted.run(6).state) == ["paused"]
+
+
 GIVEN: tuple[Command, ...] = (AWAY, ClearOrders(R0), PauseRobot(R0))
 
 FACTS = st.one_of(
