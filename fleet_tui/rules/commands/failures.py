@@ -73,15 +73,15 @@ def _failed(state: FleetState, key: Key, records: Sequence[commands.CommandRecor
     robots = {record.command.robot for record in records}
     if len(robots) > 1:
         request += f" of {len(robots)} robots"
-    elif key[0] not in robots:
-        request += f" of {last.command.robot}"  # the only one of many: the alarm is the link's
+    # The only one of many is named first: the alarm is the link's.
+    whose = f"{last.command.robot} " if len(robots) == 1 and key[0] not in robots else ""
     high = any(isinstance(record.command, commands.PauseRobot) for record in records)
     return Condition(
         *key,
         Priority.HIGH if high else Priority.MEDIUM,
         # The failure is first: it must not be cut at the right end.
-        f"{last.stage.value}: {request}{detail_text(last.detail)}",
-        f"{_OVER.get(last.stage, 'failed')}: {request}",
+        f"{whose}{last.stage.value}: {request}{detail_text(last.detail)}",
+        f"{whose}{_OVER.get(last.stage, 'failed')}: {request}",
         # A failure that changes into another one is news.
         parts=frozenset(f"{record.id} {record.stage.value}" for record in records),
     )

@@ -154,6 +154,19 @@ def _removals(state: FleetState, record: CommandRecord, gone: GoneOrder) -> set[
     }
 
 
+def seen_end(state: FleetState, robot: str, gone: GoneOrder) -> Stage:
+    """Return how an order of any client ended: one that was cancelled here is neither lost nor done."""
+    ours = {
+        record.stage
+        for record in state.commands
+        if record.command.robot == robot
+        and gone.at - LATE_OTHER < record.issued_at <= gone.at
+        and _removes(record, gone.order)
+    }
+    may = {Stage.LOST: _MAY_HAVE_REMOVED, Stage.DONE: _REMOVED}.get(gone.stage, frozenset())
+    return Stage.CANCELLED if ours & may and gone.reason != STARTED_OVER else gone.stage
+
+
 def _removes(record: CommandRecord, order: Order) -> bool:
     match record.command:
         case CancelOrder(_, cancelled):

@@ -4,9 +4,12 @@ from collections.abc import Collection, Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from fleet_tui.keys import BY_ID
+from fleet_tui.model.alarm import class_of
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.commands.pauses import STANDS_AFTER
+from fleet_tui.rules.why.place import place_text
 from fleet_tui.rules.why.reason import Reason, Strength, stationary_since
 from fleet_tui.rules.why.robot import moves
 from fleet_tui.rules.why.why import reasons
@@ -29,7 +32,7 @@ def why_lines(
     as for `reasons`."""
     found, hidden = reasons(state, robot, match), hidden_keys(state, robot.name)
     if found and moves(state, robot) == found[0]:
-        return [f"{sanitize(found[0].name)} ({found[0].evidence})"]
+        return [f"{sanitize(found[0].name)} ({found[0].evidence})", *_alarms(state, robot)]
     lines = [_standing(state, robot)]
     for number, reason in enumerate(found[:SHOWN], 1):
         mark = "▶" if number == 1 else " "
@@ -40,7 +43,24 @@ def why_lines(
     return lines
 
 
+def _alarms(state: FleetState, robot: Robot) -> Iterator[str]:
+    """Yield the alarms of a robot that moves, and what to do: they are no reasons to stand."""
+    for alarm in state.alarms:
+        if alarm.holds and alarm.condition.source == robot.name:
+            yield from (
+                "",
+                f"▲ {sanitize(alarm.text)}",
+                f"    {CLASSES[class_of(alarm.condition.kind)].action}",
+            )
+
+
 def _standing(state: FleetState, robot: Robot) -> str:
+    place = sanitize(place_text(robot))
+    seen = f"{place[:1].upper()}{place[1:]}." if state.is_fresh(robot, "pose") else f"Last seen {place}."
+    return f"{_movement(state, robot)} {seen}" if place else _movement(state, robot)
+
+
+def _movement(state: FleetState, robot: Robot) -> str:
     if "pose" not in robot.kind.reports:
         return "Position not reported by this kind of robot."
     if robot.pose is None or robot.standing is None:

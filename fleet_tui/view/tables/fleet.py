@@ -3,7 +3,7 @@
 import math
 from functools import partial
 
-from fleet_tui.model.fleet import FleetState, missing_text
+from fleet_tui.model.fleet import FleetState, is_missing, missing_text
 from fleet_tui.model.order import Order, Stop, pose_text, route_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.trouble import in_trouble, shelved
@@ -173,10 +173,15 @@ def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Co
 
 
 def fleet_table(state: FleetState, selected: str, width: int) -> Table:
-    """The whole fleet for a pane of `width` cells: robots with an alarm first, else in the order of the
-    config."""
+    """The whole fleet for a pane of `width` cells: robots with an alarm first, then those in shelved trouble
+    or without a pose, else in the order of the config."""
     troubled, silenced = in_trouble(state), shelved(state)
-    robots = sorted(state.robots.values(), key=lambda robot: robot.name not in troubled)
+
+    def calm(robot: Robot) -> int:
+        is_odd = robot.name in silenced or is_missing(state, robot, "pose")
+        return 0 if robot.name in troubled else 1 if is_odd else 2
+
+    robots = sorted(state.robots.values(), key=calm)
     online = sum(state.is_online(robot) for robot in robots)
     columns = Columns.of(state, width)
 

@@ -7,7 +7,7 @@ from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.conditions import is_news, obstacle_lasts
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
-from fleet_tui.rules.alarms.trouble import in_trouble
+from fleet_tui.rules.alarms.trouble import in_trouble, shelved
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.text.durations import age
@@ -44,15 +44,13 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     contact = robot.obstacle if state.was_obstructed(robot) else None
     is_old = state.is_old(robot, "obstacle")
     if contact is not None and not is_old:
-        yield (
-            obstacle_text(state, robot, contact),
-            StyleRole.ALARM if obstacle_lasts(state, robot) else StyleRole.WARN,
-        )
+        is_alarm = obstacle_lasts(state, robot) and robot.name not in shelved(state)
+        yield obstacle_text(state, robot, contact), StyleRole.ALARM if is_alarm else StyleRole.WARN
     if robot.blocked is not None and robot.blocked.value.is_stopped and state.is_fresh(robot, "blocked"):
         yield blocked_text(robot.blocked.value, state.now), StyleRole.ALARM
     if robot.variance is not None and robot.variance.value > LOST_ABOVE:
         yield "pose uncertain", StyleRole.WARN
-    if state.is_paused(robot):
+    if state.is_paused(robot) and robot.last_received is not None:
         yield _paused(state, robot), StyleRole.WARN
     if contact is not None and is_old:
         yield obstacle_text(state, robot, contact), StyleRole.DIM

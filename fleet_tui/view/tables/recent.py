@@ -11,6 +11,7 @@ from fleet_tui.model.order import Order
 from fleet_tui.model.order_life import GoneOrder
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.batches import pauses, summary
+from fleet_tui.rules.commands.follow_up import seen_end
 from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.view.lines.commands import TROUBLE, command_text, stage_text
 from fleet_tui.view.roles import StyleRole
@@ -88,7 +89,8 @@ def _begun(state: FleetState, robot: Robot, order: Order) -> tuple[Run, ...]:
 
 
 def _order(state: FleetState, robot: Robot, gone: GoneOrder) -> tuple[Run, ...]:
-    return _said(f"{whose_mission(state, robot, gone.order)}: {gone.stage.value}", gone.stage)
+    stage = seen_end(state, robot.name, gone)
+    return _said(f"{whose_mission(state, robot, gone.order)}: {stage.value}", stage)
 
 
 def _said(text: str, stage: Stage) -> tuple[Run, ...]:

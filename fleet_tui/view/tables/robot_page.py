@@ -4,8 +4,12 @@ import math
 from collections.abc import Callable, Iterator
 from typing import Any
 
+from fleet_tui.model.alarm import class_of
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Reading, Robot
+from fleet_tui.rules.alarms.classes import CLASSES
+from fleet_tui.rules.commands.follow_up import seen_end
+from fleet_tui.rules.why.place import place_text
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import command_text, stage_text
@@ -27,8 +31,8 @@ STANDS_FROM = 1.0
 def robot_page(state: FleetState, name: str, clock: Callable[[float], str]) -> Table:
     """Return the page of a robot; `clock` formats Unix seconds as a local time."""
     robot = state.robots[name]
-    rows = [_named("State", *news(state, robot)), *_values(state, robot), *_orders(state, robot)]
-    rows += _commands(state, robot, clock)
+    rows = [_named("State", *news(state, robot)), *_alarms(state, robot), *_values(state, robot)]
+    rows += [*_orders(state, robot), *_commands(state, robot, clock)]
     listed = tuple(Row(None, runs) for runs in rows if runs)
     title = (
         (sanitize(name), StyleRole.TITLE),
@@ -43,6 +47,14 @@ def _named(name: str, *runs: Run) -> tuple[Run, ...]:
         return ()
     spaced = [run for one in runs for run in (one, (" ", StyleRole.TEXT))]
     return ((f"{name:<{NAME}}", StyleRole.DIM), *spaced)
+
+
+def _alarms(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
+    """Yield each alarm, and what to do."""
+    for alarm in state.alarms:
+        if alarm.holds and alarm.condition.source == robot.name:
+            yield _named("Alarm", (sanitize(alarm.text), StyleRole.TEXT))
+            yield _named("", (CLASSES[class_of(alarm.condition.kind)].action, StyleRole.DIM))
 
 
 def _values(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
@@ -71,7 +83,9 @@ def _values(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
 
 
 def _movement(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
-    """Yield the last jump of its pose, and whether it stands."""
+    """Yield the place it is at, the last jump of its pose, and whether it stands."""
+    if place := place_text(robot):
+        yield _named("Place", (sanitize(place), StyleRole.TEXT))
     if robot.relocated is not None:
         yield _named(
             "Jumped",
@@ -115,7 +129,7 @@ def _orders(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
         text = whose_mission(state, robot, gone.order)
         yield _named(
             "Ended",
-            (f"{text}: {gone.stage.value}", StyleRole.TEXT),
+            (f"{text}: {seen_end(state, robot.name, gone).value}", StyleRole.TEXT),
             (f"{age(state.now - gone.at)} ago", StyleRole.DIM),
         )
 

@@ -85,4 +85,4 @@ def test_a_pause_that_failed_is_urgent_and_for_many_robots_one_alarm() -> None:
 def test_the_only_one_of_many_that_failed_is_named() -> None:
     given = (events.CommandIssued(n, PauseRobot(f"robot_{n}"), T0 + n / 1000, WALL) for n in range(9))
     state = reduced(up(9), *given, *ended(4, T0, Stage.REFUSED), tick(T0 + 1))
-    assert [one.text for one in state.alarms] == ["refused: pause of robot_4"]
+    assert [one.text for one in state.alarms] == ["robot_4 refused: pause"]

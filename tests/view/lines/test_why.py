@@ -8,6 +8,7 @@ from fleet_tui.view.lines.why import SHOWN, why_lines
 from tests.support.fleets import (
     R0,
     T0,
+    battery,
     fleet,
     graph,
     labels,
@@ -29,7 +30,7 @@ def text(planted: Planted, keys: dict[str, tuple[str, ...]] = KEYS) -> str:
 
 
 PAUSED_AND_BLOCKED = """\
-No movement for 6 s.
+No movement for 6 s. At Base.
 
 ▶ 1. paused  (certain)
     reported by the robot, not sent by this console
@@ -47,6 +48,13 @@ No movement for 6 s.
     o  Open the order form for the selected robot"""
 
 
+def test_a_robot_that_moves_tells_its_alarms_all_the_same() -> None:
+    state = reduced(received(FULL), battery(T0, 5.0), pose(T0 + 0.3, x=2.0), tick(T0 + 0.4))
+    lines = why_lines(state, state.robots[R0], KEYS)
+    assert lines[0].startswith("robot_0 is moving") and "▲ battery 5 %" in lines
+    assert lines[-1].strip() == "Send it to a charger"
+
+
 def test_paused_and_blocked() -> None:
     assert text(Planted("paused:robot_0,obstacle:robot_0").run(6)) == PAUSED_AND_BLOCKED
 
@@ -57,7 +65,7 @@ def test_a_robot_that_is_gone() -> None:
     assert (
         text(planted.run(20))
         == """\
-Last pose 20 s old.
+Last pose 20 s old. Last seen at Base.
 
 ▶ 1. offline 20 s  (certain)
     link up, no messages

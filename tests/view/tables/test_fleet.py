@@ -215,12 +215,13 @@ def test_a_robot_with_an_alarm_stands_first_and_the_others_keep_their_order() ->
     state = reduced(fleet(4), link_up(T0))
     for n in range(4):
         state = reduced(state, battery(T0, 5.0 if n == 2 else 80.0, f"robot_{n}"))
+    state = reduced(state, *(pose(T0, robot=f"robot_{n}") for n in range(4)))
     names = [row.key for row in fleet_table(reduced(state, tick(T0)), R0, 60).rows]
     assert names == ["robot_2", "robot_0", "robot_1", "robot_3"]
     shelved = reduced(state, tick(T0), events.AlarmShelved("robot_2", "battery", T0 + 1800), tick(T0 + 1))
     rows = fleet_table(shelved, R0, 60).rows
-    assert [row.key for row in rows] == list(state.robots)
-    assert rows[2].runs[0] == ("◇ ", StyleRole.WARN) and rows[0].runs[0] == ("● ", StyleRole.GOOD)
+    assert [row.key for row in rows] == names
+    assert rows[0].runs[0] == ("◇ ", StyleRole.WARN) and rows[1].runs[0] == ("● ", StyleRole.GOOD)
 
 
 def standing(seconds: float) -> FleetState:

@@ -2,7 +2,7 @@
 
 from msgspec import structs
 
-from fleet_tui.model.commands import PauseRobot, Stage
+from fleet_tui.model.commands import CancelOrder, PauseRobot, Stage
 from fleet_tui.model.events import CommandAdvanced, CommandIssued, ObstacleReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.roles import StyleRole
@@ -38,6 +38,16 @@ DRIVEN = reduced(fleet(), link_up(T0), *NAMED, queue(T0, (4, 1, 2, "W"), current
 def test_an_order_that_ended_has_a_line_with_the_time_of_its_end() -> None:
     assert recent_table(fleet(), clock, 9).empty == "nothing yet"
     assert lines(reduced(DRIVEN, tick(T0 + 2))) == [f"1 {R0} Base -> Store: lost"]
+
+
+def test_an_order_that_was_cancelled_here_is_not_lost() -> None:
+    given = commanded(1, CancelOrder(R0, "4"), Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED, at=T0 + 0.5)
+    listed = reduced(fleet(), link_up(T0), *NAMED, queue(T0, (4, 1, 2, "W"), current=4))
+    state = reduced(listed, *given, queue(T0 + 1, (9, 1, 2, "Q")), tick(T0 + 2))
+    assert f"1 {R0} Base -> Store: cancelled" in lines(state)
+    refused = commanded(1, CancelOrder(R0, "4"), Stage.SENT, Stage.REFUSED, at=T0 + 0.5)
+    state = reduced(listed, *refused, queue(T0 + 1, (9, 1, 2, "Q")), tick(T0 + 2))
+    assert f"1 {R0} Base -> Store: done" in lines(state)
 
 
 def test_the_newest_come_first_as_many_as_there_are_lines() -> None:

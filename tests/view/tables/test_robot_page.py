@@ -43,6 +43,12 @@ def test_each_value_has_its_age_and_an_old_one_is_marked() -> None:
     assert StyleRole.WARN in {role for _, role in row.runs}
 
 
+def test_its_alarm_and_what_to_do_are_on_it_and_the_place_by_name() -> None:
+    low = reduced(received(graph(1, 2), labels({1: "Base"}), battery(T0 + 1, 5.0)), tick(T0 + 1))
+    assert "battery 5 %" in line(low, "Alarm") and "Send it to a charger" in page(low)
+    assert line(low, "Place").split()[1:] == ["at", "Base"]
+
+
 def test_a_jump_of_its_pose_is_told_with_its_age() -> None:
     assert line(received(), "Jumped") == ""
     jumped = received(pose(T0 + 0.2, 30.0, 40.0))

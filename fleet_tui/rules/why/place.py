@@ -1,0 +1,26 @@
+"""Where a robot is, as one says it over the radio: by the nearest place with a name."""
+
+import math
+
+from fleet_tui.model.robot import Robot, RobotMap
+
+AT = 0.5
+"""Metres within which a robot is at a place."""
+
+
+def place_text(robot: Robot) -> str:
+    """Return the labelled vertex nearest to the robot, and its floor if it has several; empty without a
+    label."""
+    here = robot.maps.get(robot.floor or "", RobotMap())
+    if robot.pose is None or here.graph is None:
+        return ""
+    pose, vertices = robot.pose.value, here.graph.vertices
+    labelled = [vertices[id_] for id_ in here.labels if id_ in vertices]
+    metres, label = min(
+        ((math.dist((one.x, one.y), (pose.x, pose.y)), here.labels[one.id]) for one in labelled),
+        default=(math.inf, ""),
+    )
+    if not math.isfinite(metres):
+        return ""
+    floor = f", {robot.floor}" if len(robot.maps) > 1 else ""
+    return f"at {label}{floor}" if metres <= AT else f"{metres:.0f} m from {label}{floor}"

@@ -1,0 +1,60 @@
+"""The news of a robot: each as urgent as it is, and whole or as a sign."""
+
+import pytest
+
+from fleet_tui.model import events
+from fleet_tui.model.commands import PauseRobot, Stage
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.news import news, shortened_news
+from fleet_tui.view.tables.table import Run
+from tests.support.fleets import R0, T0, battery, commanded, fleet, link_up, pose, queue, reduced, tick
+
+BLOCKED = events.ObstacleReported(R0, T0 + 1, 31.0)
+
+
+def received(*facts: events.Event) -> FleetState:
+    """A robot that just spoke, and these facts."""
+    return reduced(fleet(), link_up(T0), pose(T0 + 1), battery(T0 + 1), queue(T0 + 1), *facts, tick(T0 + 1))
+
+
+def found(state: FleetState) -> list[Run]:
+    return list(news(state, state.robots[R0]))
+
+
+def test_a_calm_robot_has_none() -> None:
+    assert found(received()) == []
+
+
+def test_trouble_is_less_loud_while_its_alarm_is_shelved() -> None:
+    state = received(BLOCKED)
+    assert found(state) == [("obstacle 31 s", StyleRole.ALARM)]
+    shelved = reduced(state, events.AlarmShelved(R0, "obstacle", T0 + 600), tick(T0 + 1))
+    assert found(shelved) == [("obstacle 31 s", StyleRole.WARN)]
+
+
+def test_a_robot_that_was_never_seen_is_not_called_paused() -> None:
+    given = commanded(1, PauseRobot(R0), Stage.SENT, Stage.ACCEPTED)
+    unseen = found(reduced(fleet(), link_up(T0), *given, tick(T0 + 1)))
+    assert [text for text, _ in unseen] == ["never seen"]
+    assert "paused (by us)" in [text for text, _ in found(received(*given))]
+
+
+@pytest.mark.parametrize(
+    ("cells", "said"),
+    [
+        (40, "obstacle 31 s paused (elsewhere) "),
+        (21, "obstacle 31 s paused "),
+        (15, "obstacle 31 s ‖ "),
+        (4, "obstacle 31 s ‖ "),
+    ],
+)
+def test_a_pause_gives_way_to_what_is_more_urgent(cells: int, said: str) -> None:
+    state = received(BLOCKED, events.PausedReported(R0, T0 + 1, True))
+    runs = [run for text, role in found(state) for run in ((text, role), (" ", StyleRole.TEXT))]
+    assert "".join(text for text, _ in shortened_news(runs, cells)) == said
+
+
+def test_a_pause_alone_stays_a_word() -> None:
+    alone = [("paused (elsewhere)", StyleRole.WARN), (" ", StyleRole.TEXT)]
+    assert shortened_news(alone, 3)[0][0] == "paused"
