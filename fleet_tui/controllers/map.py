@@ -15,12 +15,17 @@ from fleet_tui.widgets.map_view import MapView
 
 class MapControls:
     """Changes the view of the map pane. Without a scene only the options change. `say` shows a text to the
-    operator, `to_next` are the keys that go to the next vertex."""
+    operator, `to_next` are the keys that go to the next vertex, `menu` is for Enter without a cursor."""
 
     def __init__(
-        self, view: MapView, say: Callable[[str], None] = lambda _: None, to_next: Sequence[str] = ()
+        self,
+        view: MapView,
+        say: Callable[[str], None] = lambda _: None,
+        to_next: Sequence[str] = (),
+        menu: Callable[[], None] = lambda: None,
     ) -> None:
         self._view, self._picture, self._say, self._to_next = view, view.picture, say, to_next
+        self._menu = menu
         self._stride = Stride()
 
     def pan(self, dx: int, dy: int) -> None:
@@ -139,6 +144,9 @@ class MapControls:
     def pick(self) -> None:
         """Pick the object that Enter means in this mode."""
         picture = self._picture
+        if isinstance(picture.mode, ViewMode):
+            self._menu()
+            return
         found = picture.mode.pick(picture.viewport, picture.scene) if picture.scene is not None else None
         self._view.post_pick(found)
         if found is None:

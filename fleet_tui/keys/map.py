@@ -76,7 +76,7 @@ MAP: tuple[Key[Actions], ...] = (
         "pick",
         ("enter",),
         lambda do: do.map.pick(),
-        "At the cursor: order from the vertex (with cargo: to it), or select the robot",
+        "Open the robot's menu; at the cursor order from the vertex (with cargo: to it), or select the robot",
         pane=Pane.MAP,
     ),
 )

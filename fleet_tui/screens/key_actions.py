@@ -111,7 +111,11 @@ def _choose_robot(screen: "MainScreen", number: int) -> None:
     names = tuple(screen.store.state.robots)
     screen.navigation.choose_robot(number)
     if number <= len(names) and marks_of(names)[number - 1] != str(number):
-        screen.notices.say(sanitize(f"{number} selects {names[number - 1]}: keys count the configuration"))
+        screen.notices.say(
+            sanitize(
+                f"key {number} is {names[number - 1]}: keys count from 1, in the order of the configuration"
+            )
+        )
 
 
 def _next_trouble(screen: "MainScreen") -> None:

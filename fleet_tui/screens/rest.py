@@ -66,7 +66,7 @@ class Rest:
         navigation, notices = screen.navigation, screen.notices
         self.map = MapView(id="map")
         self.map.picture.options = MapOptions(drawing=settings.drawing)
-        self.map_controls = MapControls(self.map, notices.say, settings.keys["next_vertex"])
+        self.map_controls = MapControls(self.map, notices.say, settings.keys["next_vertex"], self._robot_menu)
         self.confirm, self.menu = Confirm(id="confirm"), Menu(id="menu")
         self.order_form = OrderForm(lambda: store.state, dispatch.give)
         self.key_help = Help()
@@ -76,9 +76,9 @@ class Rest:
         pages = Pages(lambda: store.state, screen.backend, settings.clock)
         self.diagnostics = Diagnostics(pages, screen.backend, settings.keys)
         self.styled = [self.map, self.audit_log.rows, self.diagnostics, *self.key_help.views]
-        menu, form, queue = self.menu.show, self.order_form.start, screen.queue
-        self.orders = OrderRequests(store, dispatch, notices, navigation, queue, form, menu, settings.clock)
-        self.robots = RobotRequests(store, dispatch, navigation, self.orders, menu, self.why.show)
+        opens, form, queue = self.menu.show, self.order_form.start, screen.queue
+        self.orders = OrderRequests(store, dispatch, notices, navigation, queue, form, opens, settings.clock)
+        self.robots = RobotRequests(store, dispatch, navigation, self.orders, opens, self.why.show)
         self.alarms = self._alarm_responses(screen)
         self.save = SaveCommand(
             screen.files, self.confirm.ask, lambda line: self.palette.show(line), notices.say
@@ -87,9 +87,12 @@ class Rest:
             store, dispatch, navigation, screen.session, self.save, settings, partial(_run, screen)
         )
         self.palette = Palette(offers.entries, lambda line: self._typed_set_up(line) or offers.typed(line))
-        self._set_up_with(SetUpParts(store, dispatch, navigation, notices, menu, self.palette.show))
+        self._set_up_with(SetUpParts(store, dispatch, navigation, notices, opens, self.palette.show))
         self.simple = self._simple_switch(screen)
         self.actions = key_actions(screen, self)
+
+    def _robot_menu(self) -> None:
+        self.robots.menu(self._navigation.robot)
 
     def _alarm_responses(self, screen: "MainScreen") -> AlarmResponses:
         settings = screen.settings

@@ -143,7 +143,7 @@ async def test_q_leaves(server: RosbridgeServer) -> None:
 async def test_a_digit_counts_the_configuration_and_says_whom_it_means(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2)) as it:
         await it.press("2")
-        await it.shows("2 selects robot_1: keys count the configuration")
+        await it.shows("key 2 is robot_1: keys count from 1")
         assert it.app.main.navigation.robot == "robot_1"
 
 

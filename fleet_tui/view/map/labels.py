@@ -1,5 +1,4 @@
-"""Placement of labels and numbers: whole and without overlap, or not at all. Robots pass over labels; those
-of the selected robot's order step aside."""
+"""Placement of labels and numbers: whole and without overlap, or not at all: labels step aside."""
 
 import sys
 from dataclasses import dataclass
@@ -164,8 +163,7 @@ class Backdrop(Cells):
 
 
 def move_aside(cells: Cells, behind: Backdrop, occupancy: CellOccupancy, aside: dict[Place, Place]) -> None:
-    """Move the labels of the order below occupied cells, or leave them out. The others stay: who looks for a
-    place finds it where it was.
+    """Move labels from below occupied cells, or leave them out: half a name reads as another one.
 
     `aside`: the first cells of the labels that gave way, now by before. They stay there until they would be
     covered again.
@@ -173,8 +171,6 @@ def move_aside(cells: Cells, behind: Backdrop, occupancy: CellOccupancy, aside: 
     for label in behind.labels:
         size = cell_width(label.text)
         moved = aside.pop(label.at, None)
-        if not label.is_target:
-            continue
         if moved is None and not occupancy.is_taken(*label.at, size):
             continue
         _erase(cells, behind, label.at, size)

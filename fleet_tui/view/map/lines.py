@@ -1,7 +1,6 @@
 """The layers made of lines and dots: edges, the remaining mission, trails."""
 
 import math
-from collections.abc import Iterator
 from functools import lru_cache
 from itertools import chain
 
@@ -14,7 +13,7 @@ from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.places import Points, Same, pixels
 from fleet_tui.view.map.raster import BRAILLE, pack, thicken
-from fleet_tui.view.map.scene import Scene, SceneRobot
+from fleet_tui.view.map.scene import Scene
 from fleet_tui.view.roles import StyleRole
 
 Mask = NDArray[np.bool_]
@@ -24,8 +23,6 @@ OFF_EDGE = 1.0
 """Metres from which a robot is off its edge."""
 FADED = 30.0
 """Seconds after which a trail is paler and has half as many dots."""
-OUTLINE = 10.0
-"""Dots of a robot's longer side from which its outline is drawn."""
 _ARROW_ROOM = 8.0  # visible dots of an edge below which it has no arrow head
 _NEXT = ":"
 """The next orders' way in ASCII."""
@@ -69,7 +66,8 @@ def _as_array(lines: Same[tuple[Line, ...]]) -> Points:
     return numbers.reshape(-1, 4)
 
 
-def _ends(scene: Scene, camera: Camera, lines: tuple[Line, ...]) -> tuple[Points, Points]:
+def ends_of(scene: Scene, camera: Camera, lines: tuple[Line, ...]) -> tuple[Points, Points]:
+    """Return the ends of lines in metres as fractions of the view's dots."""
     ends = _as_array(Same(lines))
     return dots_of(scene, camera, ends[:, :2]), dots_of(scene, camera, ends[:, 2:])
 
@@ -79,7 +77,7 @@ def draw_edges(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> 
     if not (look.edges and scene.edges):
         return
     mask = blank_mask(camera)
-    trace(mask, *_ends(scene, camera, scene.edges))
+    trace(mask, *ends_of(scene, camera, scene.edges))
     bits = pack(mask)
     free = (bits > 0) & _GROUND[cells.roles]
     cells.codes[free] = ord("+") if look.plain else BRAILLE[bits[free]]
@@ -91,7 +89,7 @@ def draw_edges(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> 
 @np.errstate(divide="ignore", invalid="ignore", over="ignore")
 def _point(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
     """Draw an arrow head in the middle of the visible part of each one-way edge, if it fits."""
-    starts, stops = _ends(scene, camera, scene.one_way)
+    starts, stops = ends_of(scene, camera, scene.one_way)
     low, high = _within((camera.height * DOTS_Y, camera.width * DOTS_X), starts, stops)
     way = stops - starts
     seen = (np.abs(way).max(axis=1) * (high - low) >= _ARROW_ROOM) & np.isfinite(way).all(axis=1)
@@ -109,12 +107,23 @@ def draw_mission(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -
         return
     if scene.mission.following:
         mask = blank_mask(camera)
-        trace(mask, *_ends(scene, camera, scene.mission.following), dashed=True)
-        _stroke(cells, mask, StyleRole.MISSION_NEXT, look, _NEXT)
+        trace(mask, *ends_of(scene, camera, scene.mission.following), dashed=True)
+        stroke(cells, mask, StyleRole.MISSION_NEXT, look, _NEXT)
     if scene.mission.current:
-        mask = blank_mask(camera)
-        trace(mask, *_ends(scene, camera, scene.mission.current))
-        _stroke(cells, mask, StyleRole.MISSION, look, "*")
+        _draw_way(cells, scene, camera, look, scene.mission.current)
+
+
+@np.errstate(invalid="ignore", over="ignore")
+def _draw_way(
+    cells: Cells, scene: Scene, camera: Camera, look: MapOptions, lines: tuple[Line, ...], done: float = 0.0
+) -> None:
+    """Draw lines thick, to differ from an edge without colour, too."""
+    starts, stops = ends_of(scene, camera, lines)
+    along = np.abs(stops - starts).min(axis=1) < 1.0
+    mask, straight = blank_mask(camera), blank_mask(camera)
+    trace(mask, starts, stops, done=done)
+    trace(straight, starts[along], stops[along], done=done)
+    stroke(cells, mask, StyleRole.MISSION, look, "*", thicken(mask, straight))
 
 
 def draw_approach(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
@@ -132,9 +141,7 @@ def draw_approach(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) 
     done = min(max(ahead / max(square, 1e-12), 0.0), 1.0)
     if math.dist((pose.x, pose.y), (x + done * along[0], y + done * along[1])) > OFF_EDGE:
         edge, done = (pose.x, pose.y, to_x, to_y), 0.0
-    mask = blank_mask(camera)
-    trace(mask, *_ends(scene, camera, (edge,)), done=done)
-    _stroke(cells, mask, StyleRole.MISSION, look, "*")
+    _draw_way(cells, scene, camera, look, (edge,), done)
 
 
 def draw_trails(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
@@ -147,50 +154,24 @@ def draw_trails(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) ->
     for some, role in ((old & ~thinned, StyleRole.TRAIL_OLD), (~old, StyleRole.TRAIL)):
         mask = blank_mask(camera)
         set_dots(mask, dots[some])
-        _stroke(cells, mask, role, look, ",")
+        stroke(cells, mask, role, look, ",")
 
 
-def draw_outlines(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
-    """Draw the outline of each robot of known size, to scale, if the zoom is close enough."""
-    dot = camera.scale * scene.frame.resolution
-    near = [robot for robot in scene.robots if robot.size and max(robot.size) >= OUTLINE * dot]
-    seen = [robot for robot in near if math.isfinite(robot.pose.x + robot.pose.y + robot.pose.yaw)]
-    for role in {_outline_role(robot) for robot in seen}:
-        sides = [side for robot in seen if _outline_role(robot) is role for side in _sides(robot)]
-        mask = blank_mask(camera)
-        trace(mask, *_ends(scene, camera, tuple(sides)))
-        _stroke(cells, mask, role, look, "%")
+def stroke(
+    cells: Cells,
+    mask: Mask,
+    role: StyleRole,
+    look: MapOptions,
+    plain: str,
+    thick: NDArray[np.uint8] | None = None,
+) -> None:
+    """Draw the dots in one role except over more important cells; as ASCII the character `plain`. `thick`:
+    the same lines wider, as bits.
 
-
-def _outline_role(robot: SceneRobot) -> StyleRole:
-    if robot.selected:
-        return StyleRole.TARGET
-    return StyleRole.ROBOT_BODY_ALARM if robot.alarmed else StyleRole.ROBOT_BODY
-
-
-def _sides(robot: SceneRobot) -> Iterator[Line]:
-    """Return the four sides of a robot's outline; its pose is in the middle."""
-    assert robot.size is not None
-    x, y, yaw = robot.pose.x, robot.pose.y, robot.pose.yaw
-    length, width = robot.size
-    ahead = math.cos(yaw) * length / 2, math.sin(yaw) * length / 2
-    left = -math.sin(yaw) * width / 2, math.cos(yaw) * width / 2
-    corners = [
-        (x + one * ahead[0] + other * left[0], y + one * ahead[1] + other * left[1])
-        for one, other in ((1, 1), (1, -1), (-1, -1), (-1, 1))
-    ]
-    for (from_x, from_y), (to_x, to_y) in zip(corners, [*corners[1:], corners[0]], strict=True):
-        yield from_x, from_y, to_x, to_y
-
-
-def _stroke(cells: Cells, mask: Mask, role: StyleRole, look: MapOptions, plain: str) -> None:
-    """Draw the dots in one role except over more important cells; as ASCII the character `plain`.
-
-    The current mission is thick. It goes on through walls: on their colour, or in ASCII as the wall's
-    character.
+    A mission goes on through walls: on their colour, or in ASCII as the wall's character.
     """
     passed = pack(mask)
-    bits = thicken(mask, passed) if role is StyleRole.MISSION and not look.plain else passed
+    bits = passed if thick is None or look.plain else thick
     drawn = (bits > 0) & _OPEN[cells.roles]
     if role in _WAYS:
         crossed = (passed > 0) & _KEPT[cells.roles]

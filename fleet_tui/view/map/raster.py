@@ -167,17 +167,17 @@ def pack(mask: NDArray[np.bool_]) -> Classes:
     return bits
 
 
-def thicken(mask: NDArray[np.bool_], passed: Classes) -> Classes:
-    """Return lines of two dots' width, as the bits of braille cells. Only in the cells `passed` by the lines
-    of one dot: a straight way takes one row of cells, not two."""
-    thick, within = mask.copy(), mask.copy()
-    thick[:-1] |= mask[1:]
-    thick[:, :-1] |= mask[:, 1:]
-    within[1::DOTS_Y] |= mask[::DOTS_Y]
-    within[:, 1::DOTS_X] |= mask[:, ::DOTS_X]
-    bits = pack(thick)
-    wider = np.where((bits == passed) & (_counts(mask) > 1), pack(within), bits)
-    return np.where(passed > 0, wider, 0).astype(np.uint8)
+def thicken(mask: NDArray[np.bool_], straight: NDArray[np.bool_]) -> Classes:
+    """Return lines of two dots' width, as the bits of braille cells. The `straight` ones among them, along an
+    axis, take one row of cells, not two."""
+    thick, slanted = mask.copy(), mask & ~straight
+    thick[:-1] |= slanted[1:]
+    thick[:, :-1] |= slanted[:, 1:]
+    for row in range(DOTS_Y):
+        thick[row - 1 if row else 1 :: DOTS_Y] |= straight[row::DOTS_Y]
+    thick[:, ::DOTS_X] |= straight[:, 1::DOTS_X]
+    thick[:, 1::DOTS_X] |= straight[:, ::DOTS_X]
+    return pack(thick)
 
 
 def _known(dots: Classes) -> NDArray[np.bool_]:

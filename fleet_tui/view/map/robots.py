@@ -1,22 +1,27 @@
 """The layer of robots: each an arrow with its number beside it, as one chip."""
 
+import math
 from collections.abc import Container, Iterator
 from dataclasses import dataclass, field
 from functools import partial
 from itertools import accumulate, chain
 from typing import NamedTuple
 
+from fleet_tui.model.geometry import Line
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.glyphs import robot_glyph, robot_number, robot_roles, robot_tag
 from fleet_tui.view.map.labels import Backdrop, CellOccupancy, move_aside
 from fleet_tui.view.map.layers import MapOptions
+from fleet_tui.view.map.lines import blank_mask, ends_of, stroke, trace
 from fleet_tui.view.map.places import Place, seen_robots
 from fleet_tui.view.map.scene import Scene, SceneRobot
 from fleet_tui.view.roles import StyleRole
 
 NEIGHBOURS = 4
 """Cells from arrow to arrow within which robots have their numbers together, if one alone has no space."""
+OUTLINE = 10.0
+"""Dots of a robot's longer side from which its outline is drawn."""
 Chips = list[tuple[int, int, str, StyleRole]]
 """Arrows and numbers: x, y, text, role."""
 
@@ -56,8 +61,8 @@ def _chips(
     """Return the chips of all robots: the selected one on top, then those in trouble.
 
     The arrow is in the robot's own cell; of several robots in a cell the first one has it, and their numbers
-    are listed. A robot between others is listed with a neighbour; without space it has no number, unless it
-    is selected or in trouble.
+    are listed. A robot between others is listed with a neighbour, or has its number above or below; without
+    space it has none.
     """
     sharing: dict[Place, list[SceneRobot]] = {}
     for robot, at in seen_robots(scene, camera):
@@ -76,7 +81,7 @@ def _chips(
             without.append(at)
     for at in without:
         alone = robot_number(sharing[at][0]), robot_roles(sharing[at][0])[1]
-        if not _join(occupancy, numbers, at, alone) and alone[1] is not StyleRole.ROBOT:
+        if not _join(occupancy, numbers, at, alone):
             _stack(occupancy, numbers, at, alone)
     listed = (_beside(placed.start, at[1], placed.runs) for at, placed in numbers.items())
     return [*chips, *chain.from_iterable(listed)]
@@ -127,8 +132,7 @@ def _join(
 def _stack(
     occupancy: CellOccupancy, numbers: dict[Place, _Numbers], at: Place, number: tuple[str, StyleRole]
 ) -> None:
-    """Put the number of a robot that is selected or in trouble above or below its arrow: its colour tells
-    whose it is."""
+    """Put the number of a robot above or below its arrow."""
     x, y = at
     for row in (y - 1, y + 1):
         if (x, row) not in numbers and occupancy.extends(x, row, len(number[0]), 1):
@@ -159,3 +163,36 @@ def _arrow(robot: SceneRobot, at: Place, taken: Container[Place], turned: float,
     """Return the arrow, only as wide as it hides no other robot."""
     glyph = robot_glyph(robot, turned, plain)
     return glyph[:1] if (at[0] + 1, at[1]) in taken else glyph
+
+
+def draw_outlines(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
+    """Draw the outline of each robot of known size, to scale, if the zoom is close enough."""
+    dot = camera.scale * scene.frame.resolution
+    near = [robot for robot in scene.robots if robot.size and max(robot.size) >= OUTLINE * dot]
+    seen = [robot for robot in near if math.isfinite(robot.pose.x + robot.pose.y + robot.pose.yaw)]
+    for role in {_outline_role(robot) for robot in seen}:
+        sides = [side for robot in seen if _outline_role(robot) is role for side in _sides(robot)]
+        mask = blank_mask(camera)
+        trace(mask, *ends_of(scene, camera, tuple(sides)))
+        stroke(cells, mask, role, look, "%")
+
+
+def _outline_role(robot: SceneRobot) -> StyleRole:
+    if robot.selected:
+        return StyleRole.TARGET
+    return StyleRole.ROBOT_BODY_ALARM if robot.alarmed else StyleRole.ROBOT_BODY
+
+
+def _sides(robot: SceneRobot) -> Iterator[Line]:
+    """Return the four sides of a robot's outline; its pose is in the middle."""
+    assert robot.size is not None
+    x, y, yaw = robot.pose.x, robot.pose.y, robot.pose.yaw
+    length, width = robot.size
+    ahead = math.cos(yaw) * length / 2, math.sin(yaw) * length / 2
+    left = -math.sin(yaw) * width / 2, math.cos(yaw) * width / 2
+    corners = [
+        (x + one * ahead[0] + other * left[0], y + one * ahead[1] + other * left[1])
+        for one, other in ((1, 1), (1, -1), (-1, -1), (-1, 1))
+    ]
+    for (from_x, from_y), (to_x, to_y) in zip(corners, [*corners[1:], corners[0]], strict=True):
+        yield from_x, from_y, to_x, to_y

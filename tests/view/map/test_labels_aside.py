@@ -44,13 +44,11 @@ def test_a_label_is_whole_or_not_there(cells: float, rows: float) -> None:
 
 
 @given(st.floats(-20, 20), st.floats(-3, 3))
-def test_the_label_of_another_place_stays_under_a_robot(cells: float, rows: float) -> None:
+def test_a_label_is_whole_wherever_a_robot_is_or_not_there_at_all(cells: float, rows: float) -> None:
     pose = Pose(10.05 + cells * CELL, 5.0 - rows * 2 * CELL)
     behind = backdrop(QUIET, CAMERA, LOOK)
     text = picture(behind, replace(QUIET, robots=(SceneRobot("r", 7, pose),)), CAMERA, LOOK).text()
-    (y, x) = place(behind) or (0, 0)
-    there = text.splitlines()[y].ljust(x + len(NAME))[x : x + len(NAME)]
-    assert sum(one == other for one, other in zip(there, NAME, strict=True)) >= len(NAME) - 3
+    assert text.count(NAME) == 1 or not set(NAME) & set(text)
 
 
 def test_it_gives_way_to_a_robot_that_drives_through_it_and_stays_where_it_is_then() -> None:
