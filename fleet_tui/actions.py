@@ -171,6 +171,7 @@ class AlarmActions(Struct, frozen=True):
 
     acknowledge: Act
     acknowledge_all: Act
+    alarm_menu: Act
 
 
 class FileActions(Struct, frozen=True):

@@ -75,6 +75,14 @@ class AlarmResponses:
         """Acknowledge every alarm."""
         self._post(AlarmAcknowledged())
 
+    def marked_menu(self) -> None:
+        """List the actions for the alarm under the cursor."""
+        key = self._pane.listing.cursor
+        if isinstance(key, tuple):
+            self.menu(key[0], key[1])
+        else:
+            self._notices.say("no alarm")
+
     def menu(self, source: str, kind: str) -> None:
         """List the actions for an alarm, and show the floor of its robot."""
         alarm = next((one for one in self._store.state.alarms if one.key == (source, kind)), None)

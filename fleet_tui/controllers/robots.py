@@ -1,12 +1,12 @@
 """Requests to robots beside orders: pause and resume, and the menu of a robot."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import partial
 
 from fleet_tui.controllers.dispatch import Dispatch
 from fleet_tui.controllers.navigation import Navigation
 from fleet_tui.controllers.orders import OrderRequests
-from fleet_tui.controllers.typed import OpenMenu
+from fleet_tui.controllers.typed import Entry, OpenMenu
 from fleet_tui.model import kind
 from fleet_tui.model.commands import PauseRobot, ResumeRobot
 from fleet_tui.model.request import Request
@@ -15,7 +15,8 @@ from fleet_tui.text.sanitize import sanitize
 
 
 class RobotRequests:
-    """Turns a key or a row of the fleet into a request; `why` opens the reasons why a robot stands still."""
+    """Turns a key or a row of the fleet into a request; `why` opens the reasons why a robot stands still,
+    `alarm_menu` the menu of an alarm, by source and kind."""
 
     def __init__(
         self,
@@ -25,9 +26,11 @@ class RobotRequests:
         orders: OrderRequests,
         open_menu: OpenMenu,
         why: Callable[[], None],
+        alarm_menu: Callable[[str, str], None],
     ) -> None:
         self._store, self._dispatch, self._navigation = store, dispatch, navigation
         self._orders, self._open_menu, self._why = orders, open_menu, why
+        self._alarm_menu = alarm_menu
 
     def pause(self) -> None:
         """Pause the selected robot, at once."""
@@ -57,8 +60,14 @@ class RobotRequests:
                 *((text, partial(self._for, robot, do)) for text, verb, do in asked if known.kind.can(verb)),
                 ("Show on the map", partial(self._navigation.find_robot, robot)),
                 ("Explain why it is not moving", partial(self._for, robot, self._why)),
+                *self._alarms(robot),
             ],
         )
+
+    def _alarms(self, robot: str) -> Iterator[Entry]:
+        for alarm in self._store.state.alarms:
+            if alarm.condition.source == robot:
+                yield f"Alarm: {sanitize(alarm.text)} ...", partial(self._alarm_menu, *alarm.key)
 
     def _for(self, robot: str, action: Callable[[], None]) -> None:
         self._navigation.select(robot)

@@ -226,4 +226,11 @@ CONSOLE: tuple[Key[Actions], ...] = (
         only_live=True,
     ),
     Key("acknowledge_all", ("A",), lambda do: do.alarms.acknowledge_all(), "Acknowledge all alarms"),
+    Key(
+        "alarm_menu",
+        (),
+        lambda do: do.alarms.alarm_menu(),
+        "Open the marked alarm's menu: explain, acknowledge, shelve, unshelve",
+        eager="opens",
+    ),
 )

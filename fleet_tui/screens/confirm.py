@@ -27,7 +27,7 @@ class Confirm(Overlay, can_focus=True):
         yield Static(id="question", markup=False)
         with Horizontal():
             yield MouseButton("y  Yes", id="yes", compact=True)
-            yield MouseButton("n  No", id="no", compact=True)
+            yield MouseButton("n  No (Enter)", id="no", compact=True)
 
     def on_mount(self) -> None:
         """Update the question while it is open."""

@@ -45,7 +45,7 @@ def key_actions(screen: "MainScreen", rest: "Rest") -> Actions:
         ),
         view=_view_actions(screen, rest),
         files=_file_actions(screen, rest),
-        alarms=AlarmActions(rest.alarms.acknowledge, rest.alarms.acknowledge_all),
+        alarms=AlarmActions(rest.alarms.acknowledge, rest.alarms.acknowledge_all, rest.alarms.marked_menu),
         map=rest.map_controls,
         place=_place_actions(rest),
         edit=_edit_actions(rest),

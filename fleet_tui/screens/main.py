@@ -23,6 +23,7 @@ from fleet_tui.controllers.settings import ConsoleSettings
 from fleet_tui.keys import BY_ID, KEYS, Pane
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.commands.set_up.mode import mapping_text
+from fleet_tui.screens import picks
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.state.store import Store
 from fleet_tui.view.lines.commands import message_line
@@ -243,4 +244,4 @@ class MainScreen(Screen[None]):
     @on(messages.TimePicked)
     def picked(self, event: messages.Picked) -> None:
         """Forward a click or selection of the operator."""
-        self.rest.picked(event)
+        picks.picked(self, event)

@@ -3,7 +3,7 @@ them."""
 
 from collections.abc import Callable
 from functools import partial
-from typing import TYPE_CHECKING, Any, assert_never
+from typing import TYPE_CHECKING, Any
 
 from fleet_tui.controllers.alarms import AlarmResponses
 from fleet_tui.controllers.editing.checks import DraftChecks
@@ -41,8 +41,7 @@ from fleet_tui.screens.simple import Simple
 from fleet_tui.screens.simple_switch import SimpleSwitch
 from fleet_tui.screens.why import Why
 from fleet_tui.view.map.layers import MapOptions
-from fleet_tui.widgets import messages
-from fleet_tui.widgets.bindings import action_of, textual_key
+from fleet_tui.widgets.bindings import action_of
 from fleet_tui.widgets.map_view import MapView
 from fleet_tui.widgets.panes import lines_below
 from fleet_tui.widgets.runs_view import RunsView
@@ -59,6 +58,8 @@ class Rest:
     """Widgets and controllers with their dependencies, and the action of every key."""
 
     styled: list[RunsView | Diagnostics]
+    robots: RobotRequests
+    alarms: AlarmResponses
 
     def __init__(self, screen: "MainScreen") -> None:
         self._screen, self._navigation, self._session = screen, screen.navigation, screen.session
@@ -66,7 +67,8 @@ class Rest:
         navigation, notices = screen.navigation, screen.notices
         self.map = MapView(id="map")
         self.map.picture.options = MapOptions(drawing=settings.drawing)
-        self.map_controls = MapControls(self.map, notices.say, settings.keys["next_vertex"], self._robot_menu)
+        to_next, menu = settings.keys["next_vertex"], lambda: self.robots.menu(navigation.robot)
+        self.map_controls = MapControls(self.map, notices.say, to_next, menu)
         self.confirm, self.menu = Confirm(id="confirm"), Menu(id="menu")
         self.order_form = OrderForm(lambda: store.state, dispatch.give)
         self.key_help = Help()
@@ -76,10 +78,7 @@ class Rest:
         pages = Pages(lambda: store.state, screen.backend, settings.clock)
         self.diagnostics = Diagnostics(pages, screen.backend, settings.keys)
         self.styled = [self.map, self.audit_log.rows, self.diagnostics, *self.key_help.views]
-        opens, form, queue = self.menu.show, self.order_form.start, screen.queue
-        self.orders = OrderRequests(store, dispatch, notices, navigation, queue, form, opens, settings.clock)
-        self.robots = RobotRequests(store, dispatch, navigation, self.orders, opens, self.why.show)
-        self.alarms = self._alarm_responses(screen)
+        self._answer_menus(screen)
         self.save = SaveCommand(
             screen.files, self.confirm.ask, lambda line: self.palette.show(line), notices.say
         )
@@ -87,19 +86,33 @@ class Rest:
             store, dispatch, navigation, screen.session, self.save, settings, partial(_run, screen)
         )
         self.palette = Palette(offers.entries, lambda line: self._typed_set_up(line) or offers.typed(line))
-        self._set_up_with(SetUpParts(store, dispatch, navigation, notices, opens, self.palette.show))
+        parts = store, dispatch, navigation, notices, self.menu.show, self.palette.show
+        self._set_up_with(SetUpParts(*parts))
         self.simple = self._simple_switch(screen)
         self.actions = key_actions(screen, self)
 
-    def _robot_menu(self) -> None:
-        self.robots.menu(self._navigation.robot)
-
-    def _alarm_responses(self, screen: "MainScreen") -> AlarmResponses:
-        settings = screen.settings
-        answering = (screen.store, screen.backend, screen.notices, screen.navigation, screen.alarms)
-        opens = (self.menu.show, self.why.show, self.robots.menu)
-        return AlarmResponses(
-            *answering, *opens, settings.keys, settings.clock, lambda: screen.alarm_cleared_at
+    def _answer_menus(self, screen: "MainScreen") -> None:
+        parts = screen.store, screen.dispatch, screen.notices, screen.navigation
+        settings, opens, why = screen.settings, self.menu.show, self.why.show
+        self.orders = OrderRequests(*parts, screen.queue, self.order_form.start, opens, settings.clock)
+        self.robots = RobotRequests(
+            screen.store,
+            screen.dispatch,
+            screen.navigation,
+            self.orders,
+            opens,
+            why,
+            lambda source, kind: self.alarms.menu(source, kind),
+        )
+        answering = screen.store, screen.backend, screen.notices, screen.navigation, screen.alarms
+        self.alarms = AlarmResponses(
+            *answering,
+            opens,
+            why,
+            self.robots.menu,
+            settings.keys,
+            settings.clock,
+            lambda: screen.alarm_cleared_at,
         )
 
     def _set_up_with(self, parts: SetUpParts) -> None:
@@ -183,47 +196,6 @@ class Rest:
             form.route.update(text)
         return None if draft is None else (draft, route)
 
-    def picked(self, event: messages.Picked) -> None:
-        """Run the action for a click or selection on the map, a row or its button, or the time line."""
-        match event:
-            case messages.RobotPicked():
-                self._navigation.select(event.name)
-            case messages.VertexPicked():
-                self.orders.start_at(event.id, self._navigation.floor)
-            case messages.PlacePicked():
-                # A pose or goal is where the mouse was; only a draft does something with it.
-                self.drawing.clicked(event.dragged)
-            case messages.RowPicked():
-                # The fleet's cursor selects. It may have moved since.
-                if event.pane == "fleet" and event.key == self._screen.fleet.listing.cursor:
-                    self._navigation.select(str(event.key))
-            case messages.RowChosen():
-                self._open_menu(event)
-            case messages.ButtonPressed():
-                self._press_button(event)
-            case messages.TimePicked():
-                self._session.pick_time(event.x, event.width)
-            case _:
-                assert_never(event)
-
-    def _open_menu(self, event: messages.RowChosen) -> None:
-        match event.pane, event.key:
-            case "fleet", str(robot):
-                self.robots.menu(robot)
-            case "queue", (str(robot), str(order_id), _):
-                self.orders.menu(robot, order_id)
-            case "alarms", (str(source), str(kind)):
-                self.alarms.menu(source, kind)
-
-    def _press_button(self, event: messages.ButtonPressed) -> None:
-        match event.pane, event.name, event.key:
-            case "hints", id_, _:
-                _press_hint(self._screen, id_)
-            case _, "cancel", (str(robot), str(order_id), _):
-                self.orders.ask_cancel(robot, order_id)
-            case _, "clear", _:
-                self.orders.clear()
-
 
 def _in_background(screen: "MainScreen", work: Callable[[], object], then: Callable[[object], None]) -> None:
     """Do work in a thread, then call with its result on the loop."""
@@ -233,13 +205,6 @@ def _in_background(screen: "MainScreen", work: Callable[[], object], then: Calla
         screen.app.call_from_thread(then, result)
 
     screen.run_worker(run, thread=True, exit_on_error=False)
-
-
-def _press_hint(screen: "MainScreen", id_: str) -> None:
-    """Press the key of a hint: with the same checks, and with the same effect in an overlay."""
-    key = textual_key(screen.settings.keys[id_][0])
-    # Not from here: Textual ends the way of an event at its sender.
-    screen.app.call_later(screen.app.simulate_key, key)
 
 
 def _run(screen: "MainScreen", key: Key[Any]) -> None:

@@ -6,7 +6,7 @@ from fleet_tui.model.commands import PauseRobot, ResumeRobot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.widgets.rows_pane import RowsPane
 from tests.support.desk import Desk, ready
-from tests.support.fleets import R0
+from tests.support.fleets import R0, T0, battery, reduced, tick
 from tests.support.kinds import FULL, MUTE, moved
 
 
@@ -24,6 +24,7 @@ def requests(state: FleetState) -> tuple[Desk, list[str], RobotRequests]:
         RobotRequests(
             *(desk.store, desk.dispatch, desk.navigation, orders, desk.open_menu),
             lambda: asked.append(desk.navigation.robot),
+            lambda source, kind: asked.append(f"{kind} of {source}"),
         ),
     )
 
@@ -35,6 +36,15 @@ def test_a_pause_leaves_at_once() -> None:
     robots.pause_all()
     assert desk.backend.submitted == [PauseRobot(R0), ResumeRobot(R0), PauseRobot(R0)]
     assert desk.answers == []
+
+
+def test_the_menu_leads_to_the_alarms_of_the_robot() -> None:
+    desk, asked, robots = requests(reduced(ready(), battery(T0, 5.0), tick(T0)))
+    robots.menu(R0)
+    (menu,) = desk.menus
+    assert menu.texts[-1] == "Alarm: battery 5 % ..."
+    menu.choose("Alarm: battery 5 % ...")
+    assert asked == [f"battery of {R0}"]
 
 
 def test_the_menu_has_what_the_robot_accepts() -> None:

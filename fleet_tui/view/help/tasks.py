@@ -10,7 +10,7 @@ Step = tuple[tuple[str, ...], str]
 ROBOTS = tuple(f"robot_{number}" for number in range(1, 10))
 """The ids of the keys that select a robot by its number."""
 ORDERING = "Send an order"
-RESUMING = "Resume it; all: type resume all"
+RESUMING = "Resume it (all: type resume all)"
 TASKS: dict[str, tuple[Step, ...]] = {
     ORDERING: (
         (("order",), "Order form: From, Enter, To, Enter"),
@@ -20,7 +20,7 @@ TASKS: dict[str, tuple[Step, ...]] = {
     ),
     "Stop a robot": (
         (("pause",), "Pause the selected robot"),
-        (("resume", "palette"), RESUMING),
+        (("resume",), RESUMING),
         (("pause_all", "pause_all_anywhere"), "Pause all robots (no safety device)"),
         (("cancel",), "Cancel order at the queue cursor"),
         (("clear",), "Clear all orders of the robot"),
@@ -41,14 +41,14 @@ TASKS: dict[str, tuple[Step, ...]] = {
     ),
     "Choose a robot or a floor": (
         (("next_robot", "previous_robot", *ROBOTS), "Next, previous robot; by number"),
-        (("next_trouble", "next_floor", "previous_floor"), "Next alarm's robot; next floor"),
+        (("next_trouble", "next_floor", "previous_floor"), "Robot of the next alarm; floors"),
     ),
     "Look back in time": (
         (("audit",), "Audit log: all commands and alarms"),
         (("palette",), "Type record, for fleet-tui replay"),
     ),
     "Get around": (
-        (("next_pane", "enlarge"), "Next pane; whole column, back"),
+        (("next_pane", "enlarge"), "Next pane; enlarge it"),
         (("menu",), "Row menu; an alarm's: also shelve"),
         (("palette",), "Find any action, robot, place"),
         (("back", "quit"), "One level back; quit"),
