@@ -1,6 +1,6 @@
 """An order while it is typed: its way, its length, a guess of its time."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 
 from msgspec import Struct
@@ -29,11 +29,13 @@ class Draft(Struct, frozen=True):
 
 
 class DraftRoute(Struct, frozen=True):
-    """The lines of a draft's way by floor, and its length in metres, None if some of it has no way."""
+    """The lines of a draft's way by floor, and its length in metres, None if some of it has no way;
+    `approach`: the metres from the robot to its start, 0 if it starts here or that way is unknown."""
 
     lines: Mapping[str, tuple[Line, ...]]
     metres: float | None
     by_lift: bool = False
+    approach: float = 0.0
 
     @property
     def text(self) -> str:
@@ -41,7 +43,9 @@ class DraftRoute(Struct, frozen=True):
         if self.metres is None:
             return "no way on the graph"
         lift = ", by lift" if self.by_lift else ""
-        return f"{self.metres:.0f} m{lift}, about {age(self.metres / SPEED)} at {SPEED} m/s"
+        before = f" and {self.approach:.0f} m to its start" if self.approach >= 1.0 else ""
+        seconds = (self.metres + self.approach) / SPEED
+        return f"{self.metres:.0f} m{before}{lift}, about {age(seconds)} at {SPEED} m/s"
 
 
 Drafted = tuple[Draft, DraftRoute | None]
@@ -50,9 +54,17 @@ Drafted = tuple[Draft, DraftRoute | None]
 
 def draft_route(robot: Robot, draft: Draft) -> DraftRoute | None:
     """Return the way along the graphs from place to place, None before there are two."""
-    stops = [*_start(robot, draft), *((place.floor, ((place.vertex, 0.0),)) for place in draft.places)]
+    here, places = _here(robot), [(place.floor, ((place.vertex, 0.0),)) for place in draft.places]
+    stops: list[Stop] = [*here, *places] if draft.starts_here else [*places]
     if len(stops) < 2:
         return None
+    approach = 0.0 if draft.starts_here else _way(robot, [*here, stops[0]])[1] or 0.0
+    lines, metres = _way(robot, stops)
+    return DraftRoute(lines, metres, len({floor for floor, _ in stops}) > 1, approach)
+
+
+def _way(robot: Robot, stops: Sequence[Stop]) -> tuple[Mapping[str, tuple[Line, ...]], float | None]:
+    """Return the lines of a way by floor, and its metres, None if some of it has no way."""
     lines: dict[str, tuple[Line, ...]] = {}
     metres: float | None = 0.0
     for one, other in pairwise(stops):
@@ -65,15 +77,16 @@ def draft_route(robot: Robot, draft: Draft) -> DraftRoute | None:
             lines[floor] = lines.get(floor, ()) + way.lines
             if metres is not None and way.lines:
                 metres += way.length
-    return DraftRoute(lines, metres, by_lift=len({floor for floor, _ in stops}) > 1)
+    return lines, metres
 
 
-def _start(robot: Robot, draft: Draft) -> Iterator[Stop]:
-    """Yield the place of the robot if the draft starts there."""
+def _here(robot: Robot) -> list[Stop]:
+    """Return the place of the robot on the graph of its floor, if both are known."""
     floor = robot.floor
     routes = routes_of(robot.maps[floor]) if floor is not None and floor in robot.maps else None
-    if draft.starts_here and routes is not None and robot.pose is not None and floor is not None:
-        yield floor, routes.near(robot.pose.value)
+    if routes is None or robot.pose is None or floor is None:
+        return []
+    return [(floor, routes.near(robot.pose.value))]
 
 
 def _on_each_floor(
