@@ -11,6 +11,8 @@ from msgspec.structs import replace
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.events import CommandAdvanced, CommandIssued, FloorGraphLoaded
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.graphs.document import DocumentEdge
+from fleet_tui.model.graphs.draft import Change
 from fleet_tui.model.kind import GRAPH
 from fleet_tui.model.set_up.commands import SendGraph
 from tests.support.desk import ready
@@ -94,10 +96,20 @@ async def test_a_loaded_file_is_the_live_graph_and_the_draft_is_the_same(tmp_pat
         assert graph is not None and list(graph.vertices) == ["1", "2", "3"]
 
 
-async def test_ids_that_the_file_can_not_have_are_a_step_of_the_draft(tmp_path: Path) -> None:
+async def test_drawn_elements_have_ids_that_the_file_can_have(tmp_path: Path) -> None:
     async with drawn(tmp_path) as it:
         before = it.floor
-        assert before.edges.keys() & before.vertices.keys()  # the route server has one counter for both
+        sent(it)
+        assert it.floor is before
+        assert it.graph_file is not None
+        ids = [one["properties"]["id"] for one in json.loads(it.graph_file.read_text())["features"]]
+        assert {3, 4, 5} <= set(ids) and len(set(ids)) == len(ids)
+
+
+async def test_ids_that_the_file_can_not_have_are_a_step_of_the_draft(tmp_path: Path) -> None:
+    async with drawn(tmp_path) as it:
+        it.editor.do(Change("as live", edges=((None, DocumentEdge("1", "1", "3")),)))
+        before = it.floor
         command = sent(it)
         assert not it.floor.edges.keys() & it.floor.vertices.keys()
         assert len(command.edges) == len(before.edges)
