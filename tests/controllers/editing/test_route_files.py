@@ -57,9 +57,10 @@ def sent(it: DrawnGraph) -> SendGraph:
 def ends(it: DrawnGraph, command: SendGraph, *stages: Stage) -> str:
     """Let the command end; return what is said then."""
     store = it.desk.store
-    store.apply(CommandIssued(1, command, T0, 0.0))
+    number = len(store.state.commands) + 1
+    store.apply(CommandIssued(number, command, T0, 0.0))
     for stage in stages:
-        store.apply(CommandAdvanced(1, stage, T0 + 1, ""))
+        store.apply(CommandAdvanced(number, stage, T0 + 1, ""))
     return it.desk.notices.text
 
 
@@ -142,6 +143,26 @@ async def test_the_same_file_again_keeps_the_one_before(tmp_path: Path) -> None:
         it.desk.answers.clear()
         sent(it)
     assert (tmp_path / "routes.geojson.bak").read_text() == OLD
+
+
+async def test_files_that_were_not_loaded_do_not_replace_the_old_one(tmp_path: Path) -> None:
+    async with drawn(tmp_path) as it:
+        ends(it, sent(it), Stage.SENT, Stage.REFUSED)
+        for at in ((2.0, 9.0), (6.0, 9.0)):
+            it.at(at)
+            it.drawing.connect()
+            it.desk.answers.clear()
+            command = sent(it)
+            assert command.is_kept
+        assert (tmp_path / "routes.geojson.bak").read_text() == OLD
+        assert it.graph_file is not None
+        loaded = it.graph_file.read_text()
+        ends(it, command, Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED)
+        it.at((3.0, 3.0))
+        it.drawing.connect()
+        it.desk.answers.clear()
+        sent(it)
+    assert (tmp_path / "routes.geojson.bak").read_text() == loaded
 
 
 async def test_without_a_geojson_file_it_is_refused_with_the_remedy(tmp_path: Path) -> None:
