@@ -1,11 +1,11 @@
 """Reads the values of graph files: each error names the place in the file."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from typing import Any, TypeVar
 
 from fleet_tui.errors import GraphError
 from fleet_tui.graph_files.yaml_text import PlainText, settled
-from fleet_tui.model.graphs.document import Site, is_number, next_id, unused
+from fleet_tui.model.graphs.document import Site
 from fleet_tui.text.limits import LONGEST_NAME, MOST_EDGES, MOST_VERTICES, truncate
 
 LONGEST_TEXT = 5 * LONGEST_NAME
@@ -126,23 +126,3 @@ def required(table: Table, key: str, read: Callable[[Any, str], Found], where: s
 def rest(format_: str, table: Table) -> dict[str, Any]:
     """Return what remains of a table as the `extra` of a format."""
     return {format_: settled(table)} if table else {}
-
-
-def distinct(ids: Iterable[str]) -> list[tuple[str, str]]:
-    """Return for each id a distinct one, and the id in the file where it had to change.
-
-    Of several elements with one id the last keeps it, as in the readers of these formats.
-    """
-    wanted = list(ids)
-    last = {id_: n for n, id_ in enumerate(wanted)}
-    used, free = set(last), int(next_id(last))
-    found = []
-    for n, id_ in enumerate(wanted):
-        if last[id_] == n:
-            found.append((id_, ""))
-            continue
-        other = str(free) if is_number(id_) else unused(f"{id_}-2", used)
-        free += is_number(id_)
-        used.add(other)
-        found.append((other, id_))
-    return found

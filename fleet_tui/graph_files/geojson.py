@@ -1,7 +1,7 @@
 """Route graphs of Nav2's route server: GeoJSON in metres, vertices as Points, one-way edges as lines."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from fleet_tui.errors import GraphError
@@ -20,6 +20,7 @@ from fleet_tui.model.graphs.document import (
     merge_opposites,
     one_way_edges,
 )
+from fleet_tui.model.graphs.ids import distinct
 from fleet_tui.text.limits import MOST_EDGES, MOST_VERTICES, truncate
 
 OWN = GraphFormat.GEOJSON.value
@@ -57,12 +58,12 @@ def read(tree: Any, choices: ReadChoices) -> GraphFile:
     return GraphFile(GraphFormat.GEOJSON, document, (), {"other features": others} if others else {})
 
 
-def _ids(features: list[Table], kind: str) -> list[tuple[str, str]]:
+def _ids(features: list[Table], kind: str, others: Iterable[str] = ()) -> list[tuple[str, tuple[str, ...]]]:
     ids = [
         fields.required(one["properties"], "id", _id, f"{kind} {n} of the file")
         for n, one in enumerate(features)
     ]
-    return fields.distinct(ids)
+    return distinct(ids, others)
 
 
 def _id(value: Any, where: str) -> str:
@@ -80,8 +81,8 @@ def _text(table: Table, key: str) -> str:
 
 
 def _vertices(points: list[Table], frame: str) -> Iterator[DocumentVertex]:
-    for (id_, source), feature in zip(_ids(points, "vertex"), points, strict=True):
-        where, properties = f"vertex {source or id_}", feature["properties"]
+    for (id_, repeats), feature in zip(_ids(points, "vertex"), points, strict=True):
+        where, properties = f"vertex {(*repeats, id_)[0]}", feature["properties"]
         geometry = dict(feature["geometry"])
         coordinates = fields.elements(geometry.pop("coordinates", None), f"{where} coordinates", 3)
         if len(coordinates) < 2:
@@ -92,9 +93,9 @@ def _vertices(points: list[Table], frame: str) -> Iterator[DocumentVertex]:
         if properties.get("frame") == frame:
             properties.pop("frame")
         metadata = _metadata(properties)
-        label, type_, before = (_text(metadata, key) for key in ("name", "class", "source_id"))
+        label, type_, source = (_text(metadata, key) for key in ("name", "class", "source_id"))
         extra = _extra(feature, geometry, metadata)
-        yield DocumentVertex(id_, x, y, label, type_, source_id=source or before, extra=extra)
+        yield DocumentVertex(id_, x, y, label, type_, source_id=source, extra=extra, repeats=repeats)
 
 
 def _metadata(properties: Table) -> Table:
@@ -120,8 +121,9 @@ _USUAL = (("type", "Point"), ("type", "LineString"))
 
 
 def _edges(lines: list[Table], vertices: dict[str, DocumentVertex]) -> Iterator[DocumentEdge]:
-    for (id_, source), feature in zip(_ids(lines, "edge"), lines, strict=True):
-        where, properties = f"edge {source or id_}", feature["properties"]
+    # One counter: an edge that needs another id must not get that of a vertex.
+    for (id_, repeats), feature in zip(_ids(lines, "edge", vertices), lines, strict=True):
+        where, properties = f"edge {(*repeats, id_)[0]}", feature["properties"]
         start, end = (fields.required(properties, key, _id, where) for key in ("startid", "endid"))
         metadata = _metadata(properties)
         cost = fields.optional(properties, "cost", fields.number, where)
@@ -142,8 +144,9 @@ def _edges(lines: list[Table], vertices: dict[str, DocumentVertex]) -> Iterator[
             locked=locked,
             motion=motion,
             length=length,
-            source_id=source or _text(metadata, "source_id"),
+            source_id=_text(metadata, "source_id"),
             extra=_extra(feature, geometry, metadata),
+            repeats=repeats,
         )
 
 

@@ -20,6 +20,7 @@ from fleet_tui.model.graphs.document import (
     Station,
     merge_opposites,
 )
+from fleet_tui.model.graphs.ids import distinct
 
 OWN = GraphFormat.LIF.value
 ON_NODES, ON_EDGES = "vehicleTypeNodeProperties", "vehicleTypeEdgeProperties"
@@ -87,14 +88,14 @@ def station_labels(stations: tuple[Station, ...], floor: str) -> dict[str, str]:
     return found
 
 
-def _tables(parts: list[Any], key: str, where: str) -> Iterator[tuple[str, str, Table]]:
-    """Yield each element with its distinct id and the id of the file where that differs."""
+def _tables(parts: list[Any], key: str, where: str) -> Iterator[tuple[str, tuple[str, ...], Table]]:
+    """Yield each element with its distinct id and the id of the file that it repeats."""
     tables = [dict(fields.mapping(one, f"{where} element {n}")) for n, one in enumerate(parts)]
     ids = [
         fields.required(one, key, fields.identifier, f"{where} element {n}") for n, one in enumerate(tables)
     ]
-    for (id_, source), table in zip(fields.distinct(ids), tables, strict=True):
-        yield id_, source, table
+    for (id_, repeats), table in zip(distinct(ids), tables, strict=True):
+        yield id_, repeats, table
 
 
 def _entries(table: Table, key: str, where: str) -> list[Table]:
@@ -110,8 +111,8 @@ def agreed(entries: list[Table], key: str, vehicle: str, where: str) -> float | 
 
 
 def _vertices(parts: list[Any], where: str, vehicle: str, named: dict[str, str]) -> Iterator[DocumentVertex]:
-    for id_, source, table in _tables(parts, "nodeId", f"{where} nodes"):
-        at = f"{where} node {(source or id_)[:40]}"
+    for id_, repeats, table in _tables(parts, "nodeId", f"{where} nodes"):
+        at = f"{where} node {(*repeats, id_)[0][:40]}"
         position = dict(fields.required(table, "nodePosition", fields.mapping, at))
         x, y = (fields.required(position, axis, fields.number, at) for axis in ("x", "y"))
         if position:
@@ -125,14 +126,14 @@ def _vertices(parts: list[Any], where: str, vehicle: str, named: dict[str, str])
         }
         type_ = "charger" if CHARGING in actions else ""
         heading = agreed(entries, "theta", vehicle, at)
-        yield DocumentVertex(id_, x, y, label, type_, heading, source, fields.rest(OWN, table))
+        yield DocumentVertex(id_, x, y, label, type_, heading, "", fields.rest(OWN, table), repeats)
 
 
 def _edges(
     parts: list[Any], where: str, vehicle: str, vertices: dict[str, DocumentVertex]
 ) -> Iterator[DocumentEdge]:
-    for id_, source, table in _tables(parts, "edgeId", f"{where} edges"):
-        at = f"{where} edge {(source or id_)[:40]}"
+    for id_, repeats, table in _tables(parts, "edgeId", f"{where} edges"):
+        at = f"{where} edge {(*repeats, id_)[0][:40]}"
         start, end = (
             fields.required(table, key, fields.identifier, at) for key in ("startNodeId", "endNodeId")
         )
@@ -154,8 +155,8 @@ def _edges(
                 type_: {key: value for key, value in entry.items() if key != "vehicleTypeId"}
                 for type_, entry in zip(types, entries, strict=True)
             },
-            source_id=source,
             extra=fields.rest(OWN, table),
+            repeats=repeats,
         )
 
 

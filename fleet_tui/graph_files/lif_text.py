@@ -28,8 +28,8 @@ from fleet_tui.model.graphs.document import (
     Polyline,
     Station,
     one_way_edges,
-    unused,
 )
+from fleet_tui.model.graphs.ids import unused
 
 VERSION = "1.0.0"
 _TURNS = {motion: degrees for degrees, motion in ORIENTATIONS.items()}

@@ -98,11 +98,9 @@ def _new_ids(document: GraphDocument, format_: GraphFormat) -> Iterator[tuple[st
         repeated = repeated_ids(document)
         vertices = sum(id_ in repeated for floor in document.floors.values() for id_ in floor.vertices)
     # Of elements with one id in a file all but one got another when it was read.
-    edges += sum(
-        bool(edge.source_id) and format_ is F.GEOJSON and edge.source_id in floor.edges
-        for floor in document.floors.values()
-        for edge in floor.edges.values()
-    )
+    for floor in document.floors.values() if format_ is not F.RMF else ():
+        vertices += sum(len(vertex.repeats) for vertex in floor.vertices.values())
+        edges += sum(len(edge.repeats) for edge in floor.edges.values())
     yield "vertex ids", vertices
     yield "edge ids", edges
 

@@ -22,6 +22,7 @@ from fleet_tui.model.graphs.document import (
     Station,
     Stop,
 )
+from fleet_tui.model.graphs.ids import distinct
 
 MARK = "fleet_tui_graph"
 """The key by which such a file is recognised; its value is the version."""
@@ -58,11 +59,10 @@ def _stops(value: Any, where: str) -> tuple[Stop, ...]:
 
 
 def _map(value: Any, where: str) -> MapReference:
-    readers: Readers = {"file": fields.text, "resolution": fields.number, "origin": fields.place}
+    readers: Readers = {"resolution": fields.number, "origin": fields.place}
     table = dict(fields.mapping(value, where))
-    if "file" not in table:
-        raise GraphError(f"{where}: no file")
-    return MapReference(**_known(table, readers, where))
+    file = fields.required(table, "file", fields.text, where)
+    return MapReference(file, **_known(table, readers, where))
 
 
 def _values(value: Any, where: str) -> Table:
@@ -152,28 +152,28 @@ def _floor(name: str, value: Any) -> DocumentFloor:
     return DocumentFloor(name, {one.id: one for one in vertices}, {one.id: one for one in edges}, **known)
 
 
-def _named(parts: list[Any], kind: str, where: str) -> Iterator[tuple[str, str, Table]]:
-    """Yield each element with its distinct id and the id of the file where that differs."""
+def _named(parts: list[Any], kind: str, where: str) -> Iterator[tuple[str, tuple[str, ...], Table]]:
+    """Yield each element with its distinct id and the id of the file that it repeats."""
     tables = [dict(fields.mapping(part, f"{where} {kind}[{n}]")) for n, part in enumerate(parts)]
     ids = [
         fields.required(table, "id", fields.identifier, f"{where} {kind}[{n}]")
         for n, table in enumerate(tables)
     ]
-    for (id_, source), table in zip(fields.distinct(ids), tables, strict=True):
-        yield id_, source, table
+    for (id_, repeats), table in zip(distinct(ids), tables, strict=True):
+        yield id_, repeats, table
 
 
 def _vertices(parts: list[Any], where: str) -> Iterator[DocumentVertex]:
-    for id_, source, table in _named(parts, "vertices", where):
-        at = f"{where} vertex {source or id_}"
+    for id_, repeats, table in _named(parts, "vertices", where):
+        at = f"{where} vertex {(*repeats, id_)[0]}"
         x, y = (fields.required(table, axis, fields.number, at) for axis in ("x", "y"))
         known = _with_rest(_known(table, VERTEX, at), table)
-        yield DocumentVertex(id_, x, y, **({**known, "source_id": source} if source else known))
+        yield DocumentVertex(id_, x, y, repeats=repeats, **known)
 
 
 def _edges(parts: list[Any], where: str) -> Iterator[DocumentEdge]:
-    for id_, source, table in _named(parts, "edges", where):
-        at = f"{where} edge {source or id_}"
+    for id_, repeats, table in _named(parts, "edges", where):
+        at = f"{where} edge {(*repeats, id_)[0]}"
         start, end = (fields.required(table, key, fields.identifier, at) for key in ("start", "end"))
         known = _with_rest(_known(table, EDGE, at), table)
-        yield DocumentEdge(id_, start, end, **({**known, "source_id": source} if source else known))
+        yield DocumentEdge(id_, start, end, repeats=repeats, **known)

@@ -18,6 +18,7 @@ from fleet_tui.model.graphs.document import (
     of_floor,
     one_way_edges,
 )
+from fleet_tui.model.graphs.ids import distinct
 from fleet_tui.text.limits import MOST_LABELS
 
 OWN = GraphFormat.OH.value
@@ -56,27 +57,29 @@ def _labels(messages: Table) -> dict[str, str]:
     return found
 
 
-def _ids(tables: list[Table], kind: str) -> list[tuple[str, str]]:
+def _ids(tables: list[Table], kind: str) -> list[tuple[str, tuple[str, ...]]]:
     ids = [fields.required(one, "id", fields.identifier, f"{kind}[{n}]") for n, one in enumerate(tables)]
-    return fields.distinct(ids)
+    return distinct(ids)
 
 
 def _vertices(parts: list[Any], labels: dict[str, str]) -> Iterator[DocumentVertex]:
     tables = [dict(fields.mapping(part, f"vertices[{n}]")) for n, part in enumerate(parts)]
-    for (id_, source), table in zip(_ids(tables, "vertices"), tables, strict=True):
-        where = f"vertex {source or id_}"
+    for (id_, repeats), table in zip(_ids(tables, "vertices"), tables, strict=True):
+        where = f"vertex {(*repeats, id_)[0]}"
         x, y = (fields.required(table, axis, fields.number, where) for axis in ("x", "y"))
         type_ = fields.optional(table, "type", fields.text, where) or ""
         label = labels.get(id_, "")
-        yield DocumentVertex(id_, x, y, label, type_, source_id=source, extra=fields.rest(OWN, table))
+        extra = fields.rest(OWN, table)
+        yield DocumentVertex(id_, x, y, label, type_, extra=extra, repeats=repeats)
 
 
 def _edges(parts: list[Any], directed: bool) -> Iterator[DocumentEdge]:
     tables = [dict(fields.mapping(part, f"edges[{n}]")) for n, part in enumerate(parts)]
-    for (id_, source), table in zip(_ids(tables, "edges"), tables, strict=True):
-        where = f"edge {source or id_}"
+    for (id_, repeats), table in zip(_ids(tables, "edges"), tables, strict=True):
+        where = f"edge {(*repeats, id_)[0]}"
         start, end = (fields.required(table, key, fields.identifier, where) for key in ("start", "end"))
-        yield DocumentEdge(id_, start, end, not directed, source_id=source, extra=fields.rest(OWN, table))
+        extra = fields.rest(OWN, table)
+        yield DocumentEdge(id_, start, end, not directed, extra=extra, repeats=repeats)
 
 
 def is_directed(floor: DocumentFloor) -> bool:

@@ -23,6 +23,7 @@ from fleet_tui.model.graphs.document import (
     Polyline,
     Station,
 )
+from fleet_tui.model.graphs.ids import distinct
 from fleet_tui.text.limits import MOST_EDGES, MOST_VERTICES, truncate
 
 OWN = GraphFormat.OPENTCS.value
@@ -124,8 +125,9 @@ def _linked(locations: list[Element]) -> dict[str, tuple[str, str]]:
 
 
 def _vertices(points: list[Element], named: dict[str, tuple[str, str]]) -> Iterator[DocumentVertex]:
-    for (id_, source), point in zip(fields.distinct(map(_name, points)), points, strict=True):
-        label, type_ = named.get(source or id_, (source or id_, ""))
+    for (id_, repeats), point in zip(distinct(map(_name, points)), points, strict=True):
+        name = (*repeats, id_)[0]
+        label, type_ = named.get(name, (name, ""))
         kind = point.get("type", "HALT_POSITION")
         x, y = _millimetres(point, "positionX"), _millimetres(point, "positionY")
         extra = _properties(point)
@@ -136,8 +138,9 @@ def _vertices(points: list[Element], named: dict[str, tuple[str, str]]) -> Itera
             label,
             type_ if type_ and kind == "HALT_POSITION" else kind,
             _heading(point),
-            source,
+            "",
             {OWN: extra} if extra else {},
+            repeats,
         )
 
 
@@ -169,7 +172,7 @@ def _length(path: Element, start: DocumentVertex | None, end: DocumentVertex | N
 def _edges(
     paths: list[Element], scale: tuple[float, float], places: dict[str, DocumentVertex]
 ) -> Iterator[DocumentEdge]:
-    for (id_, source), path in zip(fields.distinct(map(_name, paths)), paths, strict=True):
+    for (id_, repeats), path in zip(distinct(map(_name, paths)), paths, strict=True):
         ahead, back = (_millimetres(path, key, "0") for key in ("maxVelocity", "maxReverseVelocity"))
         ends = [
             fields.identifier(path.get(key), f"path {id_[:40]}")
@@ -193,8 +196,8 @@ def _edges(
             motion=_motion(ahead, back),
             length=_length(path, places.get(ends[0]), places.get(ends[1])),
             control_points=points,
-            source_id=source,
             extra={OWN: own} if own else {},
+            repeats=repeats,
         )
 
 

@@ -5,7 +5,8 @@ from collections.abc import Collection, Iterable
 from msgspec import Struct
 from msgspec.structs import replace
 
-from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor, is_number
+from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor
+from fleet_tui.model.graphs.ids import is_number
 
 
 class Numbered(Struct, frozen=True):

@@ -19,10 +19,10 @@ from fleet_tui.model.graphs.document import (
     Lift,
     Motion,
     Stop,
-    is_number,
     merge_opposites,
     one_way_edges,
 )
+from fleet_tui.model.graphs.ids import is_number
 
 OWN = GraphFormat.RMF.value
 FLAGS = {

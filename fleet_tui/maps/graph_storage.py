@@ -31,8 +31,8 @@ def load_graph_file(path: Path, format_: GraphFormat | None, choices: ReadChoice
     return read_graph(graph_text(path), format_, choices)
 
 
-def save_graph_file(path: Path, text: str) -> Path | None:
-    """Write a file whole or not at all; return the name of its old version, if there was one.
+def save_graph_file(path: Path, text: str, keep: bool = True) -> Path | None:
+    """Write a file whole or not at all; with `keep` return the name of its old version, if there was one.
 
     Raises GraphError.
     """
@@ -45,6 +45,6 @@ def save_graph_file(path: Path, text: str) -> Path | None:
     if path.exists() and not path.is_file():
         raise GraphError("not a regular file")
     try:
-        return write_whole(path, text.encode(), keep=True, is_shared=True)
+        return write_whole(path, text.encode(), keep=keep, is_shared=True)
     except OSError as problem:
         raise GraphError(f"cannot be written: {problem.strerror or problem}") from None

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import msgspec
+from msgspec.structs import replace
 
 from fleet_tui.adapters.parts import read_all
 from fleet_tui.adapters.ros.facts import is_place
@@ -13,6 +14,7 @@ from fleet_tui.errors import GraphError, WireError
 from fleet_tui.graph_files.json_text import in_line
 from fleet_tui.model.events import FloorGraphLoaded
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
+from fleet_tui.model.graphs.ids import distinct
 from fleet_tui.model.graphs.live import role_of
 from fleet_tui.text.limits import LONGEST_NAME, MOST_EDGES, MOST_VERTICES, too_many, truncate
 
@@ -166,13 +168,14 @@ def _text(value: object) -> str:
 def _graph(vertices: Mapping[str, Vertex], lines: Iterable[_Feature], faults: list[str]) -> RouteGraph:
     """Join vertices. Edges go one way in such a file: only if each has its opposite, pairs are merged.
 
-    Ids of edges may repeat, as in files that come with Nav2: they are not used here.
+    Ids of edges may repeat, as in files that come with Nav2: new ones are given as a graph editor does.
     """
     ways, read = dict[tuple[str, str], Edge](), list(lines)
     if len(read) > MOST_EDGES:
         faults.append(too_many(len(read), MOST_EDGES, "edges"))
-    for line in read[:MOST_EDGES]:
-        ends, id_ = (line.properties.startid, line.properties.endid), str(line.properties.id)
+    ids = distinct((str(line.properties.id) for line in read), vertices)
+    for (id_, _), line in zip(ids, read[:MOST_EDGES], strict=False):
+        ends = line.properties.startid, line.properties.endid
         way = str(ends[0]), str(ends[1])
         if None in ends:
             faults.append(f"edge {id_} has no startid or no endid: left out")
@@ -185,4 +188,9 @@ def _graph(vertices: Mapping[str, Vertex], lines: Iterable[_Feature], faults: li
     if any((end, start) not in ways for start, end in ways):
         return RouteGraph(vertices, tuple(ways.values()), directed=True)
     pairs = {frozenset(way): edge for way, edge in reversed(ways.items())}
-    return RouteGraph(vertices, tuple(reversed(pairs.values())))
+    return RouteGraph(vertices, tuple(_with_back(one, ways) for one in reversed(pairs.values())))
+
+
+def _with_back(edge: Edge, ways: Mapping[tuple[str, str], Edge]) -> Edge:
+    back = ways[edge.end, edge.start].id
+    return replace(edge, reverse_id=back) if back != edge.id else edge

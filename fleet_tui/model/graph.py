@@ -31,11 +31,12 @@ class Vertex(Struct, frozen=True, gc=False):
 
 
 class Edge(Struct, frozen=True, gc=False):
-    """A drivable connection between two vertex ids."""
+    """A drivable connection between two vertex ids. reverse_id: the id of the way back, where it has one."""
 
     id: str
     start: str
     end: str
+    reverse_id: str = ""
 
 
 class RouteGraph(Struct, frozen=True, dict=True):

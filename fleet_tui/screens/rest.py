@@ -11,6 +11,7 @@ from fleet_tui.controllers.editing.drawing import GraphDrawing
 from fleet_tui.controllers.editing.edge_values import EdgeValues
 from fleet_tui.controllers.editing.editor import GraphEditor
 from fleet_tui.controllers.editing.files import DraftFiles
+from fleet_tui.controllers.editing.old_files import OldFiles
 from fleet_tui.controllers.editing.route_files import RouteFiles
 from fleet_tui.controllers.editing.sending import DraftSending
 from fleet_tui.controllers.editing.values import VertexValues
@@ -126,8 +127,9 @@ class Rest:
         self.editor = GraphEditor(parts, controls, picture, self._screen.files.draft)
         self.checks = DraftChecks(parts, self.editor, in_background)
         files = self._screen.files
-        self.draft_files = DraftFiles(parts, self.editor, self.checks, files, ask)
-        route_files = RouteFiles(parts, self.editor, files, self._screen.backend.post)
+        old_files = OldFiles()
+        self.draft_files = DraftFiles(parts, self.editor, self.checks, files, ask, old_files)
+        route_files = RouteFiles(parts, self.editor, files, self._screen.backend.post, old_files)
         self.sending = DraftSending(parts, self.editor, self.checks, files, route_files)
         say_from_thread = partial(self._screen.app.call_from_thread, self._screen.notices.say)
         self.mapping = MappingControls(parts, picture, files, ask, in_background, say_from_thread)

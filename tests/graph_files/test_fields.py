@@ -28,13 +28,3 @@ def test_limits() -> None:
         fields.text("x" * 1001, "here")
     with pytest.raises(GraphError, match="unknown vertex 9, the last one is 4"):
         fields.index(9, 5, "here")
-
-
-def test_the_last_of_several_keeps_the_id() -> None:
-    assert fields.distinct(["1", "a", "1", "a", "7"]) == [
-        ("8", "1"),
-        ("a-2", "a"),
-        ("1", ""),
-        ("a", ""),
-        ("7", ""),
-    ]

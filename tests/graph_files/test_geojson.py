@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.errors import GraphError
+from fleet_tui.graph_files.losses import losses
 from fleet_tui.model.graphs.document import DocumentFloor, DocumentVertex, GraphFormat, Motion, of_floor
 from tests.support.graph_files import (
     NUMBERS,
@@ -99,7 +100,7 @@ def test_what_we_add_is_read_again() -> None:
 def test_ids_are_of_one_counter_and_whole_numbers() -> None:
     text = collection(node(0, 0, 0), node(1, 1, 0), line(1, 0, 1), line(1, 1, 0, cost=2.0))
     floor = read_text(text, floor="f").document.floors["f"]
-    assert sorted(floor.edges) == ["1", "2"] and floor.edges["2"].source_id == "1"
+    assert sorted(floor.edges) == ["1", "2"] and floor.edges["2"].repeats == ("1",)
     assert len(check(write_text(of_floor(floor), F))["features"]) == 4
     named = DocumentFloor("f", {"node-1": DocumentVertex("node-1", 0.0, 0.0)})
     assert again(of_floor(named), F).floors["f"].vertices["0"].source_id == "node-1"
@@ -107,10 +108,26 @@ def test_ids_are_of_one_counter_and_whole_numbers() -> None:
 
 def test_of_duplicate_nodes_the_later_keeps_the_id() -> None:
     floor = read_text(collection(node(3, 0, 0), node(3, 5, 0)), floor="f").document.floors["f"]
-    assert {id_: (one.x, one.source_id) for id_, one in floor.vertices.items()} == {
-        "4": (0.0, "3"),
-        "3": (5.0, ""),
+    assert {id_: (one.x, one.repeats) for id_, one in floor.vertices.items()} == {
+        "4": (0.0, ("3",)),
+        "3": (5.0, ()),
     }
+
+
+def test_a_file_without_duplicates_is_written_of_one_that_has_them() -> None:
+    repeated = line(9, 0, 1), line(9, 1, 0), line(10, 0, 20), line(10, 20, 0)
+    document = read_text(collection(node(0, 0, 0), node(1, 1, 0), node(20, 2, 0), *repeated)).document
+    assert [str(one) for one in losses(document, F)] == ["edge ids: 2"]
+    (floor,) = document.floors.values()
+    assert {id_: (edge.reverse_id, edge.repeats) for id_, edge in floor.edges.items()} == {
+        "21": ("9", ("9",)),
+        "22": ("10", ("10",)),
+    }  # the last keeps the id; new ones are no vertex's
+    text = write_text(document, F)
+    mended = read_text(text).document
+    (floor,) = mended.floors.values()
+    assert not any(one.repeats or one.source_id for one in floor.edges.values())
+    assert losses(mended, F) == () and write_text(mended, F) == text
 
 
 def test_what_is_no_text_stays_in_the_metadata() -> None:

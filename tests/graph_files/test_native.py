@@ -42,11 +42,11 @@ def test_of_elements_with_one_id_all_are_kept() -> None:
         + "    vertices: [{id: 3, x: 1, y: 1}, {id: 3, x: 2, y: 2}, {id: a, x: 0, y: 0}, {id: a, x: 0, y: 0}]"
     )
     floor = read_text(text).document.floors["f"]
-    assert {id_: (one.x, one.source_id) for id_, one in floor.vertices.items()} == {
-        "4": (1.0, "3"),
-        "3": (2.0, ""),
-        "a-2": (0.0, "a"),
-        "a": (0.0, ""),
+    assert {id_: (one.x, one.repeats) for id_, one in floor.vertices.items()} == {
+        "4": (1.0, ("3",)),
+        "3": (2.0, ()),
+        "a-2": (0.0, ("a",)),
+        "a": (0.0, ()),
     }
 
 

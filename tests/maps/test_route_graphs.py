@@ -8,10 +8,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from fleet_tui.graph_files.graph_file import ReadChoices
+from fleet_tui.graph_files.reading import read_graph
 from fleet_tui.maps import route_graphs
 from fleet_tui.maps.route_graphs import load_floor_graph
 from fleet_tui.model.events import FloorGraphLoaded
 from fleet_tui.model.graph import Edge, Role, RouteGraph
+from fleet_tui.model.graphs.live import floor_of
 
 SHARED = Path(__file__).parents[3] / "shared"
 SAMPLES = {"graphs/sample_graph.geojson": (9, 12), "maps/depot/depot_graph.geojson": (34, 39)}
@@ -65,7 +68,7 @@ def test_vertices_edges_labels_and_classes(read: Any) -> None:
         ("1", 0.5, -1.0, Role.ELEVATOR, "lift"),
         ("2", 0.0, 0.0, Role.PLAIN, "shelf"),
     ]
-    assert graph.edges == (Edge("10", "3", "1"), Edge("12", "2", "1")) and not graph.directed
+    assert graph.edges == (Edge("10", "3", "1", "11"), Edge("12", "2", "1", "13")) and not graph.directed
     assert graph.path("3", "2") == ("3", "1", "2")
 
 
@@ -214,3 +217,14 @@ def test_other_formats_of_real_sites(name: str, vertices: int) -> None:
     loaded = load_floor_graph("f", SHARED / "graphs" / name)
     assert loaded.problem == "" and loaded.graph is not None
     assert len(loaded.graph.vertices) == vertices and loaded.labels
+
+
+def test_edges_with_one_id_get_the_ids_that_a_graph_editor_gives(read: Any) -> None:
+    places = [node(n, float(n), 0.0) for n in range(3)]
+    for ways in (((0, 1), (1, 0), (1, 2), (2, 1)), ((0, 1), (1, 0), (1, 2))):
+        text = collection(*places, *(edge(7 + n % 2, *way) for n, way in enumerate(ways)))
+        (floor,) = read_graph(text, None, ReadChoices()).document.floors.values()
+        live = floor_of("floor_0", read(text).graph, {})
+        assert {id_: (one.start, one.end, one.reverse_id) for id_, one in live.edges.items()} == {
+            id_: (one.start, one.end, one.reverse_id) for id_, one in floor.edges.items()
+        }

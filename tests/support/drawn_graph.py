@@ -9,6 +9,7 @@ from fleet_tui.controllers.editing.drawing import GraphDrawing
 from fleet_tui.controllers.editing.edge_values import EdgeValues
 from fleet_tui.controllers.editing.editor import GraphEditor
 from fleet_tui.controllers.editing.files import DraftFiles
+from fleet_tui.controllers.editing.old_files import OldFiles
 from fleet_tui.controllers.editing.route_files import RouteFiles
 from fleet_tui.controllers.editing.sending import DraftSending
 from fleet_tui.controllers.editing.values import VertexValues
@@ -44,8 +45,9 @@ class DrawnGraph:
         self.checks = DraftChecks(parts, self.editor, lambda work, then: then(work()))
         self.graph_file: Path | None = None
         files = ConsoleFiles(graph_file=lambda _floor: self.graph_file, folder=folder)
-        self.files = DraftFiles(parts, self.editor, self.checks, files, desk.ask)
-        route_files = RouteFiles(parts, self.editor, files, desk.backend.post)
+        old_files = OldFiles()
+        self.files = DraftFiles(parts, self.editor, self.checks, files, desk.ask, old_files)
+        route_files = RouteFiles(parts, self.editor, files, desk.backend.post, old_files)
         self.sending = DraftSending(parts, self.editor, self.checks, files, route_files)
         self.values = VertexValues(parts, self.editor)
         self.edge_values = EdgeValues(parts, self.editor)

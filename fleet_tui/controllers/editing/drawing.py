@@ -66,7 +66,7 @@ class GraphDrawing:
             self._add(draft, mode, (x, y), round(pose.value.yaw, 4))
 
     def _add(self, draft: GraphDraft, mode: EditMode, at: Point, heading: float | None = None) -> None:
-        vertex = DocumentVertex(draft.vertex_id, *at, heading=heading)
+        vertex = DocumentVertex(next(draft.free_ids()), *at, heading=heading)
         self._editor.do(edits.added(vertex))
         mode.cursor, mode.selected, mode.edge = at, vertex.id, ""
         self._editor.refresh()
@@ -82,11 +82,10 @@ class GraphDrawing:
             self._notices.say("select the vertex that the edge begins at: cursor on it, Enter")
             return
         end, new = self._at_cursor(mode, scene), None
+        ids = draft.free_ids()
         if not end:
-            new = edits.added(DocumentVertex(draft.vertex_id, *self._place(draft, mode, scene)))
-            ((_, made),) = new.vertices
-            assert made is not None
-            end = made.id
+            end = next(ids)
+            new = edits.added(DocumentVertex(end, *self._place(draft, mode, scene)))
         if end == mode.selected:
             self._notices.say("move the cursor to the vertex that the edge ends at")
             return
@@ -94,7 +93,7 @@ class GraphDrawing:
         if there is not None:
             self._notices.say(f"edge {sanitize(there.id)} joins them already: Enter on it, d turns it")
             return
-        edge = edits.connected(draft.edge_id, mode.selected, end)
+        edge = edits.connected(next(ids), next(ids), mode.selected, end)
         self._editor.do(edge if new is None else edits.joined(new, edge))
         mode.selected = end
         self._editor.refresh()

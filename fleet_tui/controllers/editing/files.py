@@ -10,6 +10,7 @@ from fleet_tui.config.schema import expanded
 from fleet_tui.controllers.dispatch import Ask
 from fleet_tui.controllers.editing.checks import DraftChecks, counts_text
 from fleet_tui.controllers.editing.editor import GraphEditor
+from fleet_tui.controllers.editing.old_files import OldFiles
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.typed import Typed
@@ -18,7 +19,7 @@ from fleet_tui.graph_files.graph_file import MissingChoiceError, ReadChoices, Wr
 from fleet_tui.graph_files.losses import losses
 from fleet_tui.graph_files.reading import HAS_FLOORS, format_named, recognised
 from fleet_tui.graph_files.writing import WRITERS, named_format, write_graph
-from fleet_tui.maps.graph_storage import graph_text, load_graph_file, save_graph_file
+from fleet_tui.maps.graph_storage import graph_text, load_graph_file
 from fleet_tui.model.graphs.document import DocumentFloor, GraphDocument, GraphFormat, of_floor
 from fleet_tui.rules.graphs.finding import LintInputs
 from fleet_tui.rules.graphs.targets import of_target
@@ -36,9 +37,16 @@ class DraftFiles:
     LIF wants the type of the vehicles."""
 
     def __init__(
-        self, parts: SetUpParts, editor: GraphEditor, checks: DraftChecks, files: ConsoleFiles, ask: Ask
+        self,
+        parts: SetUpParts,
+        editor: GraphEditor,
+        checks: DraftChecks,
+        files: ConsoleFiles,
+        ask: Ask,
+        old_files: OldFiles,
     ) -> None:
         self._parts, self._editor, self._checks, self._files, self._ask = parts, editor, checks, files, ask
+        self._old_files = old_files
 
     def write(self) -> None:
         """Write to the floor's graph file; without one ask for a name."""
@@ -85,7 +93,9 @@ class DraftFiles:
             document = joined(path, format_, floor)
             at = datetime.now(UTC).strftime("%Y-%m-%dT%H:%M:%SZ")
             text = write_graph(document, format_, WriteChoices(vehicle, at))
-            doubts = _doubts(document, format_, vehicle, path)
+            doubts = _doubts(document, format_, vehicle)
+            if self._old_files.is_kept(path, text):
+                doubts.append("the old file is kept as .bak")
         except MissingChoiceError as missing:
             say(sanitize(f"not written: {missing}: write FILE lif VEHICLE"))
             return
@@ -103,7 +113,7 @@ class DraftFiles:
 
     def _save(self, path: Path, format_: GraphFormat, text: str, floor: DocumentFloor) -> None:
         try:
-            kept = save_graph_file(path, text)
+            kept = self._old_files.save(path, text)
         except GraphError as problem:
             self._parts.notices.say(sanitize(f"{path}: {problem}"))
             return
@@ -117,12 +127,11 @@ class DraftFiles:
         self._parts.notices.say(sanitize(said))
 
 
-def _doubts(document: GraphDocument, format_: GraphFormat, vehicle: str, path: Path) -> list[str]:
-    """Return the losses of a format, the objections of its readers, and a note on an existing file."""
+def _doubts(document: GraphDocument, format_: GraphFormat, vehicle: str) -> list[str]:
+    """Return the losses of a format, and the objections of its readers."""
     inputs = LintInputs(target=format_, vehicle_type=vehicle)
     doubts = [f"lost: {loss}" for loss in losses(document, format_)]
-    doubts += [f"{format_.value} refuses: {one.text}" for one in of_target(document, inputs)]
-    return [*doubts, *(["the old file is kept as .bak"] if path.exists() else [])]
+    return doubts + [f"{format_.value} refuses: {one.text}" for one in of_target(document, inputs)]
 
 
 def format_of(path: Path) -> GraphFormat:

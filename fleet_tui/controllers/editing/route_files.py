@@ -6,6 +6,7 @@ from typing import NamedTuple, TypeVar
 
 from fleet_tui.controllers.editing.editor import GraphEditor
 from fleet_tui.controllers.editing.files import format_of, joined
+from fleet_tui.controllers.editing.old_files import OldFiles
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.errors import GraphError
@@ -13,7 +14,6 @@ from fleet_tui.graph_files.geojson import new_ids
 from fleet_tui.graph_files.graph_file import WriteChoices
 from fleet_tui.graph_files.losses import losses
 from fleet_tui.graph_files.writing import write_graph
-from fleet_tui.maps.graph_storage import graph_text, save_graph_file
 from fleet_tui.maps.route_graphs import load_floor_graph
 from fleet_tui.model.commands import CommandRecord, Stage
 from fleet_tui.model.events import Event, FloorGraphLoaded
@@ -45,6 +45,7 @@ class SentFile(NamedTuple):
     """A file that was written for a robot: the graph in it, and a note on the old file."""
 
     loaded: FloorGraphLoaded
+    file: RouteFile
     note: str
 
 
@@ -58,8 +59,10 @@ class RouteFiles:
         editor: GraphEditor,
         files: ConsoleFiles,
         post: Callable[[Event], object],
+        old_files: OldFiles,
     ) -> None:
         """`post` applies an event, from any thread."""
+        self._old_files = old_files
         self._notices, self._editor, self._files, self._post = parts.notices, editor, files, post
         self._sent: dict[SendGraph, SentFile] = {}
         parts.store.watchers.append(self._watch)
@@ -94,18 +97,18 @@ class RouteFiles:
         """Return the command to load a file."""
         graph, labels = route_graph(file.floor)
         vertices, pairs = tuple(graph.vertices.values()), tuple(sorted(labels.items()))
-        floor, path = file.floor.name, str(file.path)
-        return SendGraph(robot, floor, vertices, graph.edges, graph.directed, pairs, path)
+        floor, path, is_kept = file.floor.name, str(file.path), self._old_files.is_kept(file.path, file.text)
+        return SendGraph(robot, floor, vertices, graph.edges, graph.directed, pairs, path, is_kept)
 
     def write(self, command: SendGraph, file: RouteFile) -> str:
         """Write the file of a command that is about to be sent. Returns the reason that it can't be."""
         try:
-            kept = None if _has(file) else save_graph_file(file.path, file.text)
+            kept = self._old_files.save(file.path, file.text, is_sent=True)
         except GraphError as problem:
             return sanitize(f"not sent: {file.path}: {problem}")
         self._renumber(file.floor)
         note = f" (before: {kept.name})" if kept is not None else ""
-        self._sent[command] = SentFile(load_floor_graph(file.floor.name, file.path), note)
+        self._sent[command] = SentFile(load_floor_graph(file.floor.name, file.path), file, note)
         if self._files.audit is not None:
             text = f"{file.floor.name}: {file.path} for {command.robot}{note}"
             self._files.audit.log_console("graph written", text)
@@ -135,19 +138,12 @@ class RouteFiles:
         if not isinstance(command, SendGraph) or (sent := self._sent.pop(command, None)) is None:
             return
         if record.stage is Stage.CONFIRMED:
+            self._old_files.loaded(sent.file.path, sent.file.text)
             self._post(sent.loaded)
             return
         loaded = "may have loaded it or not" if record.stage is Stage.NOT_CONFIRMED else "has not loaded it"
         name = Path(command.path).name
         self._notices.note(sanitize(f"{name} is written, {command.robot} {loaded}{sent.note}"))
-
-
-def _has(file: RouteFile) -> bool:
-    """Tell whether a file is there as it is to be written: its .bak would be the same, not the one before."""
-    try:
-        return graph_text(file.path) == file.text
-    except GraphError:
-        return False
 
 
 def _pairs(old: Mapping[str, E], new: Mapping[str, E]) -> tuple[tuple[E | None, E | None], ...]:

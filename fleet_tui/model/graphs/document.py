@@ -3,13 +3,14 @@
 Values only: an edit makes a new floor with copies of its mappings, so that undo keeps the old one.
 """
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from enum import Enum
-from itertools import chain, count
 from typing import Any, TypeVar
 
 from msgspec import Struct
 from msgspec.structs import replace
+
+from fleet_tui.model.graphs.ids import is_number, next_id, unused
 
 Extra = Mapping[str, Any]
 """Contents of a file beyond this model, by the name of its format; written back only to that format."""
@@ -46,7 +47,8 @@ class Motion(Enum):
 
 class DocumentVertex(Struct, frozen=True):
     """A place on a floor, unrounded. type: the robot stack's own word; heading: radians, None for any;
-    source_id: the id in the file that it came from, where another one had to be given."""
+    source_id: the id in a format whose ids this one can't have; repeats: the ids in the file that was read
+    that a later element has, too; not written."""
 
     id: str
     x: float
@@ -56,6 +58,7 @@ class DocumentVertex(Struct, frozen=True):
     heading: float | None = None
     source_id: str = ""
     extra: Extra = {}
+    repeats: tuple[str, ...] = ()
 
 
 class DocumentEdge(Struct, frozen=True):
@@ -63,7 +66,7 @@ class DocumentEdge(Struct, frozen=True):
 
     reverse_id: the id of the opposite direction, where the file had two edges; speed: m/s; speed_percent: of
     the robot's own maximum; length: metres, where it is not the distance; control_points: of a curve;
-    per_vehicle: the values of each type of vehicle; source_id: as for a vertex.
+    per_vehicle: the values of each type of vehicle; source_id, repeats: as for a vertex.
     """
 
     id: str
@@ -81,6 +84,7 @@ class DocumentEdge(Struct, frozen=True):
     per_vehicle: Mapping[str, Any] = {}
     source_id: str = ""
     extra: Extra = {}
+    repeats: tuple[str, ...] = ()
 
     @property
     def reversed(self) -> "DocumentEdge":
@@ -176,19 +180,6 @@ def of_floor(floor: DocumentFloor, name: str = "") -> GraphDocument:
     return GraphDocument(name or floor.name, {floor.name: floor})
 
 
-def next_id(*used: Iterable[str]) -> str:
-    """Return 1 + the largest number among the ids: of the draft, of the live graph, of removed elements."""
-    numbers = (int(id_) for ids in used for id_ in ids if is_number(id_))
-    return str(max(numbers, default=-1) + 1)
-
-
-def is_number(id_: str) -> bool:
-    """Tell whether an id is a whole number, as short as it can be written."""
-    digits = id_.removeprefix("-")
-    plain = digits.isascii() and digits.isdecimal() and len(digits) <= 20
-    return plain and (digits == "0" or digits[0] != "0") and id_ != "-0"
-
-
 def merge_opposites(edges: Iterable[DocumentEdge]) -> dict[str, DocumentEdge]:
     """Return edges by id; two one-way edges become one if they differ only in direction and id."""
     found = dict[str, DocumentEdge]()
@@ -198,7 +189,8 @@ def merge_opposites(edges: Iterable[DocumentEdge]) -> dict[str, DocumentEdge]:
         same = next((id_ for id_ in others if not edge.two_way and _are_opposite(found[id_], edge)), None)
         if same is not None:
             others.remove(same)
-            found[same] = replace(found[same], two_way=True, reverse_id=edge.id)
+            repeats = found[same].repeats + edge.repeats
+            found[same] = replace(found[same], two_way=True, reverse_id=edge.id, repeats=repeats)
             continue
         found[edge.id] = edge
         if not edge.two_way and edge.start != edge.end:
@@ -225,13 +217,14 @@ def one_way_edges(edges: Iterable[DocumentEdge], taken: Iterable[str]) -> list[D
     return found
 
 
-def unused(id_: str, used: Collection[str]) -> str:
-    """Return the id, with a number where it is taken."""
-    return next(one for one in chain((id_,), (f"{id_}-{n}" for n in count(2))) if one not in used)
-
-
 def _are_opposite(one: DocumentEdge, other: DocumentEdge) -> bool:
-    turned = replace(other.reversed, id=one.id, reverse_id=one.reverse_id, source_id=one.source_id)
+    turned = replace(
+        other.reversed,
+        id=one.id,
+        reverse_id=one.reverse_id,
+        source_id=one.source_id,
+        repeats=one.repeats,
+    )
     return turned == one
 
 

@@ -1,12 +1,14 @@
 """The draft of a floor's graph: a series of changes, each of which can be undone."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import count
 from typing import TypeVar
 
 from msgspec import Struct
 from msgspec.structs import replace
 
-from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor, DocumentVertex, next_id
+from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor, DocumentVertex
+from fleet_tui.model.graphs.ids import next_id
 
 VertexPair = tuple[DocumentVertex | None, DocumentVertex | None]
 EdgePair = tuple[DocumentEdge | None, DocumentEdge | None]
@@ -39,10 +41,13 @@ class GraphDraft:
         self.base = self.floor = base
         self.done: list[Change] = []
         self.undone: list[Change] = []
-        self.vertex_id = next_id(base.vertices, "0")
-        """The id of a new vertex. Never 0, which some robots take for a missing value."""
-        self.edge_id = next_id(base.edges, (edge.reverse_id for edge in base.edges.values()), "0")
-        """The id of a new edge."""
+        self._free = int(next_id(base.vertices, _edge_ids(base.edges.values()), "0"))
+        """One number for vertices and edges, as some formats want it. Never 0, which some robots take for a
+        missing value."""
+
+    def free_ids(self) -> Iterator[str]:
+        """Yield ids for new elements, beyond all that the draft has or had."""
+        return map(str, count(self._free))
 
     def do(self, change: Change) -> None:
         """Take a step; steps that were undone are gone."""
@@ -70,9 +75,13 @@ class GraphDraft:
         self.done.append(change)
         self.floor = changed(self.floor, change)
         made = [vertex.id for _, vertex in change.vertices if vertex is not None]
-        self.vertex_id = max(self.vertex_id, next_id(made, "0"), key=int)
-        drawn = [edge.id for _, edge in change.edges if edge is not None]
-        self.edge_id = max(self.edge_id, next_id(drawn, "0"), key=int)
+        drawn = [edge for _, edge in change.edges if edge is not None]
+        self._free = max(self._free, int(next_id(made, _edge_ids(drawn))))
+
+
+def _edge_ids(edges: Iterable[DocumentEdge]) -> Iterator[str]:
+    for edge in edges:
+        yield from (edge.id, edge.reverse_id)
 
 
 def changed(floor: DocumentFloor, change: Change) -> DocumentFloor:

@@ -8,9 +8,9 @@ from fleet_tui.model.graphs.document import (
     DocumentFloor,
     DocumentVertex,
     merge_opposites,
-    next_id,
     one_way_edges,
 )
+from fleet_tui.model.graphs.ids import distinct
 
 ROLES: Mapping[str, Role] = {
     "elevator": Role.ELEVATOR,
@@ -50,7 +50,9 @@ def route_graph(
         if not edge.locked and edge.start in vertices and edge.end in vertices
     ]
     if all(edge.two_way for edge in usable):
-        return RouteGraph(vertices, tuple(Edge(e.id, e.start, e.end) for e in usable)), floor.labels
+        return RouteGraph(
+            vertices, tuple(Edge(e.id, e.start, e.end, e.reverse_id) for e in usable)
+        ), floor.labels
     ways = one_way_edges(usable, floor.edges)
     return RouteGraph(vertices, tuple(Edge(w.id, w.start, w.end) for w in ways), True), floor.labels
 
@@ -61,15 +63,11 @@ def floor_of(name: str, graph: RouteGraph, labels: Mapping[str, str], frame_id: 
         id_: DocumentVertex(id_, v.x, v.y, labels.get(id_, ""), v.type or _word(v.role))
         for id_, v in graph.vertices.items()
     }
-    edges, taken = list[DocumentEdge](), set[str]()
-    free = next_id(edge.id for edge in graph.edges)
-    for edge in graph.edges:
-        id_ = edge.id
-        if id_ in taken:
-            id_, free = free, str(int(free) + 1)
-        taken.add(id_)
-        source = edge.id if id_ != edge.id else ""
-        edges.append(DocumentEdge(id_, edge.start, edge.end, not graph.directed, source_id=source))
+    ids = distinct(edge.id for edge in graph.edges)
+    edges = [
+        DocumentEdge(id_, edge.start, edge.end, not graph.directed, edge.reverse_id)
+        for (id_, _), edge in zip(ids, graph.edges, strict=True)
+    ]
     return DocumentFloor(name, vertices, merge_opposites(edges), frame_id or name)
 
 

@@ -144,7 +144,8 @@ class StorePoseGraph(StoreMap, frozen=True, tag=True):
 
 class SendGraph(SetUpCommand, frozen=True, tag=True, dict=True):
     """Replace the route graph of a floor in a robot. `labels` are pairs of vertex id and label; edges go both
-    ways unless `directed`. `path`: the file that has it, for a robot that loads files."""
+    ways unless `directed`. `path`: the file that has it, for a robot that loads files; `is_kept`: the file
+    before stays beside it."""
 
     ability: ClassVar[str] = GRAPH
     what: ClassVar[str] = "send graph"
@@ -156,6 +157,7 @@ class SendGraph(SetUpCommand, frozen=True, tag=True, dict=True):
     directed: bool = False
     labels: tuple[tuple[str, str], ...] = ()
     path: str = ""
+    is_kept: bool = False
 
     @property
     def text(self) -> str:

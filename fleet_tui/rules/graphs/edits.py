@@ -38,9 +38,10 @@ def edge_renewed(before: DocumentEdge, after: DocumentEdge, what: str) -> Change
     return Change(f"edge {before.id}: {what}", edges=((before, after),))
 
 
-def connected(id_: str, start: str, end: str) -> Change:
-    """Add an edge, drivable both ways."""
-    return Change(f"add edge {start} - {end}", edges=((None, DocumentEdge(id_, start, end)),))
+def connected(id_: str, reverse_id: str, start: str, end: str) -> Change:
+    """Add an edge, drivable both ways, with an id for each."""
+    edge = DocumentEdge(id_, start, end, reverse_id=reverse_id)
+    return Change(f"add edge {start} - {end}", edges=((None, edge),))
 
 
 def joined(one: Change, other: Change) -> Change:

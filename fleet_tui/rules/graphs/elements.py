@@ -39,15 +39,13 @@ def _finding(rule: str, text: str, is_error: bool, vertex: str, edge: str) -> Gr
 
 
 def duplicate_ids(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFinding]:
-    """Report ids that the file had several times."""
-    for id_, vertex in floor.vertices.items():
-        if vertex.source_id in floor.vertices:
-            text = f"vertex {vertex.source_id}: duplicate id; the other one is now {id_}"
-            yield _error("duplicate id", text, id_)
-    for id_, edge in floor.edges.items():
-        if edge.source_id in floor.edges:
-            text = f"edge {edge.source_id}: duplicate id; the other one is now {id_}"
-            yield _error("duplicate id", text, "", id_)
+    """Report ids that the file had several times, each once."""
+    vertices = {repeated: one.id for one in floor.vertices.values() for repeated in one.repeats}
+    for repeated, id_ in vertices.items():
+        yield _error("duplicate id", f"vertex {repeated}: duplicate id", id_)
+    edges = {repeated: one.id for one in floor.edges.values() for repeated in one.repeats}
+    for repeated, id_ in edges.items():
+        yield _error("duplicate id", f"edge {repeated}: duplicate id", "", id_)
 
 
 def _is_too_large(id_: str) -> bool:

@@ -11,6 +11,8 @@ from msgspec.structs import replace
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.events import CommandAdvanced, CommandIssued, FloorGraphLoaded
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.graphs.document import DocumentEdge
+from fleet_tui.model.graphs.draft import Change
 from fleet_tui.model.kind import GRAPH
 from fleet_tui.model.set_up.commands import SendGraph
 from tests.support.desk import ready
@@ -55,9 +57,10 @@ def sent(it: DrawnGraph) -> SendGraph:
 def ends(it: DrawnGraph, command: SendGraph, *stages: Stage) -> str:
     """Let the command end; return what is said then."""
     store = it.desk.store
-    store.apply(CommandIssued(1, command, T0, 0.0))
+    number = len(store.state.commands) + 1
+    store.apply(CommandIssued(number, command, T0, 0.0))
     for stage in stages:
-        store.apply(CommandAdvanced(1, stage, T0 + 1, ""))
+        store.apply(CommandAdvanced(number, stage, T0 + 1, ""))
     return it.desk.notices.text
 
 
@@ -94,10 +97,20 @@ async def test_a_loaded_file_is_the_live_graph_and_the_draft_is_the_same(tmp_pat
         assert graph is not None and list(graph.vertices) == ["1", "2", "3"]
 
 
-async def test_ids_that_the_file_can_not_have_are_a_step_of_the_draft(tmp_path: Path) -> None:
+async def test_drawn_elements_have_ids_that_the_file_can_have(tmp_path: Path) -> None:
     async with drawn(tmp_path) as it:
         before = it.floor
-        assert before.edges.keys() & before.vertices.keys()  # the route server has one counter for both
+        sent(it)
+        assert it.floor is before
+        assert it.graph_file is not None
+        ids = [one["properties"]["id"] for one in json.loads(it.graph_file.read_text())["features"]]
+        assert {3, 4, 5} <= set(ids) and len(set(ids)) == len(ids)
+
+
+async def test_ids_that_the_file_can_not_have_are_a_step_of_the_draft(tmp_path: Path) -> None:
+    async with drawn(tmp_path) as it:
+        it.editor.do(Change("as live", edges=((None, DocumentEdge("1", "1", "3")),)))
+        before = it.floor
         command = sent(it)
         assert not it.floor.edges.keys() & it.floor.vertices.keys()
         assert len(command.edges) == len(before.edges)
@@ -130,6 +143,26 @@ async def test_the_same_file_again_keeps_the_one_before(tmp_path: Path) -> None:
         it.desk.answers.clear()
         sent(it)
     assert (tmp_path / "routes.geojson.bak").read_text() == OLD
+
+
+async def test_files_that_were_not_loaded_do_not_replace_the_old_one(tmp_path: Path) -> None:
+    async with drawn(tmp_path) as it:
+        ends(it, sent(it), Stage.SENT, Stage.REFUSED)
+        for at in ((2.0, 9.0), (6.0, 9.0)):
+            it.at(at)
+            it.drawing.connect()
+            it.desk.answers.clear()
+            command = sent(it)
+            assert command.is_kept
+        assert (tmp_path / "routes.geojson.bak").read_text() == OLD
+        assert it.graph_file is not None
+        loaded = it.graph_file.read_text()
+        ends(it, command, Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED)
+        it.at((3.0, 3.0))
+        it.drawing.connect()
+        it.desk.answers.clear()
+        sent(it)
+    assert (tmp_path / "routes.geojson.bak").read_text() == loaded
 
 
 async def test_without_a_geojson_file_it_is_refused_with_the_remedy(tmp_path: Path) -> None:

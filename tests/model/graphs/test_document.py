@@ -10,28 +10,14 @@ from fleet_tui.model.graphs.document import (
     Lift,
     Motion,
     Station,
-    is_number,
     merge_opposites,
-    next_id,
     of_floor,
     one_way_edges,
-    unused,
 )
 
 
 def one_way(id_: str, start: str, end: str, speed: float | None = None) -> DocumentEdge:
     return DocumentEdge(id_, start, end, two_way=False, speed=speed)
-
-
-def test_a_new_id_is_above_all_that_ever_were() -> None:
-    assert next_id() == "0"
-    assert next_id({"3": 1, "node-9": 1}, ["41"], ["-7"]) == "42"
-    assert [one for one in ("0", "12", "-3", "", "007", "-0", "1.0", "²", "x") if is_number(one)] == [
-        "0",
-        "12",
-        "-3",
-    ]
-    assert (unused("a", ()), unused("a", {"a", "a-2"})) == ("a", "a-3")
 
 
 def test_opposites_with_equal_attributes_become_one() -> None:

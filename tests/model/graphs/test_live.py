@@ -30,9 +30,14 @@ def test_in_a_directed_graph_both_ways_are_two_edges() -> None:
     assert (again.edges, again.directed) == (graph.edges, True)
 
 
-def test_edges_with_one_id_are_all_kept() -> None:
+def test_of_edges_with_one_id_the_last_keeps_it() -> None:
     floor = floor_of("f", RouteGraph(VERTICES, (Edge("4", "0", "7"), Edge("4", "7", "9"))), {})
-    assert {id_: edge.source_id for id_, edge in floor.edges.items()} == {"4": "", "5": "4"}
+    assert {id_: edge.start for id_, edge in floor.edges.items()} == {"5": "0", "4": "7"}
+
+
+def test_the_id_of_the_way_back_is_kept() -> None:
+    floor = floor_of("f", RouteGraph(VERTICES, (Edge("4", "0", "7", "5"),)), {})
+    assert floor.edges["4"].reverse_id == "5" and route_graph(floor)[0].edges[0].reverse_id == "5"
 
 
 def test_locked_and_dangling_edges_are_no_way() -> None:

@@ -12,8 +12,8 @@ from fleet_tui.rules.graphs.elements import ELEMENT_RULES
 from fleet_tui.rules.graphs.finding import LintInputs
 
 
-def vertex(id_: str, label: str = "", type_: str = "", x: float = 0.0, source: str = "") -> DocumentVertex:
-    return DocumentVertex(id_, x, 0.0, label, type_, source_id=source)
+def vertex(id_: str, label: str = "", type_: str = "", x: float = 0.0, *repeats: str) -> DocumentVertex:
+    return DocumentVertex(id_, x, 0.0, label, type_, repeats=repeats)
 
 
 def found(*parts: DocumentVertex | DocumentEdge, **facts: object) -> list[tuple[str, bool]]:
@@ -26,7 +26,7 @@ def found(*parts: DocumentVertex | DocumentEdge, **facts: object) -> list[tuple[
 @pytest.mark.parametrize(
     ("parts", "text"),
     [
-        ([vertex("4", source="3"), vertex("3")], "vertex 3: duplicate id; the other one is now 4"),
+        ([vertex("4", "", "", 0.0, "3"), vertex("3")], "vertex 3: duplicate id"),
         ([vertex("2147483648")], "vertex 2147483648: id outside int32"),
         ([vertex("9" * 40)], f"vertex {'9' * 40}: id outside int32"),
         ([vertex("1"), DocumentEdge("5", "1", "9")], "edge 5: unknown vertex 9"),
@@ -46,12 +46,13 @@ def test_errors(parts: list[DocumentVertex | DocumentEdge], text: str) -> None:
 
 
 def test_ids_at_the_limits_and_names_are_fine() -> None:
-    assert found(vertex("2147483647"), vertex("-2147483648"), vertex("node-1", source="x")) == []
+    assert found(vertex("2147483647"), vertex("-2147483648"), vertex("node-1")) == []
 
 
 def test_edges_with_one_id() -> None:
-    edges = DocumentEdge("7", "1", "2", source_id="6"), DocumentEdge("6", "1", "2")
-    assert found(vertex("1"), vertex("2"), *edges) == [("edge 6: duplicate id; the other one is now 7", True)]
+    edges = [DocumentEdge(id_, "1", "2", repeats=("6",)) for id_ in ("7", "8")]
+    edges += [DocumentEdge("6", "1", "2", source_id="5"), DocumentEdge("5", "1", "2")]
+    assert found(vertex("1"), vertex("2"), *edges) == [("edge 6: duplicate id", True)]
 
 
 def test_off_the_map() -> None:

@@ -61,7 +61,8 @@ def _file_lines(state: FleetState, robot: Robot, command: SendGraph) -> Iterator
     """Return the file that is written for a robot which loads it, and the robots that do not load it now."""
     if not command.path:
         return
-    yield f"writes {sanitize(command.path)}, the old file is kept as .bak"
+    kept = ", the old file is kept as .bak" if command.is_kept else ""
+    yield f"writes {sanitize(command.path)}{kept}"
     others = [
         one
         for one in state.robots.values()

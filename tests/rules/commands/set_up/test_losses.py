@@ -36,6 +36,8 @@ def test_a_graph_replaces_the_present_one() -> None:
     ]
     loads = of_kinds(fleet(3), *[Kind("nav2", loads_graphs=True)] * 3)
     filed = SendGraph(R0, F0, path="/srv/hall.geojson")
+    assert list(set_up_losses(loads, loads.robots[R0], filed))[2] == "writes /srv/hall.geojson"
+    filed = SendGraph(R0, F0, path="/srv/hall.geojson", is_kept=True)
     assert list(set_up_losses(loads, loads.robots[R0], filed))[2:] == [
         "writes /srv/hall.geojson, the old file is kept as .bak",
         "2 other robots of floor_0: send it to each, too",

@@ -92,7 +92,7 @@ def test_after_a_change_the_picture_is_as_if_all_were_drawn_anew() -> None:
     mode, draft = EditMode(FLOOR, (0.0, 0.0)), GraphDraft(FLOOR)
     steps = (
         edits.renewed(FLOOR.vertices["8"], DocumentVertex("8", 11.0, 2.0, "Store")),
-        edits.connected("4", "7", "9"),
+        edits.connected("4", "5", "7", "9"),
         edits.turned(FLOOR.edges["1"]),
         edits.removed(FLOOR, "9"),
         edits.added(DocumentVertex("?", 1.0, 1.0)),
