@@ -37,6 +37,7 @@ from fleet_tui.screens.key_actions import key_actions
 from fleet_tui.screens.menu import Menu
 from fleet_tui.screens.ordering.form import OrderForm
 from fleet_tui.screens.palette import Palette
+from fleet_tui.screens.programs import Programs, programs_overlay
 from fleet_tui.screens.simple import Simple
 from fleet_tui.screens.simple_switch import SimpleSwitch
 from fleet_tui.screens.why import Why
@@ -58,7 +59,7 @@ CURSORS = frozenset({"map_cursor", "next_vertex", "previous_vertex", "pose", "go
 class Rest:
     """Widgets and controllers with their dependencies, and the action of every key."""
 
-    styled: list[RunsView | Diagnostics]
+    styled: list[RunsView | Diagnostics | Programs]
 
     def __init__(self, screen: "MainScreen") -> None:
         self._screen, self._navigation, self._session = screen, screen.navigation, screen.session
@@ -68,14 +69,14 @@ class Rest:
         self.map.picture.options = MapOptions(drawing=settings.drawing)
         self.map_controls = MapControls(self.map, notices.say, settings.keys["next_vertex"])
         self.confirm, self.menu = Confirm(id="confirm"), Menu(id="menu")
-        self.order_form = OrderForm(lambda: store.state, dispatch.give)
-        self.key_help = Help()
+        self.order_form, self.key_help = OrderForm(lambda: store.state, dispatch.give), Help()
         self.streams = ShownStreams(store, screen.backend, navigation, notices, self.map.picture)
         self.why = Why(lambda: (store.state, navigation.robot), settings.keys, self.streams.match)
         self.audit_log = AuditLog(lambda: screen.files.audit)
+        self.programs = programs_overlay(screen, self.confirm.ask, self.menu.show)
         pages = Pages(lambda: store.state, screen.backend, settings.clock)
         self.diagnostics = Diagnostics(pages, screen.backend, settings.keys)
-        self.styled = [self.map, self.audit_log.rows, self.diagnostics, *self.key_help.views]
+        self.styled = [self.map, self.audit_log.rows, self.diagnostics, self.programs, *self.key_help.views]
         menu, form, queue = self.menu.show, self.order_form.start, screen.queue
         self.orders = OrderRequests(store, dispatch, notices, navigation, queue, form, menu, settings.clock)
         self.robots = RobotRequests(store, dispatch, navigation, self.orders, menu, self.why.show)
@@ -129,7 +130,7 @@ class Rest:
         with screen.app.batch_update():
             await screen.query_one("#map").remove()
             await screen.panes.floor.mount(self.map, before=0)
-            await screen.mount(*opens, self.audit_log, self.diagnostics)
+            await screen.mount(*opens, self.audit_log, self.diagnostics, self.programs)
             time_line = screen.session.time_line()
             if time_line is not None:
                 self.styled.append(time_line)
