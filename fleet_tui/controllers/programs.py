@@ -1,6 +1,7 @@
 """Requests to programs of the robot servers: asked first, audited, one at a time for each program."""
 
 import asyncio
+import logging
 import time
 from collections.abc import Callable
 from datetime import datetime
@@ -16,6 +17,8 @@ from fleet_tui.programs.watch import ProgramWatch
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.programs.questions import change_question
 from fleet_tui.view.programs.table import note
+
+LOG = logging.getLogger(__name__)
 
 INTERRUPTED = ChangeOutcome(NOT_CONFIRMED, "the console was closed")
 
@@ -91,6 +94,9 @@ class ProgramRequests:
         try:
             outcome = await change(self._watch.programs[name], verb, self._watch.folder)
             await self._watch.look(name)
+        except Exception as problem:
+            LOG.exception("program %s", name)
+            outcome = ChangeOutcome(NOT_CONFIRMED, f"internal error: {problem}")
         finally:
             self._watch.set_pending(name, "")
             self._log(name, verb, outcome.text)

@@ -10,7 +10,7 @@ from rich.style import Style
 from textual import on
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
-from textual.widgets import Input
+from textual.widgets import Input, Static
 
 from fleet_tui.controllers.dispatch import Ask
 from fleet_tui.controllers.programs import ProgramRequests, since_text
@@ -21,7 +21,7 @@ from fleet_tui.programs.arguments import log
 from fleet_tui.programs.log_tail import LogTail
 from fleet_tui.programs.watch import ProgramWatch
 from fleet_tui.screens.overlay import ReturningOverlay
-from fleet_tui.view.programs.table import log_table, program_table
+from fleet_tui.view.programs.table import log_table, note, program_table
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.field import Field, Keys
@@ -61,10 +61,11 @@ class Programs(ReturningOverlay):
         self._cursor: Hashable = None
         self._end: Hashable = None
         self._has_timer = False
+        self._noted = ""
         self.rows = RowsPane(id="program-rows", choose=self._choose)
 
     def compose(self) -> ComposeResult:
-        """Compose a field that appears above a log, and the rows."""
+        """Compose a field that appears above a log, the rows, and the whole note of the marked one."""
         keys: Keys = {
             "escape": self.leave_log,
             "up": partial(self.rows.move, -1),
@@ -76,6 +77,7 @@ class Programs(ReturningOverlay):
             keys, id="program-filter", placeholder="type to filter the log; Esc: back to the programs"
         )
         yield self.rows
+        yield Static(id="program-note", markup=False)
 
     def set_role_styles(self, styles: Mapping[StyleRole, Style]) -> None:
         """Change every colour."""
@@ -145,10 +147,16 @@ class Programs(ReturningOverlay):
 
     def _look(self) -> None:
         """Show the current rows."""
+        now = time.monotonic()
         if self._log_of:
             self._show_log()
         else:
-            self.rows.show(program_table(list(self._watch.rows.values()), since_text, time.monotonic()))
+            self.rows.show(program_table(list(self._watch.rows.values()), since_text, now))
+        marked = self._watch.rows.get(str(self.rows.listing.cursor))
+        said = note(marked, now) if marked is not None else ""
+        if said != self._noted:  # an update lays out the whole screen
+            self._noted = said
+            self.query_one("#program-note", Static).update(said)
 
     def _show_log(self) -> None:
         wanted = self.query_one(Field).value.strip()

@@ -14,8 +14,12 @@ from fleet_tui.audit.log import auditing
 from fleet_tui.audit.reader import AuditReader
 from fleet_tui.config.programs import ProgramEntry
 from fleet_tui.config.schema import Operator
+from fleet_tui.config.start import initial_state
+from fleet_tui.controllers import programs as controller
+from fleet_tui.model.programs.program import ChangeOutcome
 from fleet_tui.programs import watch
 from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.state.store import Store
 from tests.support.console_pilot import Console, console
 from tests.support.stand_ins import with_status
 from tests.support.watched_store import config_of
@@ -115,6 +119,35 @@ async def test_a_console_that_is_disarmed_during_the_question_starts_nothing(
         await it.press("y")
         await it.shows("is not armed", "message")
         assert not (tmp_path / "runs").exists()
+
+
+async def test_a_fault_of_our_own_and_a_closed_console_leave_an_outcome(
+    server: RosbridgeServer, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def fails(program: ProgramEntry, verb: str, folder: Path) -> ChangeOutcome:
+        raise RuntimeError("broken")
+
+    nav = with_status(tmp_path)
+    slow = replace(nav, name="slow", start=["sleep", "60"])
+    store = Store(initial_state(config_of(server.url, 1), 0.0))
+    with auditing(tmp_path, config_of(server.url, 1), store) as audit:
+        async with with_programs(server, [slow, nav]) as it:
+            it.app.main.files.audit = audit
+            await it.press("J")
+            await it.shows("stopped", PANE)
+            await it.press("enter", "1", "y", "enter", "1")
+            await it.shows("slow: start is still under way", "message")
+            monkeypatch.setattr(controller, "change", fails)
+            await it.press("j", "enter", "1", "y")
+            await it.shows("nav: start not confirmed (internal error: broken)")
+            (task,) = it.app.main.rest.programs._requests._under_way
+        task.cancel()
+        await asyncio.wait({task})
+    assert audited(tmp_path) == [
+        *("program start slow: sent", "program start nav: sent"),
+        "program start nav: not confirmed (internal error: broken)",
+        "program start slow: not confirmed (the console was closed)",
+    ]
 
 
 async def test_a_log_follows_its_end_and_is_filtered_as_one_types(
