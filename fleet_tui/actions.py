@@ -159,6 +159,7 @@ class ViewActions(Struct, frozen=True):
     enlarge: Act
     diagnostics: Act
     audit: Act
+    programs: Act
     go_to_time: Act
     step_robot: Step
     choose_robot: Step

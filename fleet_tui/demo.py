@@ -76,6 +76,7 @@ def demo_config(
         robots=_robots(links, alone),
         profile=profiles[kind] if alone else Profile(),
         profiles={} if alone else profiles,
+        programs=[],  # a demo stops nothing real
     )
 
 

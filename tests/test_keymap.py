@@ -41,6 +41,7 @@ PROMISED = {
     "why": ["w"],
     "diagnostics": ["d"],
     "bundle": ["b"],
+    "programs": ["J"],
     "acknowledge": ["a"],
     "acknowledge_all": ["A"],
     **{

@@ -14,6 +14,7 @@ from fleet_tui.cli.kinds import kinds as list_kinds
 from fleet_tui.cli.map.commands import map_group
 from fleet_tui.cli.options import FileName, common, fleet, merged, timeout
 from fleet_tui.cli.orders.commands import orders
+from fleet_tui.cli.programs.commands import programs
 from fleet_tui.config.schema import Config
 from fleet_tui.log_file import log_to_file
 from fleet_tui.text.sanitize import sanitize
@@ -24,7 +25,7 @@ def headless() -> None:
     """Group of the commands, which the command line lists as its own."""
 
 
-for command in (config, graph, map_group, *orders.commands.values()):
+for command in (config, graph, map_group, programs, *orders.commands.values()):
     headless.add_command(command)
 
 

@@ -6,6 +6,7 @@ from urllib.parse import urlsplit
 
 from fleet_tui.adapters.discovery import NAME
 from fleet_tui.config.check_profiles import check_profiles
+from fleet_tui.config.programs import check_programs
 from fleet_tui.config.schema import DEFAULT_LINK, Alarms, Config, Link, link_key
 from fleet_tui.errors import did_you_mean
 from fleet_tui.keymap import keymap
@@ -24,6 +25,7 @@ def checked(config: Config) -> list[str]:
         *check_profiles(config),
         *keymap(config.keys)[1],
         *_alarms(config.alarms),
+        *check_programs(config.programs),
     ]
 
 

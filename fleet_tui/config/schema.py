@@ -7,6 +7,7 @@ from typing import Annotated, Literal, TypeVar
 import msgspec
 
 from fleet_tui.adapters.profile import Profile
+from fleet_tui.config.programs import ProgramEntry
 
 S = TypeVar("S", bound=msgspec.Struct)
 
@@ -154,6 +155,7 @@ class Config(msgspec.Struct, frozen=True):
     ui: Ui = Ui()
     alarms: Alarms = Alarms()
     recording: RecordingConfig = RecordingConfig()
+    programs: list[ProgramEntry] = []
     profile: Profile = Profile()
     profiles: dict[str, Profile] = {}
     path: Path = Path()

@@ -212,6 +212,14 @@ CONSOLE: tuple[Key[Actions], ...] = (
         eager="opens",
     ),
     Key(
+        "programs",
+        ("J",),
+        lambda do: do.view.programs(),
+        "Programs of the robot servers: state, start, stop, restart, log",
+        eager="opens",
+        only_live=True,
+    ),
+    Key(
         "bundle",
         ("b",),
         lambda do: do.files.bundle(),

@@ -9,12 +9,12 @@ from textual.binding import BindingType
 from textual.containers import Horizontal
 from textual.widgets import Button, Static
 
-from fleet_tui.screens.overlay import MouseButton, Overlay
+from fleet_tui.screens.overlay import Dialog, MouseButton
 
 ASK_AGAIN_EVERY = 0.5
 
 
-class Confirm(Overlay, can_focus=True):
+class Confirm(Dialog, can_focus=True):
     """A question with the losses; the default is No. Its text is kept up to date while it is open."""
 
     BINDINGS: ClassVar[list[BindingType]] = [

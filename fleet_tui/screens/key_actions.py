@@ -98,6 +98,7 @@ def _view_actions(screen: "MainScreen", rest: "Rest") -> ViewActions:
         enlarge=screen.panes.enlarge,
         diagnostics=lambda: rest.diagnostics.show(navigation.robot),
         audit=rest.audit_log.show,
+        programs=rest.programs.show,
         go_to_time=partial(rest.palette.show, "@"),
         step_robot=navigation.step_robot,
         choose_robot=partial(_choose_robot, screen),

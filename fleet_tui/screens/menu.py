@@ -8,10 +8,10 @@ from textual.binding import BindingType
 from textual.widgets import OptionList, Static
 
 from fleet_tui.controllers.typed import Entry
-from fleet_tui.screens.overlay import Overlay
+from fleet_tui.screens.overlay import Dialog
 
 
-class Menu(Overlay):
+class Menu(Dialog):
     """A short list; Enter runs the marked entry, its number any entry."""
 
     BINDINGS: ClassVar[list[BindingType]] = [

@@ -50,3 +50,28 @@ class Overlay(Vertical):
         self.display = False
         if self._before is not None and self._before.is_attached:
             self.screen.set_focus(self._before)
+
+
+class ReturningOverlay(Overlay):
+    """Comes back when a dialog that was opened over it is closed."""
+
+
+class Dialog(Overlay):
+    """A menu or a question, over the console or over another overlay."""
+
+    _below: ReturningOverlay | None = None
+
+    def open(self, first: Widget) -> None:
+        """Show it with the focus on `first`."""
+        below = next((other for other in self.screen.query(ReturningOverlay) if other.is_open), None)
+        focused = self.screen.focused
+        super().open(first)
+        self._below = below
+        if below is not None:
+            self._before = focused
+
+    def action_close(self) -> None:
+        """Close, and restore what was below, with its focus."""
+        if self._below is not None:
+            self._below.display = True
+        super().action_close()

@@ -38,6 +38,7 @@ from fleet_tui.screens.key_actions import key_actions
 from fleet_tui.screens.menu import Menu
 from fleet_tui.screens.ordering.form import OrderForm
 from fleet_tui.screens.palette import Palette
+from fleet_tui.screens.programs import Programs, programs_overlay
 from fleet_tui.screens.simple import Simple
 from fleet_tui.screens.simple_switch import SimpleSwitch
 from fleet_tui.screens.why import Why
@@ -58,7 +59,7 @@ CURSORS = frozenset({"map_cursor", "next_vertex", "previous_vertex", "pose", "go
 class Rest:
     """Widgets and controllers with their dependencies, and the action of every key."""
 
-    styled: list[RunsView | Diagnostics]
+    styled: list[RunsView | Diagnostics | Programs]
     robots: RobotRequests
     alarms: AlarmResponses
 
@@ -71,14 +72,14 @@ class Rest:
         to_next, menu = settings.keys["next_vertex"], lambda: self.robots.menu(navigation.robot)
         self.map_controls = MapControls(self.map, notices.say, to_next, menu)
         self.confirm, self.menu = Confirm(id="confirm"), Menu(id="menu")
-        self.order_form = OrderForm(lambda: store.state, dispatch.give)
-        self.key_help = Help()
+        self.order_form, self.key_help = OrderForm(lambda: store.state, dispatch.give), Help()
         self.streams = ShownStreams(store, screen.backend, navigation, notices, self.map.picture)
         self.why = Why(lambda: (store.state, navigation.robot), settings.keys, self.streams.match)
         self.audit_log = AuditLog(lambda: screen.files.audit)
+        self.programs = programs_overlay(screen, self.confirm.ask, self.menu.show)
         pages = Pages(lambda: store.state, screen.backend, settings.clock)
         self.diagnostics = Diagnostics(pages, screen.backend, settings.keys)
-        self.styled = [self.map, self.audit_log.rows, self.diagnostics, *self.key_help.views]
+        self.styled = [self.map, self.audit_log.rows, self.diagnostics, self.programs, *self.key_help.views]
         self._answer_menus(screen)
         self.save = SaveCommand(
             screen.files, self.confirm.ask, lambda line: self.palette.show(line), notices.say
@@ -147,7 +148,7 @@ class Rest:
         with screen.app.batch_update():
             await screen.query_one("#map").remove()
             await screen.panes.floor.mount(self.map, before=0)
-            await screen.mount(*opens, self.audit_log, self.diagnostics)
+            await screen.mount(*opens, self.audit_log, self.diagnostics, self.programs)
             time_line = screen.session.time_line()
             if time_line is not None:
                 self.styled.append(time_line)

@@ -18,3 +18,18 @@ async def test_keys_typed_right_after_the_palette_or_help_belong_to_it(
         one_packet(it, "\x1b")
         await it.hides("pPoxX")
         assert sent(server) == []
+
+
+async def test_a_dialog_over_a_list_gives_it_back_and_over_nothing_the_map(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        rest = it.app.main.rest
+        await it.press("J")
+        rest.confirm.ask(lambda: "Really?", lambda: None)
+        await it.shows("Really?")
+        assert not rest.programs.is_open
+        await it.press("n")
+        assert rest.programs.is_open and rest.programs.rows.has_focus
+        await it.press("escape")
+        rest.confirm.ask(lambda: "Really?", lambda: None)
+        await it.press("n")
+        assert not rest.programs.is_open and rest.map.has_focus

@@ -43,7 +43,7 @@ def values(config: Config) -> Iterator[Found]:
             case "links":
                 for name, link in value.items():
                     yield from _struct(f"links.{name}", link)
-            case "floors" | "robots":
+            case "floors" | "robots" | "programs":
                 for n, entry in enumerate(value):
                     yield from _struct(f"{field.name}[{n}]", entry)
             case _:

@@ -1,0 +1,109 @@
+"""Requests to programs of the robot servers: asked first, audited, one at a time for each program."""
+
+import asyncio
+import logging
+import time
+from collections.abc import Callable
+from datetime import datetime
+from functools import partial
+
+from fleet_tui.controllers.dispatch import Ask, Dispatch
+from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.controllers.notices import Notices
+from fleet_tui.controllers.typed import Entry, OpenMenu
+from fleet_tui.model.programs.program import NOT_CONFIRMED, ChangeOutcome, ProgramState
+from fleet_tui.programs.change import VERBS, change
+from fleet_tui.programs.watch import ProgramWatch
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.programs.questions import change_question
+from fleet_tui.view.programs.table import note
+
+LOG = logging.getLogger(__name__)
+
+INTERRUPTED = ChangeOutcome(NOT_CONFIRMED, "the console was closed")
+
+
+def since_text(wall: float) -> str:
+    """Return Unix seconds as a local time: of today, else with the date."""
+    try:
+        at = datetime.fromtimestamp(wall)
+    except (OverflowError, ValueError, OSError):
+        return "no time"
+    return f"{at:%H:%M:%S}" if at.date() == datetime.now().date() else f"{at:%m-%d %H:%M}"
+
+
+class ProgramRequests:
+    """Opens a program's menu, and carries out what is chosen."""
+
+    def __init__(
+        self,
+        watch: ProgramWatch,
+        dispatch: Dispatch,
+        notices: Notices,
+        files: ConsoleFiles,
+        ask: Ask,
+        open_menu: OpenMenu,
+    ) -> None:
+        self._watch, self._dispatch, self._notices, self._files = watch, dispatch, notices, files
+        self._ask, self._open_menu = ask, open_menu
+        self._under_way: set[asyncio.Task[None]] = set()
+
+    def menu(self, name: str, show_log: Callable[[str], None]) -> None:
+        """List what can be done with a program."""
+        row, now = self._watch.rows[name], time.monotonic()
+        state = row.state(now)
+        verbs: tuple[str, ...] = VERBS
+        if state is not ProgramState.UNKNOWN:
+            verbs = VERBS[1:] if state in (ProgramState.RUNNING, ProgramState.STARTING) else VERBS[:1]
+        entries: list[Entry] = [(verb.capitalize(), partial(self._ask_to, name, verb)) for verb in verbs]
+        entries.append(("Log", partial(show_log, name)))
+        where = f" on {row.host}" if row.host else ""
+        lines = [f"{name}{where}: {state.value}", note(row, now)]
+        self._open_menu("\n".join(sanitize(line) for line in lines if line), entries)
+
+    def _refusal(self, name: str) -> str:
+        if refusal := self._dispatch.set_up_refusal():
+            return refusal
+        pending = self._watch.rows[name].pending
+        return f"{name}: {pending} is still under way" if pending else ""
+
+    def _ask_to(self, name: str, verb: str) -> None:
+        if refusal := self._refusal(name):
+            self._notices.say(sanitize(refusal))
+            return
+        self._ask(
+            lambda: change_question(self._watch.rows, name, verb, time.monotonic()),
+            partial(self._begin, name, verb),
+        )
+
+    def _begin(self, name: str, verb: str) -> None:
+        """Begin after the yes; the console may have been disarmed meanwhile."""
+        if refusal := self._refusal(name):
+            self._notices.say(sanitize(refusal))
+            return
+        self._watch.set_pending(name, verb)
+        self._log(name, verb, "sent")
+        self._notices.say(sanitize(f"{name}: {verb} is under way"))
+        task = asyncio.ensure_future(self._change(name, verb))
+        # The loop alone would let it be collected.
+        self._under_way.add(task)
+        task.add_done_callback(self._under_way.discard)
+
+    async def _change(self, name: str, verb: str) -> None:
+        outcome = INTERRUPTED
+        try:
+            outcome = await change(self._watch.programs[name], verb, self._watch.folder)
+            await self._watch.look(name)
+        except Exception as problem:
+            LOG.exception("program %s", name)
+            outcome = ChangeOutcome(NOT_CONFIRMED, f"internal error: {problem}")
+        finally:
+            self._watch.set_pending(name, "")
+            self._log(name, verb, outcome.text)
+        self._notices.note(sanitize(f"{name}: {verb} {outcome.text}"))
+
+    def _log(self, name: str, verb: str, outcome: str) -> None:
+        if self._files.audit is not None:
+            host = self._watch.rows[name].host
+            where = f" on {host}" if host else ""
+            self._files.audit.log_console(f"program {verb}", f"{name}{where}: {outcome}")

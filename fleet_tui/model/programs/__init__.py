@@ -1,0 +1,1 @@
+"""Programs of robot servers: their states, and the outcomes of what is asked of them."""

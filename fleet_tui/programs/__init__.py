@@ -1,0 +1,1 @@
+"""Programs of the robot servers: looked at, started, stopped, their logs followed. No shell is involved."""

@@ -1,0 +1,99 @@
+"""Processes of others, run within limits: of time, and of what they print."""
+
+import asyncio
+import os
+import signal
+from asyncio.subprocess import DEVNULL, PIPE, STDOUT, Process
+from collections.abc import AsyncIterator, Sequence
+from contextlib import asynccontextmanager, suppress
+
+from msgspec import Struct
+
+LARGEST = 256 * 1024
+"""Bytes of output after which a process that should be brief is ended."""
+DRAIN = 0.2
+"""Seconds for the last output of a process that has ended: what it started may hold the pipe for ever."""
+POLL = 0.02
+
+
+class EndedProcess(Struct, frozen=True):
+    """The end of a process: its exit code, None if it never came to that; then `problem` says why."""
+
+    code: int | None
+    output: str = ""
+    problem: str = ""
+    is_late: bool = False
+
+
+@asynccontextmanager
+async def running(arguments: Sequence[str]) -> AsyncIterator[Process]:
+    """Start a process apart from our terminal, and end it with all that it started. Raises OSError,
+    ValueError if it can't be started."""
+    process = await asyncio.create_subprocess_exec(
+        *arguments, stdin=DEVNULL, stdout=PIPE, stderr=STDOUT, start_new_session=True
+    )
+    try:
+        yield process
+    finally:
+        _kill(process)
+        # Else the pipe stays open for as long as a grandchild holds it.
+        process._transport.close()  # type: ignore[attr-defined]  # typeshed leaves it out
+
+
+def _kill(process: Process) -> None:
+    if process.returncode is None:
+        with suppress(ProcessLookupError, PermissionError):
+            os.killpg(process.pid, signal.SIGKILL)
+
+
+async def run(arguments: Sequence[str], within: float) -> EndedProcess:
+    """Run a process to its end, for at most `within` seconds."""
+    output = bytearray()
+    try:
+        async with asyncio.timeout(within), running(arguments) as process:
+            reading = asyncio.ensure_future(_read(process, output))
+            try:
+                code = await exit_code(process)
+                await asyncio.wait({reading}, timeout=DRAIN)
+            finally:
+                reading.cancel()
+    except TimeoutError:
+        return EndedProcess(None, _text(output), f"no answer within {within:.0f} s", is_late=True)
+    except (OSError, ValueError) as problem:
+        return EndedProcess(None, "", not_started(arguments[0], problem))
+    if len(output) >= LARGEST:
+        return EndedProcess(None, "", f"{arguments[0]}: stopped after {LARGEST // 1024} kB of output")
+    return EndedProcess(code, _text(output))
+
+
+async def exit_code(process: Process) -> int:
+    """Return the exit code once the process itself has ended: `Process.wait` waits for its pipe, too."""
+    waiting = asyncio.ensure_future(process.wait())
+    try:
+        while process.returncode is None:
+            await asyncio.wait({waiting}, timeout=POLL)
+        return process.returncode
+    finally:
+        waiting.cancel()
+
+
+def not_started(program: str, problem: Exception) -> str:
+    """Return the reason that a process could not be started, with its remedy."""
+    if isinstance(problem, FileNotFoundError):
+        return f"{program}: not found: install it, or write its full path in [[programs]]"
+    if isinstance(problem, PermissionError):
+        return f"{program}: not executable by this user: check its mode and owner"
+    return f"{program}: {getattr(problem, 'strerror', None) or problem}"
+
+
+async def _read(process: Process, output: bytearray) -> None:
+    assert process.stdout is not None
+    while block := await process.stdout.read(2**16):
+        output += block[: LARGEST - len(output)]
+        if len(output) >= LARGEST:
+            _kill(process)
+            return
+
+
+def _text(output: bytearray) -> str:
+    return output.decode("utf-8", "replace")

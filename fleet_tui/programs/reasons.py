@@ -1,0 +1,47 @@
+"""Reasons that a process of systemd, ssh or a site failed, with their remedies."""
+
+from fleet_tui.config.programs import ProgramEntry
+from fleet_tui.programs.process import EndedProcess
+from fleet_tui.programs.session_state import exit_text
+from fleet_tui.text.limits import truncate
+from fleet_tui.text.sanitize import sanitize
+
+SSH_FAILED, NOT_FOUND = 255, 127
+NO_SYSTEMD = ("not been booted with systemd", "Failed to connect to", "systemctl: not found")
+_REMEDIES = {
+    "Permission denied (": "{host} does not accept this user's key: try ssh-copy-id {host}",
+    "Host key verification failed": "{host} is not known here: connect once with ssh {host}",
+    "Could not resolve hostname": "{host} has no address: check host, and ~/.ssh/config",
+    "onnection refused": "{host} refuses ssh: is its sshd running?",
+    "timed out": "{host} does not answer: is it on, and in this network?",
+    "No route to host": "{host} can't be reached: is it on, and in this network?",
+    "onnection closed": "{host} closed the connection: try ssh {host}",
+    "authentication required": "not allowed for this user: add a polkit rule, or use a unit with user = true",
+    "Access denied": "not allowed for this user: add a polkit rule, or use a unit with user = true",
+    "not been booted with systemd": "no systemd to ask: use start, stop and status instead of unit",
+    "Failed to connect to": "no systemd of this user to ask: log in first, or use start, stop and status",
+    "not found": "{last}: install it there, or write its full path in [[programs]]",
+}
+
+
+def failure(program: ProgramEntry, ended: EndedProcess) -> str:
+    """Return the reason that a process failed, and what to do."""
+    if ended.problem:
+        where = f" from {program.host}" if program.host and ended.is_late else ""
+        return ended.problem.replace("no answer", f"no answer{where}")
+    last = last_line(ended.output)
+    for words, remedy in _REMEDIES.items():
+        if words in ended.output:
+            return remedy.format(host=program.host or "this machine", last=last)
+    return last or exit_text(ended.code or 0)
+
+
+def has_no_systemd(ended: EndedProcess) -> bool:
+    """Tell whether there is no systemd for this user to ask."""
+    return ended.code != 0 and any(words in ended.output or words in ended.problem for words in NO_SYSTEMD)
+
+
+def last_line(output: str) -> str:
+    """Return the last line with text."""
+    lines = [line.strip() for line in output.splitlines() if line.strip()]
+    return sanitize(truncate(lines[-1])) if lines else ""

@@ -1,0 +1,176 @@
+"""The programs of the robot servers: a list, and the log of one of them. Looks only while it is open."""
+
+import asyncio
+import time
+from collections.abc import Hashable, Mapping
+from functools import partial
+from typing import TYPE_CHECKING, ClassVar
+
+from rich.style import Style
+from textual import on
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.widgets import Input, Static
+
+from fleet_tui.controllers.dispatch import Ask
+from fleet_tui.controllers.programs import ProgramRequests, since_text
+from fleet_tui.controllers.typed import OpenMenu
+from fleet_tui.keys import Pane
+from fleet_tui.log_file import state_folder
+from fleet_tui.programs.arguments import log
+from fleet_tui.programs.log_tail import LogTail
+from fleet_tui.programs.watch import ProgramWatch
+from fleet_tui.screens.overlay import ReturningOverlay
+from fleet_tui.view.programs.table import log_table, note, program_table
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.widgets.bindings import bindings
+from fleet_tui.widgets.field import Field, Keys
+from fleet_tui.widgets.rows_pane import RowsPane
+
+if TYPE_CHECKING:
+    from fleet_tui.screens.main import MainScreen
+
+EVERY = 0.25  # seconds between two updates
+
+
+def programs_overlay(screen: "MainScreen", ask: Ask, open_menu: OpenMenu) -> "Programs":
+    """Return the overlay for the programs of a console's configuration."""
+    watch = ProgramWatch(screen.settings.programs, state_folder() / "programs")
+    requests = ProgramRequests(watch, screen.dispatch, screen.notices, screen.files, ask, open_menu)
+    return Programs(watch, requests)
+
+
+class Programs(ReturningOverlay):
+    """One table: the programs, or the lines of a log with a field that filters them."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        ("escape,q", "close", "Close"),
+        *(
+            Binding(binding.key, "close", show=False, id=binding.id)
+            for binding in bindings(Pane.CONSOLE)
+            if isinstance(binding, Binding) and binding.id == "programs"
+        ),
+    ]
+
+    def __init__(self, watch: ProgramWatch, requests: ProgramRequests) -> None:
+        super().__init__(id="programs")
+        self._watch, self._requests = watch, requests
+        self._log_of = ""
+        self._tail = LogTail()
+        self._following: asyncio.Task[None] | None = None
+        self._cursor: Hashable = None
+        self._end: Hashable = None
+        self._has_timer = False
+        self._noted = ""
+        self.rows = RowsPane(id="program-rows", choose=self._choose)
+
+    def compose(self) -> ComposeResult:
+        """Compose a field that appears above a log, the rows, and the whole note of the marked one."""
+        keys: Keys = {
+            "escape": self.leave_log,
+            "up": partial(self.rows.move, -1),
+            "down": partial(self.rows.move, 1),
+            "pageup": partial(self.rows.move, -10),
+            "pagedown": partial(self.rows.move, 10),
+        }
+        yield Field(
+            keys, id="program-filter", placeholder="type to filter the log; Esc: back to the programs"
+        )
+        yield self.rows
+        yield Static(id="program-note", markup=False)
+
+    def set_role_styles(self, styles: Mapping[StyleRole, Style]) -> None:
+        """Change every colour."""
+        self.rows.set_role_styles(styles)
+
+    def show(self) -> None:
+        """Open on the list."""
+        self._end_log()
+        self.open(self.rows)
+        self._tick()
+        if not self._has_timer:
+            self._has_timer = True
+            self.set_interval(EVERY, self._tick)
+
+    def show_log(self, name: str) -> None:
+        """Open on the log of a program."""
+        program, status = self._watch.programs[name], self._watch.rows[name].status
+        has_systemd = status is None or status.has_systemd
+        self._cursor, self._log_of, self._end = name, name, None
+        self._tail = LogTail()
+        self._following = asyncio.ensure_future(
+            self._tail.follow(log(program, self._watch.folder, has_systemd))
+        )
+        field = self.query_one(Field)
+        with field.prevent(Input.Changed):
+            field.value = ""
+        field.display = True
+        self.open(field)
+        self._look()
+
+    def leave_log(self) -> None:
+        """Return from a log to the list."""
+        self._end_log()
+        self.screen.set_focus(self.rows)
+        self._look()
+
+    def _end_log(self) -> None:
+        """Follow no log any more."""
+        if self._following is not None:
+            self._following.cancel()
+            self._following = None
+            self.rows.listing.cursor = self._cursor
+        self._log_of = ""
+        self.query_one(Field).display = False
+
+    def _choose(self, key: Hashable) -> None:
+        if isinstance(key, str):
+            self._requests.menu(key, self.show_log)
+
+    def _tick(self) -> None:
+        if self.is_open:
+            self._watch.open()
+            self._look()
+        else:
+            self._watch.close()
+            self._end_log()
+
+    def on_resize(self) -> None:
+        """Fill it at its new size."""
+        if self.is_open:
+            self._look()
+
+    @on(Input.Changed, "#program-filter")
+    def _typed(self, event: Input.Changed) -> None:
+        event.stop()
+        self._look()
+
+    def _look(self) -> None:
+        """Show the current rows."""
+        now = time.monotonic()
+        if self._log_of:
+            self._show_log()
+        else:
+            self.rows.show(program_table(list(self._watch.rows.values()), since_text, now))
+        marked = self._watch.rows.get(str(self.rows.listing.cursor))
+        said = note(marked, now) if marked is not None else ""
+        if said != self._noted:  # an update lays out the whole screen
+            self._noted = said
+            self.query_one("#program-note", Static).update(said)
+
+    def _show_log(self) -> None:
+        wanted = self.query_one(Field).value.strip()
+        found = list(self._tail.matching(wanted))
+        keys = [number for number, _ in found]
+        listing = self.rows.listing
+        # At the end of the log, the cursor stays at the end.
+        if keys and listing.cursor in (None, self._end, self._cursor):
+            listing.cursor = keys[-1]
+        self._end = keys[-1] if keys else None
+        self.rows.show(log_table(self._log_of, found, len(self._tail.lines), wanted, self._tail.note))
+
+    def on_unmount(self) -> None:
+        """End every process that looks."""
+        self._watch.close()
+        if self._following is not None:
+            self._following.cancel()

@@ -1,0 +1,1 @@
+"""Programs of robot servers as rows, questions and lines."""

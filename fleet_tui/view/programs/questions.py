@@ -1,0 +1,39 @@
+"""Questions before a program is started, stopped or restarted: what depends on it, what it needs."""
+
+from collections.abc import Iterator, Mapping
+
+from fleet_tui.model.programs.program import ProgramRow, ProgramState
+from fleet_tui.text.limits import some
+from fleet_tui.text.sanitize import sanitize
+
+_ENDED = (ProgramState.STOPPED, ProgramState.FAILED)
+
+
+def change_question(rows: Mapping[str, ProgramRow], name: str, verb: str, now: float) -> str:
+    """Return the question, with a line for each consequence."""
+    row = rows[name]
+    where = f" on {row.host}" if row.host else ""
+    lines = [f"{verb.capitalize()} {name}{where}? It is {row.state(now).value}."]
+    lines += consequences(rows, name, verb, now)
+    return sanitize_lines(lines)
+
+
+def consequences(rows: Mapping[str, ProgramRow], name: str, verb: str, now: float) -> Iterator[str]:
+    """Return what a start lacks, or what a stop or restart takes along."""
+    row = rows[name]
+    if verb == "start":
+        for need in row.needs:
+            if rows[need].state(now) is not ProgramState.RUNNING:
+                yield f"It needs {need}, which is {rows[need].state(now).value}."
+        return
+    units = row.status.dependents if row.status is not None else ()
+    if units:
+        yield f"systemd also {verb}s {some(units)}."
+    for other in rows.values():
+        if name in other.needs and other.state(now) not in _ENDED:
+            yield f"{other.name} needs it, and is {other.state(now).value}."
+
+
+def sanitize_lines(lines: list[str]) -> str:
+    """Return lines as one text for a dialog."""
+    return "\n".join(map(sanitize, lines))

@@ -1,0 +1,93 @@
+"""Rows of the programs, and the lines of a log."""
+
+from collections.abc import Callable, Sequence
+
+from fleet_tui.model.programs.program import ProgramRow, ProgramState
+from fleet_tui.text.durations import age
+from fleet_tui.text.sanitize import fit, sanitize
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
+
+HERE = "here"
+NONE_CONFIGURED = (
+    "No program is configured. In the configuration file, for example:",
+    "",
+    "  [[programs]]",
+    '  name = "bridge"',
+    '  unit = "rosbridge.service"',
+    "",
+    "  [[programs]]",
+    '  name = "mapping"',
+    '  start = ["roslaunch", "hall", "mapping.launch"]',
+    "",
+    "docs/programs.md has the other keys.",
+)
+_LOOKS = {
+    ProgramState.RUNNING: ("● ", StyleRole.GOOD),
+    ProgramState.STARTING: ("◇ ", StyleRole.WARN),
+    ProgramState.STOPPING: ("◇ ", StyleRole.WARN),
+    ProgramState.STOPPED: ("○ ", StyleRole.DIM),
+    ProgramState.FAILED: ("✗ ", StyleRole.ALARM),
+    ProgramState.UNKNOWN: ("? ", StyleRole.WARN),
+}
+
+
+def program_table(rows: Sequence[ProgramRow], clock: Callable[[float], str], now: float) -> Table:
+    """Return a row for each program, in the order of the configuration. `clock` formats Unix seconds, `now`
+    is of the monotonic clock."""
+    title = (("Programs", StyleRole.TITLE), ("  Enter: start, stop, restart, log", StyleRole.DIM))
+    if not rows:
+        help_rows = [Row(n, ((line, StyleRole.TEXT),)) for n, line in enumerate(NONE_CONFIGURED)]
+        return Table((("Programs", StyleRole.TITLE),), help_rows)
+    names = column((row.name for row in rows), 7, 16)
+    hosts = column((row.host or HERE for row in rows), 4, 12)
+    head = f"{'program':<{names}} {'host':<{hosts}} {'state':<10} {'since':<11} {'restarts':>8}  note"
+    shown = [Row(row.name, _runs(row, names, hosts, clock, now)) for row in rows]
+    return Table(title, shown, head=((head, StyleRole.DIM),))
+
+
+def _runs(
+    row: ProgramRow, names: int, hosts: int, clock: Callable[[float], str], now: float
+) -> tuple[Run, ...]:
+    state, status = row.state(now), row.status
+    sign, role = _LOOKS[state]
+    is_known = status is not None and state is not ProgramState.UNKNOWN
+    since = clock(status.since) if is_known and status is not None and status.since else "-"
+    restarts = status.restarts if is_known and status is not None else None
+    return (
+        (fit(row.name, names) + " ", StyleRole.TEXT),
+        (fit(row.host or HERE, hosts) + " ", StyleRole.DIM),
+        (f"{sign}{state.value:<8} ", role),
+        (f"{fit(since, 11)} ", StyleRole.TEXT),
+        (f"{'-' if restarts is None else restarts:>8}  ", StyleRole.WARN if restarts else StyleRole.DIM),
+        (note(row, now), StyleRole.ALARM if state is ProgramState.FAILED else StyleRole.TEXT),
+    )
+
+
+def note(row: ProgramRow, now: float) -> str:
+    """Return what is under way, the reason of a failure, and of an unknown state what was known last."""
+    if row.pending:
+        return f"{row.pending} is under way ..."
+    if row.status is None:
+        return "looking ..."
+    if row.state(now) is not ProgramState.UNKNOWN:
+        return sanitize(row.status.detail)
+    known = row.last_known
+    before = f"{known.state.value} {age(now - known.at)} ago; " if known is not None else ""
+    is_late = row.status.state is not ProgramState.UNKNOWN
+    return sanitize(before + (f"no answer for {age(now - row.status.at)}" if is_late else row.status.detail))
+
+
+def log_table(name: str, found: Sequence[tuple[int, str]], total: int, wanted: str, note: str) -> Table:
+    """Return the lines of a program's log, newest last; each has its number as key."""
+
+    def row(n: int) -> Row:
+        number, text = found[n]
+        return Row(number, ((sanitize(text), StyleRole.TEXT),))
+
+    counted = f" {len(found)} of {total} lines" + (f", matching {sanitize(wanted)}" if wanted else "")
+    title: list[Run] = [(f"Log of {sanitize(name)}", StyleRole.TITLE), (counted, StyleRole.DIM)]
+    if note:
+        title.append((f"  {sanitize(note)}", StyleRole.WARN))
+    empty = "no matching line" if total else sanitize(note) or "no line yet"
+    return Table(tuple(title), LateRows([number for number, _ in found], row), empty)

@@ -1,0 +1,58 @@
+"""Processes within limits: late, loud, missing and left behind ones."""
+
+import time
+from pathlib import Path
+
+import pytest
+
+from fleet_tui.programs.process import LARGEST, run, running
+from tests.support.polling import until
+from tests.support.terminal_session import exists
+
+
+async def test_output_and_exit_code_are_told() -> None:
+    ended = await run(["sh", "-c", "echo out; echo err >&2; exit 3"], 10.0)
+    assert (ended.code, ended.output, ended.problem) == (3, "out\nerr\n", "")
+
+
+async def test_a_process_that_hangs_is_ended_with_its_children(tmp_path: Path) -> None:
+    noted = tmp_path / "pid"
+    began = time.monotonic()
+    ended = await run(["sh", "-c", f"sleep 60 & echo $! > {noted}; wait"], 0.5)
+    assert ended.is_late and ended.problem == "no answer within 0 s" and time.monotonic() - began < 5
+    await until(lambda: not exists(int(noted.read_text())))
+
+
+async def test_one_that_floods_is_ended_and_its_output_not_kept() -> None:
+    ended = await run(["yes"], 20.0)
+    assert ended.code is None and ended.output == "" and f"{LARGEST // 1024} kB" in ended.problem
+
+
+async def test_a_child_that_holds_the_pipe_is_not_waited_for() -> None:
+    began = time.monotonic()
+    ended = await run(["sh", "-c", "sleep 60 & echo $!"], 20.0)
+    assert ended.code == 0 and time.monotonic() - began < 10
+    await run(["kill", ended.output.strip()], 5.0)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "reason"),
+    [
+        (["no-such-program"], "no-such-program: not found: install it"),
+        (["/etc/passwd"], "/etc/passwd: not executable by this user"),
+        (["echo", "a\0b"], "embedded null byte"),
+    ],
+)
+async def test_what_can_not_be_started_is_told_with_its_remedy(arguments: list[str], reason: str) -> None:
+    ended = await run(arguments, 5.0)
+    assert ended.code is None and reason in ended.problem
+
+
+async def test_bytes_that_are_no_text_are_replaced() -> None:
+    assert (await run(["printf", "\\377a"], 5.0)).output == "\ufffda"
+
+
+async def test_a_process_that_is_left_is_ended() -> None:
+    async with running(["sleep", "60"]) as process:
+        assert exists(process.pid)
+    await until(lambda: not exists(process.pid))

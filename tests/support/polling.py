@@ -1,0 +1,11 @@
+"""Waiting for what another process does, which wakes nobody here."""
+
+import asyncio
+from collections.abc import Callable
+
+
+async def until(holds: Callable[[], object], within: float = 20.0) -> None:
+    """Wait until it holds; the test fails if it never does."""
+    async with asyncio.timeout(within):
+        while not holds():  # noqa: ASYNC110  # of another process there is no event
+            await asyncio.sleep(0.01)
