@@ -9,6 +9,7 @@ import pytest
 from websockets.asyncio.client import connect
 
 from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
+from fleet_tui.config.programs import ProgramEntry
 from fleet_tui.config.schema import Config, RobotEntry
 from fleet_tui.demo import SIZE, demo_config, simulated
 from fleet_tui.simulator.kinds import KINDS
@@ -50,6 +51,11 @@ def test_the_demo_of_one_kind_has_one_profile_and_one_link(tmp_path: Path) -> No
     assert config.floors[0].graph == str(tmp_path / "graph.geojson")
     other = demo_config(Config(), URLS[0], 2, 1, kind="oh_ressources", folder=tmp_path)
     assert other.floors[0].graph == "" and other.profile.topics["paused"] == "/{robot}/paused"
+
+
+def test_the_demo_has_no_programs_of_a_real_site() -> None:
+    real = Config(programs=[ProgramEntry("bridge", unit="rosbridge.service")])
+    assert demo_config(real, URLS[0], 1, 1).programs == []
 
 
 @pytest.fixture

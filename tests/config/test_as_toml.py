@@ -11,6 +11,7 @@ from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.access import without_secrets
 from fleet_tui.config.as_toml import as_toml
 from fleet_tui.config.load import read
+from fleet_tui.config.programs import ProgramEntry
 from fleet_tui.config.schema import Alarms, Config, FloorEntry, Link, Operator, RobotEntry
 
 TEXT = st.text(st.characters(exclude_categories=["Cs"]))
@@ -25,6 +26,7 @@ def test_a_written_configuration_reads_as_itself(tmp_path: Path) -> None:
         operator=Operator('Ana "the \\ boss"', armed=False),
         keys={"quit": "ctrl+q"},
         alarms=Alarms(bell=["high"], offline_after=7.5),
+        programs=[ProgramEntry("p", start=["a b", '"c'], needs=["q"]), ProgramEntry("q", unit="q.service")],
         profile=Profile(topics={"pose": "/{robot}/pose"}, refusals=(r"(?i)\bno\b",), directed=True),
     )
     path = tmp_path / "config.toml"

@@ -14,8 +14,34 @@ from fleet_tui.errors import ConfigError
 from fleet_tui.themes import BASE, load_themes, read_theme
 from fleet_tui.view.roles import StyleRole
 
-TABLES = ("rosbridge", "links", "floors", "robots", "operator", "keys", "ui", "alarms", "profile", "path")
-ENTRIES = ("name", "url", "map", "size", "link", "refusals", "topics", "fields", "order", "offline_after")
+TABLES = (
+    "rosbridge",
+    "links",
+    "floors",
+    "robots",
+    "operator",
+    "keys",
+    "ui",
+    "alarms",
+    "profile",
+    "programs",
+    "path",
+)
+ENTRIES = (
+    "name",
+    "url",
+    "map",
+    "size",
+    "link",
+    "refusals",
+    "topics",
+    "fields",
+    "order",
+    "offline_after",
+    "unit",
+    "start",
+    "needs",
+)
 KEYS = st.text(max_size=5) | st.sampled_from(TABLES) | st.sampled_from(ENTRIES)
 SCALARS = st.one_of(
     st.text(st.characters(exclude_categories=["Cs", "Cc"]), max_size=8).map(lambda text: json.dumps(text)),

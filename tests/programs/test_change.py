@@ -93,6 +93,8 @@ async def test_a_command_that_ends_at_once_is_failed(stand_ins: StandIns, tmp_pa
     stand_ins.without_systemd()
     broken = ProgramEntry("job", start=["sh", "-c", "exit 3"])
     assert (await change(broken, "start", tmp_path)).text == "failed (exit status 3: see its log)"
+    brief = ProgramEntry("brief", start=["sh", "-c", "sleep 0.4; exit 4"])
+    assert (await change(brief, "start", tmp_path)).text == "failed (exit status 4: see its log)"
     missing = ProgramEntry("gone", start=["no-such-program"])
     outcome = await change(missing, "start", tmp_path)
     assert outcome.word == "refused" and "no-such-program" in outcome.detail
