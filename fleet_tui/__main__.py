@@ -10,7 +10,7 @@ import sys
 import traceback
 from typing import IO, TYPE_CHECKING, Any, NoReturn
 
-from fleet_tui.errors import ConfigError, FleetError, LinkError
+from fleet_tui.errors import ConfigError, FleetError, LinkError, MapError
 from fleet_tui.log_file import log_to_file
 from fleet_tui.terminal.ending import PATIENCE, end_within
 from fleet_tui.text.ascii_fallback import ascii_fallback
@@ -38,7 +38,8 @@ def _end(code: int, *lines: str) -> NoReturn:
 def _end_saying(problem: FleetError) -> NoReturn:
     if isinstance(problem, ConfigError):
         _end(2, *problem.problems[:MOST], *_more(len(problem.problems) - MOST))
-    _end(3 if isinstance(problem, LinkError) else 1, f"fleet-tui: {problem}")
+    code = 3 if isinstance(problem, LinkError) else 2 if isinstance(problem, MapError) else 1
+    _end(code, f"fleet-tui: {problem}")
 
 
 def _run_command() -> None:

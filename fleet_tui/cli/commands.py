@@ -12,7 +12,7 @@ from fleet_tui.cli.duration import DurationParam
 from fleet_tui.cli.graph.commands import graph
 from fleet_tui.cli.kinds import kinds as list_kinds
 from fleet_tui.cli.map.commands import map_group
-from fleet_tui.cli.options import FileName, common, fleet, merged, timeout
+from fleet_tui.cli.options import FileName, NumberRange, common, fleet, merged, timeout
 from fleet_tui.cli.orders.commands import orders
 from fleet_tui.cli.programs.commands import programs
 from fleet_tui.config.schema import Config
@@ -117,16 +117,12 @@ def _pack(config: Config, said: list[str], as_json: bool) -> None:
 @headless.command()
 @click.argument("file", type=FileName(path_type=Path))
 @click.option("--for", "seconds", type=DurationParam(), default="366d", help="Stop after 45s, 30m, 8h, ...")
-@click.option(
-    "--rotate-mb", type=click.FloatRange(1), help="Start a new file every N megabytes.", metavar="N"
-)
+@click.option("--rotate-mb", type=NumberRange(1), help="Start a new file every N megabytes.", metavar="N")
 @click.option("--rotate-every", type=DurationParam(), help="Start a new file every 30m, 1h, ...")
 @click.option(
     "--keep", type=click.IntRange(0), help="Keep only the newest N files; 0 keeps all.", metavar="N"
 )
-@click.option(
-    "--timeout", type=click.FloatRange(0.1), help="Stop if there is no link after this many seconds."
-)
+@click.option("--timeout", type=NumberRange(0.1), help="Stop if there is no link after this many seconds.")
 @fleet
 @merged
 def record(

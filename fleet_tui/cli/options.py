@@ -1,5 +1,6 @@
 """Options shared by all commands, before or after the command's name."""
 
+import math
 from collections.abc import Callable
 from functools import wraps
 from typing import Any, TypeVar
@@ -31,6 +32,17 @@ class FileName(click.Path):
         if value == "":
             self.fail("empty file name: check that the shell variable is set", param, ctx)
         return super().convert(value, param, ctx)
+
+
+class NumberRange(click.FloatRange):
+    """A number within limits."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Parse the typed text: `nan` is beyond no limit, and `inf` not beyond a missing one."""
+        number = super().convert(value, param, ctx)
+        if not math.isfinite(number):
+            self.fail(f"{value} is not a number", param, ctx)
+        return number
 
 
 WITH_VALUE = ("--config", "--drawing", "--url")
@@ -86,7 +98,7 @@ def screen(command: F) -> F:
 
 def timeout(seconds: float) -> Callable[[F], F]:
     """Add the maximum duration of a command."""
-    limits = click.FloatRange(0.1, 3600)
+    limits = NumberRange(0.1, 3600)
     return click.option(
         "--timeout", type=limits, default=seconds, show_default=True, help="Maximum seconds to wait."
     )

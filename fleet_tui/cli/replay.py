@@ -8,7 +8,7 @@ from tempfile import TemporaryDirectory
 import click
 
 from fleet_tui.bags.opening import BagError, is_bag
-from fleet_tui.cli.options import FileName, common, merged, screen
+from fleet_tui.cli.options import FileName, NumberRange, common, merged, screen
 from fleet_tui.config.load import load_if_any
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import ConfigError
@@ -28,7 +28,7 @@ def replayed() -> None:
 @click.argument("file", type=FileName())
 @click.option(
     "--speed",
-    type=click.FloatRange(0.25, 64),
+    type=NumberRange(0.25, 64),
     default=1.0,
     show_default=True,
     help="Play at this multiple of the recorded speed.",

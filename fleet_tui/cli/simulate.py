@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 
 import click
 
-from fleet_tui.cli.options import common, merged, screen
+from fleet_tui.cli.options import NumberRange, common, merged, screen
 from fleet_tui.config.load import load_if_any
 from fleet_tui.demo import demo_config
 from fleet_tui.demo import simulated as running
@@ -47,7 +47,7 @@ def _simulation(command: F) -> F:
     """Add `--speed` and `--fault`."""
     speed = click.option(
         "--speed",
-        type=click.FloatRange(0.1, 100.0),
+        type=NumberRange(0.1, 100.0),
         default=1.0,
         show_default=True,
         help="Run the simulated time this many times as fast; message rates stay the same.",
@@ -160,7 +160,7 @@ def demo(
 )
 @click.option(
     "--rate",
-    type=click.FloatRange(0.1, 100),
+    type=NumberRange(0.1, 100),
     default=10.0,
     show_default=True,
     help="Poses per second and robot.",

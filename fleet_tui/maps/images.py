@@ -10,6 +10,7 @@ import numpy as np
 import yaml
 from numpy.typing import NDArray
 from PIL import Image, UnidentifiedImageError
+from yaml.reader import ReaderError
 
 from fleet_tui.config.small_file import open_file, read_text
 from fleet_tui.errors import MapError
@@ -95,19 +96,29 @@ def _table(path: Path) -> dict[str, Any]:
         table = yaml.load(read_text(path, MAX_YAML), _WithoutAliases)
     except FileNotFoundError:
         raise MapError("no such file") from None
-    except (
-        OSError,
-        ValueError,
-        LookupError,
-        AttributeError,
-        ArithmeticError,
-        yaml.YAMLError,
-        RecursionError,
-    ) as problem:
+    except UnicodeDecodeError:
+        raise MapError("unreadable: not text in UTF-8") from None
+    except yaml.MarkedYAMLError as problem:
+        line = f" in line {problem.problem_mark.line + 1}" if problem.problem_mark else ""
+        raise MapError(f"unreadable: not YAML: {problem.problem}{line}") from None
+    except yaml.YAMLError as problem:
+        reason = "control characters" if isinstance(problem, ReaderError) else str(problem)
+        raise MapError(f"unreadable: not YAML: {reason}") from None
+    except OSError as problem:
+        raise MapError(_reason(problem)) from None
+    except RecursionError:
+        raise MapError("unreadable: nested too deep") from None
+    except (ValueError, LookupError, AttributeError, ArithmeticError) as problem:
         raise MapError(f"unreadable: {' '.join(str(problem).split())}") from None
     if not isinstance(table, dict) or not isinstance(table.get("image"), str):
         raise MapError("not a map_server file: no image")
     return table
+
+
+def _reason(problem: OSError) -> str:
+    if isinstance(problem, IsADirectoryError):
+        return "unreadable: a folder: name a file"
+    return f"unreadable: {problem.strerror or problem}"
 
 
 def _reading(table: dict[str, Any]) -> OccupancyThresholds:
@@ -137,7 +148,9 @@ def _classes(path: Path, reading: OccupancyThresholds) -> Classes:
         raise MapError(f"{path.name} is not a supported image: {', '.join(FORMATS)}") from None
     except Image.DecompressionBombError:
         raise MapError(f"{path.name} exceeds {MAX_PIXELS:,} px") from None
-    except (OSError, ValueError, SyntaxError, MemoryError) as problem:
+    except OSError as problem:
+        raise MapError(f"{path.name} {_reason(problem)}") from None
+    except (ValueError, SyntaxError, MemoryError) as problem:
         raise MapError(f"{path.name} unreadable: {problem}") from None
 
 

@@ -9,6 +9,10 @@ from fleet_tui.model.geometry import MapFrame, Pose
 
 Pixel = tuple[float, float]
 """Column and row, from the picture's upper left corner."""
+FINEST, COARSEST = 1e-4, 100.0
+"""Metres per pixel of a map."""
+FARTHEST = 1e6
+"""Metres from the origin."""
 
 
 def placed(
@@ -24,15 +28,8 @@ def placed(
     direction from the first to the second point in degrees, counter-clockwise from x, else the picture is not
     turned. Raises MapError for points or a distance that give no scale.
     """
-    if not all(map(math.isfinite, (distance, *(at or ()), heading or 0.0))):
-        raise MapError("distance, place and heading must be finite numbers")
-    for column, row in points:
-        if not (0.0 <= column <= frame.width and 0.0 <= row <= frame.height):
-            size = f"{frame.width} x {frame.height} px"
-            raise MapError(f"point {column:g}, {row:g} is not in the picture of {size}")
+    _check(frame, points, distance, at, heading)
     pixels = math.dist(*points)
-    if pixels < 1.0 or distance <= 0.0:
-        raise MapError("two points at least a pixel apart and a distance above 0 are needed")
     (column, row), (to_column, to_row) = points
     drawn = math.atan2(row - to_row, to_column - column)
     yaw = 0.0 if heading is None else math.remainder(math.radians(heading) - drawn, math.tau)
@@ -41,3 +38,28 @@ def placed(
         return turned
     x, y = turned.to_world(column, row)
     return replace(turned, origin=Pose(at[0] - x, at[1] - y, yaw))
+
+
+def _check(
+    frame: MapFrame,
+    points: tuple[Pixel, Pixel],
+    distance: float,
+    at: tuple[float, float] | None,
+    heading: float | None,
+) -> None:
+    """Raise MapError for numbers that give no map."""
+    if not all(abs(metres) <= FARTHEST for metres in at or ()):
+        raise MapError(f"the place of the first point must be within {FARTHEST:,.0f} m")
+    if not abs(heading or 0.0) <= 360.0:
+        raise MapError("the heading must be from -360 to 360 degrees")
+    for column, row in points:
+        if not (0.0 <= column <= frame.width and 0.0 <= row <= frame.height):
+            size = f"{frame.width} x {frame.height} px"
+            raise MapError(f"point {column:g}, {row:g} is not in the picture of {size}")
+    pixels = math.dist(*points)
+    if pixels < 1.0:
+        raise MapError("the two points must be at least a pixel apart")
+    if not FINEST <= distance / pixels <= COARSEST:
+        least, most = FINEST * pixels, COARSEST * pixels
+        limits = f"from {least:g} to {most:g} m, not {distance:g}"
+        raise MapError(f"the distance of points {pixels:.0f} px apart must be {limits}")

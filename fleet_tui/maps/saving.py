@@ -57,13 +57,14 @@ def save_map(grid: OccupancyGrid, path: Path, report: Callable[[str], None] = la
     for the loop. Raises MapError."""
     yaml, pgm = map_files(path)
     text = yaml_of(grid, pgm.name)
-    try:
-        report(f"writing {pgm.name}")
-        write_whole(pgm, pgm_of(grid), keep=True, is_shared=True)
-        report(f"writing {yaml.name}")
-        write_whole(yaml, text.encode(), keep=True, is_shared=True)
-    except OSError as problem:
-        raise MapError(f"{problem.filename or yaml}: {problem.strerror or problem}") from None
+    for file, content in ((pgm, pgm_of(grid)), (yaml, text.encode())):
+        report(f"writing {file.name}")
+        try:
+            write_whole(file, content, keep=True, is_shared=True)
+        except OSError as problem:
+            # Its name is that of a temporary file.
+            reason = problem.strerror or problem if file.parent.is_dir() else f"no folder {file.parent}"
+            raise MapError(f"{file} cannot be written: {reason}") from None
     report(f"comparing {yaml.name}")
     _compare(grid, yaml)
     return yaml

@@ -86,7 +86,7 @@ YAML = {
     "sexagesimal": ("x: 1" + ":1" * 30_000 + "\n", ""),
     "sexagesimal float": ("occupied_thresh: 1" + ":1" * 30_000 + ".5\n", "too large"),
     "large": ("#" * 100_000, "over 65,536 bytes"),
-    "deep": ("x: " + "{a: " * 15_000, "recursion"),
+    "deep": ("x: " + "{a: " * 15_000, "nested too deep"),
     "keys": ("".join(f"k{n}: 1\n" for n in range(6_000)), ""),
     "python": ("mode: !!python/object/apply:os.system [exit]\n", "could not determine a constructor"),
     "new object": ("mode: !!python/object/new:type [a, [], {}]\n", "could not determine a constructor"),

@@ -105,7 +105,7 @@ async def test_the_scan_shows_how_well_a_pose_fits(site: Site) -> None:
         mode = it.app.main.rest.poses.mode
         assert mode is not None
         mode.cursor, mode.yaw = (robot.pose.x, robot.pose.y), robot.pose.yaw
-        await it.shows("POSE 100 % fit")
+        await it.shows(" m, 100 % fit")
         streams = it.app.main.backend.streams
         assert streams.wants("robot_0", "scan")
         await it.press("escape", "u")

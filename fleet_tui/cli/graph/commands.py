@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from fleet_tui.cli.options import FileName, NearestGroup, common, merged
+from fleet_tui.cli.options import FileName, NearestGroup, NumberRange, common, merged
 from fleet_tui.errors import GraphError, MapError
 from fleet_tui.text.limits import truncate
 from fleet_tui.text.sanitize import sanitize
@@ -73,7 +73,7 @@ def from_format(command: Callable[..., None]) -> Callable[..., None]:
 @click.option("--map", "map_file", type=FileName(), help="Also check against this map image.")
 @click.option(
     "--width",
-    type=click.FloatRange(0.0, 100.0),
+    type=NumberRange(0.0, 100.0),
     default=0.6,
     show_default=True,
     metavar="METRES",

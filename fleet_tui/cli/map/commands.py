@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from fleet_tui.cli.options import common, merged, timeout
+from fleet_tui.cli.options import NumberRange, common, merged, timeout
 from fleet_tui.log_file import log_to_file
 from fleet_tui.text.sanitize import sanitize
 
@@ -59,7 +59,7 @@ def info(
 @click.option(
     "--part",
     nargs=4,
-    type=click.FloatRange(0.0),
+    type=NumberRange(0.0),
     metavar="COLUMN ROW WIDTH HEIGHT",
     help="Show these pixels, from the upper left corner, with their numbers beside them.",
 )
@@ -84,11 +84,12 @@ def show(
         grid, name = map_from(source, floor, timeout)
         size = survey(grid).text
     width, height = output_size()
-    click.echo(sanitize(f"{name}: {size}")[:width])
     if part is None:
-        click.echo(map_text(grid, width, height - 1, output_drawing()))
+        text = map_text(grid, width, height - 1, output_drawing())
     else:
-        click.echo(numbered_text(grid, part, width, height - 1, output_drawing()))
+        text = numbered_text(grid, part, width, height - 1, output_drawing())
+    click.echo(sanitize(f"{name}: {size}")[:width])
+    click.echo(text)
 
 
 @map_group.command()

@@ -4,6 +4,7 @@ import os
 import sys
 from collections.abc import Iterator
 
+from fleet_tui.errors import MapError
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.drawing import Drawing
@@ -41,9 +42,12 @@ def map_text(grid: OccupancyGrid, width: int, height: int, drawing: Drawing) -> 
 
 def numbered_text(grid: OccupancyGrid, part: Part, width: int, height: int, drawing: Drawing) -> str:
     """Return a part of the map in at most so many columns and lines: above it the pixel columns at the first,
-    the eleventh cell and so on, before each line its pixel row."""
+    the eleventh cell and so on, before each line its pixel row. Raises MapError for a part without pixels."""
     column, row, across, down = part
     extent = grid.frame.width, grid.frame.height
+    if not (column < extent[0] and row < extent[1] and across > 0.0 and down > 0.0):
+        size = f"{extent[0]} x {extent[1]} px"
+        raise MapError(f"--part {column:g} {row:g} {across:g} {down:g} has no pixels of the map of {size}")
     area = column, row, column + max(across, 1.0), row + max(down, 1.0)
     lines = min(height - 1, Camera.lines_of(extent, width - MARGIN, area))
     camera = Camera.fit(extent, width - MARGIN, max(1, lines), area)

@@ -6,7 +6,7 @@ from pathlib import Path
 from fleet_tui.cli.session import WaitingStore, has_link, session
 from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.schema import Config
-from fleet_tui.errors import LinkError, MapError, did_you_mean
+from fleet_tui.errors import FleetError, LinkError, MapError, did_you_mean
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.text.sanitize import sanitize
@@ -56,7 +56,7 @@ def _live(config: Config, floor: str, seconds: float) -> tuple[OccupancyGrid, st
 
 
 def _received(link: FleetLink, store: WaitingStore, floor: str, seconds: float) -> OccupancyGrid:
-    """Wait for the live map of a floor, of each of its robots in turn. Raises LinkError, MapError."""
+    """Wait for the live map of a floor, of each of its robots in turn. Raises FleetError."""
     robots = [name for name, robot in store.state.robots.items() if floor in robot.maps]
     for name in robots:
         link.show_map(name, floor)
@@ -65,7 +65,7 @@ def _received(link: FleetLink, store: WaitingStore, floor: str, seconds: float) 
             return grid
     if not has_link(store.state):
         raise LinkError("no link to the bridge")
-    raise MapError(f"no live map of {floor} within {seconds:g} s")
+    raise FleetError(f"no live map of {floor} within {seconds:g} s")
 
 
 def _has_grid(store: WaitingStore, robot: str, floor: str, _: FleetState) -> bool:

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple, TypeVar
 
 import click
 
-from fleet_tui.cli.options import FileName, fleet, merged
+from fleet_tui.cli.options import FileName, NumberRange, fleet, merged
 from fleet_tui.config.schema import Config
 from fleet_tui.log_file import log_to_file
 from fleet_tui.model.set_up.commands import MOST_SETTLES
@@ -56,7 +56,7 @@ def _takes_options(command: Callable[..., None]) -> Callable[..., None]:
 
 
 def _options(command: F) -> F:
-    limits = click.FloatRange(0.1, 86400)
+    limits = NumberRange(0.1, 86400)
     text = "Maximum seconds to wait: 15 by default, 3600 for order --until-done."
     schema = "Print JSON; schema in docs/commands.md."
     command = click.option("--timeout", type=limits, help=text)(command)

@@ -57,7 +57,7 @@ class DraftChecks:
             self._check(self._newest)
             return
         self._last = checked
-        mode.note = counts_text(checked.found)
+        mode.note = short_counts(checked.found)
         self._editor.refresh()
 
     def of(self, floor: DocumentFloor) -> Checked | None:
@@ -152,6 +152,13 @@ def _ways(floor: DocumentFloor, inputs: LintInputs, found: tuple[GraphFinding, .
         return text
     start, end = (sanitize(labels[id_]) for id_ in (detour.start, detour.end))
     return f"{text}, longest detour {start} -> {end}: {detour.metres:.0f} m for {detour.straight:.0f} m"
+
+
+def short_counts(found: tuple[GraphFinding, ...]) -> str:
+    """Return the numbers of errors and warnings for the map's title, empty without any: `1E 2W`."""
+    errors = sum(one.is_error for one in found)
+    counts = ((errors, "E"), (len(found) - errors, "W"))
+    return " ".join(f"{count}{letter}" for count, letter in counts if count)
 
 
 def counts_text(found: tuple[GraphFinding, ...]) -> str:

@@ -14,13 +14,14 @@ from fleet_tui.view.roles import StyleRole
 Piece = tuple[str, StyleRole]
 LEAST = 8  # cells that a note must have
 _BAR = 14  # cells that the scale bar may take
+_BANNER = 34  # cells of a banner that are worth more than the floor
 
 
 @dataclass(frozen=True, slots=True)
 class Caption:
     """The content of the first row. `waits`: the note only says what has not arrived yet; `banner` is that of
-    the map's mode; `hint` names the key of the legend, `elsewhere` robots in trouble out of view and on other
-    floors."""
+    the map's mode, `pixel` the map's cell under its cursor; `hint` names the key of the legend, `elsewhere`
+    robots in trouble out of view and on other floors."""
 
     floor: str
     note: str
@@ -34,6 +35,7 @@ class Caption:
     banner: str = ""
     hint: str = ""
     elsewhere: str = ""
+    pixel: str = ""
 
 
 @lru_cache(maxsize=8)
@@ -57,17 +59,20 @@ def caption_row(facts: Caption) -> Cells:
 
 def _pieces(facts: Caption) -> list[Piece]:
     """Return the pieces from left to right, which is also the order of their importance."""
-    pieces: list[Piece] = [
-        (sanitize(facts.floor), StyleRole.TITLE_FOCUSED if facts.focused else StyleRole.TITLE)
-    ]
-    if facts.elsewhere:
-        pieces.append((sanitize(facts.elsewhere), StyleRole.ALARM))
+    pieces, floor = list[Piece](), sanitize(facts.floor)
+    # The mode's banner begins with the cursor's place, which is seen nowhere else.
+    banner = min(cell_width(facts.banner), _BANNER)
+    if not banner or cell_width(floor) + banner + 7 <= facts.camera.width:
+        pieces.append((floor, StyleRole.TITLE_FOCUSED if facts.focused else StyleRole.TITLE))
     if facts.banner:
         pieces.append((facts.banner, StyleRole.TEXT))
+    if facts.elsewhere:
+        pieces.append((sanitize(facts.elsewhere), StyleRole.ALARM))
     if facts.note:
         pieces.append((sanitize(facts.note), StyleRole.DIM if facts.waits else StyleRole.WARN))
     return [
         *pieces,
+        *([(facts.pixel, StyleRole.TEXT)] if facts.pixel else []),
         *([("follow on", StyleRole.TEXT)] if facts.follow else []),
         (_bar(facts), StyleRole.DIM),
         *_turn(facts),

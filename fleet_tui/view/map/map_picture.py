@@ -1,5 +1,6 @@
 """The picture of a floor with the operator's view, and its cached parts."""
 
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -102,10 +103,18 @@ class MapPicture:
             zoom_robot=self.viewport.zoom_robot,
             focused=focused,
             waits=scene.waits if scene.note else True,
-            banner=self.mode.banner,
+            banner=self.mode.banner(scene.floor),
             hint=self.hint,
             elsewhere=", ".join(filter(None, (_trouble_out_of_view(scene, camera), scene.elsewhere))),
+            pixel=self._pixel(scene),
         )
+
+    def _pixel(self, scene: Scene) -> str:
+        """Return the map's cell under the mode's cursor, as `map show --part` counts, empty for none."""
+        if self.mode.cursor is None or scene.grid is None:
+            return ""
+        column, row = map(math.floor, scene.frame.to_pixel(*self.mode.cursor))
+        return f"cell {column}, {row}"
 
     def _still(self, scene: Scene, camera: Camera) -> Backdrop:
         """Return the backdrop of the robots, redrawn only on a change."""

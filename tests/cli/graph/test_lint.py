@@ -43,6 +43,12 @@ async def test_control_characters_are_shown_as_text(tmp_path: Path) -> None:
     assert "error: a␛[2J: vertex ␛ (␛]0;x): (0, nan) m is no place on a floor" in done.out
 
 
+async def test_a_width_that_is_no_number_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "g.yaml").write_text(GOOD)
+    done = await run(tmp_path, "graph", "lint", "g.yaml", "--width", "nan")
+    assert done.code == 2 and "nan is not a number" in done.err
+
+
 async def test_against_a_map(tmp_path: Path) -> None:
     (tmp_path / "g.yaml").write_text(write_text(line_graph((1.0, 1.0), (50.0, 1.0)), GraphFormat.OH))
     (tmp_path / "m.pgm").write_bytes(b"P5\n40 40\n255\n" + bytes([254]) * 1600)

@@ -50,7 +50,7 @@ async def test_a_live_map_is_saved_and_an_existing_one_asks(tmp_path: Path) -> N
 
 async def test_what_is_missing_is_named(tmp_path: Path) -> None:
     done = await run(tmp_path, "map", "info", "no.yaml")
-    assert (done.code, done.err) == (1, "fleet-tui: map no.yaml: no such file\n")
+    assert (done.code, done.err) == (2, "fleet-tui: map no.yaml: no such file\n")
     assert (await run(tmp_path, "map", "save", "a.yaml")).code == 2
 
 
@@ -78,7 +78,7 @@ async def test_a_picture_has_no_metres_until_it_is_placed(plan: Path, tmp_path: 
     assert shown.code == 0 and shown.out.startswith("plan.png: 80 x 40 px, without a scale\n")
     for command in ("info", "save"):
         refused = await run(tmp_path, "map", command, str(plan), *["out"][: command == "save"])
-        assert (refused.code, "`fleet-tui map place` gives it one" in refused.err) == (1, True)
+        assert (refused.code, "`fleet-tui map place` gives it one" in refused.err) == (2, True)
 
 
 async def test_a_part_is_shown_with_its_pixels(plan: Path, tmp_path: Path) -> None:
@@ -87,3 +87,51 @@ async def test_a_part_is_shown_with_its_pixels(plan: Path, tmp_path: Path) -> No
     numbers = [int(one) for one in heads.split()]
     assert numbers == sorted(numbers) and numbers[0] <= 0 < 20 <= numbers[-1] + 5
     assert first.split()[0].lstrip("-").isdigit() and all(len(line) <= 80 for line in shown.out.split("\n"))
+
+
+@pytest.mark.parametrize(
+    ("more", "words"),
+    [
+        (["--distance", "1e300"], "must be from 0.004 to 4000 m, not 1e+300"),
+        (["--distance", "1e-300"], "must be from 0.004 to 4000 m, not 1e-300"),
+        (["--distance", "nan"], "not nan"),
+        (["--distance", "4", "--at", "nan", "0"], "must be within 1,000,000 m"),
+        (["--distance", "4", "--heading", "1e300"], "must be from -360 to 360 degrees"),
+    ],
+)
+async def test_numbers_that_give_no_map_are_refused_before_anything_is_written(
+    hall: Path, tmp_path: Path, more: list[str], words: str
+) -> None:
+    points, picture = ["--points", "0", "0", "40", "0"], str(hall.with_suffix(".pgm"))
+    done = await run(tmp_path, "map", "place", picture, str(tmp_path / "p"), *points, *more)
+    assert done.code == 2 and words in done.err and not (tmp_path / "p.pgm").exists()
+
+
+@pytest.mark.parametrize("part", ["0 0 0 0", "0 0 5 0", "100000 0 10 10", "0 40 1 1", "nan 0 5 5"])
+async def test_a_part_without_pixels_is_refused(hall: Path, tmp_path: Path, part: str) -> None:
+    done = await run(tmp_path, "map", "show", str(hall), "--part", *part.split())
+    assert (done.code, done.out.count("\n")) == (2, 0)
+    assert "has no pixels of the map of 80 x 40 px" in done.err or "nan is not a number" in done.err
+
+
+async def test_bad_files_are_named_in_plain_words(tmp_path: Path) -> None:
+    (tmp_path / "dir.yaml").mkdir()
+    (tmp_path / "empty.yaml").touch()
+    (tmp_path / "bin.yaml").write_bytes(b"a: \x00\xff")
+    (tmp_path / "broken.yaml").write_text("image: [")
+    said = {
+        "dir": "unreadable: a folder: name a file",
+        "empty": "not a map_server file: no image",
+        "bin": "unreadable: not text in UTF-8",
+        "broken": "unreadable: not YAML: expected the node content, but found '<stream end>' in line 1",
+        "missing": "no such file",
+    }
+    for name, words in said.items():
+        done = await run(tmp_path, "map", "info", str(tmp_path / f"{name}.yaml"))
+        assert (done.code, done.err) == (2, f"fleet-tui: map {name}.yaml: {words}\n")
+
+
+async def test_a_map_in_a_missing_folder_names_the_folder(hall: Path, tmp_path: Path) -> None:
+    done = await run(tmp_path, "map", "save", str(hall), str(tmp_path / "none" / "m"))
+    target = tmp_path / "none" / "m.pgm"
+    assert done.code == 2 and f"{target} cannot be written: no folder {target.parent}" in done.err

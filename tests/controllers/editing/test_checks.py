@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import Any
 
-from fleet_tui.controllers.editing.checks import DraftChecks, counts_text
+from fleet_tui.controllers.editing.checks import DraftChecks, counts_text, short_counts
 from fleet_tui.rules.graphs.finding import GraphFinding
 from tests.support.drawn_graph import DrawnGraph, drawn_graph
 
@@ -20,7 +20,7 @@ async def test_the_counts_are_in_the_banner_after_each_step_and_each_finding_lea
         assert not any(one.is_error for one in found_in(it))
         it.mode.selected = "2"
         it.typed("name Base")
-        assert "1 error" in it.mode.banner
+        assert " 1E" in it.mode.banner(it.floor.name)
         it.checks.show_findings()
         (menu,) = it.desk.menus
         assert menu.title.startswith("1 error") and "labels reachable" in menu.title
@@ -30,7 +30,7 @@ async def test_the_counts_are_in_the_banner_after_each_step_and_each_finding_lea
         where = it.floor.vertices[it.mode.selected]
         assert it.mode.cursor == (where.x, where.y)
         it.editor.undo()
-        assert "error" not in it.mode.banner
+        assert " 1E" not in it.mode.banner(it.floor.name)
 
 
 async def test_the_difference_from_the_live_graph_is_listed_by_id() -> None:
@@ -83,3 +83,4 @@ def test_counts_are_words() -> None:
     error, warning = GraphFinding("a", "", True), GraphFinding("b", "", False)
     assert counts_text((error, warning, warning)) == "1 error, 2 warnings"
     assert counts_text(()) == ""
+    assert short_counts((error, warning, warning)) == "1E 2W" and short_counts((warning,)) == "1W"

@@ -1,6 +1,7 @@
 """The map's first row: what is most important stands first, and a note is never left out."""
 
 import math
+from dataclasses import replace
 
 from hypothesis import given
 from hypothesis import strategies as st
@@ -20,12 +21,14 @@ def row(
     follow: bool = False,
     zoom_robot: bool = False,
     elsewhere: str = "",
+    banner: str = "",
+    pixel: str = "",
+    floor: str = "hall",
 ) -> str:
     frame = MapFrame(0.05, 400, 200, Pose(0.0, 0.0, yaw))
     camera = Camera.fit((400, 200), width, 20)
-    cells = caption_row(
-        Caption("hall", note, frame, camera, drawing, follow, zoom_robot, False, elsewhere=elsewhere)
-    )
+    facts = Caption(floor, note, frame, camera, drawing, follow, zoom_robot, False)
+    cells = caption_row(replace(facts, elsewhere=elsewhere, banner=banner, pixel=pixel))
     return "".join(chr(code) for code in cells.codes[0] if code)
 
 
@@ -38,6 +41,19 @@ def test_it_tells_the_floor_the_scale_and_what_is_switched_on() -> None:
 
 def test_trouble_on_another_floor_comes_before_the_scale() -> None:
     assert "robot_9 on floor_1" in row(40, elsewhere="! robot_9 on floor_1")
+
+
+def test_the_place_of_a_cursor_is_readable_in_a_narrow_pane() -> None:
+    banner = "EDIT -118.00, -112.25 m 11E 20W, from Base 3.0 m"
+    text = row(38, elsewhere="! robot_9 on floor_1", banner=banner, pixel="cell 7, 9", floor="floor_0")
+    assert " EDIT -118.00, -112.25 m 11E 20W" in text
+    for floor in ("floor_0", "x" * 60):
+        assert "GOAL -18.00, 12.25 m" in row(38, banner="GOAL -18.00, 12.25 m", floor=floor)
+
+
+def test_where_there_is_space_the_floor_and_the_cell_are_shown_too() -> None:
+    text = row(60, banner="EDIT 18.00, 12.25 m 2W", pixel="cell 360, 245", floor="floor_0")
+    assert " floor_0 ── EDIT 18.00, 12.25 m 2W ── cell 360, 245 " in text
 
 
 def test_a_turned_map_says_by_how_much() -> None:

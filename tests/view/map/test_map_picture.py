@@ -4,6 +4,7 @@ from dataclasses import replace
 
 from fleet_tui.model.geometry import Pose
 from fleet_tui.view.map.map_picture import CAPTION_ROWS, MapPicture
+from fleet_tui.view.map.modes.mode import CursorMode
 from fleet_tui.view.map.scene import Mission
 from tests.support.map_pane import SCENE, moved
 
@@ -75,3 +76,12 @@ def test_a_robot_with_an_alarm_that_is_out_of_view_is_named_as_such() -> None:
     assert "!" not in caption(picture)
     picture.viewport.pan(SCENE, 200, 0)
     assert "! robot_0 out of view" in caption(picture) and "is out of view" not in caption(picture)
+
+
+def test_the_cell_of_the_map_under_the_cursor_is_counted_from_the_upper_left() -> None:
+    picture = shown()
+    assert "cell" not in caption(picture)
+    picture.mode = CursorMode((2.01, 9.99))
+    frame = SCENE.frame
+    column, row = int(2.01 / frame.resolution), frame.height - int(9.99 / frame.resolution) - 1
+    assert (SCENE.grid is not None) == (f"cell {column}, {row}" in caption(picture))

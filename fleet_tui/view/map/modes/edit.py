@@ -13,6 +13,7 @@ from fleet_tui.model.graphs.draft import Change
 from fleet_tui.model.graphs.live import role_of
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.layers import draw_cursor
+from fleet_tui.view.map.modes.mode import place_text
 from fleet_tui.view.map.picture import Layer
 from fleet_tui.view.map.places import seen_vertices
 from fleet_tui.view.map.scene import Mission, Scene, SceneVertex
@@ -94,12 +95,10 @@ class EditMode:
         start, end = self.floor.vertices.get(edge.start), self.floor.vertices.get(edge.end)
         return None if start is None or end is None else (start.x, start.y, end.x, end.y)
 
-    @property
-    def banner(self) -> str:
-        """Return the cursor's place, and the distance from the selected vertex."""
-        x, y = (round(metres, 2) + 0.0 for metres in self.cursor)
-        # The counts first: the cursor is seen on the map.
-        text = f"EDIT {self.note + ', ' if self.note else ''}{x:.2f}, {y:.2f} m"
+    def banner(self, shown: str) -> str:
+        """Return the cursor's place, the counts, and the distance from the selected vertex."""
+        place = place_text("EDIT", self.floor.name, shown, self.cursor)
+        text = " ".join(filter(None, (place, self.note)))
         if self.selected:
             vertex = self.floor.vertices[self.selected]
             away = math.dist((vertex.x, vertex.y), self.cursor)

@@ -2,6 +2,7 @@
 
 from typing import Protocol
 
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.layers import draw_cursor
 from fleet_tui.view.map.picture import Layer
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
@@ -10,6 +11,13 @@ from fleet_tui.view.map.viewport import Viewport, pick
 COLUMNS, ROWS = 4, 2  # cells of one press: about as far in both directions
 Point = tuple[float, float]
 """x, y in metres."""
+
+
+def place_text(title: str, floor: str, shown: str, place: Point) -> str:
+    """Return a mode's title with its cursor's place in metres, and its floor if another one is shown."""
+    # Adding 0 turns -0.0 into 0.0.
+    x, y = (round(metres, 2) + 0.0 for metres in place)
+    return f"{title} {'' if floor == shown else sanitize(floor) + ' '}{x:.2f}, {y:.2f} m"
 
 
 class MapMode(Protocol):
@@ -24,9 +32,8 @@ class MapMode(Protocol):
     def cursor(self) -> Point | None:
         """Return the place of the map's cursor, None if the mode has none."""
 
-    @property
-    def banner(self) -> str:
-        """Text for the caption, empty for none."""
+    def banner(self, shown: str) -> str:
+        """Return text for the caption of the shown floor, empty for none."""
 
     def adjusted(self, scene: Scene) -> Scene:
         """Return the scene as this mode shows it."""
@@ -52,8 +59,7 @@ class PlainMode:
     points = True
     cursor: Point | None = None
 
-    @property
-    def banner(self) -> str:
+    def banner(self, shown: str) -> str:
         """Return no text."""
         return ""
 
@@ -88,8 +94,7 @@ class CursorMode(PlainMode):
     def __init__(self, cursor: Point) -> None:
         self.cursor: Point = cursor
 
-    @property
-    def banner(self) -> str:
+    def banner(self, shown: str) -> str:
         """Return the cursor's place."""
         # Adding 0 turns -0.0 into 0.0.
         x, y = (round(metres, 1) + 0.0 for metres in self.cursor)

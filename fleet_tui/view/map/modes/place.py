@@ -8,7 +8,7 @@ from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.layers import MapOptions
-from fleet_tui.view.map.modes.mode import PlainMode
+from fleet_tui.view.map.modes.mode import PlainMode, place_text
 from fleet_tui.view.map.picture import Layer
 from fleet_tui.view.map.scene import Scene
 from fleet_tui.view.map.viewport import Point, Viewport
@@ -37,15 +37,11 @@ class PlaceMode(PlainMode):
         """Return the chosen pose."""
         return Pose(*self.cursor, self.yaw)
 
-    @property
-    def banner(self) -> str:
-        """Return the chosen pose."""
-        # Adding 0 turns -0.0 into 0.0.
-        x, y = (round(metres, 2) + 0.0 for metres in self.cursor)
-        degrees = round(math.degrees(self.yaw)) + 0
-        # The match first: the rest is seen on the map.
-        note = f"{self.note}, " if self.note else ""
-        return f"{self.title} {note}{x:.2f}, {y:.2f} m, {degrees} degrees, {sanitize(self.robot)}"
+    def banner(self, shown: str) -> str:
+        """Return the chosen pose: its place and match first, the heading is seen on the map, too."""
+        place = place_text(self.title, self.floor, shown, self.cursor)
+        degrees = f"{round(math.degrees(self.yaw)) + 0} degrees"
+        return ", ".join(filter(None, (place, self.note, degrees, sanitize(self.robot))))
 
     def adjusted(self, scene: Scene) -> Scene:
         """Return the scene with the laser scan as it would lie with the robot at the chosen pose."""

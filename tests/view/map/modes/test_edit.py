@@ -64,11 +64,15 @@ def test_the_nearest_edge_is_found(at: tuple[float, float], found: str) -> None:
 
 def test_the_banner_says_where_the_cursor_is_and_how_far_from_the_selected_vertex() -> None:
     mode = EditMode(FLOOR, (2.0, 5.0))
-    assert mode.banner == "EDIT 2.00, 5.00 m"
-    mode.selected, mode.note = "7", "2 errors"
-    assert mode.banner == "EDIT 2 errors, 2.00, 5.00 m, from Dock 3.0 m"
+    assert mode.banner("floor_0") == "EDIT 2.00, 5.00 m"
+    mode.selected, mode.note = "7", "2E"
+    assert mode.banner("floor_0") == "EDIT 2.00, 5.00 m 2E, from Dock 3.0 m"
     mode.held = True
-    assert "moving Dock" in mode.banner
+    assert "moving Dock" in mode.banner("floor_0")
+
+
+def test_the_banner_names_the_drafts_floor_while_another_one_is_shown() -> None:
+    assert EditMode(FLOOR, (2.0, 5.0)).banner("floor_1") == "EDIT floor_0 2.00, 5.00 m"
 
 
 def test_the_mouse_grasps_a_vertex_and_moves_it_along() -> None:
@@ -110,8 +114,8 @@ def test_the_mouse_grasps_nothing_of_another_floor_and_nothing_that_is_gone() ->
     mode = EditMode(FLOOR, (0.0, 0.0))
     assert mode.press(view(), replace(SCENE, floor="floor_1"), (2.0, 2.0)) is False
     mode.drag((3.0, 3.0))
-    assert mode.selected == "" and mode.banner
+    assert mode.selected == "" and mode.banner("floor_0")
     mode.press(view(), SCENE, (2.0, 2.0))
     mode.show(DocumentFloor("floor_0"))
     mode.drag((3.0, 3.0))
-    assert mode.selected == "" and mode.banner
+    assert mode.selected == "" and mode.banner("floor_0")

@@ -26,7 +26,7 @@ def test_in_the_view_mode_arrows_move_the_view_and_enter_picks_nothing(view: Vie
     view.zoom(SCENE, 4.0)
     mode.move(view, SCENE, 1, 0)
     assert view.middle(SCENE)[0] > before[0]
-    assert (mode.pick(view, SCENE), mode.cursor, mode.banner, mode.layers) == (None, None, "", ())
+    assert (mode.pick(view, SCENE), mode.cursor, mode.banner("floor_0"), mode.layers) == (None, None, "", ())
 
 
 def test_in_the_cursor_mode_arrows_move_the_cursor_and_the_view_stays(view: Viewport) -> None:
@@ -41,6 +41,6 @@ def test_in_the_cursor_mode_arrows_move_the_cursor_and_the_view_stays(view: View
 def test_the_cursor_picks_the_vertex_that_it_is_on_and_says_where_it_is(view: Viewport) -> None:
     mode = CursorMode((10.0, 10.0))
     assert mode.pick(view, SCENE) is SCENE.vertices[0]
-    assert mode.banner == "x 10.0 y 10.0 m"
-    assert CursorMode((-0.01, 2.0)).banner == "x 0.0 y 2.0 m"
+    assert mode.banner("floor_0") == "x 10.0 y 10.0 m"
+    assert CursorMode((-0.01, 2.0)).banner("floor_0") == "x 0.0 y 2.0 m"
     assert CursorMode((1.0, 1.0)).pick(view, SCENE) is None

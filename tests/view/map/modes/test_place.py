@@ -23,7 +23,9 @@ def test_the_heading_turns_by_degrees_and_stays_within_half_a_turn() -> None:
     it = mode(math.radians(178))
     it.turn(5)
     assert math.degrees(it.yaw) == pytest.approx(-177)
-    assert it.banner == "POSE 10.00, 5.00 m, -177 degrees, robot_0"
+    assert it.banner("floor_0") == "POSE 10.00, 5.00 m, -177 degrees, robot_0"
+    it.note = "4 % fit, 1.95 m"
+    assert it.banner("floor_1") == "POSE floor_0 10.00, 5.00 m, 4 % fit, 1.95 m, -177 degrees, robot_0"
 
 
 def test_the_mouse_places_and_a_drag_turns() -> None:
