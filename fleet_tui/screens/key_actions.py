@@ -124,7 +124,7 @@ def _next_trouble(screen: "MainScreen") -> None:
     if robot:
         screen.navigation.find_robot(robot)
     else:
-        screen.notices.say("no robot has an alarm")
+        screen.notices.say("no robot has an alarm, all have a pose")
 
 
 def _place_actions(rest: "Rest") -> PlaceActions:

@@ -27,7 +27,7 @@ from fleet_tui.screens import picks
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.state.store import Store
 from fleet_tui.view.lines.commands import message_line
-from fleet_tui.view.lines.hints import footer, hidden_keys, hints
+from fleet_tui.view.lines.hints import footer, hidden_keys, hints, idle_hints
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import alarm_table, unacknowledged
 from fleet_tui.view.tables.fleet import fleet_table
@@ -142,7 +142,8 @@ class MainScreen(Screen[None]):
     def _show_hints(self, state: FleetState, robot: str) -> None:
         pane = Pane.ANYWHERE if self._in_overlay() else self.focused_pane()
         keys, may_command = self.settings.keys, not self.dispatch.permissions.read_only
-        hidden = hidden_keys(state, robot) | (self.rest.snap.idle_keys if self.is_complete else set())
+        idle = self.rest.snap.idle_keys if self.is_complete else set()
+        hidden = hidden_keys(state, robot) | idle_hints(state) | idle
         shown = pane, may_command, hidden, (self.focused and self.focused.id) or "", self.hints.size.width
         if shown != self._hinted:
             self._hinted = shown
@@ -165,8 +166,7 @@ class MainScreen(Screen[None]):
         from fleet_tui.view.map.floor_scene import floor_scene, map_owner
 
         selection = self.navigation.settle(state, self.rest.map.picture.viewport.follow)
-        drafted = self.rest.draft()
-        if drafted is not None and drafted[0].marked is not None:
+        if (drafted := self.rest.draft()) is not None and drafted[0].marked is not None:
             selection = replace(selection, floor=drafted[0].marked.floor)
         owner = map_owner(state, selection)
         # The live map of the shown floor, unless a file has it.
@@ -176,7 +176,7 @@ class MainScreen(Screen[None]):
             self._mapped = wanted
             self.backend.show_map(*wanted)
         scene = self.rest.mapping.on(self.rest.streams.on(floor_scene(state, selection, drafted)))
-        self.panes.show_map(self.rest.map, scene)
+        self.rest.show_scene(scene)
 
     def _mark_alarm(self, state: FleetState) -> None:
         """Mark an alarm. Unless the pane has the focus, the cursor moves from acknowledged to

@@ -43,6 +43,7 @@ from fleet_tui.screens.simple import Simple
 from fleet_tui.screens.simple_switch import SimpleSwitch
 from fleet_tui.screens.why import Why
 from fleet_tui.view.map.layers import MapOptions
+from fleet_tui.view.map.scene import Scene
 from fleet_tui.widgets.bindings import action_of
 from fleet_tui.widgets.map_view import MapView
 from fleet_tui.widgets.panes import lines_below
@@ -62,6 +63,7 @@ class Rest:
     styled: list[RunsView | Diagnostics | Programs]
     robots: RobotRequests
     alarms: AlarmResponses
+    _covers = False
 
     def __init__(self, screen: "MainScreen") -> None:
         self._screen, self._navigation, self._session = screen, screen.navigation, screen.session
@@ -167,6 +169,14 @@ class Rest:
             )
 
         return SimpleSwitch(screen.panes, self.map, make, self.orders.may_order)
+
+    def show_scene(self, scene: Scene) -> None:
+        """Show a scene on the map, at the same scale while a panel covers a part of it, and until it has its
+        lines again."""
+        covers = self.why.is_open or self.menu.is_open
+        self.map.picture.viewport.holds = covers or self._covers
+        self._covers = covers
+        self._screen.panes.show_map(self.map, scene)
 
     @property
     def covered(self) -> int:

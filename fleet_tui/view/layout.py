@@ -24,9 +24,9 @@ class Wanted(NamedTuple):
 
 def beside_map(lines: int, wanted: Wanted) -> tuple[int, int, int, int]:
     """Share out the column beside the map: fleet, alarms, queue, the robot's page (0 for none)."""
-    alarms = _share(wanted.alarms, lines // 3)
+    alarms = _share(wanted.alarms + 1, lines // 3)
     queue = _share(wanted.queue + 1, lines // 4)
-    fleet = max(LEAST_FLEET, min(wanted.fleet, lines - alarms - queue))
+    fleet = max(LEAST_FLEET, min(wanted.fleet + 1, lines - alarms - queue))
     left = max(0, lines - fleet - alarms - queue)
     page = left if left >= LEAST_PAGE else 0
     return fleet, alarms, queue + left - page, page

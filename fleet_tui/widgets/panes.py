@@ -87,7 +87,7 @@ class Panes(Container):
         self,
         tables: Sequence[Table],
         robot: str,
-        page: Callable[[str], Table],
+        page: Callable[[str, int], Table],
         recent: Callable[[int], Table],
         covered: int = 0,
     ) -> None:
@@ -103,7 +103,7 @@ class Panes(Container):
         self.alarms.show(alarms)
         self.queue.show(queue)
         if self.page.size.height and self._page_pace.is_due((robot, self.page.size)):
-            self.page.show(page(robot))
+            self.page.show(page(robot, self.page.row_width))
         if self.recent.size.height and self._recent_pace.is_due(self._recent_lines):
             self.recent.show(recent(self.recent.size.height - 1))
 

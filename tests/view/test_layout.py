@@ -58,11 +58,11 @@ def test_thirty_robots_have_twenty_four_rows_at_120_by_40() -> None:
 
 
 def test_a_small_fleet_leaves_lines_to_the_robots_page() -> None:
-    assert beside_map(37, Wanted(5, 2, 2)) == (5, 3, 3, 26)
+    assert beside_map(37, Wanted(5, 2, 2)) == (6, 3, 3, 25)
 
 
 def test_more_alarms_have_more_lines() -> None:
-    assert beside_map(37, Wanted(14, 9, 2))[1] == 9
+    assert beside_map(37, Wanted(14, 9, 2))[1] == 10
     assert below_map(21, Wanted(14, 9, 2))[2] == 5
 
 

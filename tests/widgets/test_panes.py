@@ -6,7 +6,7 @@ from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import Console, console
 from tests.support.watched_store import config_of
 
-BESIDE = {"map": 25, "recent": 12, "fleet": 14, "alarms": 3, "queue": 3, "page": 17}
+BESIDE = {"map": 25, "recent": 12, "fleet": 15, "alarms": 3, "queue": 3, "page": 16}
 """Lines at 120x40."""
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 
 from fleet_tui.model.alarm import Alarm, AlarmStage
-from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.fleet import FleetState, is_missing
 
 
 def in_trouble(state: FleetState) -> frozenset[str]:
@@ -24,9 +24,12 @@ def _robots(state: FleetState, alarms: Iterable[Alarm]) -> frozenset[str]:
 
 
 def next_in_trouble(state: FleetState, after: str) -> str:
-    """Return the next robot in trouble after this one, by the order of the config and around its end; empty
-    without one."""
-    names, troubled = list(state.robots), in_trouble(state)
+    """Return the next robot in trouble after this one, by the order of the config and around its end; if none
+    is, one whose alarm is shelved or whose pose is missing; empty without one."""
+    names = list(state.robots)
+    troubled = in_trouble(state) or {
+        name for name in names if name in shelved(state) or is_missing(state, state.robots[name], "pose")
+    }
     start = names.index(after) + 1
     return next((name for name in (*names[start:], *names[:start]) if name in troubled), "")
 

@@ -9,6 +9,7 @@ from fleet_tui.keys import BY_ID, KEYS, LISTS, Key, Pane
 from fleet_tui.keys.key import key_name
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.alarms.trouble import in_trouble
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Button, Run, width_of
 
@@ -25,6 +26,11 @@ def hidden_keys(state: FleetState, selected: str) -> set[str]:
         if key.needs
         and not any(_serves(one, key.needs) for one in (robots if key.of_any else [state.robots[selected]]))
     }
+
+
+def idle_hints(state: FleetState) -> set[str]:
+    """Return the ids of keys that the footer need not name now."""
+    return set() if in_trouble(state) else {"next_trouble"}
 
 
 def _serves(robot: Robot, need: str) -> bool:

@@ -19,9 +19,9 @@ def floor_of(robot: Robot, vertex: str) -> str | None:
 
 
 def targets(robot: Robot, floor: str) -> tuple[str, ...]:
-    """Return the vertices at which the robot's current order stops on a floor."""
-    current = robot.orders.current
-    stops = vertices_of(current.stops) if current else ()
+    """Return the vertices at which the robot's current order stops on a floor, or the first that waits."""
+    first = robot.orders.current or next(iter(robot.orders.open), None)
+    stops = vertices_of(first.stops) if first else ()
     return tuple(vertex for vertex in stops if floor_of(robot, vertex) == floor)
 
 
@@ -36,10 +36,11 @@ def mission(robot: Robot, floor: str) -> Mission | None:
         return None
     at = _whereabouts(robot, floor, routes)
     legs = list(_legs(robot, floor, routes, orders, at))
-    current = tuple(line for order, way in legs if order is robot.orders.current for line in way.lines)
-    following = tuple(line for order, way in legs if order is not robot.orders.current for line in way.lines)
+    first = robot.orders.current or orders[0]  # a robot that is held up may list its order as waiting
+    current = tuple(line for order, way in legs if order is first for line in way.lines)
+    following = tuple(line for order, way in legs if order is not first for line in way.lines)
     order, way = legs[0] if legs else (orders[0], Way())
-    if order is not robot.orders.current or robot.floor != floor or way.start is None:
+    if order is not first or robot.floor != floor or way.start is None:
         return Mission(current, following)
     return Mission(current, following, routes.edge(at, way.start))
 

@@ -60,13 +60,11 @@ def _chips(
 ) -> Chips:
     """Return the chips of all robots: the selected one on top, then those in trouble.
 
-    The arrow is in the robot's own cell; of several robots in a cell the first one has it, and their numbers
-    are listed. A robot between others is listed with a neighbour, or has its number above or below; without
-    space it has none.
+    The arrow is in the robot's own cell; of several robots in a cell, or side by side, the first one has it,
+    and their numbers are listed. A robot between others is listed with a neighbour, or has its number above
+    or below; without space it has none.
     """
-    sharing: dict[Place, list[SceneRobot]] = {}
-    for robot, at in seen_robots(scene, camera):
-        sharing.setdefault(at, []).append(robot)
+    sharing = _groups(scene, camera)
     plain, turned = look.plain, scene.frame.origin.yaw
     arrows = {at: _arrow(robots[0], at, sharing, turned, plain) for at, robots in sharing.items()}
     for (x, y), arrow in arrows.items():
@@ -85,6 +83,15 @@ def _chips(
             _stack(occupancy, numbers, at, alone)
     listed = (_beside(placed.start, at[1], placed.runs) for at, placed in numbers.items())
     return [*chips, *chain.from_iterable(listed)]
+
+
+def _groups(scene: Scene, camera: Camera) -> dict[Place, list[SceneRobot]]:
+    """Return the robots by the cell of their arrow: arrows side by side would read as one."""
+    groups: dict[Place, list[SceneRobot]] = {}
+    for robot, (x, y) in seen_robots(scene, camera):
+        near = [at for at in ((x, y), (x - 1, y), (x + 1, y)) if at in groups]
+        groups.setdefault(near[0] if near else (x, y), []).append(robot)
+    return groups
 
 
 def _beside_arrow(

@@ -50,8 +50,11 @@ class Viewport:
     height: int = 1
     follow: bool = False
     zoom_robot: bool = False
+    holds: bool = False
+    """While something about the picture covers a part of it: the rest keeps its scale."""
     _moved: dict[str, tuple[Camera, MapFrame]] = field(default_factory=dict)
     _fitted: "dict[str, _Fitted]" = field(default_factory=dict)
+    _part: Camera | None = None
 
     def camera(self, scene: Scene) -> Camera:
         """Return the camera for the scene's floor, after following the selected robot."""
@@ -78,14 +81,28 @@ class Viewport:
     def _fit(self, scene: Scene) -> Camera:
         """Return the camera that shows the whole floor. Over a map that grows it holds still in the world
         until the floor does not fit any more; then there is room for more of it."""
-        camera = Camera.fit((scene.frame.width, scene.frame.height), self.width, self.height, scene.area)
         before = self._fitted.get(scene.floor)
+        whole = before.camera if before is not None and before.frame == scene.frame else None
+        if self.holds and whole is not None and whole.width == self.width and whole.height > self.height:
+            return self._part_of(scene, whole)
+        camera = Camera.fit((scene.frame.width, scene.frame.height), self.width, self.height, scene.area)
         grows = before is not None and (before.grows or before.frame != scene.frame)
         if before and grows and (before.camera.width, before.camera.height) == (self.width, self.height):
             camera = before.over_more_of(scene, camera)
         if scene.grid is not None:
             self._fitted[scene.floor] = _Fitted(camera, scene.frame, grows)
         return camera
+
+    def _part_of(self, scene: Scene, whole: Camera) -> Camera:
+        """Return the camera of the uncovered part of a view, moved only if the selected robot would be out of
+        it."""
+        robot, part = self._robot_pixel(scene), self._part
+        if part is None or (part.scale, part.width, part.height) != (whole.scale, self.width, self.height):
+            part = whole.resized(self.width, self.height)
+        if robot is not None and not _shows(part, robot):
+            part = part.centred_within(*robot, _area(scene))
+        self._part = part
+        return part
 
     def _keep(self, scene: Scene, camera: Camera) -> Camera:
         self._moved[scene.floor] = (camera, scene.frame)

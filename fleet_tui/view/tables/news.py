@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 
+from fleet_tui.model.alarm import AlarmStage
 from fleet_tui.model.fleet import FleetState, is_missing, missing_text, obstacle_text
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Reading, Robot
@@ -11,6 +12,7 @@ from fleet_tui.rules.alarms.trouble import in_trouble, shelved
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.text.durations import age
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, width_of
 
@@ -32,6 +34,12 @@ def _paused(state: FleetState, robot: Robot) -> str:
     if robot.paused is None:
         return own_pause_text(state, robot)
     return "paused" if own_pause(state, robot) else "paused (elsewhere)"
+
+
+def _failed_command(state: FleetState, robot: Robot) -> Iterator[Run]:
+    for alarm in state.alarms:
+        if alarm.key == (robot.name, "command") and alarm.holds and alarm.stage is not AlarmStage.SHELVED:
+            yield sanitize(alarm.text), StyleRole.ALARM
 
 
 def news(state: FleetState, robot: Robot) -> Iterator[Run]:
@@ -56,6 +64,7 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
         yield obstacle_text(state, robot, contact), StyleRole.DIM
     if online:
         yield from _old(state, robot)
+    yield from _failed_command(state, robot)
     if is_news(state, robot.fault_at):
         yield f"bad data x{robot.faults}", StyleRole.WARN
 

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterator
+from textwrap import wrap
 from typing import Any
 
 from fleet_tui.model.alarm import class_of
@@ -28,10 +29,14 @@ STANDS_FROM = 1.0
 """Seconds without movement from which a robot stands."""
 
 
-def robot_page(state: FleetState, name: str, clock: Callable[[float], str]) -> Table:
-    """Return the page of a robot; `clock` formats Unix seconds as a local time."""
+def robot_page(state: FleetState, name: str, width: int, clock: Callable[[float], str]) -> Table:
+    """Return the page of a robot for a pane of `width` cells; `clock` formats Unix seconds as local time."""
     robot = state.robots[name]
-    rows = [_named("State", *news(state, robot)), *_alarms(state, robot), *_values(state, robot)]
+    rows = [
+        _named("State", *news(state, robot)),
+        *_alarms(state, robot, width - NAME),
+        *_values(state, robot),
+    ]
     rows += [*_orders(state, robot), *_commands(state, robot, clock)]
     listed = tuple(Row(None, runs) for runs in rows if runs)
     title = (
@@ -49,11 +54,12 @@ def _named(name: str, *runs: Run) -> tuple[Run, ...]:
     return ((f"{name:<{NAME}}", StyleRole.DIM), *spaced)
 
 
-def _alarms(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
-    """Yield each alarm, and what to do."""
+def _alarms(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Run, ...]]:
+    """Yield each alarm as a whole, and what to do."""
     for alarm in state.alarms:
         if alarm.holds and alarm.condition.source == robot.name:
-            yield _named("Alarm", (sanitize(alarm.text), StyleRole.TEXT))
+            for n, line in enumerate(wrap(sanitize(alarm.text), max(20, width))):
+                yield _named("" if n else "Alarm", (line, StyleRole.TEXT))
             yield _named("", (CLASSES[class_of(alarm.condition.kind)].action, StyleRole.DIM))
 
 

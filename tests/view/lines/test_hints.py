@@ -8,9 +8,9 @@ from fleet_tui.keymap import keymap
 from fleet_tui.keys import Pane
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import PAUSE, Kind
-from fleet_tui.view.lines.hints import footer, hidden_keys, hints
+from fleet_tui.view.lines.hints import footer, hidden_keys, hints, idle_hints
 from fleet_tui.view.tables.table import width_of
-from tests.support.fleets import R0, text_of
+from tests.support.fleets import R0, T0, battery, fleet, link_up, reduced, text_of, tick
 from tests.support.kinds import BARE, FULL, KEYS, LATE, received
 
 Keys = dict[str, tuple[str, ...]]
@@ -43,9 +43,14 @@ def test_a_console_that_can_not_command_offers_no_commands(pane: Pane) -> None:
 
 
 def test_the_most_important_hints_are_whole_at_80_columns() -> None:
-    shown = line(KEYS, Pane.MAP, 80)
+    calm = hints(KEYS, Pane.MAP, hidden=idle_hints(fleet()))
+    shown = text_of(footer(*calm, KEYS, 80)[0])
+    assert " alarm " not in shown
     places = [shown.index(f" {word} ") for word in ("order", "pause", "resume", "pause all", "why", "cancel")]
     assert places == sorted(places) and " simple " not in shown
+    trouble = reduced(fleet(), link_up(T0), battery(T0, 5.0), tick(T0))
+    shown = text_of(footer(*hints(KEYS, Pane.MAP, hidden=idle_hints(trouble)), KEYS, 80)[0])
+    assert " ! alarm " in shown and " w why " in shown
 
 
 @pytest.mark.parametrize("pane", list(Pane))

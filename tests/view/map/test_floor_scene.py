@@ -187,4 +187,5 @@ def test_the_picture_is_the_selected_robots_else_of_one_that_knows_the_floor() -
 def test_the_ends_of_the_current_order_are_its_targets() -> None:
     state = reduced(fleet(), graph(1, 2, 3), queue(T0, (4, 1, 3, "W"), (5, 2, 1, "Q"), current=4))
     assert scene(state).target_vertices == ("1", "3")
-    assert scene(reduced(state, queue(T0 + 1, (5, 2, 1, "Q")))).target_vertices == ()
+    assert scene(reduced(state, queue(T0 + 1, (5, 2, 1, "Q")))).target_vertices == ("2", "1")
+    assert scene(reduced(state, queue(T0 + 1))).target_vertices == ()

@@ -73,10 +73,10 @@ def test_the_next_orders_lead_on_from_the_end_of_the_one_before() -> None:
     assert places(found.following) == row(4, 3, 2, 1)
 
 
-def test_without_a_current_order_all_are_next_ones() -> None:
-    found = mission(reduced(fleet(), ROW, pose(T0, 0.0), queue(T0, (2, 2, 3, "Q"))))
-    assert (found.current, found.edge) == ((), None)
-    assert places(found.following) == row(1, 2)
+def test_without_a_current_order_the_first_is_the_way_all_the_same() -> None:
+    found = mission(reduced(fleet(), ROW, pose(T0, 0.0), queue(T0, (2, 2, 3, "Q"), (3, 3, 4, "Q"))))
+    assert places(found.following) == row(2, 3)
+    assert found.edge is not None and places(found.current) == row(1, 2)
 
 
 def test_what_has_ended_is_driven_no_more_and_no_orders_are_no_mission() -> None:

@@ -31,26 +31,31 @@ def robot(number: int, cell: float, obstacle: bool = False) -> SceneRobot:
 
 def test_the_number_is_left_of_the_arrow_and_right_where_another_robot_is_there() -> None:
     assert "1→ " in drawn((robot(1, 0),))
-    assert " 1→→2 " in drawn((robot(1, 0), robot(2, 1)))
+    assert " 1→ →2 " in drawn((robot(1, 0), robot(2, 2)))
+
+
+def test_robots_side_by_side_are_one_chip_with_the_arrow_of_the_selected_one() -> None:
+    assert " 1,2→ " in drawn((robot(1, 0), robot(2, 1)))
+    text = drawn((robot(1, 0), robot(2, 1)._replace(selected=True, pose=Pose(10.05 + CELL, 5.0, 3.14))))
+    assert "1,2←" in text and "→" not in "".join(text.split())
 
 
 def test_robots_in_one_cell_are_listed_or_counted() -> None:
     assert " 1,2→ " in drawn((robot(1, 0), robot(2, 0)))
     assert " 3!,1,2→ " in drawn((robot(1, 0), robot(2, 0), robot(3, 0, obstacle=True)))
-    assert "3→ 1+2→→5" in drawn((robot(3, -5), robot(1, 0), robot(2, 0), robot(4, 0), robot(5, 1)))
+    assert "3→ 1+2→ →5" in drawn((robot(3, -5), robot(1, 0), robot(2, 0), robot(4, 0), robot(5, 2)))
 
 
 def test_the_number_of_a_robot_between_others_is_with_a_neighbours_in_the_sequence_of_the_arrows() -> None:
-    assert " 1,2→→→3 " in drawn((robot(1, 0), robot(2, 1), robot(3, 2)))
+    assert " 1,2→ → →3 " in drawn((robot(1, 0), robot(2, 2), robot(3, 4)))
 
 
 def test_the_selected_robot_in_a_crowd_has_its_number_above_it() -> None:
-    crowd = tuple(robot(number, number - 6) for number in range(1, 12))
+    crowd = tuple(robot(number, 2 * number - 12) for number in range(1, 12))
     selected = crowd[5]._replace(selected=True)
     rows = drawn((*crowd[:5], selected, *crowd[6:])).split("\n")
-    row = next(n for n, text in enumerate(rows) if "→→→" in text)
-    assert rows[row - 1].strip() == "6"
-    assert rows[row][rows[row - 1].index("6")] == "→"
+    row = next(n for n, text in enumerate(rows) if "→ → →" in text)
+    assert "6" in rows[row - 1] and rows[row][rows[row - 1].index("6")] == "→"
 
 
 def test_the_age_of_an_old_pose_covers_no_label() -> None:
@@ -69,13 +74,13 @@ def test_the_age_of_an_old_pose_covers_no_label() -> None:
 
 def test_a_number_stays_on_its_side_while_there_is_space() -> None:
     before = Arrangement()
-    assert "→2" in drawn((robot(1, 0), robot(2, 1)), before)
-    assert "→2" in drawn((robot(2, 1),), before)
-    assert "2→" in drawn((robot(2, 1),))
+    assert "→2" in drawn((robot(1, 0), robot(2, 2)), before)
+    assert "→2" in drawn((robot(2, 2),), before)
+    assert "2→" in drawn((robot(2, 2),))
 
 
 def test_the_robot_in_trouble_has_its_number_before_the_others() -> None:
-    assert "3→ 4!,1→→5" in drawn((robot(3, -6), robot(1, 0), robot(4, 0, obstacle=True), robot(5, 1)))
+    assert "3→ 4!,1→ →5" in drawn((robot(3, -6), robot(1, 0), robot(4, 0, obstacle=True), robot(5, 2)))
 
 
 @given(st.lists(st.tuples(st.floats(9.0, 11.0), st.floats(4.5, 5.5)), min_size=2, max_size=9))

@@ -23,7 +23,7 @@ from tests.support.fleets import (
 
 
 def page(state: FleetState) -> str:
-    table = robot_page(state, R0, lambda wall: "12:00:00")
+    table = robot_page(state, R0, 80, lambda wall: "12:00:00")
     return "\n".join(text_of(runs) for runs in (table.title, *(row.runs for row in table.rows)))
 
 
@@ -39,7 +39,7 @@ def test_each_value_has_its_age_and_an_old_one_is_marked() -> None:
     assert "80 %" in line(received(), "Battery") and "0 s ago" in line(received(), "Battery")
     assert "not received" in line(received(), "Cargo")
     old = reduced(received(), pose(T0 + 60), tick(T0 + 60))
-    (row,) = [row for row in robot_page(old, R0, str).rows if "Battery" in text_of(row.runs)]
+    (row,) = [row for row in robot_page(old, R0, 80, str).rows if "Battery" in text_of(row.runs)]
     assert StyleRole.WARN in {role for _, role in row.runs}
 
 
