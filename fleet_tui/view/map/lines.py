@@ -186,8 +186,7 @@ def _sides(robot: SceneRobot) -> Iterator[Line]:
 def _stroke(cells: Cells, mask: Mask, role: StyleRole, look: MapOptions, plain: str) -> None:
     """Draw the dots in one role except over more important cells; as ASCII the character `plain`.
 
-    The current mission is thick. It goes on through walls: on their colour, or in ASCII as the wall's
-    character.
+    The current mission is thick. Ways go on through walls, on their colour.
     """
     passed = pack(mask)
     bits = thicken(mask, passed) if role is StyleRole.MISSION and not look.plain else passed
@@ -199,8 +198,7 @@ def _stroke(cells: Cells, mask: Mask, role: StyleRole, look: MapOptions, plain: 
         cells.codes[crossed & (cells.codes == ord(_NEXT))] = ord(plain)
         cells.roles[crossed] = role
         through = (passed > 0) & _WALLS[cells.roles]
-        if not look.plain:
-            cells.codes[through] = BRAILLE[bits[through]]
+        cells.codes[through] = ord(plain) if look.plain else BRAILLE[bits[through]]
         cells.roles[through] = _THROUGH[role]
     cells.codes[drawn] = ord(plain) if look.plain else BRAILLE[bits[drawn]]
     cells.roles[drawn] = role
