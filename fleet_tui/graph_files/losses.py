@@ -17,6 +17,7 @@ from fleet_tui.model.graphs.document import (
     GraphFormat,
     Motion,
 )
+from fleet_tui.text.units import counted
 
 F = GraphFormat
 _KEPT: dict[GraphFormat, frozenset[str]] = {
@@ -36,6 +37,7 @@ _KEPT: dict[GraphFormat, frozenset[str]] = {
     ),
 }
 """What each format holds of the parts that are counted here; native holds all."""
+_IDS = {"vertex ids": ("vertex", "vertices"), "edge ids": ("edge", "edges")}
 
 
 class Loss(Struct, frozen=True):
@@ -46,6 +48,13 @@ class Loss(Struct, frozen=True):
 
     def __str__(self) -> str:
         return f"{self.what}: {self.count}"
+
+    @property
+    def line(self) -> str:
+        """Return the loss as a line of its own: elements stay when they lose their ids."""
+        if self.what in _IDS:
+            return f"new ids: {counted(self.count, *_IDS[self.what])}"
+        return f"lost: {self}"
 
 
 def losses(document: GraphDocument, format_: GraphFormat) -> tuple[Loss, ...]:

@@ -30,15 +30,20 @@ OWN = GraphFormat.OPENTCS.value
 VERSIONS = ("6", "7")
 MM = 0.001
 _INTEGER = re.compile(r"[-+]?[0-9]{1,18}")
-_ENCODING = re.compile(r"^\s*<\?xml[^>]*\?>")
+_HEAD = re.compile(r"""\s*<\?xml(?:[^>]*?\sencoding\s*=\s*["']([\w.-]{1,40})["'])?[^>]*\?>""")
 _OTHERS = {"vehicle": "vehicles", "block": "blocks", "locationType": "location types"}
 
 
 def parse_xml(text: str) -> Element:
-    """Return the root of a file. Raises GraphError for bad XML, a DTD or entities."""
+    """Return the root of a file, read as UTF-8. Raises GraphError for bad XML, a DTD or entities."""
+    head = _HEAD.match(text)
+    encoding = (head and head[1]) or "UTF-8"
     try:
-        # The text is decoded already: a declared encoding no longer holds.
-        root = fromstring(_ENCODING.sub("", text, count=1), forbid_dtd=True)
+        if "\0" in text or text.encode(encoding, "replace") != text.encode():
+            raise GraphError(f"not in {encoding}, the encoding that it declares: save it as UTF-8")
+        root = fromstring(text[head.end() if head else 0 :], forbid_dtd=True)
+    except LookupError:
+        raise GraphError(f"unknown encoding {encoding}: save it as UTF-8") from None
     except DefusedXmlException:
         raise GraphError("a DTD or entities, which are not read: remove them") from None
     except ParseError as problem:

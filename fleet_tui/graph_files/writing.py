@@ -62,7 +62,12 @@ def _check(floor: DocumentFloor) -> None:
     for vertex in floor.vertices.values():
         if not (math.isfinite(vertex.x) and math.isfinite(vertex.y)):
             raise GraphError(f"vertex {vertex.id} on {floor.name}: x or y is not finite: correct it first")
+        if vertex.heading is not None and not math.isfinite(vertex.heading):
+            raise GraphError(f"vertex {vertex.id} on {floor.name}: heading is not finite: correct it first")
     for edge in floor.edges.values():
         lost = [end for end in (edge.start, edge.end) if end not in floor.vertices]
         if lost:
             raise GraphError(f"edge {edge.id} on {floor.name}: unknown vertex {lost[0]}: correct it first")
+        numbers = edge.speed, edge.speed_percent, edge.cost, edge.length
+        if not all(math.isfinite(one) for one in numbers if one is not None):
+            raise GraphError(f"edge {edge.id} on {floor.name}: a value is not finite: correct it first")

@@ -59,8 +59,8 @@ class DraftFile:
         self._file: BinaryIO | None = None
         self._readable = 0
         """Bytes of the lines that were read."""
-        self._is_lost = False
-        """The file still has an earlier draft."""
+        self._lost = ""
+        """The reason that the file still has an earlier draft."""
 
     def load(self) -> GraphDraft | None:
         """Return the draft as it was when it was last written, None for a new floor. A line that was cut
@@ -98,14 +98,21 @@ class DraftFile:
     def begin(self, draft: GraphDraft) -> None:
         """Start the file with a draft and its steps. A draft with steps that was in it is kept as `.bak`."""
         self.close()
-        self._is_lost = True
+        try:
+            self._begin()
+        except OSError as problem:
+            folder = "" if problem.errno == EBUSY else f"{self.path.parent}: "
+            self._lost = f"{folder}{problem.strerror}"
+            raise OSError(problem.errno, self._lost) from None
+        self._lost = ""
+        self.write(Begun(draft.base), *map(Done, draft.done))
+
+    def _begin(self) -> None:
         self.path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
         if self.path.exists() and self.path.read_bytes().count(b"\n") > 1:
             self.path.replace(self.path.with_suffix(".bak"))
         handle = os.open(self.path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
         self._own(os.fdopen(handle, "r+b"), 0)
-        self._is_lost = False
-        self.write(Begun(draft.base), *map(Done, draft.done))
 
     def _own(self, file: BinaryIO, kept: int) -> None:
         """Write after the first bytes of a file that no other console writes to. Raises OSError."""
@@ -120,8 +127,8 @@ class DraftFile:
 
     def write(self, *lines: Line) -> None:
         """Write steps: they survive this process."""
-        if self._is_lost:
-            raise OSError(EROFS, "the draft could not be begun on disk")
+        if self._lost:
+            raise OSError(EROFS, self._lost)
         if self._file is None:
             self._own(self.path.open("r+b"), self._readable)
         assert self._file is not None

@@ -6,7 +6,7 @@ import click
 import pytest
 from click.testing import CliRunner
 
-from fleet_tui.cli.options import NearestGroup, fleet, with_url
+from fleet_tui.cli.options import NearestGroup, NumberRange, fleet, with_url
 from tests.support.command_line import run
 
 GOOD = '[[floors]]\nname = "floor_0"\n[[robots]]\nname = "robot_0"\n'
@@ -69,3 +69,10 @@ def test_an_unknown_command_of_a_group_is_answered_with_the_nearest() -> None:
     group.add_command(click.Command("show"))
     found = CliRunner().invoke(group, ["shwo"])
     assert found.exit_code == 2 and "unknown command 'shwo', did you mean show?" in found.stderr
+
+
+@pytest.mark.parametrize("typed", ["nan", "inf", "-1"])
+def test_what_is_no_number_within_the_limits_is_refused(typed: str) -> None:
+    with pytest.raises(click.BadParameter):
+        NumberRange(0.0).convert(typed, None, None)
+    assert NumberRange(0.0).convert("0.5", None, None) == 0.5

@@ -3,7 +3,7 @@
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.graph_files.losses import losses
+from fleet_tui.graph_files.losses import Loss, losses
 from fleet_tui.model.graphs.document import DocumentFloor, DocumentVertex, GraphFormat
 from tests.support.graph_files import again, sample
 
@@ -84,3 +84,8 @@ def test_ids_that_change_and_details_of_others() -> None:
     ]
     both = document.with_floor(DocumentFloor("upper", {"5": vertices["5"]}))
     assert str(losses(both, GraphFormat.LIF)[0]) == "vertex ids: 2"
+
+
+def test_elements_with_new_ids_are_not_called_lost() -> None:
+    said = [Loss("edge ids", 1).line, Loss("vertex ids", 2).line, Loss("costs", 1).line]
+    assert said == ["new ids: 1 edge", "new ids: 2 vertices", "lost: costs: 1"]

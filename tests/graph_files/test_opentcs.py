@@ -5,6 +5,7 @@ import math
 import pytest
 
 from fleet_tui.errors import GraphError
+from fleet_tui.graph_files.opentcs import parse_xml
 from fleet_tui.model.graphs.document import GraphFormat, Motion
 from tests.support.graph_files import SHARED, read_text
 
@@ -120,3 +121,25 @@ def test_the_sample() -> None:
     assert (len(floor.vertices), len(floor.edges)) == (15, 7)
     assert [one.length for one in floor.edges.values()] == [None] * 7
     assert floor.edges["Point-0013 --- Point-0014"].locked
+
+
+DECLARED = '<?xml version="1.0" encoding="{}"?><model name="Lager"/>'
+
+
+@pytest.mark.parametrize("encoding", ["UTF-8", "utf-8", "US-ASCII", "ISO-8859-1"])
+def test_a_text_that_is_the_same_in_its_encoding_is_read(encoding: str) -> None:
+    assert parse_xml(DECLARED.format(encoding)).get("name") == "Lager"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        DECLARED.format("UTF-16"),
+        DECLARED.format("ISO-8859-1").replace("Lager", "Läger"),
+        DECLARED.format("no-such"),
+        DECLARED.format("UTF-16").encode("utf-16-le").decode(),
+    ],
+)
+def test_another_encoding_than_the_declared_one_is_named(text: str) -> None:
+    with pytest.raises(GraphError, match=r"encoding.*: save it as UTF-8"):
+        parse_xml(text)

@@ -3,6 +3,7 @@
 import math
 
 import pytest
+from msgspec.structs import replace
 
 from fleet_tui.errors import GraphError
 from fleet_tui.graph_files.graph_file import MissingChoiceError
@@ -45,6 +46,11 @@ def test_what_only_our_own_format_holds(format_: GraphFormat) -> None:
     with pytest.raises(GraphError, match="vertex 2 on f: x or y is not finite"):
         write_text(nowhere, format_)
     lost = line_graph((0.0, 0.0), (1.0, 0.0))
+    (line,) = lost.floors["f"].edges.values()
+    turned = replace(lost.floors["f"].vertices["1"], heading=math.inf)
+    for name, elements in (("edges", {"1": replace(line, speed=math.nan)}), ("vertices", {"1": turned})):
+        with pytest.raises(GraphError, match="is not finite: correct it first"):
+            write_text(lost.with_floor(replace(lost.floors["f"], **{name: elements})), format_)
     floor = DocumentFloor("f", {"1": lost.floors["f"].vertices["1"]}, lost.floors["f"].edges)
     with pytest.raises(GraphError, match="edge 1 on f: unknown vertex 2"):
         write_text(lost.with_floor(floor), format_)

@@ -89,6 +89,21 @@ def test_a_second_console_on_the_floor_erases_nothing(tmp_path: Path) -> None:
     assert again is not None and list(again.floor.vertices) == ["1", "2"]
 
 
+def test_a_draft_that_can_not_be_begun_says_why_each_time(tmp_path: Path) -> None:
+    held, draft = begun(tmp_path)
+    assert held.path.exists()
+    (tmp_path / "plain").touch()
+    for folder, reason in (
+        (tmp_path, "another console edits this floor"),
+        (tmp_path / "plain", f"{tmp_path / 'plain'}: File exists"),
+    ):
+        file = DraftFile(folder, "site", "floor/0")
+        with pytest.raises(OSError, match=reason):
+            file.begin(draft)
+        with pytest.raises(OSError, match=reason):
+            file.write(Undone())
+
+
 def test_a_draft_without_steps_takes_no_place_of_an_earlier_one(tmp_path: Path) -> None:
     file, draft = begun(tmp_path)
     add(file, draft)

@@ -187,7 +187,7 @@ async def test_a_floor_without_a_file_names_the_remedy(site: Site, tmp_path: Pat
     site.config = replace(site.config, floors=[replace(floor, graph="")])
     async with edited(site, tmp_path) as it:
         await it.press("W")
-        await it.shows('set graph = "FILE.geojson" there')
+        await it.shows('set graph = "FILE.geojson" in [[floors]] of floor_0')
         assert not loaded(site)
 
 

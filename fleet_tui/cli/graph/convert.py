@@ -89,6 +89,6 @@ def _refused(document: GraphDocument, format_: GraphFormat, answers: GraphAnswer
 def _list_losses(read: GraphFile, document: GraphDocument, format_: GraphFormat) -> None:
     """Print, counted, what the conversion loses."""
     lines = [f"not read: {what}: {count}" for what, count in read.left_out.items()]
-    lines += [f"lost: {loss}" for loss in losses(document, format_)]
+    lines += [loss.line for loss in losses(document, format_)]
     for line in lines:
         click.echo(sanitize(line), err=True)

@@ -181,7 +181,7 @@ class GraphEditor:
         try:
             write()
         except OSError as problem:
-            self._notices.say(f"draft not kept on disk: {problem.strerror}")
+            self._notices.say(sanitize(f"draft not on disk (:write FILE keeps it): {problem.strerror}"))
 
 
 def live_floor(state: FleetState, selection: Selection) -> DocumentFloor:

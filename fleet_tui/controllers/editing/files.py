@@ -130,7 +130,7 @@ class DraftFiles:
 def _doubts(document: GraphDocument, format_: GraphFormat, vehicle: str) -> list[str]:
     """Return the losses of a format, and the objections of its readers."""
     inputs = LintInputs(target=format_, vehicle_type=vehicle)
-    doubts = [f"lost: {loss}" for loss in losses(document, format_)]
+    doubts = [loss.line for loss in losses(document, format_)]
     return doubts + [f"{format_.value} refuses: {one.text}" for one in of_target(document, inputs)]
 
 

@@ -71,13 +71,10 @@ class RouteFiles:
         """Return the reason that a floor has no file to load, with its remedy; empty if it has one."""
         path = self._files.graph_file(floor)
         if path is None:
-            remedy = 'set graph = "FILE.geojson" there'
-            return f"not sent: {floor} has no graph file in [[floors]]: {remedy}, the robot loads that file"
+            return f'not sent: set graph = "FILE.geojson" in [[floors]] of {floor}, the robot loads that file'
         if (found := format_of(path)) is not FORMAT:
-            remedy = (
-                "make a file.geojson of it with fleet-tui graph convert, and name that in [[floors]] graph"
-            )
-            return f"not sent: {path.name} is {found.value}, the robot loads geojson: {remedy}"
+            remedy = "run fleet-tui graph convert, and name the new file in [[floors]] graph"
+            return f"not sent: {path.name} is {found.value}, not geojson: {remedy}"
         return ""
 
     def file_of(self, floor: DocumentFloor) -> RouteFile:
@@ -89,7 +86,7 @@ class RouteFiles:
         for one in of_target(document, LintInputs(target=FORMAT)):
             if one.is_error:
                 raise GraphError(one.text)
-        lost = tuple(f"lost: {loss}" for loss in losses(document, FORMAT))
+        lost = tuple(loss.line for loss in losses(document, FORMAT))
         text = write_graph(document, FORMAT, WriteChoices())
         return RouteFile(path.absolute(), text, new_ids(floor).floor, lost)
 

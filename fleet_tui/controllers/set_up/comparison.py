@@ -58,5 +58,5 @@ def _compared(before: Match | None, after: Match) -> str:
     if before is not None:
         text += f", {percent(before.share)} before"
     if before is not None and after.share < before.share:
-        return f"{text}: worse, look at the scan (u)"
-    return text if after.share >= DOUBTFUL else f"{text}: doubtful, look at the scan (u)"
+        return f"worse, look at the scan (u): {text}"
+    return text if after.share >= DOUBTFUL else f"doubtful, look at the scan (u): {text}"

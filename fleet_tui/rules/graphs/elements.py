@@ -15,6 +15,7 @@ LONGEST_LABEL = 32
 """Terminal cells."""
 MOVED = 0.5
 """Metres by which a vertex that an order names may be moved."""
+READ_AS_0 = "robots read a missing id as 0, that is as this vertex"
 _WITH_ZERO = (None, GraphFormat.NATIVE, GraphFormat.OH, GraphFormat.GEOJSON)
 
 ElementRule = Callable[[DocumentFloor, LintInputs], Iterator[GraphFinding]]
@@ -82,6 +83,23 @@ def places(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFinding]:
             yield _error("place", text, id_)
 
 
+def values(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFinding]:
+    """Report numbers that can't be: negative speeds, costs and lengths, and those that are not finite."""
+    for id_, vertex in floor.vertices.items():
+        if vertex.heading is not None and not math.isfinite(vertex.heading):
+            yield _error("value", f"vertex {named(vertex)}: heading {vertex.heading:g} is no angle", id_)
+    for id_, edge in floor.edges.items():
+        numbers = {
+            "speed": edge.speed,
+            "speed_percent": edge.speed_percent,
+            "cost": edge.cost,
+            "length": edge.length,
+        }
+        for name, value in numbers.items():
+            if value is not None and not 0.0 <= value < math.inf:
+                yield _error("value", f"edge {id_}: {name} {value:g} must be a number from 0 on", "", id_)
+
+
 def _is_on(inputs: LintInputs, vertex: DocumentVertex) -> bool:
     assert inputs.grid is not None
     frame = inputs.grid.frame
@@ -117,7 +135,7 @@ def labels(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFinding]:
 def types(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFinding]:
     """Report types that the profile does not know, and the id that a missing argument would mean."""
     if "0" in floor.vertices and inputs.target in _WITH_ZERO:
-        yield _warning("id 0", f"vertex {named(floor.vertices['0'])}: id 0 is what a missing id means", "0")
+        yield _warning("id 0", f"vertex {named(floor.vertices['0'])}: {READ_AS_0}", "0")
     if inputs.types is None:
         return
     for id_, vertex in floor.vertices.items():
@@ -158,6 +176,7 @@ ELEMENT_RULES: tuple[ElementRule, ...] = (
     large_ids,
     ends,
     places,
+    values,
     labels,
     orders,
     types,

@@ -1,6 +1,6 @@
 """Lint: all rules over a floor, and over the document that it is in."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from msgspec.structs import replace
 
@@ -23,8 +23,21 @@ def lint(document: GraphDocument, inputs: LintInputs) -> tuple[GraphFinding, ...
     for floor in document.floors.values():
         found += lint_floor(floor, replace(inputs, elsewhere=_elsewhere(document, floor, inputs)))
     found += limited(list(of_target(document, inputs)))
+    found += limited(list(_lost_stops(document)))
     found += _docking(document.floors.values(), inputs)
     return _errors_first(found)
+
+
+def _lost_stops(document: GraphDocument) -> Iterator[GraphFinding]:
+    """Yield the stops of lifts and stations that are not in the document."""
+    stops = [("lift", one.name, stop) for one in document.lifts for stop in one.stops]
+    stops += [("station", one.name, stop) for one in document.stations for stop in one.stops]
+    for kind, name, (floor, id_) in stops:
+        if floor not in document.floors:
+            yield GraphFinding("stop", f"{kind} {name}: stops on unknown floor {floor}", True)
+        elif id_ not in document.floors[floor].vertices:
+            text = f"{kind} {name}: stops at unknown vertex {id_} on {floor}"
+            yield GraphFinding("stop", text, True, floor)
 
 
 def lint_floor(floor: DocumentFloor, inputs: LintInputs) -> tuple[GraphFinding, ...]:

@@ -34,9 +34,10 @@ def places(robot: Robot) -> list[Place]:
 
 
 def no_graphs(robot: Robot) -> str:
-    """Return the floors of which a robot has no graph, as the rest of a sentence; empty if it has all."""
+    """Return the floors of which a robot has no graph, as the rest of a sentence; empty if it has all, or
+    that of the floor it is on."""
     missing = [floor for floor, robot_map in robot.maps.items() if robot_map.graph is None]
-    if not missing:
+    if not missing or (robot.floor in robot.maps and robot.floor not in missing):
         return ""
     publishes = "graph" in robot.kind.reports or not robot.kind.name
     remedy = "" if publishes else ": set [[floors]] graph = FILE in the configuration"

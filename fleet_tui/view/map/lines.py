@@ -168,7 +168,7 @@ def stroke(
     """Draw the dots in one role except over more important cells; as ASCII the character `plain`. `thick`:
     the same lines wider, as bits.
 
-    A mission goes on through walls: on their colour, or in ASCII as the wall's character.
+    A mission goes on through walls, on their colour.
     """
     passed = pack(mask)
     bits = passed if thick is None or look.plain else thick
@@ -180,8 +180,7 @@ def stroke(
         cells.codes[crossed & (cells.codes == ord(_NEXT))] = ord(plain)
         cells.roles[crossed] = role
         through = (passed > 0) & _WALLS[cells.roles]
-        if not look.plain:
-            cells.codes[through] = BRAILLE[bits[through]]
+        cells.codes[through] = ord(plain) if look.plain else BRAILLE[bits[through]]
         cells.roles[through] = _THROUGH[role]
     cells.codes[drawn] = ord(plain) if look.plain else BRAILLE[bits[drawn]]
     cells.roles[drawn] = role

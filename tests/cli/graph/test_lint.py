@@ -28,7 +28,7 @@ async def test_findings_then_the_counts(tmp_path: Path) -> None:
     done = await run(tmp_path, "graph", "lint", "g.yaml", "--from", "native")
     assert done.code == 1
     assert done.out.splitlines() == [
-        "warning: vertex 0 (Base): id 0 is what a missing id means",
+        "warning: vertex 0 (Base): robots read a missing id as 0, that is as this vertex",
         "warning: vertex 2 (yes): a trap, no way back to the others",
         "g.yaml: native, 1 floor, 4 vertices, 4 edges, 3 labels: 0 errors, 2 warnings",
     ]

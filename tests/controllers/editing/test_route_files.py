@@ -169,10 +169,10 @@ async def test_without_a_geojson_file_it_is_refused_with_the_remedy(tmp_path: Pa
     async with drawn(tmp_path) as it:
         it.graph_file = None
         it.sending.start()
-        assert 'set graph = "FILE.geojson"' in it.desk.notices.text
+        assert 'set graph = "FILE.geojson" in [[floors]] of floor_0' in it.desk.notices.text[:80]
         it.graph_file = tmp_path / "routes.yaml"
         it.sending.start()
-        assert "routes.yaml is native, the robot loads geojson: make" in it.desk.notices.text
+        assert "routes.yaml is native, not geojson: run fleet-tui graph convert" in it.desk.notices.text[:80]
         it.graph_file.write_text(OLD)  # by its content it is one
         it.sending.start()
         assert len(it.desk.menus) == 1

@@ -52,7 +52,7 @@ class Site:
     ("first", "then", "words"),
     [
         (ELSEWHERE, FITS, f"{R0}: 100 % of the scan fits the map, 0 % before"),
-        (FITS, ELSEWHERE, f"{R0}: 0 % of the scan fits the map, 100 % before: worse, look at the scan (u)"),
+        (FITS, ELSEWHERE, f"{R0}: worse, look at the scan (u): 0 % of the scan fits the map, 100 % before"),
     ],
 )
 def test_both_are_said(first: float, then: float, words: str) -> None:
@@ -71,7 +71,7 @@ def test_a_poor_fit_is_doubtful_though_it_is_better() -> None:
     site.is_set(Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED)
     site.stands(ELSEWHERE, T0 + 4)
     site.it.look()
-    assert site.desk.notices.text.endswith("0 % before: doubtful, look at the scan (u)")
+    assert site.desk.notices.text.startswith(f"{R0}: doubtful, look at the scan (u): ")
 
 
 def test_before_the_outcome_nothing_is_said() -> None:

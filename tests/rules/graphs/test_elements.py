@@ -3,6 +3,7 @@
 import math
 
 import pytest
+from msgspec.structs import replace
 
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.graph import RouteGraph, Vertex
@@ -23,6 +24,9 @@ def found(*parts: DocumentVertex | DocumentEdge, **facts: object) -> list[tuple[
     return [(one.text, one.is_error) for rule in ELEMENT_RULES for one in rule(floor, inputs)]
 
 
+ENDS = (vertex("1"), vertex("2"))
+
+
 @pytest.mark.parametrize(
     ("parts", "text"),
     [
@@ -33,6 +37,13 @@ def found(*parts: DocumentVertex | DocumentEdge, **facts: object) -> list[tuple[
         ([vertex("1"), DocumentEdge("5", "1", "1")], "edge 5: leads from 1 to itself"),
         ([vertex("1", x=math.nan)], "vertex 1: (nan, 0) m is no place on a floor"),
         ([vertex("1", x=1e12)], "vertex 1: (1e+12, 0) m is no place on a floor"),
+        (
+            [vertex("1"), replace(vertex("2", "A"), heading=math.nan)],
+            "vertex 2 (A): heading nan is no angle",
+        ),
+        ([*ENDS, DocumentEdge("5", "1", "2", speed=-1.0)], "edge 5: speed -1 must be a number from 0 on"),
+        ([*ENDS, DocumentEdge("5", "1", "2", cost=math.nan)], "edge 5: cost nan must be a number from 0 on"),
+        ([*ENDS, DocumentEdge("5", "1", "2", length=-5.0)], "edge 5: length -5 must be a number from 0 on"),
         ([vertex("1", " \t")], "vertex 1: label of blanks only"),
         ([vertex("1", "a\x1b[2J")], "vertex 1: control characters in label 'a␛[2J'"),
         (
@@ -67,7 +78,9 @@ def test_off_the_map() -> None:
 def test_warnings() -> None:
     long = "名" * 17
     assert found(vertex("1", long)) == [("vertex 1: label of 34 cells, over 32", False)]
-    assert found(vertex("0", "A")) == [("vertex 0 (A): id 0 is what a missing id means", False)]
+    assert found(vertex("0", "A")) == [
+        ("vertex 0 (A): robots read a missing id as 0, that is as this vertex", False)
+    ]
     assert found(vertex("0"), target=GraphFormat.RMF) == []
     assert found(vertex("1", type_="shelf"), vertex("2"), types={"charger"}) == [
         ("vertex 1: type 'shelf' unknown to the profile", False)

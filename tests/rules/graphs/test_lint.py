@@ -1,6 +1,7 @@
 """All rules together."""
 
 import numpy as np
+from msgspec.structs import replace
 
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.graphs.document import (
@@ -9,6 +10,7 @@ from fleet_tui.model.graphs.document import (
     GraphDocument,
     GraphFormat,
     Lift,
+    Station,
     of_floor,
 )
 from fleet_tui.model.occupancy import FREE, build_grid
@@ -27,7 +29,7 @@ def test_errors_come_first() -> None:
 def test_the_sample() -> None:
     found = lint(sample(), LintInputs(target=GraphFormat.NATIVE))
     assert [one.text for one in found] == [
-        "vertex 0 (Base): id 0 is what a missing id means",
+        "vertex 0 (Base): robots read a missing id as 0, that is as this vertex",
         "vertex 2 (yes): a trap, no way back to the others",
     ]
 
@@ -51,3 +53,14 @@ def test_with_a_map() -> None:
     found = lint(line_graph((1.0, 1.0), (5.0, 1.0)), LintInputs(grid))
     assert [one.text for one in found if one.rule == "place"] == ["vertex 2: (5.00, 1.00) m is off the map"]
     assert any(one.rule == "no room" for one in found)
+
+
+def test_stops_at_nothing_are_found() -> None:
+    document = of_floor(DocumentFloor("f", {"1": DocumentVertex("1", 0.0, 0.0)}))
+    lift = Lift("L", (("f", "1"), ("f", "9"), ("g", "1")))
+    found = lint(replace(document, lifts=(lift,), stations=(Station("S", (("f", "8"),)),)), LintInputs())
+    assert [one.text for one in found if one.rule == "stop" and one.is_error] == [
+        "lift L: stops at unknown vertex 9 on f",
+        "lift L: stops on unknown floor g",
+        "station S: stops at unknown vertex 8 on f",
+    ]

@@ -18,7 +18,7 @@ from fleet_tui.model.kind import ORDER_TO, Kind
 from fleet_tui.model.order import Order, OrderQueue, OrderState, at_vertices
 from fleet_tui.rules.language.completion import complete, is_command
 from fleet_tui.rules.language.grammar import parse, parse_words, written
-from tests.support.fleets import R0, commanded, fleet, graph, labels, of_kinds, place_order, reduced
+from tests.support.fleets import R0, T0, commanded, fleet, graph, labels, of_kinds, place_order, pose, reduced
 from tests.support.typed import R1, known
 
 ASKED: list[tuple[str, tuple[Command, ...]]] = [
@@ -81,6 +81,14 @@ def test_what_is_wrong_is_named_with_the_nearest_right_word(line: str, said: str
 def test_where_a_graph_is_missing_an_unknown_place_says_so() -> None:
     with pytest.raises(CommandError, match=r"has no place 'Receiving': no graph of floor_0: set"):
         parse("robot_0 > Receiving", of_kinds(fleet(), Kind("goals", accepts=(ORDER_TO,))), R0)
+
+
+def test_another_floor_without_a_graph_is_no_reason() -> None:
+    state = reduced(of_kinds(fleet(floors=2), Kind("goals", accepts=(ORDER_TO,))), graph(1, 2), pose(T0))
+    assert state.robots[R0].floor == "floor_0"
+    with pytest.raises(CommandError) as caught:
+        parse("robot_0 > Receiving", state, R0)
+    assert str(caught.value) == "robot_0 has no place 'Receiving'"
 
 
 def test_a_word_that_can_mean_two_vertices_means_none_until_it_is_clear() -> None:

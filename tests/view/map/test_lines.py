@@ -83,7 +83,7 @@ def test_no_mission_takes_a_wall_away(
     after = drawn(replace(SCENE, mission=mission, robots=(robot,)), look, camera)
     walls = np.isin(before.roles, WALLS)
     assert np.isin(after.roles[walls], WALLS + THROUGH).all()
-    same = walls if drawing is Drawing.ASCII else np.isin(after.roles, WALLS)
+    same = np.isin(after.roles, WALLS)
     assert (after.codes[same] == before.codes[same]).all()
 
 
