@@ -1,7 +1,7 @@
 """Driving by hand: the speeds of a robot, and the life of a drive."""
 
 from enum import Enum
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 
 class Axis(Enum):
@@ -23,6 +23,14 @@ class Speeds(NamedTuple):
 STILL = Speeds()
 
 
+class Steering(NamedTuple):
+    """The speeds that a hand asks for, and the monotonic second until which it may drive: a screen that
+    freezes stops the robot by itself."""
+
+    speeds: Speeds = STILL
+    until: float = 0.0
+
+
 class DrivePhase(Enum):
     """The life of a drive. It begins once our first zero came back over the bridge."""
 
@@ -32,10 +40,24 @@ class DrivePhase(Enum):
 
 
 class DriveState(NamedTuple):
-    """What the network thread knows of a drive: `sent` is the last frame, `reason` why it ended; `round_trip`
-    in seconds, None before the first echo."""
+    """The state of a drive: `sent` is the last frame, `reason` why it ended, `round_trip` that of the latest
+    echo in seconds, None before the first one."""
 
     phase: DrivePhase = DrivePhase.STARTING
     sent: Speeds = STILL
     reason: str = ""
     round_trip: float | None = None
+
+
+class HandDrive(Protocol):
+    """One drive of one robot by hand. Callable from any thread."""
+
+    @property
+    def state(self) -> DriveState:
+        """Return the newest state."""
+
+    def steer(self, steering: Steering) -> None:
+        """Drive as the hand asks; the newest counts."""
+
+    def end(self, reason: str) -> None:
+        """Stop the robot and end; the first reason counts."""
