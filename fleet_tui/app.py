@@ -92,6 +92,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
             resized=self._start.show,
             terminal=terminal,
             message=message,
+            drive=config.drive,
         )
 
     def get_default_screen(self) -> MainScreen:

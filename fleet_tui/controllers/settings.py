@@ -4,6 +4,7 @@ from collections.abc import Callable, Mapping
 
 from msgspec import Struct
 
+from fleet_tui.config.schema import DriveConfig
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.problem import Permissions
 from fleet_tui.view.map.drawing import Drawing
@@ -13,7 +14,8 @@ class ConsoleSettings(Struct, frozen=True):
     """`keys`: the keys of each id; `clock`: Unix seconds as text; `permissions`: those at the start;
     `themes`: for each a function that switches to it; `announce` is called with every state, `resized` after
     a change of size; `hatched`: colours don't tell unknown ground from floor; `terminal`: its description in
-    help; `message`: the first notice."""
+    help; `message`: the first notice; `drive`: the
+    limits of driving by hand."""
 
     keys: Mapping[str, tuple[str, ...]]
     clock: Callable[[float], str]
@@ -24,3 +26,4 @@ class ConsoleSettings(Struct, frozen=True):
     resized: Callable[[], None]
     terminal: str = ""
     message: str = ""
+    drive: DriveConfig = DriveConfig()

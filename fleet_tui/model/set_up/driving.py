@@ -1,5 +1,6 @@
 """Driving by hand: the speeds of a robot, and the life of a drive."""
 
+import math
 from enum import Enum
 from typing import NamedTuple, Protocol
 
@@ -18,6 +19,11 @@ class Speeds(NamedTuple):
     ahead: float = 0.0
     sideways: float = 0.0
     turning: float = 0.0
+
+    @property
+    def linear(self) -> float:
+        """Return the metres per second in whatever direction."""
+        return math.hypot(self.ahead, self.sideways)
 
 
 STILL = Speeds()

@@ -20,7 +20,7 @@ USUAL_SIZE = (0.4, 0.4)
 def clearance(grid: OccupancyGrid, pose: Pose, size: tuple[float, float], speeds: Speeds) -> float | None:
     """Return the metres from the footprint, `size` long and wide, to the next cell along its motion that is
     not free, FAR at most; None if it only turns or its place is on no map."""
-    metres = math.hypot(speeds.ahead, speeds.sideways)
+    metres = speeds.linear
     if metres == 0.0 or not all(map(math.isfinite, (pose.x, pose.y, pose.yaw))):
         return None
     level = _level(grid)

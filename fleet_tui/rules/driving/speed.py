@@ -40,7 +40,7 @@ def wanted(hand: Hand, at: float, share: float, caps: Caps) -> Speeds:
 def slowed(speeds: Speeds, clearance: float) -> Speeds:
     """Return speeds for `clearance` metres of free floor ahead of the footprint; turning is not slowed."""
     share = min(max(clearance, 0.0) / SLOW_WITHIN, 1.0)
-    linear = math.hypot(speeds.ahead, speeds.sideways)
+    linear = speeds.linear
     if share == 1.0 or linear <= CREEP:
         return speeds
     factor = max(share, CREEP / linear)
@@ -60,7 +60,7 @@ def next_speeds(before: Speeds, target: Speeds, seconds: float, caps: Caps) -> S
 
 def capped(speeds: Speeds, caps: Caps) -> Speeds:
     """Return speeds within the caps; the direction stays."""
-    linear = math.hypot(speeds.ahead, speeds.sideways)
+    linear = speeds.linear
     factor = min(1.0, caps.linear / linear) if linear > 0 else 0.0
     turning = min(max(speeds.turning, -caps.angular), caps.angular)
     return Speeds(speeds.ahead * factor, speeds.sideways * factor, turning)
