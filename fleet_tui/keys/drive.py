@@ -43,9 +43,9 @@ DRIVE: tuple[Key[Actions], ...] = (
     _drive("back", ("s",), lambda do: do.press("s"), "Back, while held", "back"),
     _drive("left", ("a",), lambda do: do.press("a"), "Turn left, while held", "left"),
     _drive("right", ("d",), lambda do: do.press("d"), "Turn right, while held", "right"),
+    _drive("leave", ("escape",), lambda do: do.leave(), "Stop and leave; any other key stops", "leave"),
     _drive("sideways_left", ("q",), lambda do: do.press("q"), "Sideways to the left, if it can"),
     _drive("sideways_right", ("e",), lambda do: do.press("e"), "Sideways to the right, if it can"),
     _drive("faster", ("+",), lambda do: do.change_speed(1), "Faster, up to the cap", "faster"),
     _drive("slower", ("-",), lambda do: do.change_speed(-1), "Slower", "slower"),
-    _drive("leave", ("escape",), lambda do: do.leave(), "Stop and leave; any other key stops", "leave"),
 )

@@ -90,11 +90,11 @@ async def test_any_other_key_stops_and_does_nothing_else(slow_site: Site, key: s
 @pytest.mark.parametrize(
     ("key", "reason"),
     [
-        ("escape", "left"),
-        ("?", "another part of the screen"),
-        (":", "another part of the screen"),
-        ("f1", "another part of the screen"),
-        ("tab", "another part of the screen"),
+        ("escape", "left by key"),
+        ("?", "the map lost the focus"),
+        (":", "the map lost the focus"),
+        ("f1", "the map lost the focus"),
+        ("tab", "the map lost the focus"),
         ("P", "pause all"),
         ("f12", "pause all"),
     ],

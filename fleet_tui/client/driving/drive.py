@@ -15,7 +15,7 @@ from fleet_tui.client.writer import Writer
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import CommandError, LinkError, WireError
 from fleet_tui.model.set_up.driving import DrivePhase, DriveState, Speeds, Steering
-from fleet_tui.rules.driving.session import FOREIGN, PERIOD, DriveSession
+from fleet_tui.rules.driving.session import FOREIGN, DriveSession
 from fleet_tui.rules.driving.speed import Caps
 from fleet_tui.transports.rosbridge.connection import Connection
 from fleet_tui.transports.rosbridge.unsent import unsent
@@ -101,7 +101,7 @@ class Drive:
         if self.state.phase is DrivePhase.ENDED:
             self._shut()
         elif self._session.is_active and self._timer is None:
-            self._timer = self._writer.loop.call_later(PERIOD, self._tick)
+            self._timer = self._writer.loop.call_later(self._session.next_in, self._tick)
 
     def _end(self, reason: str) -> None:
         """Stop and shut. Before the topic is advertised there is nothing to stop."""

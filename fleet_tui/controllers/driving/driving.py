@@ -94,7 +94,7 @@ class DriveControls:
         floor, view = self._parts.navigation.floor, self._picture.viewport
         self._followed, view.follow = view.follow, True
         mode = DriveMode(
-            name, floor, self._caps, self._passes, self.stop, lambda: self.end("another part of the screen")
+            name, floor, self._caps, self._passes, self.stop, lambda: self.end("the map lost the focus")
         )
         self._controls.enter(mode)
         self._focus()
@@ -122,7 +122,7 @@ class DriveControls:
 
     def leave(self) -> None:
         """Stop and leave."""
-        self.end("left")
+        self.end("left by key")
 
     def end(self, reason: str) -> None:
         """Stop and leave for a reason; do nothing if no robot is driven."""

@@ -6,6 +6,8 @@ from fleet_tui.rules.driving.speed import Caps, next_speeds
 
 PERIOD = 0.1
 """Seconds between two frames while the robot moves, and between two calls of `tick`."""
+RETRY = 0.01
+"""Seconds until a frame that could not leave is tried again, as new as it is then."""
 ECHO_WITHIN, AGAIN = 1.2, 0.3
 """Seconds for the first echo, and between two of the zeros that wait for it: the first one may be lost."""
 LATEST = 0.3
@@ -25,12 +27,19 @@ class DriveSession:
         self._began = self._sent_at = 0.0
         self._zeros = 0
         """Zeros that are still to be sent."""
+        self._waits = False
+        """Whether a frame is due that could not leave."""
         self.state = DriveState()
 
     @property
     def is_active(self) -> bool:
-        """Tell whether `tick` is due every PERIOD."""
-        return self.state.phase is DrivePhase.STARTING or self._moves
+        """Tell whether `tick` is due."""
+        return self.state.phase is DrivePhase.STARTING or self._moves or self._waits
+
+    @property
+    def next_in(self) -> float:
+        """Return the seconds until `tick` is due: soon, if a frame could not leave."""
+        return RETRY if self._waits else PERIOD
 
     @property
     def _moves(self) -> bool:
@@ -56,7 +65,7 @@ class DriveSession:
             if at - self._began > ECHO_WITHIN:
                 return self.end(f"no echo from {self._topic} within {ECHO_WITHIN:g} s")
             return self._send(STILL, at) if at - self._sent_at >= AGAIN else []
-        return self._step(at, is_clear) if self._moves else []
+        return self._step(at, is_clear) if self._moves or self._waits else []
 
     def received(self, speeds: Speeds, at: float) -> Frames:
         """Take a frame of the topic: an echo of ours, or another publisher's, which ends the drive."""
@@ -73,6 +82,7 @@ class DriveSession:
         """End with zeros; the first reason counts."""
         if self.state.phase is DrivePhase.ENDED:
             return []
+        self._waits = False
         self.state = self.state._replace(phase=DrivePhase.ENDED, sent=STILL, reason=reason)
         return [STILL] * ZEROS
 
@@ -85,6 +95,7 @@ class DriveSession:
         target = self._steering.speeds if self._asked(at) else STILL
         seconds = min(at - self._sent_at, PERIOD) if self._moves else PERIOD
         speeds = next_speeds(self.state.sent, target, seconds, self._caps)
+        self._waits = speeds != STILL and not is_clear
         if speeds == STILL:
             if self.state.sent != STILL:
                 self._zeros = ZEROS
@@ -92,7 +103,7 @@ class DriveSession:
                 return []
             self._zeros -= 1
             return self._send(STILL, at)
-        if not is_clear:
+        if self._waits:
             return []
         self._zeros = 0
         return self._send(speeds, at)

@@ -81,7 +81,7 @@ def test_a_declared_timeout_needs_no_question_and_the_map_follows_the_robot() ->
     assert it.view.picture.viewport.follow
     it.drives.leave()
     assert it.drives.mode is None
-    assert it.drive.state.reason == "left" and it.view.picture.viewport.follow is Viewport().follow
+    assert it.drive.state.reason == "left by key" and it.view.picture.viewport.follow is Viewport().follow
 
 
 def test_without_one_only_a_yes_begins_it() -> None:

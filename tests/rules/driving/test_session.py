@@ -12,6 +12,7 @@ from fleet_tui.rules.driving.session import (
     FOREIGN,
     LATEST,
     PERIOD,
+    RETRY,
     ZEROS,
     DriveSession,
 )
@@ -76,7 +77,11 @@ def test_a_key_that_is_released_stops_it_at_once() -> None:
 
 def test_nothing_is_queued_behind_a_frame_on_its_way_but_a_zero_always_leaves() -> None:
     session = ready()
-    assert session.steer(Steering(AHEAD, 9.0), 1.0, False) == []
+    assert session.steer(Steering(AHEAD, 9.0), 0.9, False) == []
+    assert session.is_active and session.next_in == RETRY
+    assert session.tick(1.0, True)[0].ahead > 0.0
+    assert session.next_in == PERIOD
+    session = ready()
     session.steer(Steering(AHEAD, 9.0), 1.0, True)
     assert session.tick(1.1, False) == []
     assert session.steer(Steering(), 1.15, False) == [STILL]

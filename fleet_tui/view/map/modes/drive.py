@@ -52,14 +52,14 @@ class DriveMode(PlainMode):
 
     @property
     def gauges(self) -> str:
-        """Return the speed bar, the turn, the clearance and the round trip."""
+        """Return the speed bar, the clearance, the turn and the round trip."""
         turning, trip, free = self.state.sent.turning, self.state.round_trip, self.clearance
         parts = [self._bar]
-        if turning:
-            parts.append(f"{'left' if turning > 0 else 'right'} {abs(turning):.2f} rad/s")
         if free is not None:
             more = "over " if free >= FAR else "SLOW " if free < SLOW_WITHIN else ""
             parts.append(f"{more}{free:.1f} m free")
+        if turning:
+            parts.append(f"{'left' if turning > 0 else 'right'} {abs(turning):.2f} rad/s")
         if trip is not None:
             parts.append(f"{trip * 1000:.0f} ms")
         return "  ".join(parts)

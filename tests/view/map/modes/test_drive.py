@@ -22,7 +22,7 @@ def mode(sent: Speeds = Speeds(), clearance: float | None = None, robot: str = "
 def test_it_tells_speed_turn_clearance_and_round_trip() -> None:
     it = mode(Speeds(0.1, 0.0, -0.3), 1.24)
     assert it.banner == "DRIVE robot_0 0.10 m/s"
-    assert it.gauges == "[##--    ]  right 0.30 rad/s  1.2 m free  12 ms"
+    assert it.gauges == "[##--    ]  1.2 m free  right 0.30 rad/s  12 ms"
 
 
 @pytest.mark.parametrize(("metres", "text"), [(FAR, "over 2.0 m free"), (0.3, "SLOW 0.3 m free")])
