@@ -198,6 +198,16 @@ class PlaceActions(Struct, frozen=True):
     leave: Act
 
 
+class DriveActions(Struct, frozen=True):
+    """Actions of driving by hand."""
+
+    start: Act
+    press: Callable[[str], object]
+    """With one of the directions of `rules.driving.hold`, whichever key has it."""
+    change_speed: Step
+    leave: Act
+
+
 class EditActions(Struct, frozen=True):
     """Actions of the graph editor: on the draft, and on what is selected in it."""
 
@@ -231,4 +241,5 @@ class Actions(Struct, frozen=True):
     map: MapActions
     place: PlaceActions
     edit: EditActions
+    drive: DriveActions
     play: Play

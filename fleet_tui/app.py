@@ -93,6 +93,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
             terminal=terminal,
             message=message,
             programs=config.programs,
+            drive=config.drive,
         )
 
     def get_default_screen(self) -> MainScreen:

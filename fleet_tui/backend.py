@@ -6,8 +6,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
 from fleet_tui.config.schema import Config
+from fleet_tui.errors import CommandError
 from fleet_tui.model.commands import Command
 from fleet_tui.model.events import Event
+from fleet_tui.model.set_up.driving import HandDrive
 from fleet_tui.state.store import Store
 from fleet_tui.state.streams import Streams
 
@@ -37,6 +39,9 @@ class Backend(Protocol):
     def unwatch(self, robot: str, key: str) -> None:
         """Unsubscribe from a stream."""
 
+    def drive(self, robot: str) -> HandDrive:
+        """Begin to drive a robot by hand. Raises CommandError."""
+
     def open(self) -> None:
         """Start to feed the store. May take long: called in a thread of its own."""
 
@@ -65,6 +70,9 @@ class OpenLinks(Protocol):
 
     def submit(self, command: Command) -> object:
         """Send a command now or not at all."""
+
+    def drive(self, robot: str) -> HandDrive:
+        """Begin to drive a robot by hand. Raises CommandError."""
 
     def post(self, event: Event) -> None:
         """Apply an event from outside the link."""
@@ -145,6 +153,12 @@ class LiveBackend:
             return "not sent: console starting"
         self.links.submit(command)
         return ""
+
+    def drive(self, robot: str) -> HandDrive:
+        """Begin to drive a robot by hand. Raises CommandError."""
+        if self.links is None:
+            raise CommandError("console starting")
+        return self.links.drive(robot)
 
     def post(self, event: Event) -> str:
         """Apply an event, none before the links are open."""

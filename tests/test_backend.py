@@ -2,12 +2,16 @@
 
 from collections.abc import Mapping
 
+import pytest
+
 from fleet_tui.backend import LiveBackend
 from fleet_tui.config.schema import Config
+from fleet_tui.errors import CommandError
 from fleet_tui.model.commands import Command, PauseRobot
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.events import Event
 from fleet_tui.state.store import Store
+from tests.support.desk import StubDrive
 from tests.support.fleets import R0, fleet
 
 
@@ -20,6 +24,10 @@ class CalledLinks:
 
     def submit(self, command: Command) -> None:
         self.calls.append(command)
+
+    def drive(self, robot: str) -> StubDrive:
+        self.calls.append(robot)
+        return StubDrive()
 
     def post(self, event: Event) -> None:
         self.calls.append(event)
@@ -46,6 +54,16 @@ def test_before_the_links_are_open_a_command_is_refused_and_never_sent() -> None
     assert links.calls == []
     assert backend.submit(PauseRobot(R0)) == ""
     assert links.calls == [PauseRobot(R0)]
+
+
+def test_before_the_links_are_open_no_drive_begins() -> None:
+    links = CalledLinks()
+    backend = backend_of(links)
+    with pytest.raises(CommandError, match="console starting"):
+        backend.drive(R0)
+    backend.open()
+    assert isinstance(backend.drive(R0), StubDrive)
+    assert links.calls == [R0]
 
 
 def test_what_is_to_be_watched_is_asked_for_once_they_are_open() -> None:

@@ -84,6 +84,7 @@ def test_the_demos_configuration_names_the_types_of_ros_2() -> None:
         "goal_cancel",
         "initial_pose",
         "path",
+        "drive",
         "graph_save",
         "labels_save",
     }

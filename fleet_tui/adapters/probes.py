@@ -52,12 +52,13 @@ class BridgeProbe(NamedTuple):
 
 class ListenerProbe(NamedTuple):
     """A topic on which consoles publish: a node must listen there. `key` is that of the profile, `lost` is
-    impossible without it."""
+    impossible without it; `or_type` is a second type that will do."""
 
     key: str
     topic: str
     type: str
     lost: str
+    or_type: str = ""
 
 
 class ServiceProbe(NamedTuple):

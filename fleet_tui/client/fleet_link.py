@@ -6,6 +6,7 @@ import time
 from collections.abc import Mapping
 from functools import partial
 
+from fleet_tui.client.driving.drive import Drive
 from fleet_tui.client.link import BridgeLink
 from fleet_tui.client.queue_file import QueueFile
 from fleet_tui.client.tap import Tap
@@ -14,7 +15,7 @@ from fleet_tui.client.writer import Writer
 from fleet_tui.config.access import access_problems
 from fleet_tui.config.fleet import adapters_of
 from fleet_tui.config.schema import Config
-from fleet_tui.errors import ConfigError
+from fleet_tui.errors import CommandError, ConfigError
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.events import CommandAdvanced, CommandIssued, Event
@@ -47,6 +48,7 @@ class FleetLink:
             queue, store, self._writer.apply, self._send, self._resend, new_id
         )
         self._writer.before_tick.append(self._waiting_orders.tick)
+        self._drive: Drive | None = None
         self.counters: Mapping[str, LinkCounter] = {name: link.counter for name, link in self._links.items()}
         """Traffic of each link, updated continuously, for the diagnostics screen."""
 
@@ -89,6 +91,18 @@ class FleetLink:
         """Send a command once more. On the loop."""
         self._links[self._store.state.robots[command.robot].link].resend(command)
 
+    def drive(self, robot: str) -> Drive:
+        """Begin to drive a robot by hand; a drive before it ends. Raises CommandError."""
+        if self._read_only:
+            raise CommandError("this console is read-only")
+        self._end_drive("another drive")
+        self._drive = self._links[self._store.state.robots[robot].link].drive(robot)
+        return self._drive
+
+    def _end_drive(self, reason: str) -> None:
+        if self._drive is not None:
+            self._drive.end(reason)
+
     def show_map(self, robot: str, floor: str) -> None:
         """Subscribe to the live map of one robot's floor only; an empty floor for none."""
         wanted = self._store.state.robots[robot].link
@@ -101,7 +115,8 @@ class FleetLink:
             link.subscribe_logs(on)
 
     def close(self) -> None:
-        """Close every connection."""
+        """Close every connection, that of a drive first."""
+        self._end_drive("console closed")
         for link in self._links.values():
             link.close()
         self._writer.loop.call_soon_threadsafe(self._waiting_orders.close)

@@ -5,11 +5,15 @@ from collections.abc import Mapping
 
 from fleet_tui.adapters.adapter import Adapter
 from fleet_tui.client.command_channel import CommandChannel
+from fleet_tui.client.driving.drive import Drive
 from fleet_tui.client.telemetry import Telemetry
 from fleet_tui.client.writer import Writer
 from fleet_tui.config.fleet import publications_of
 from fleet_tui.config.schema import Config
+from fleet_tui.errors import CommandError
 from fleet_tui.model.commands import Command
+from fleet_tui.model.kind import DRIVE
+from fleet_tui.rules.driving.speed import Caps
 
 # Maximum seconds to wait for the network thread to take a command.
 HANDOVER = 0.005
@@ -21,7 +25,7 @@ class BridgeLink:
     def __init__(self, name: str, config: Config, adapters: Mapping[str, Adapter], writer: Writer) -> None:
         """`adapters` by robot."""
         self.name = name
-        self._writer = writer
+        self._writer, self._config, self._adapters = writer, config, adapters
         self._telemetry = Telemetry(name, config, adapters, writer)
         timeout = config.alarms.no_answer_after
         bridge = config.bridge(name)
@@ -55,6 +59,17 @@ class BridgeLink:
     def resend(self, command: Command) -> None:
         """Send a command once more, on the loop: only the first attempt is reported."""
         self._commands.resend(command)
+
+    def drive(self, robot: str) -> Drive:
+        """Begin to drive a robot by hand, on a connection of its own. Raises CommandError."""
+        names, limits = self._adapters[robot].names, self._config.drive
+        topic = names.topic("drive", robot)
+        if not topic:
+            raise CommandError(self._adapters[robot].kind.lack(DRIVE))
+        caps = Caps(limits.max_linear, limits.max_angular)
+        drive = Drive(self.name, self._config.bridge(self.name), self._writer, topic, caps)
+        drive.open()
+        return drive
 
     def show_map(self, robot: str, floor: str) -> None:
         """Subscribe to the live map of one robot's floor only; an empty name for none."""

@@ -143,6 +143,17 @@ class RecordingConfig(msgspec.Struct, frozen=True):
     keep: Annotated[int, msgspec.Meta(ge=0, le=100_000)] = 0
 
 
+class DriveConfig(msgspec.Struct, frozen=True):
+    """`[drive]`: the highest speeds of a robot that is driven by hand, in metres and radians per second.
+    `robot_timeout`: seconds after which robots stop by themselves without a message, None: unknown.
+    `holonomic`: they can move sideways."""
+
+    max_linear: Annotated[float, msgspec.Meta(gt=0, le=2)] = 0.3
+    max_angular: Annotated[float, msgspec.Meta(gt=0, le=4)] = 0.6
+    robot_timeout: Positive | None = None
+    holonomic: bool = False
+
+
 class Config(msgspec.Struct, frozen=True):
     """A whole configuration; `path` is its file."""
 
@@ -156,6 +167,7 @@ class Config(msgspec.Struct, frozen=True):
     alarms: Alarms = Alarms()
     recording: RecordingConfig = RecordingConfig()
     programs: list[ProgramEntry] = []
+    drive: DriveConfig = DriveConfig()
     profile: Profile = Profile()
     profiles: dict[str, Profile] = {}
     path: Path = Path()

@@ -10,7 +10,7 @@ from fleet_tui.keys.key import key_name
 from fleet_tui.view.map.camera import ZOOM_STEP
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.modes.mode import CursorMode, MapMode, ViewMode
-from fleet_tui.widgets.map_view import MapView
+from fleet_tui.widgets.map_view import MapView, post_pick
 
 
 class MapControls:
@@ -148,7 +148,7 @@ class MapControls:
             self._menu()
             return
         found = picture.mode.pick(picture.viewport, picture.scene) if picture.scene is not None else None
-        self._view.post_pick(found)
+        post_pick(self._view, found)
         if found is None:
             way = [f"{key_name(key)} goes to the next one" for key in self._to_next[:1]]
             self._say(": ".join(["no place here", *way]))

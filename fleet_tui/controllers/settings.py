@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 from msgspec import Struct
 
 from fleet_tui.config.programs import ProgramEntry
+from fleet_tui.config.schema import DriveConfig
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.problem import Permissions
 from fleet_tui.view.map.drawing import Drawing
@@ -14,7 +15,7 @@ class ConsoleSettings(Struct, frozen=True):
     """`keys`: the keys of each id; `clock`: Unix seconds as text; `permissions`: those at the start;
     `themes`: for each a function that switches to it; `announce` is called with every state, `resized` after
     a change of size; `hatched`: colours don't tell unknown ground from floor; `terminal`: its description in
-    help; `message`: the first notice; `programs`: of the configuration."""
+    help; `message`: the first notice; `programs` and `drive`: of the configuration."""
 
     keys: Mapping[str, tuple[str, ...]]
     clock: Callable[[float], str]
@@ -26,3 +27,4 @@ class ConsoleSettings(Struct, frozen=True):
     terminal: str = ""
     message: str = ""
     programs: Sequence[ProgramEntry] = ()
+    drive: DriveConfig = DriveConfig()

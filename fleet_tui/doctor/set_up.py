@@ -23,7 +23,8 @@ def listener_finding(robot: str, probe: ListenerProbe, facts: BridgeFacts) -> Fi
     def finding(verdict: Verdict, measured: str, remedy: str = "", late: bool = False) -> Finding:
         return Finding(robot, probe.key, verdict, measured, remedy, values, late)
 
-    if there and not same_type(there, probe.type):
+    fits = any(same_type(there, one) for one in (probe.type, probe.or_type) if one)
+    if there and not fits:
         other = f"{probe.topic} has type {there}, not {probe.type}: no {probe.lost}"
         return finding(Verdict.WARN, other, f"correct [{table}.topics] {probe.key}, or [{table}.types]")
     if nodes is None:
@@ -31,7 +32,7 @@ def listener_finding(robot: str, probe: ListenerProbe, facts: BridgeFacts) -> Fi
     # A bridge listens for its own clients.
     ears = [node for node in nodes if BRIDGE not in node]
     if ears:
-        return finding(Verdict.OK, f"{listed(ears)} listens on {probe.topic}, {probe.type}")
+        return finding(Verdict.OK, f"{listed(ears)} listens on {probe.topic}, {there or probe.type}")
     fitting = [name for name, type_ in rosapi.topics.items() if same_type(type_, probe.type)]
     own = [name for name in fitting if name.startswith(f"/{robot}/") and name != probe.topic]
     near = nearest(probe.topic, own, 1)

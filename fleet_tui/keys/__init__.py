@@ -5,6 +5,7 @@ from typing import Any
 
 from fleet_tui.keys.console import CONSOLE
 from fleet_tui.keys.diagnostics import DIAGNOSTICS, PAGES
+from fleet_tui.keys.drive import DRIVE, PASSES
 from fleet_tui.keys.edit import EDIT
 from fleet_tui.keys.key import LISTS, Key, Pane, by_id
 from fleet_tui.keys.map import MAP
@@ -14,11 +15,14 @@ from fleet_tui.keys.rows import ROWS
 
 __all__ = ["BY_ID", "DIAGNOSTICS", "KEYS", "LISTS", "PAGES", "ROWS", "Key", "Pane", "by_id", "overruled"]
 
-KEYS: tuple[Key[Any], ...] = (*CONSOLE, *RECORDING, *MAP, *PLACE, *EDIT, *DIAGNOSTICS, *ROWS)
+KEYS: tuple[Key[Any], ...] = (*CONSOLE, *RECORDING, *MAP, *PLACE, *EDIT, *DRIVE, *DIAGNOSTICS, *ROWS)
 BY_ID = {key.id: key for key in KEYS}
 
 
 def overruled(chosen: Mapping[str, tuple[str, ...]], mode: Pane) -> frozenset[str]:
-    """Return the ids of the keys that would come before those of a mode of the map."""
+    """Return the ids of the keys that would come before those of a mode of the map; in a drive all keys of
+    other panes but PASSES."""
+    if mode is Pane.DRIVE:
+        return frozenset(one.id for one in KEYS if one.pane is not mode and one.id not in PASSES)
     taken = {key for one in KEYS if one.pane is mode for key in chosen[one.id]}
     return frozenset(one.id for one in KEYS if one.eager and taken & {*chosen[one.id]})

@@ -27,13 +27,15 @@ class Pane(Enum):
     """On the map, while a place with a heading is chosen: they take precedence over all others."""
     EDIT = "Graph editor (E)"
     """On the map, while a draft is edited: they take precedence over all others."""
+    DRIVE = "Driving by hand (T)"
+    """On the map, while a robot is driven: they take precedence over all others, and any other key stops."""
     ROWS = "Tables: fleet, alarms, queue"
     DIAGNOSTICS = "Diagnostics (d)"
 
     @property
     def is_mode(self) -> bool:
         """Tell whether its keys belong to a mode of the map."""
-        return self in (Pane.PLACE, Pane.EDIT)
+        return self in (Pane.PLACE, Pane.EDIT, Pane.DRIVE)
 
     @property
     def is_everywhere(self) -> bool:

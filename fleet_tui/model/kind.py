@@ -9,7 +9,7 @@ ORDER, ORDER_TO, CANCEL, CLEAR, PAUSE, RESUME = "order", "order to", "cancel", "
 """Requests that a robot may accept: an order from one place to another, one to a place alone, and so on."""
 
 POSE, LOCALISE, SETTLE, GOAL, MAPPING = "pose", "localise", "settle", "goal", "mapping"
-GOAL_CANCEL, GRAPH = "goal cancel", "graph"
+GOAL_CANCEL, GRAPH, DRIVE = "goal cancel", "graph", "drive"
 MAP_SAVE, POSE_GRAPH_SAVE = "map save", "pose graph save"
 """Set-up requests that a robot may accept."""
 SCAN, PATH = "scan", "path"
@@ -29,6 +29,7 @@ _NOUNS = {
     MAP_SAVE: "saving of maps on the robot",
     POSE_GRAPH_SAVE: "saving of pose graphs on the robot",
     GRAPH: "sending of graphs",
+    DRIVE: "driving by hand",
     SCAN: "laser scan",
     PATH: "planned path",
 }

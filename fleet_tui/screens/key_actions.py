@@ -20,6 +20,7 @@ from fleet_tui.controllers.incident import Cancelled, IncidentPacking
 from fleet_tui.controllers.recording import RecordingSwitch
 from fleet_tui.rules.alarms.trouble import next_in_trouble
 from fleet_tui.rules.marks import marks_of
+from fleet_tui.screens.driving import after_a_drive, drive_actions
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.help.pages import help_pages
@@ -40,7 +41,7 @@ def key_actions(screen: "MainScreen", rest: "Rest") -> Actions:
             clear=rest.orders.clear,
             pause=rest.robots.pause,
             resume=rest.robots.resume,
-            pause_all=rest.robots.pause_all,
+            pause_all=after_a_drive(rest, "pause all", rest.robots.pause_all),
             arm=screen.dispatch.arm,
         ),
         view=_view_actions(screen, rest),
@@ -49,6 +50,7 @@ def key_actions(screen: "MainScreen", rest: "Rest") -> Actions:
         map=rest.map_controls,
         place=_place_actions(rest),
         edit=_edit_actions(rest),
+        drive=drive_actions(rest),
         play=screen.session.play,
     )
 
@@ -57,7 +59,7 @@ def _app_actions(screen: "MainScreen", rest: "Rest") -> AppActions:
     app = screen.app
     assert isinstance(app, LeanApp)
     return AppActions(
-        suspend=app.action_suspend_process,
+        suspend=after_a_drive(rest, "suspended", app.action_suspend_process),
         repaint=app.action_repaint,
         quit=app.action_quit,
         back=partial(_back, screen, rest),

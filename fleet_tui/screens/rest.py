@@ -33,6 +33,7 @@ from fleet_tui.screens.audit import AuditLog
 from fleet_tui.screens.confirm import Confirm
 from fleet_tui.screens.diagnosing.overlay import Diagnostics
 from fleet_tui.screens.diagnosing.pages import Pages
+from fleet_tui.screens.driving import drive_controls
 from fleet_tui.screens.help import Help
 from fleet_tui.screens.key_actions import key_actions
 from fleet_tui.screens.menu import Menu
@@ -53,7 +54,7 @@ if TYPE_CHECKING:
     from fleet_tui.screens.main import MainScreen
 
 
-CURSORS = frozenset({"map_cursor", "next_vertex", "previous_vertex", "pose", "goal"})
+CURSORS = frozenset({"map_cursor", "next_vertex", "previous_vertex", "pose", "goal", "drive"})
 """Keys that move the map's own cursor, or begin another mode: a mode has its own, and is left first."""
 
 
@@ -138,6 +139,7 @@ class Rest:
         self.mapping = MappingControls(parts, picture, files, ask, in_background, say_from_thread)
         self.values, self.edge_values = VertexValues(parts, self.editor), EdgeValues(parts, self.editor)
         self.drawing = GraphDrawing(parts, self.editor, self.values, self.edge_values)
+        self.drives = drive_controls(self._screen, self, parts)
 
     def _typed_set_up(self, line: str) -> Typed | None:
         """Parse a typed line that is about the draft or the map, None for any other."""
@@ -188,6 +190,8 @@ class Rest:
         """Return the pane of the keys that work on the map now."""
         if self.editor.is_open:
             return Pane.EDIT
+        if self.drives.mode is not None:
+            return Pane.DRIVE
         return Pane.PLACE if self.poses.mode is not None else Pane.MAP
 
     def blocks(self, key: Key[Any]) -> bool:

@@ -8,6 +8,7 @@ from fleet_tui.simulator.messages import Message, Topic
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
 from fleet_tui.simulator.ros_types import ServiceType
+from fleet_tui.simulator.senses.wheels import Wheels
 
 if TYPE_CHECKING:
     from fleet_tui.simulator.faults.wire import Play
@@ -23,6 +24,7 @@ class Body(Protocol):
     index: int
     silence: float
     """Seconds for which none of the robot's topics are published."""
+    wheels: Wheels
 
 
 class Fleet(Protocol):

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.senses.belief import Belief
+from fleet_tui.simulator.senses.wheels import Wheels
 from fleet_tui.simulator.warehouse import Building, SimFloor
 
 STEP = 0.05  # seconds of world time per step
@@ -77,7 +78,7 @@ class SimRobot(Obstructed):
         self.bound: int | None = None
         """The id of the vertex it drives to, None while it is at `vertex`."""
         self.pose = Pose(*self._spot(vertex), yaw=rng.uniform(-math.pi, math.pi))
-        self.belief = Belief()
+        self.belief, self.wheels = Belief(), Wheels()
         self.battery = rng.uniform(28.0, 33.0) if index == 1 and not quiet else rng.uniform(45.0, 95.0)
         self.cargo = False
         self.paused = False
@@ -129,6 +130,9 @@ class SimRobot(Obstructed):
         if not self._blocked(not (self._quiet or self.paused) and self._driving) and not held:
             before = self.pose
             next(self._work)
+            if not self.orders:
+                # The warehouse leaves a robot alone that a hand drives.
+                self.pose, self.idle = self.wheels.carry(self.pose, STEP), min(self.idle, self.wheels.age)
             self.belief.carry(before, self.pose)
 
     def visit(self, pose: Pose | None) -> None:
@@ -192,7 +196,7 @@ class SimRobot(Obstructed):
             yield from _wait(RIDE)
         else:
             yield from self._turn(vertex)
-            yield from self._roll(vertex)
+            yield from _roll_to(self, *self._spot(vertex))
         self.vertex, self.bound = vertex, None
 
     def _turn(self, vertex: int) -> Work:
@@ -200,9 +204,6 @@ class SimRobot(Obstructed):
         if math.dist((x, y), (self.pose.x, self.pose.y)) < 1e-9:
             return
         yield from _face(self, math.atan2(y - self.pose.y, x - self.pose.x))
-
-    def _roll(self, vertex: int) -> Work:
-        yield from _roll_to(self, *self._spot(vertex))
 
     def _spot(self, vertex: int) -> tuple[float, float]:
         found = self._building.graph.vertices[vertex]

@@ -9,6 +9,7 @@ from textual import events, on
 from fleet_tui.keys import Pane
 from fleet_tui.view.map.camera import ZOOM_STEP
 from fleet_tui.view.map.map_picture import CAPTION_ROWS, MapPicture
+from fleet_tui.view.map.modes.drive import DriveMode
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.widgets.bindings import bindings
@@ -19,7 +20,7 @@ from fleet_tui.widgets.messages import PlacePicked, RobotPicked, VertexPicked
 class MapView(CellsView, can_focus=True):
     """Shows a Scene at every tick; wheel zooms, drag pans, click picks."""
 
-    BINDINGS = [*bindings(Pane.PLACE), *bindings(Pane.EDIT), *bindings(Pane.MAP)]  # noqa: RUF012  # as Textual declares it
+    BINDINGS = [*bindings(Pane.DRIVE), *bindings(Pane.PLACE), *bindings(Pane.EDIT), *bindings(Pane.MAP)]  # noqa: RUF012  # as Textual declares it
     DEFAULT_CSS: ClassVar[str] = "MapView { width: 1fr; height: 1fr; }"
 
     def __init__(self, styles: Mapping[StyleRole, Style] | None = None, *, id: str | None = None) -> None:
@@ -48,13 +49,15 @@ class MapView(CellsView, can_focus=True):
         """Brighten the caption of the focused map."""
         super().watch_has_focus(_has_focus)
         self.draw()
+        if not _has_focus and isinstance(self.picture.mode, DriveMode):
+            self.picture.mode.left()
 
-    def post_pick(self, found: SceneRobot | SceneVertex | None) -> None:
-        """Report the operator's pick, if any."""
-        if isinstance(found, SceneRobot):
-            self.post_message(RobotPicked(found.name))
-        elif found is not None:
-            self.post_message(VertexPicked(found.id))
+    def on_key(self, event: events.Key) -> None:
+        """Take the keys that mean nothing in a drive: each of them stops the robot."""
+        mode = self.picture.mode
+        if isinstance(mode, DriveMode) and event.key not in mode.passes:
+            event.stop()
+            mode.stop()
 
     @on(events.MouseScrollUp)
     @on(events.MouseScrollDown)
@@ -93,7 +96,15 @@ class MapView(CellsView, can_focus=True):
         self.release_mouse()
         if self._drag is not None and (self._pressed or not self._dragged):
             if self._pressed is None:
-                self.post_pick(self.picture.pick(event.x, event.y))
+                post_pick(self, self.picture.pick(event.x, event.y))
             else:
                 self.post_message(PlacePicked(self._dragged))
         self._drag = None
+
+
+def post_pick(view: MapView, found: SceneRobot | SceneVertex | None) -> None:
+    """Report the operator's pick on a map, if any."""
+    if isinstance(found, SceneRobot):
+        view.post_message(RobotPicked(found.name))
+    elif found is not None:
+        view.post_message(VertexPicked(found.id))

@@ -17,6 +17,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
+from fleet_tui.model.set_up.driving import DrivePhase, DriveState, Steering
 from fleet_tui.state.store import Store
 from fleet_tui.state.streams import Streams
 from fleet_tui.view.map.drawing import Drawing
@@ -36,6 +37,21 @@ from tests.support.fleets import (
 from tests.support.kinds import KEYS
 
 
+class StubDrive:
+    """A drive without a wire: keeps what it is asked for. Its state is for tests to change."""
+
+    def __init__(self) -> None:
+        self.state = DriveState()
+        self.steered: list[Steering] = []
+
+    def steer(self, steering: Steering) -> None:
+        self.steered.append(steering)
+
+    def end(self, reason: str) -> None:
+        if self.state.phase is not DrivePhase.ENDED:
+            self.state = DriveState(DrivePhase.ENDED, reason=reason)
+
+
 class CollectingBackend:
     """Keeps what is submitted."""
 
@@ -43,6 +59,7 @@ class CollectingBackend:
         self.refusal, self.submitted, self.events = refusal, list[Command](), list[Event]()
         self.counters: Mapping[str, LinkCounter] = {}
         self.streams = Streams()
+        self.drives: list[StubDrive] = []
 
     def watch(self, robot: str, key: str) -> None:
         self.streams.watch(robot, key)
@@ -51,6 +68,10 @@ class CollectingBackend:
         self.streams.unwatch(robot, key)
 
     def open(self) -> None: ...
+
+    def drive(self, robot: str) -> StubDrive:
+        self.drives.append(StubDrive())
+        return self.drives[-1]
 
     def submit(self, command: Command) -> str:
         self.submitted.append(command)

@@ -10,7 +10,7 @@ from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.occupancy import build_grid
 from fleet_tui.view.map.scene import Scene, SceneVertex
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.widgets.map_view import MapView
+from fleet_tui.widgets.map_view import MapView, post_pick
 from tests.support.map_pane import FRAME, SCENE, Pane, a_grid, moved, started
 
 
@@ -117,5 +117,5 @@ async def test_a_robot_that_is_nowhere_can_be_selected_followed_and_clicked_at()
         view.show(moved(SCENE, float("nan"), float("inf")))
         for action in ("follow", "centre", "zoom_about", "zoom_in"):
             getattr(app.controls, action)()
-        view.post_pick(view.picture.pick(3, 3))
+        post_pick(view, view.picture.pick(3, 3))
         assert "floor_0" in app.rows()[0]

@@ -210,6 +210,12 @@ def advertise(topic: str, type_: str) -> bytes:
     return _encoder.encode({"op": "advertise", "id": f"advertise:{topic}", "topic": topic, "type": type_})
 
 
+def advertise_newest(topic: str, type_: str) -> bytes:
+    """Return the frame that advertises a topic of which the bridge keeps the newest message alone."""
+    wanted = {"topic": topic, "type": type_, "queue_size": 1}
+    return _encoder.encode({"op": "advertise", "id": f"advertise:{topic}", **wanted})
+
+
 def publish(topic: str, type_: str, message: Mapping[str, object]) -> bytes:
     """Return the frame that publishes a message. With its type a bridge needs no advertisement."""
     return _encoder.encode({"op": "publish", "topic": topic, "type": type_, "msg": message})

@@ -24,13 +24,18 @@ async def check_listeners(calls: Calls, outgoing: Sequence[Outgoing]) -> None:
         if isinstance(one, Publication):
             named: Args = {"topic": one.address}
             type_, nodes = await asyncio.gather(
-                _ask(calls, "topic_type", named, "type"), _ask(calls, "subscribers", named, "subscribers")
+                ask(calls, "topic_type", named, "type"), ask(calls, "subscribers", named, "subscribers")
             )
             _check_type(one, type_)
-            if isinstance(nodes, list) and all(BRIDGE in str(node) for node in nodes):
+            if isinstance(nodes, list) and all(map(is_bridge, nodes)):
                 raise CommandError(f"nobody listens on {one.address}")
         elif isinstance(one, ServiceCall):
-            _check_type(one, await _ask(calls, "service_type", {"service": one.address}, "type"))
+            _check_type(one, await ask(calls, "service_type", {"service": one.address}, "type"))
+
+
+def is_bridge(node: object) -> bool:
+    """Tell whether a node is a bridge, which listens for its own clients."""
+    return BRIDGE in str(node)
 
 
 def _check_type(one: Publication | ServiceCall, found: object) -> None:
@@ -38,10 +43,10 @@ def _check_type(one: Publication | ServiceCall, found: object) -> None:
         raise CommandError(f"{one.address} has type {found[:100]}, not {one.type}")
 
 
-async def _ask(calls: Calls, question: str, args: Args, field: str) -> object:
-    """Return a field of rosapi's answer, None without one."""
+async def ask(calls: Calls, question: str, args: Args, field: str, within: float = WITHIN) -> object:
+    """Return a field of rosapi's answer, None without one within some seconds."""
     try:
-        answer = await calls.call(f"/rosapi/{question}", args, WITHIN)
+        answer = await calls.call(f"/rosapi/{question}", args, within)
     except LinkError:
         return None
     return answer.values.get(field) if answer.result and isinstance(answer.values, dict) else None

@@ -2,9 +2,11 @@
 
 from collections.abc import Mapping
 
+from fleet_tui.errors import CommandError
 from fleet_tui.model.commands import Command
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.events import Event
+from fleet_tui.model.set_up.driving import HandDrive
 from fleet_tui.recording.play.player import Player
 from fleet_tui.state.store import Store
 
@@ -31,6 +33,10 @@ class ReplayBackend:
     def submit(self, _command: Command) -> str:
         """Send nothing."""
         return self.refusal
+
+    def drive(self, _robot: str) -> HandDrive:
+        """Raise CommandError: a recording drives no robot."""
+        raise CommandError(self.refusal)
 
     def post(self, _event: Event) -> str:
         """Ignore the event: a recording does not change."""

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from fleet_tui.errors import ConfigError, did_you_mean
-from fleet_tui.simulator.faults import wire, world
+from fleet_tui.simulator.faults import hand, wire, world
 
 if TYPE_CHECKING:
     # The command line lists the faults: it must not wait for the server to be imported.
@@ -59,6 +59,7 @@ FAULTS: Faults = {
     "paused": ("paused from the start", world.paused),
     "battery": (f"battery never above {world.FLAT:g} %", world.battery),
     "mislocalised": ("believes to be 4 m away and turned, until its pose is set", world.mislocalised),
+    **hand.FAULTS,
     "jumping": (f"pose jumps by {world.JUMP:g} m, does not drive", world.jumping),
 }
 """The faults of robots of the source's stack."""

@@ -12,7 +12,7 @@ from fleet_tui.simulator.move_base.faults import FAULTS
 from fleet_tui.simulator.move_base.topics import CANCEL, GOAL, NODE, POSE, TYPES, MoveBaseNews, steady_topics
 from fleet_tui.simulator.move_base.world import MoveBaseWorld
 from fleet_tui.simulator.navigating.diagnostics import health
-from fleet_tui.simulator.navigating.set_up import SetUpDesk, initial_poses
+from fleet_tui.simulator.navigating.set_up import SetUpDesk, by_hand
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
 from fleet_tui.simulator.ros_types import ServiceType, service_type
@@ -45,8 +45,8 @@ class MoveBaseFleet(MoveBaseWorld):
         yield from self._news.topics(dialect)
 
     def subscriptions(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
-        """The goals, poses and cancellations for each robot."""
-        return initial_poses(self.robots) | {
+        """The goals, poses, twists and cancellations for each robot."""
+        return by_hand(self.robots) | {
             f"/{name}/{part}": (TYPES[part], take)
             for name, navigation in self.navigation.items()
             for part, take in (

@@ -18,7 +18,7 @@ from fleet_tui.simulator.nav2.topics import Nav2News, steady_topics
 from fleet_tui.simulator.nav2.world import Nav2World
 from fleet_tui.simulator.navigating.diagnostics import health
 from fleet_tui.simulator.navigating.poses import FRAME
-from fleet_tui.simulator.navigating.set_up import FileServices, SetUpDesk, initial_poses
+from fleet_tui.simulator.navigating.set_up import FileServices, SetUpDesk, by_hand
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
 from fleet_tui.simulator.ros_types import ServiceType, service_type
@@ -67,8 +67,8 @@ class Nav2Fleet(Nav2World):
         yield from self._news.topics(dialect)
 
     def subscriptions(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
-        """The goal_pose of each robot, where a pose becomes a goal, and its initialpose."""
-        return initial_poses(self.robots) | {
+        """The goal_pose of each robot, where a pose becomes a goal, its initialpose and its twists."""
+        return by_hand(self.robots) | {
             f"/{name}/goal_pose": ("geometry_msgs/PoseStamped", partial(_take_pose, navigation))
             for name, navigation in self.navigation.items()
         }

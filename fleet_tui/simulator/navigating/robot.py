@@ -8,6 +8,7 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.navigating.paths import NoPathError, Spot, length, plan
 from fleet_tui.simulator.robot import CHARGE, DRAIN, DRAIN_STANDING, SPEED, STEP, TURN, Obstructed
 from fleet_tui.simulator.senses.belief import Belief
+from fleet_tui.simulator.senses.wheels import Wheels
 from fleet_tui.simulator.warehouse import SimFloor
 
 SLIP, SKID = 1.01, 1.004  # odometry measured per metre and per radian
@@ -60,7 +61,7 @@ class NavigatingRobot(Obstructed):
         self._obstacle_in = rng.uniform(25.0, 90.0)
         self._work: Iterator[None] = iter(())
         self._was_placed = False
-        self.belief = Belief()
+        self.belief, self.wheels = Belief(), Wheels()
 
     @property
     def distance_remaining(self) -> float:
@@ -106,8 +107,11 @@ class NavigatingRobot(Obstructed):
             held = self._blocked(self.moving and not self._quiet) or self.stuck
             if not held:
                 next(self._work, None)
-        elif self.obstacle:
-            self._blocked(self.moving and not self._quiet)
+        else:
+            if self.obstacle:
+                self._blocked(self.moving and not self._quiet)
+            if not self.stuck:
+                self.pose = self.wheels.carry(self.pose, STEP)
         self.moving = self.driving and self.pose != before
         self._watch_progress()
         self._count_wheels(before)

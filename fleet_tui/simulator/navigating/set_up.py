@@ -14,6 +14,7 @@ from fleet_tui.simulator.navigating.world import NavigatingWorld
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros_types import ServiceType, service_type
 from fleet_tui.simulator.senses.mapping import Surveys
+from fleet_tui.simulator.senses.wheels import twists
 
 Message = dict[str, Any]
 Subscriptions = dict[str, tuple[str, Callable[[Message], None]]]
@@ -27,9 +28,10 @@ UNIT = 0.01
 """Deviation of a quaternion from unit length above which it is dropped."""
 
 
-def initial_poses(robots: Mapping[str, NavigatingRobot]) -> Subscriptions:
-    """Return the topic of each robot on which its pose is set."""
-    return {f"/{name}/initialpose": (POSE, partial(_take, robot)) for name, robot in robots.items()}
+def by_hand(robots: Mapping[str, NavigatingRobot]) -> Subscriptions:
+    """Return the topics of each robot on which its pose is set, and on which it is driven."""
+    poses = {f"/{name}/initialpose": (POSE, partial(_take, robot)) for name, robot in robots.items()}
+    return poses | twists(robots)
 
 
 class SetUpDesk:

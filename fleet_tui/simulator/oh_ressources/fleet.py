@@ -20,6 +20,7 @@ from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
 from fleet_tui.simulator.ros_types import ServiceType, robot_services, service_type
 from fleet_tui.simulator.senses.laser import scan_topic
 from fleet_tui.simulator.senses.mapping import Surveys
+from fleet_tui.simulator.senses.wheels import twists
 from fleet_tui.simulator.warehouse import SimFloor
 
 DESK, MAPPING, SAVE = "Application_layout", "set_mapping", "save_map"
@@ -62,12 +63,12 @@ class OhFleet:
         return [f"/{robot}/{floor.name}/map" for robot in self.robots]
 
     def subscriptions(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
-        """The topics of each robot on which its pose is set, a goal beside its orders, and a graph."""
+        """The topics of each robot for its pose, a goal beside its orders, twists, and a graph."""
         return {
             f"/{name}/{topic}": (type_, partial(take, robot))
             for name, robot in self.robots.items()
             for topic, (type_, take) in SUBSCRIPTIONS.items()
-        } | dict(self._graphs.subscriptions())
+        } | {**self._graphs.subscriptions(), **twists(self.robots)}
 
     def services(self, dialect: Dialect) -> Mapping[str, ServiceType]:
         """The services of every robot."""

@@ -21,6 +21,7 @@ geometry_msgs/PoseWithCovariance: geometry_msgs/Pose pose, float64[36] covarianc
 geometry_msgs/PoseWithCovarianceStamped: std_msgs/Header header, geometry_msgs/PoseWithCovariance pose
 geometry_msgs/Vector3: float64 x, float64 y, float64 z
 geometry_msgs/Twist: geometry_msgs/Vector3 linear, geometry_msgs/Vector3 angular
+geometry_msgs/TwistStamped: std_msgs/Header header, geometry_msgs/Twist twist
 nav_msgs/MapMetaData: time map_load_time, float32 resolution, uint32 width, uint32 height, \
 geometry_msgs/Pose origin
 nav_msgs/OccupancyGrid: std_msgs/Header header, nav_msgs/MapMetaData info, int8[] data

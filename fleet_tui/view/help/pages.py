@@ -20,6 +20,7 @@ SECTIONS = (
     Pane.MAP,
     Pane.PLACE,
     Pane.EDIT,
+    Pane.DRIVE,
     Pane.ROWS,
     Pane.DIAGNOSTICS,
     Pane.ANYWHERE,

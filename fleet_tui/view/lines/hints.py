@@ -6,6 +6,7 @@ from typing import Any
 from msgspec.structs import replace
 
 from fleet_tui.keys import BY_ID, KEYS, LISTS, Key, Pane
+from fleet_tui.keys.drive import PASSES
 from fleet_tui.keys.key import key_name
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
@@ -51,6 +52,9 @@ def hints(
     of the widget, which may have a key for its rows."""
     away = {*hidden, *(key.id for key in KEYS if key.commands and not can_command)}
     offered = [key for key in KEYS if key.hint and keys[key.id] and key.id not in away]
+    if pane is Pane.DRIVE:
+        # Any other key stops the robot and does nothing else.
+        offered = [key for key in offered if key.pane is pane or key.id in PASSES]
     if pane is Pane.ANYWHERE:
         close = replace(BY_ID["back"], hint="close")
         return [close, *(key for key in offered if key.pane is pane)], []

@@ -28,6 +28,7 @@ PROMISED = {
     "path": ("", "nav_msgs/Path"),
     "tf_static": ("/tf_static", "tf2_msgs/TFMessage"),
     "mode": ("", "std_msgs/String"),
+    "drive": ("", "geometry_msgs/Twist"),
     "graph_save": ("", "OH_ressources/Graph"),
     "labels_save": ("", "OH_ressources/LabeledVertices"),
 }

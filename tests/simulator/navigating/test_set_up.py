@@ -5,7 +5,7 @@ from typing import Any
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.nav2.world import Nav2World
 from fleet_tui.simulator.navigating.poses import solid
-from fleet_tui.simulator.navigating.set_up import SetUpDesk, initial_poses
+from fleet_tui.simulator.navigating.set_up import SetUpDesk, by_hand
 from fleet_tui.simulator.ros.ros2 import ROS2
 from tests.support.navigating import robot
 
@@ -18,7 +18,7 @@ def message(frame: str = "map", **turn: float) -> dict[str, Any]:
 
 def test_a_pose_becomes_the_belief_and_is_published() -> None:
     it = robot()
-    ((topic, (_, take)),) = initial_poses({it.name: it}).items()
+    topic, (_, take) = next(iter(by_hand({it.name: it}).items()))
     assert topic == "/robot_0/initialpose" and not it.localise()
     take(message())
     assert it.localise() and (it.estimate.x, it.estimate.y) == (9.0, 9.0) and not it.localise()
@@ -26,7 +26,7 @@ def test_a_pose_becomes_the_belief_and_is_published() -> None:
 
 def test_a_foreign_frame_and_a_crooked_quaternion_are_dropped() -> None:
     it = robot()
-    ((_, (_, take)),) = initial_poses({it.name: it}).items()
+    _, take = next(iter(by_hand({it.name: it}).values()))
     take(message("odom"))
     take(message(w=0.0))
     assert it.belief.misplaced is None

@@ -88,3 +88,10 @@ def test_pause_all_is_there_as_soon_as_one_robot_can_be_paused() -> None:
     state = received(BARE, Kind("p", accepts=(PAUSE,)))
     assert "pause" in hidden_keys(state, R0) and "pause_all" not in hidden_keys(state, R0)
     assert {"pause_all", "pause_all_anywhere"} <= hidden_keys(received(BARE, BARE), R0)
+
+
+def test_in_a_drive_no_key_is_hinted_that_would_only_stop_the_robot() -> None:
+    chosen, _ = keymap({})
+    shown = line(chosen, Pane.DRIVE)
+    assert " w ahead " in shown and " Esc leave " in shown and " P pause all " in shown
+    assert "order" not in shown and "pause all" in shown and "why" not in shown

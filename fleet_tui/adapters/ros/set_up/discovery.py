@@ -21,6 +21,7 @@ PROPOSED_TOPICS: Endings = {
     "goal": ("move_base_simple/goal", "goal"),
     "goal_cancel": ("move_base/cancel", "goal_cancel"),
     "mode": ("mode", "{floor}/mode"),
+    "drive": ("cmd_vel",),
     "graph_save": ("{floor}/graph_save", "{floor}/save_graph"),
     "labels_save": ("{floor}/labels_save", "{floor}/save_labels"),
 }

@@ -3,12 +3,14 @@
 from collections.abc import Mapping
 from typing import Any
 
+TWIST, STAMPED_TWIST = "geometry_msgs/Twist", "geometry_msgs/TwistStamped"
 TOPICS: Mapping[str, tuple[str, str]] = {
     "initial_pose": ("", "geometry_msgs/PoseWithCovarianceStamped"),
     "scan": ("", "sensor_msgs/LaserScan"),
     "path": ("", "nav_msgs/Path"),
     "tf_static": ("/tf_static", "tf2_msgs/TFMessage"),
     "mode": ("", "std_msgs/String"),
+    "drive": ("", TWIST),
 }
 SERVICES: Mapping[str, tuple[str, str]] = {
     "localise": ("", "std_srvs/Empty"),

@@ -9,10 +9,12 @@ from fleet_tui.adapters.probes import ListenerProbe, ServiceProbe
 from fleet_tui.adapters.ros.facts import is_place
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros.set_up.frames import read_frames
+from fleet_tui.adapters.ros.set_up.names import STAMPED_TWIST
 from fleet_tui.adapters.ros.set_up.saving import KEYS, load_request, save_request
 from fleet_tui.errors import CommandError
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.kind import (
+    DRIVE,
     GOAL,
     GOAL_CANCEL,
     LOCALISE,
@@ -60,6 +62,7 @@ class SetUpRequests:
         self._names, self._site, self._frames_are_floors = names, site, frames_are_floors
         table = names.table
         keys = {POSE: "topics.initial_pose", LOCALISE: "services.localise", SETTLE: "services.settle"}
+        keys[DRIVE] = "topics.drive"
         there = names.vocabulary.services
         keys |= {ability: f"services.{key}" for ability, key in KEYS.items() if key in there}
         if frames_are_floors:
@@ -122,7 +125,8 @@ class SetUpRequests:
         for ability, table, key in named:
             if table == "topics":
                 if topic := names.topic(key, robot):
-                    yield ListenerProbe(key, topic, names.type(key), noun_of(ability))
+                    or_type = STAMPED_TWIST if ability == DRIVE else ""
+                    yield ListenerProbe(key, topic, names.type(key), noun_of(ability), or_type)
             elif service := names.service(key, robot):
                 keys = (*services[service].keys, key) if service in services else (key,)
                 services[service] = ServiceProbe(keys, service, names.service_type(key), noun_of(ability))

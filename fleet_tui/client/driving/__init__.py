@@ -1,0 +1,1 @@
+"""Driving by hand over a connection of its own."""

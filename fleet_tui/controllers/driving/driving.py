@@ -1,0 +1,174 @@
+"""Driving by hand: from the key to the robot, and every reason to end it."""
+
+import time
+from collections.abc import Callable
+
+from fleet_tui.backend import Backend
+from fleet_tui.config.schema import DriveConfig
+from fleet_tui.controllers.dispatch import Ask
+from fleet_tui.controllers.driving.clearance import ClearanceAhead
+from fleet_tui.controllers.driving.journal import DriveJournal
+from fleet_tui.controllers.map import MapControls
+from fleet_tui.controllers.parts import SetUpParts
+from fleet_tui.errors import CommandError
+from fleet_tui.model.robot import Robot
+from fleet_tui.model.set_up.driving import STILL, DrivePhase, HandDrive, Steering
+from fleet_tui.rules.driving.entry import drive_refusal
+from fleet_tui.rules.driving.hold import Hand
+from fleet_tui.rules.driving.speed import FIRST, Caps, faster, slowed, wanted
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.map.map_picture import MapPicture
+from fleet_tui.view.map.modes.drive import DriveMode
+from fleet_tui.view.map.scene import Scene
+
+SIDEWAYS = ("q", "e")
+LATEST = 1.5
+"""Seconds between two pictures after which a drive ends: the screen does not show where the robot is."""
+
+
+class DriveControls:
+    """The mode of the map in which the selected robot is driven. `focus` gives the map the focus, `passes`
+    are the keys that have a meaning in it."""
+
+    def __init__(
+        self,
+        parts: SetUpParts,
+        backend: Backend,
+        limits: DriveConfig,
+        controls: MapControls,
+        picture: MapPicture,
+        journal: DriveJournal,
+        ask: Ask,
+        focus: Callable[[], None],
+        passes: frozenset[str],
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
+        self._parts, self._backend, self._limits = parts, backend, limits
+        self._controls, self._picture, self._journal, self._ask = controls, picture, journal, ask
+        self._focus, self._passes, self._clock = focus, passes, clock
+        self._caps = Caps(limits.max_linear, limits.max_angular)
+        self._drive: HandDrive | None = None
+        self._hand, self._share, self._steered = Hand(), FIRST, False
+        self._looked, self._followed = 0.0, False
+        self._clearance = ClearanceAhead()
+
+    @property
+    def mode(self) -> DriveMode | None:
+        """Return the mode while a robot is driven."""
+        mode = self._picture.mode
+        return mode if isinstance(mode, DriveMode) else None
+
+    @property
+    def _robot(self) -> Robot:
+        name = self.mode.robot if self.mode is not None else self._parts.navigation.robot
+        return self._parts.store.state.robots[name]
+
+    def _refusal(self) -> str:
+        return self._parts.dispatch.set_up_refusal() or drive_refusal(self._parts.store.state, self._robot)
+
+    def start(self) -> None:
+        """Drive the selected robot, after a question if it may not stop by itself."""
+        name = self._parts.navigation.robot
+        if refusal := self._refusal():
+            self._parts.notices.say(sanitize(refusal))
+        elif self._limits.robot_timeout is None:
+            question = f"{name} may not stop by itself when the link is cut: drive all the same?"
+            self._ask(lambda: sanitize(question), lambda: self._begin(name))
+        else:
+            self._begin(name)
+
+    def _begin(self, name: str) -> None:
+        """Begin, checked again: much may have changed during the question."""
+        try:
+            if self._parts.navigation.robot != name:
+                raise CommandError("another robot is selected")
+            if refusal := self._refusal():
+                raise CommandError(refusal)
+            self._drive = self._backend.drive(name)
+        except CommandError as problem:
+            self._parts.notices.say(sanitize(f"not driven: {problem}"))
+            return
+        self._hand, self._share, self._steered, self._looked = Hand(), FIRST, False, self._clock()
+        self._journal.begin(name, self._clock())
+        self._parts.navigation.find_robot(name)
+        floor, view = self._parts.navigation.floor, self._picture.viewport
+        self._followed, view.follow = view.follow, True
+        mode = DriveMode(
+            name, floor, self._caps, self._passes, self.stop, lambda: self.end("the map lost the focus")
+        )
+        self._controls.enter(mode)
+        self._focus()
+
+    def press(self, key: str) -> None:
+        """Take a press of a direction; nothing is kept for a drive that has not begun."""
+        if self._drive is None or self._drive.state.phase is not DrivePhase.READY:
+            return
+        if key in SIDEWAYS and not self._limits.holonomic:
+            self.stop()
+            self._parts.notices.say("no sideways: [drive] holonomic is false")
+            return
+        self._hand = self._hand.pressed(key, self._clock())
+        self._steer()
+
+    def change_speed(self, step: int) -> None:
+        """Drive faster or slower from now on."""
+        self._share = faster(self._share, step)
+        self._steer()
+
+    def stop(self) -> None:
+        """Stop the robot, and go on driving."""
+        self._hand = Hand()
+        self._steer()
+
+    def leave(self) -> None:
+        """Stop and leave."""
+        self.end("left by key")
+
+    def end(self, reason: str) -> None:
+        """Stop and leave for a reason; do nothing if no robot is driven."""
+        if self._drive is None or self.mode is None:
+            return
+        drive, self._drive, name = self._drive, None, self.mode.robot
+        drive.end(reason)
+        self._picture.viewport.follow = self._followed
+        self._controls.leave_mode()
+        self._journal.end(drive.state.reason, self._clock())
+        self._parts.notices.note(sanitize(f"{name} is not driven any more: {drive.state.reason}"))
+
+    def on(self, scene: Scene) -> Scene:
+        """Follow the hand and look for reasons to end, with every picture; the scene stays as it is."""
+        mode, drive = self.mode, self._drive
+        if mode is None or drive is None:
+            return scene
+        now, state = self._clock(), drive.state
+        late, self._looked = now - self._looked > LATEST, now
+        if reason := self._reason_to_end(mode, scene) or ("the screen was late" if late else ""):
+            self.end(reason)
+        elif state.phase is DrivePhase.ENDED:
+            self.end(state.reason)
+        else:
+            self._steer()
+            mode.state = drive.state
+            self._journal.sent(drive.state.sent)
+        return scene
+
+    def _reason_to_end(self, mode: DriveMode, scene: Scene) -> str:
+        if self._parts.navigation.robot != mode.robot:
+            return "another robot"
+        if scene.floor != mode.floor:
+            return "another floor"
+        return self._refusal()
+
+    def _steer(self) -> None:
+        """Send what the hand asks for, slower before a wall."""
+        mode, drive, now = self.mode, self._drive, self._clock()
+        if mode is None or drive is None:
+            return
+        mode.share = self._share
+        asked = wanted(self._hand, now, self._share, self._caps)
+        state = self._parts.store.state
+        mode.clearance = self._clearance.of(state, state.robots[mode.robot], asked, now)
+        speeds = asked if mode.clearance is None else slowed(asked, mode.clearance)
+        if self._steered or speeds != STILL:
+            drive.steer(Steering(speeds, self._hand.until))
+        self._steered = speeds != STILL

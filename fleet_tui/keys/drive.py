@@ -1,0 +1,51 @@
+"""Keys of driving by hand. They work on the map, and take precedence there while a robot is driven."""
+
+from collections.abc import Callable
+
+from fleet_tui.actions import Actions, DriveActions
+from fleet_tui.keys.key import Key, Pane
+
+PASSES = frozenset(
+    {
+        *("pause_all", "pause_all_anywhere", "suspend", "repaint"),
+        *("palette", "help", "help_anywhere", "next_pane", "previous_pane"),
+    }
+)
+"""The ids of the other keys that keep their meaning. All but one of them end the drive."""
+
+
+def _drive(
+    name: str, keys: tuple[str, ...], do: Callable[[DriveActions], object], text: str, hint: str = ""
+) -> Key[Actions]:
+    return Key(
+        f"drive_{name}",
+        keys,
+        lambda actions: do(actions.drive),
+        text,
+        pane=Pane.DRIVE,
+        hint=hint,
+        in_palette=False,
+        only_live=True,
+    )
+
+
+DRIVE: tuple[Key[Actions], ...] = (
+    Key(
+        "drive",
+        ("T",),
+        lambda do: do.drive.start(),
+        "Drive the selected robot by hand. Not an emergency stop",
+        needs="drive",
+        commands=True,
+        only_live=True,
+    ),
+    _drive("ahead", ("w",), lambda do: do.press("w"), "Ahead, while held", "ahead"),
+    _drive("back", ("s",), lambda do: do.press("s"), "Back, while held", "back"),
+    _drive("left", ("a",), lambda do: do.press("a"), "Turn left, while held", "left"),
+    _drive("right", ("d",), lambda do: do.press("d"), "Turn right, while held", "right"),
+    _drive("leave", ("escape",), lambda do: do.leave(), "Stop and leave; any other key stops", "leave"),
+    _drive("sideways_left", ("q",), lambda do: do.press("q"), "Sideways to the left, if it can"),
+    _drive("sideways_right", ("e",), lambda do: do.press("e"), "Sideways to the right, if it can"),
+    _drive("faster", ("+",), lambda do: do.change_speed(1), "Faster, up to the cap", "faster"),
+    _drive("slower", ("-",), lambda do: do.change_speed(-1), "Slower", "slower"),
+)

@@ -1,0 +1,56 @@
+"""The parts of the main screen with which a robot is driven by hand."""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from fleet_tui.actions import DriveActions
+from fleet_tui.controllers.driving.driving import DriveControls
+from fleet_tui.controllers.driving.journal import DriveJournal
+from fleet_tui.controllers.parts import SetUpParts
+from fleet_tui.keys import KEYS, Pane
+from fleet_tui.keys.drive import PASSES
+from fleet_tui.widgets.bindings import textual_key
+
+if TYPE_CHECKING:
+    from fleet_tui.screens.main import MainScreen
+    from fleet_tui.screens.rest import Rest
+
+
+def drive_controls(screen: "MainScreen", rest: "Rest", parts: SetUpParts) -> DriveControls:
+    """Return the controller of drives on this screen."""
+
+    def focus() -> None:
+        # Later: a question gives the focus back to where it was.
+        screen.call_later(screen.set_focus, rest.map)
+
+    keys = screen.settings.keys
+    ids = {key.id for key in KEYS if key.pane is Pane.DRIVE} | PASSES
+    return DriveControls(
+        parts,
+        screen.backend,
+        screen.settings.drive,
+        rest.map_controls,
+        rest.map.picture,
+        DriveJournal(screen.files),
+        rest.confirm.ask,
+        focus,
+        frozenset(textual_key(key) for id_ in ids for key in keys[id_]),
+    )
+
+
+def drive_actions(rest: "Rest") -> DriveActions:
+    """Return the actions of the keys in a drive."""
+    drives = rest.drives
+    return DriveActions(
+        start=drives.start, press=drives.press, change_speed=drives.change_speed, leave=drives.leave
+    )
+
+
+def after_a_drive(rest: "Rest", reason: str, do: Callable[[], object]) -> Callable[[], object]:
+    """Return an action that ends a drive first."""
+
+    def end_first() -> object:
+        rest.drives.end(reason)
+        return do()
+
+    return end_first
