@@ -18,7 +18,10 @@ VOCABULARY = Vocabulary(
         "floor": ("", "std_msgs/String"),
         "pause_navigation": ("", "std_msgs/Bool"),
         "map": ("/map", "nav_msgs/OccupancyGrid"),
-        **set_up.with_names(set_up.TOPICS, {"initial_pose": "/{robot}/initialpose", "scan": "/{robot}/scan"}),
+        **set_up.with_names(
+            set_up.TOPICS,
+            {"initial_pose": "/{robot}/initialpose", "scan": "/{robot}/scan", "camera": set_up.CAMERA},
+        ),
     },
     floor_topics=frozenset({"map"}),
     services={

@@ -27,7 +27,10 @@ VOCABULARY = Vocabulary(
         "pause_navigation": ("", "std_msgs/Bool"),
         "plan": ("/{robot}/plan", "nav_msgs/Path"),
         "map": ("/map", "nav_msgs/OccupancyGrid"),
-        **set_up.with_names(set_up.TOPICS, {"initial_pose": "/{robot}/initialpose", "scan": "/{robot}/scan"}),
+        **set_up.with_names(
+            set_up.TOPICS,
+            {"initial_pose": "/{robot}/initialpose", "scan": "/{robot}/scan", "camera": set_up.CAMERA},
+        ),
     },
     floor_topics=frozenset({"map"}),
     services={

@@ -11,6 +11,7 @@ def profile(_floors: int) -> Mapping[str, Any]:
         "topics": {
             **{key: f"/{{robot}}/{key}" for key in topics},
             "initial_pose": "/{robot}/initialpose",
+            "camera": "/{robot}/camera/image_raw/compressed",
             **{key: f"/{{robot}}/{{floor}}/{key}" for key in ("graph_save", "labels_save")},
         },
         "services": {

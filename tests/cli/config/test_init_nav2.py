@@ -117,6 +117,7 @@ def test_a_robot_without_a_namespace(tmp_path: Path) -> None:
         "blocked": "/collision_monitor_state",
         "initial_pose": "/initialpose",
         "scan": "/scan",
+        "camera": "/camera/image_raw/compressed",
     }
     assert profile["actions"]["navigate_to_pose"] == "/navigate_to_pose"
     services = profile["services"]
