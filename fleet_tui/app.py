@@ -93,6 +93,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
             terminal=terminal,
             message=message,
             programs=config.programs,
+            picture_limit=1000 * config.camera.kB_per_s,
         )
 
     def get_default_screen(self) -> MainScreen:
