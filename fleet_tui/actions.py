@@ -188,6 +188,7 @@ class PlaceActions(Struct, frozen=True):
 
     laser: Act
     path: Act
+    camera: Act
     mapping: Act
     pose: Act
     goal: Act

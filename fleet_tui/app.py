@@ -94,6 +94,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
             message=message,
             programs=config.programs,
             drive=config.drive,
+            picture_limit=1000 * config.camera.kB_per_s,
         )
 
     def get_default_screen(self) -> MainScreen:

@@ -7,14 +7,14 @@ from fleet_tui.adapters.probes import Probe
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.events import Event
-from fleet_tui.model.kind import FRAMES, PATH, SCAN, Kind
+from fleet_tui.model.kind import CAMERA, FRAMES, PATH, SCAN, Kind
 from fleet_tui.model.robot import Robot
 
 if TYPE_CHECKING:
     from fleet_tui.model.set_up.streams import StreamValue
 
 
-STREAM_KEYS = {SCAN: SCAN, PATH: PATH, "plan": PATH, "tf_static": FRAMES}
+STREAM_KEYS = {SCAN: SCAN, PATH: PATH, CAMERA: CAMERA, "plan": PATH, "tf_static": FRAMES}
 """Streams by the keys of their topics."""
 
 

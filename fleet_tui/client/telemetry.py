@@ -16,6 +16,7 @@ from fleet_tui.client.backlog import Backlog, Frame
 from fleet_tui.client.calls import Calls
 from fleet_tui.client.memory import trim
 from fleet_tui.client.services import Services
+from fleet_tui.client.set_up.camera_channel import CameraChannel
 from fleet_tui.client.set_up.stream_writer import StreamWriter
 from fleet_tui.client.sourcing import Sourcing
 from fleet_tui.client.subscriber import Subscriber
@@ -25,6 +26,7 @@ from fleet_tui.config.schema import Config
 from fleet_tui.errors import WireError
 from fleet_tui.maps.map_process import decode_apart
 from fleet_tui.model import events
+from fleet_tui.model.kind import CAMERA
 from fleet_tui.model.link import Phase
 from fleet_tui.model.navigation_events import Live, LocalisationReported, OdometryReported
 from fleet_tui.text.limits import truncate
@@ -63,14 +65,13 @@ class Telemetry:
             self.connection, self._calls, feeds, adapters, self._reading, self._take
         )
         self._on_demand = [feed for feed in feeds if feed.wanted_for in ("target", "stream")]
+        self._pictures = CameraChannel(bridge, feeds, adapters, self._subscriber, self._reading, self._sink)
         self.services = Services(self._calls, services_of(config, adapters, link))
         self._sourcing = Sourcing(
             link, self._calls, feeds, self._reading, lambda: self._subscriber.types, writer.apply
         )
-        self.show_map, self.subscribe_logs = (
-            self._subscriber.show_map,
-            self._subscriber.log_subscription.listen,
-        )
+        self.show_map = self._subscriber.show_map
+        self.subscribe_logs = self._subscriber.log_subscription.listen
         self.counter = self._reading.counter
         self._fragments = Fragments(int(bridge.max_message_mb * 1e6))
         self._backlog = Backlog(self.connection, self._reading, self._read_frame)
@@ -86,9 +87,12 @@ class Telemetry:
             self._subscriber.check(now, self._last_messages)
             self.services.note_active(self._last_messages)
             self._subscriber.watch(self._wanted_feeds())
+            self._pictures.look()
 
     def _wanted_feeds(self) -> Iterator[Feed]:
         for feed in self._on_demand:
+            if feed.stream_key == CAMERA:
+                continue  # over a connection of their own
             if any(self._sink.wants(robot, feed.stream_key) for robot in feed.robots):
                 yield feed._replace(wanted_for="stream")
             elif feed.wanted_for == "target" and self._wants_target(feed.robot):
@@ -225,6 +229,7 @@ class Telemetry:
 
     def close(self) -> None:
         """Close permanently."""
+        self._pictures.close()
         self._subscriber.stop()
         self.services.stop()
         self._sourcing.stop()

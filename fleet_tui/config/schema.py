@@ -154,6 +154,12 @@ class DriveConfig(msgspec.Struct, frozen=True):
     holonomic: bool = False
 
 
+class CameraConfig(msgspec.Struct, frozen=True):
+    """`[camera]`: kilobytes a second to the terminal above which pictures of a camera come less often."""
+
+    kB_per_s: Annotated[float, msgspec.Meta(gt=0, le=100_000)] = 60.0  # noqa: N815  # the unit's own letters
+
+
 class Config(msgspec.Struct, frozen=True):
     """A whole configuration; `path` is its file."""
 
@@ -166,6 +172,7 @@ class Config(msgspec.Struct, frozen=True):
     ui: Ui = Ui()
     alarms: Alarms = Alarms()
     recording: RecordingConfig = RecordingConfig()
+    camera: CameraConfig = CameraConfig()
     programs: list[ProgramEntry] = []
     drive: DriveConfig = DriveConfig()
     profile: Profile = Profile()

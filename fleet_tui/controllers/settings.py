@@ -15,7 +15,8 @@ class ConsoleSettings(Struct, frozen=True):
     """`keys`: the keys of each id; `clock`: Unix seconds as text; `permissions`: those at the start;
     `themes`: for each a function that switches to it; `announce` is called with every state, `resized` after
     a change of size; `hatched`: colours don't tell unknown ground from floor; `terminal`: its description in
-    help; `message`: the first notice; `programs` and `drive`: of the configuration."""
+    help; `message`: the first notice; `programs` and `drive`: of the configuration; `picture_limit`: bytes a
+    second to the terminal above which pictures of cameras come less often."""
 
     keys: Mapping[str, tuple[str, ...]]
     clock: Callable[[float], str]
@@ -28,3 +29,4 @@ class ConsoleSettings(Struct, frozen=True):
     message: str = ""
     programs: Sequence[ProgramEntry] = ()
     drive: DriveConfig = DriveConfig()
+    picture_limit: float = 60_000.0

@@ -42,6 +42,14 @@ PLACE: tuple[Key[Actions], ...] = (
         only_live=True,
     ),
     Key(
+        "camera",
+        ("V",),
+        lambda do: do.place.camera(),
+        "Show or hide the camera of the selected robot",
+        needs="camera",
+        only_live=True,
+    ),
+    Key(
         "pose",
         ("I",),
         lambda do: do.place.pose(),

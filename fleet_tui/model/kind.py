@@ -12,7 +12,7 @@ POSE, LOCALISE, SETTLE, GOAL, MAPPING = "pose", "localise", "settle", "goal", "m
 GOAL_CANCEL, GRAPH, DRIVE = "goal cancel", "graph", "drive"
 MAP_SAVE, POSE_GRAPH_SAVE = "map save", "pose graph save"
 """Set-up requests that a robot may accept."""
-SCAN, PATH = "scan", "path"
+SCAN, PATH, CAMERA = "scan", "path", "camera"
 """Streams of a robot that can be watched."""
 FRAMES = "frames"
 """The fixed frames of a robot, a stream that is read to place its scans."""
@@ -32,6 +32,7 @@ _NOUNS = {
     DRIVE: "driving by hand",
     SCAN: "laser scan",
     PATH: "planned path",
+    CAMERA: "camera",
 }
 
 

@@ -69,10 +69,13 @@ def _app_actions(screen: "MainScreen", rest: "Rest") -> AppActions:
 
 
 def _back(screen: "MainScreen", rest: "Rest") -> None:
-    """Go one level back: end the map's mode, give an enlarged pane its own place again, focus the map. A
-    draft is left on the map alone."""
+    """Go one level back: give an enlarged pane its own place again, close the camera, end the map's mode,
+    focus the map. A draft is left on the map alone."""
     if screen.panes.is_enlarged:
         screen.panes.enlarge()
+        return
+    if rest.camera.is_open:
+        rest.camera_switch.turn()
         return
     if not rest.editor.is_open:
         rest.map_controls.leave_mode()
@@ -133,6 +136,7 @@ def _place_actions(rest: "Rest") -> PlaceActions:
     return PlaceActions(
         laser=rest.streams.laser,
         path=rest.streams.path,
+        camera=rest.camera_switch.turn,
         mapping=rest.mapping.menu,
         pose=rest.poses.pose,
         goal=rest.poses.goal,

@@ -125,7 +125,7 @@ class MainScreen(Screen[None]):
         state, robot, clock = self.store.state, self.navigation.robot, self.settings.clock
         if self.is_complete:
             self._show_floor(state)
-            self.rest.simple.show()
+            self.rest.show()
         self._mark_alarm(state)
         tables = [
             fleet_table(state, robot, self.fleet.row_width),

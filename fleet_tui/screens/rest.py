@@ -21,6 +21,7 @@ from fleet_tui.controllers.orders import OrderRequests
 from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.robots import RobotRequests
 from fleet_tui.controllers.save import SaveCommand
+from fleet_tui.controllers.set_up.camera import CameraControls, PictureTerminal
 from fleet_tui.controllers.set_up.mapping import MappingControls
 from fleet_tui.controllers.set_up.poses import PoseRequests
 from fleet_tui.controllers.set_up.snap import PoseSnap
@@ -30,6 +31,7 @@ from fleet_tui.keys import Key, Pane, overruled
 from fleet_tui.keys.key import key_name
 from fleet_tui.rules.routes.order_draft import Drafted, draft_route
 from fleet_tui.screens.audit import AuditLog
+from fleet_tui.screens.camera_switch import CameraSwitch
 from fleet_tui.screens.confirm import Confirm
 from fleet_tui.screens.diagnosing.overlay import Diagnostics
 from fleet_tui.screens.diagnosing.pages import Pages
@@ -43,9 +45,12 @@ from fleet_tui.screens.programs import Programs, programs_overlay
 from fleet_tui.screens.simple import Simple
 from fleet_tui.screens.simple_switch import SimpleSwitch
 from fleet_tui.screens.why import Why
+from fleet_tui.terminal.lean_app import LeanApp
+from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.scene import Scene
 from fleet_tui.widgets.bindings import action_of
+from fleet_tui.widgets.camera_view import CameraView
 from fleet_tui.widgets.map_view import MapView
 from fleet_tui.widgets.panes import lines_below
 from fleet_tui.widgets.runs_view import RunsView
@@ -65,6 +70,7 @@ class Rest:
     robots: RobotRequests
     alarms: AlarmResponses
     _covers = False
+    _has_few_colours = False
 
     def __init__(self, screen: "MainScreen") -> None:
         self._screen, self._navigation, self._session = screen, screen.navigation, screen.session
@@ -94,31 +100,33 @@ class Rest:
         parts = store, dispatch, navigation, notices, self.menu.show, self.palette.show
         self._set_up_with(SetUpParts(*parts))
         self.simple = self._simple_switch(screen)
+        self._add_camera(screen)
         self.actions = key_actions(screen, self)
+
+    def _add_camera(self, screen: "MainScreen") -> None:
+        view = CameraView()
+        app = screen.app
+        assert isinstance(app, LeanApp)
+        terminal = PictureTerminal(
+            lambda: app.output.budget.sent.bytes,
+            screen.settings.picture_limit,
+            lambda: self._has_few_colours or self.map.picture.options.drawing is Drawing.ASCII,
+        )
+        selected, in_background = lambda: self._navigation.robot, partial(_in_background, screen)
+        self.camera = CameraControls(screen.store, screen.backend, selected, view, in_background, terminal)
+        self.camera_switch = CameraSwitch(screen.panes, self.map, view, self.camera, screen.notices.say)
+        self.styled.append(view)
 
     def _answer_menus(self, screen: "MainScreen") -> None:
         parts = screen.store, screen.dispatch, screen.notices, screen.navigation
         settings, opens, why = screen.settings, self.menu.show, self.why.show
         self.orders = OrderRequests(*parts, screen.queue, self.order_form.start, opens, settings.clock)
-        self.robots = RobotRequests(
-            screen.store,
-            screen.dispatch,
-            screen.navigation,
-            self.orders,
-            opens,
-            why,
-            lambda source, kind: self.alarms.menu(source, kind),
-        )
         answering = screen.store, screen.backend, screen.notices, screen.navigation, screen.alarms
-        self.alarms = AlarmResponses(
-            *answering,
-            opens,
-            why,
-            self.robots.menu,
-            settings.keys,
-            settings.clock,
-            lambda: screen.alarm_cleared_at,
+        self.robots = RobotRequests(
+            *parts[:2], screen.navigation, self.orders, opens, why, lambda *alarm: self.alarms.menu(*alarm)
         )
+        shown_by = settings.keys, settings.clock, lambda: screen.alarm_cleared_at
+        self.alarms = AlarmResponses(*answering, opens, why, self.robots.menu, *shown_by)
 
     def _set_up_with(self, parts: SetUpParts) -> None:
         keys = self._screen.settings.keys
@@ -151,14 +159,15 @@ class Rest:
         opens = (self.order_form, self.confirm, self.menu, self.key_help, self.palette, self.why)
         with screen.app.batch_update():
             await screen.query_one("#map").remove()
-            await screen.panes.floor.mount(self.map, before=0)
+            await screen.panes.floor.mount(self.camera_switch.view, self.map, before=0)
             await screen.mount(*opens, self.audit_log, self.diagnostics, self.programs)
             time_line = screen.session.time_line()
             if time_line is not None:
                 self.styled.append(time_line)
                 await screen.mount(time_line, before="#hints")
         has_few_colours = not screen.app.is_headless and screen.app.console.color_system == "standard"
-        self.map.picture.hatch(screen.app.ansi_color or has_few_colours)
+        self._has_few_colours = screen.app.ansi_color or has_few_colours
+        self.map.picture.hatch(self._has_few_colours)
         self.map.picture.hint = "".join(f"{key_name(key)} legend" for key in screen.settings.keys["help"][:1])
         screen.set_focus(self.map)
         screen.files.open()
@@ -179,6 +188,11 @@ class Rest:
         self.map.picture.viewport.holds = covers or self._covers
         self._covers = covers
         self._screen.panes.show_map(self.map, scene)
+
+    def show(self) -> None:
+        """Show the newest state in the place of the map."""
+        self.simple.show()
+        self.camera.look()
 
     @property
     def covered(self) -> int:

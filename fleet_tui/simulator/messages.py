@@ -103,10 +103,10 @@ def _maps(
         yield Topic(f"/{robot.name}/{floor.name}/map", dialect.message_type(type_), payload, latched=True)
 
 
-def headers_of(robot: SimRobot, dialect: Dialect) -> Callable[[float], Message]:
-    """The headers of the scans of a robot."""
+def headers_of(robot: SimRobot, dialect: Dialect, frame: str = "laser") -> Callable[[float], Message]:
+    """The headers of the scans, or the pictures, of a robot."""
     said = count(1)
-    return lambda now: dialect.header(next(said), now, f"{robot.name}/laser")
+    return lambda now: dialect.header(next(said), now, f"{robot.name}/{frame}")
 
 
 def raw_payload(dialect: Dialect, type_: str, now: float, value: Message) -> Payload:

@@ -122,7 +122,7 @@ class Panes(Container):
         if lines and width > 2:
             self._shape = (lines - 2) / (width - 2)
         is_free = self.screen.has_class("-wide") and not self._is_small and not self._alone
-        above = [part for part in self.floor.children if part.id == "simple" and self.has_class("-simple")]
+        above = [part for part in self.floor.children if part.id in ("simple", "camera") and part.display]
         space = self.floor.size.height - sum(part.outer_size.height for part in above)
         left = max(below_floor(space, lines), self._wanted[1]) if is_free and lines else 0
         if left == self._recent_lines:

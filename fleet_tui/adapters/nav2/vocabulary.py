@@ -32,6 +32,7 @@ VOCABULARY = Vocabulary(
             {
                 "initial_pose": "/{robot}/initialpose",
                 "scan": "/{robot}/scan",
+                "camera": set_up.CAMERA,
                 "drive": "/{robot}/cmd_vel",
             },
         ),

@@ -50,4 +50,6 @@ def _with_cells(frame: Any, data: bytes) -> Any:
     msg = frame.get("msg") if isinstance(frame, dict) else None
     if isinstance(msg, dict) and msg.get("data") == cbor2.CBORTag(INT8_ARRAY, _STANDS_FOR_IT[1:]):
         msg["data"] = cbor2.CBORTag(INT8_ARRAY, data)
+    elif isinstance(msg, dict) and msg.get("data") == _STANDS_FOR_IT[1:]:  # a picture
+        msg["data"] = data
     return frame

@@ -28,12 +28,12 @@ class StreamWriter:
     def put(self, robot: str, key: str, value: "StreamValue", at: float) -> None:
         """Keep a value that arrived at a monotonic second."""
         # With numpy, which a value of a stream has imported already.
-        from fleet_tui.model.set_up.streams import LaserScan, PlannedPath, Streamed
+        from fleet_tui.model.set_up.streams import CameraImage, LaserScan, PlannedPath, Streamed
 
         known = self._store.state.robots.get(robot)
         if known is None:
             return
-        if not isinstance(value, LaserScan | PlannedPath):
+        if not isinstance(value, LaserScan | PlannedPath | CameraImage):
             self._mounts.take(robot, value)
             return
         taken_at = at

@@ -1,4 +1,4 @@
-"""Streams of a robot, beside the fleet state: laser scans and planned paths. With numpy."""
+"""Streams of a robot, beside the fleet state: laser scans, planned paths, camera pictures. With numpy."""
 
 import math
 from dataclasses import dataclass
@@ -51,16 +51,26 @@ class PlannedPath:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
+class CameraImage:
+    """A picture as its camera compressed it, not yet decoded. `unshown`: the reason that there are no bytes
+    to decode, empty if there are."""
+
+    data: bytes
+    stamp: float | None = None
+    unshown: str = ""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
 class Streamed:
     """The newest value of a stream. `at` is the monotonic second of its arrival, `taken_at` that of its
     stamp, or the arrival without one."""
 
-    value: Beams | PlannedPath
+    value: Beams | PlannedPath | CameraImage
     at: float
     taken_at: float
 
 
-StreamValue = LaserScan | PlannedPath | Frames
+StreamValue = LaserScan | PlannedPath | CameraImage | Frames
 """A value of a stream as it comes from the wire."""
 
 

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from fleet_tui.errors import ConfigError, did_you_mean
-from fleet_tui.simulator.faults import hand, wire, world
+from fleet_tui.simulator.faults import camera, hand, wire, world
 
 if TYPE_CHECKING:
     # The command line lists the faults: it must not wait for the server to be imported.
@@ -61,6 +61,7 @@ FAULTS: Faults = {
     "mislocalised": ("believes to be 4 m away and turned, until its pose is set", world.mislocalised),
     **hand.FAULTS,
     "jumping": (f"pose jumps by {world.JUMP:g} m, does not drive", world.jumping),
+    **camera.FAULTS,
 }
 """The faults of robots of the source's stack."""
 

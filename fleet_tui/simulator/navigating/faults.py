@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from fleet_tui.simulator.faults import Faults, hand, wire
+from fleet_tui.simulator.faults import Faults, camera, hand, wire
 from fleet_tui.simulator.senses.belief import DRIFT
 
 if TYPE_CHECKING:
@@ -119,4 +119,5 @@ BODY: Faults = {
     "percent": ("battery percentage 0 to 100 instead of 0 to 1", at_once(_percent)),
     "silent": ("sends nothing", at_once(_silent)),
     **hand.FAULTS,
+    **camera.FAULTS,
 }

@@ -9,6 +9,7 @@ from fleet_tui.simulator.messages import Topic, raw_payload
 from fleet_tui.simulator.navigating import messages
 from fleet_tui.simulator.navigating.robot import NavigatingRobot
 from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.senses.camera import camera_topic
 from fleet_tui.simulator.senses.laser import scan_topic
 from fleet_tui.simulator.senses.mapping import Surveys
 from fleet_tui.simulator.warehouse import Building, SimFloor
@@ -93,6 +94,8 @@ def body_topics(robot: NavigatingRobot, dialect: Dialect) -> Iterator[Topic]:
     )
     laser = messages.headers(dialect, f"{robot.name}/laser")
     yield scan_topic(robot, lambda: robot.floor.cells, laser, dialect)
+    lens = messages.headers(dialect, f"{robot.name}/camera")
+    yield camera_topic(robot, lambda: robot.floor.cells, lens, dialect)
     yield topic(
         *("battery_state", "sensor_msgs/BatteryState"),
         lambda now: messages.battery(robot, charge(now)),

@@ -18,6 +18,7 @@ from fleet_tui.simulator.robot import SimRobot
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
 from fleet_tui.simulator.ros_types import ServiceType, robot_services, service_type
+from fleet_tui.simulator.senses.camera import camera_topic
 from fleet_tui.simulator.senses.laser import scan_topic
 from fleet_tui.simulator.senses.mapping import Surveys
 from fleet_tui.simulator.senses.wheels import twists
@@ -58,6 +59,7 @@ class OhFleet:
         yield from self._surveys.topics(dialect)
         for robot in self.robots.values():
             yield scan_topic(robot, _cells_of(robot), headers_of(robot, dialect), dialect)
+            yield camera_topic(robot, _cells_of(robot), headers_of(robot, dialect, "camera"), dialect)
 
     def _map_topics(self, floor: SimFloor) -> list[str]:
         return [f"/{robot}/{floor.name}/map" for robot in self.robots]

@@ -12,6 +12,7 @@ def profile(_floors: int) -> Mapping[str, Any]:
             **{key: f"/{{robot}}/{key}" for key in topics},
             "initial_pose": "/{robot}/initialpose",
             "drive": "/{robot}/cmd_vel",
+            "camera": "/{robot}/camera/image_raw/compressed",
             **{key: f"/{{robot}}/{{floor}}/{key}" for key in ("graph_save", "labels_save")},
         },
         "services": {

@@ -31,6 +31,7 @@ geometry_msgs/TwistWithCovariance twist
 sensor_msgs/LaserScan: std_msgs/Header header, float32 angle_min, float32 angle_max, \
 float32 angle_increment, float32 time_increment, float32 scan_time, float32 range_min, float32 range_max, \
 float32[] ranges, float32[] intensities
+sensor_msgs/CompressedImage: std_msgs/Header header, string format, uint8[] data
 geometry_msgs/Transform: geometry_msgs/Vector3 translation, geometry_msgs/Quaternion rotation
 geometry_msgs/TransformStamped: std_msgs/Header header, string child_frame_id, \
 geometry_msgs/Transform transform

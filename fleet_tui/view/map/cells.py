@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Self
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +12,7 @@ from fleet_tui.text.sanitize import cells_of
 from fleet_tui.view.roles import StyleRole
 
 Codes = NDArray[np.uint32]
-Roles = NDArray[np.uint8]
+Roles = NDArray[np.unsignedinteger[Any]]
 Run = tuple[str, int]
 """Text and its style role (a `StyleRole`'s number)."""
 
@@ -23,7 +23,8 @@ _FEW = 40  # number of texts up to which writing one by one is faster
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Cells:
-    """codes: uint32 code points, roles: uint8 `StyleRole`s, both of shape (height, width)."""
+    """codes: uint32 code points, roles: `StyleRole`s as uint8, both of shape (height, width). In a
+    picture of a camera roles are uint16: further numbers are its own colours."""
 
     codes: Codes
     roles: Roles

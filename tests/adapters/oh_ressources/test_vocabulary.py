@@ -25,6 +25,7 @@ PROMISED = {
     "goal_cancel": ("", "actionlib_msgs/GoalID"),
     "initial_pose": ("", "geometry_msgs/PoseWithCovarianceStamped"),
     "scan": ("", "sensor_msgs/LaserScan"),
+    "camera": ("", "sensor_msgs/CompressedImage"),
     "path": ("", "nav_msgs/Path"),
     "tf_static": ("/tf_static", "tf2_msgs/TFMessage"),
     "mode": ("", "std_msgs/String"),

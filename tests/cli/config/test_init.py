@@ -61,6 +61,7 @@ async def test_other_names_become_overrides(server: RosbridgeServer, tmp_path: P
         "graph": "/{robot}/{floor}/routes",
         "paused": "/{robot}/paused",
         "scan": "/{robot}/scan",
+        "camera": "/{robot}/camera/image_raw/compressed",
         "initial_pose": "/{robot}/initialpose",
     }
     assert profile["types"] == {"battery": "std_msgs/Float64"}

@@ -118,6 +118,7 @@ def test_a_robot_without_a_namespace(tmp_path: Path) -> None:
         "initial_pose": "/initialpose",
         "scan": "/scan",
         "drive": "/cmd_vel",
+        "camera": "/camera/image_raw/compressed",
     }
     assert profile["actions"]["navigate_to_pose"] == "/navigate_to_pose"
     services = profile["services"]

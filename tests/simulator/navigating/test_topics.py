@@ -3,6 +3,7 @@
 from fleet_tui.simulator.navigating.topics import body_topics, map_topics, plan_topic
 from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.ros.ros2 import ROS2
+from fleet_tui.simulator.senses.camera import NAME
 from fleet_tui.simulator.senses.mapping import Surveys
 from fleet_tui.simulator.warehouse import build_building
 from tests.support.navigating import robot
@@ -22,7 +23,7 @@ def test_one_floor_has_one_map_and_several_have_each_theirs_and_robots_say_where
 
 def test_odometry_ends_with_the_wheels_and_a_plan_with_the_way() -> None:
     it = robot()
-    wheels, laser, battery = body_topics(it, ROS1)
+    wheels, laser, camera, battery = body_topics(it, ROS1)
     plan = plan_topic(it, ROS1, "plan")
     assert (wheels.name, battery.name, plan.name) == (
         "/robot_0/odom",
@@ -31,6 +32,7 @@ def test_odometry_ends_with_the_wheels_and_a_plan_with_the_way() -> None:
     )
     assert wheels.due is not None and plan.due is not None and wheels.fast and battery.due is None
     assert laser.name == "/robot_0/scan" and laser.fast
+    assert camera.name == f"/robot_0/{NAME}" and not camera.fast
     assert wheels.due() and not plan.due()
     it.odometry, it.way = False, [(1.0, 2.0)]
     assert not wheels.due() and plan.due()

@@ -11,6 +11,7 @@ Endings = Mapping[str, tuple[str, ...]]
 TOPICS: Endings = {
     "scan": ("scan", "base_scan"),
     "path": ("plan", "move_base/NavfnROS/plan", "move_base/GlobalPlanner/plan"),
+    "camera": ("camera/image_raw/compressed", "camera/color/image_raw/compressed", "image_raw/compressed"),
     "initial_pose": ("initialpose",),
 }
 SERVICES: Endings = {

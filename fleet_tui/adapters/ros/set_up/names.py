@@ -8,6 +8,7 @@ TOPICS: Mapping[str, tuple[str, str]] = {
     "initial_pose": ("", "geometry_msgs/PoseWithCovarianceStamped"),
     "scan": ("", "sensor_msgs/LaserScan"),
     "path": ("", "nav_msgs/Path"),
+    "camera": ("", "sensor_msgs/CompressedImage"),
     "tf_static": ("/tf_static", "tf2_msgs/TFMessage"),
     "mode": ("", "std_msgs/String"),
     "drive": ("", TWIST),
@@ -38,6 +39,10 @@ INVERSE: Mapping[str, Mapping[str, Any]] = {
 """The same for services that switch mapping off."""
 ANSWERS: Mapping[str, Mapping[str, Any]] = {"map_save": {}, "map_pose_graph": {}}
 """Fields of an answer that mean success: on ROS 1 these have none."""
+
+
+CAMERA = "/{robot}/camera/image_raw/compressed"
+"""The usual topic of a compressed camera, below a robot's own name."""
 
 
 def with_names(

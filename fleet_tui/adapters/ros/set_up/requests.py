@@ -14,6 +14,7 @@ from fleet_tui.adapters.ros.set_up.saving import KEYS, load_request, save_reques
 from fleet_tui.errors import CommandError
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.kind import (
+    CAMERA,
     DRIVE,
     GOAL,
     GOAL_CANCEL,
@@ -35,8 +36,8 @@ XY, YAW = 0.25, (math.pi / 12) ** 2
 """RViz's variances of a pose set by hand: square metres of x and of y, square radians."""
 ALL_GOALS: Mapping[str, object] = {"stamp": {"secs": 0, "nsecs": 0}, "id": ""}
 """The cancellation of every goal: one that was sent as a pose has an id of the robot's own."""
-SCAN_MS, PATH_MS = 200, 1000
-"""Milliseconds between two scans, and between two paths."""
+RATES_MS = {SCAN: 200, PATH: 1000, CAMERA: 500}
+"""Milliseconds between two messages of a stream."""
 MOST_PUBLISHERS = 100
 """Publishers of static frames, each with one message that counts."""
 
@@ -68,7 +69,7 @@ class SetUpRequests:
         if frames_are_floors:
             keys |= {GOAL: "topics.goal", GOAL_CANCEL: "topics.goal_cancel"}
         self._keys = {ability: f"{table}.{key}" for ability, key in keys.items()}
-        self.streams = tuple(key for key in (SCAN, PATH) if self._stream_topic(key, "robot"))
+        self.streams = tuple(key for key in RATES_MS if self._stream_topic(key, "robot"))
         """The streams that can be watched."""
 
     @property
@@ -82,7 +83,7 @@ class SetUpRequests:
         """Return by request or stream that is not accepted the key of the profile that is empty."""
         table, accepted = self._names.table, self.accepted
         missing = {ability: key for ability, key in self._keys.items() if ability not in accepted}
-        missing |= {key: f"{table}.topics.{key}" for key in (SCAN, PATH) if key not in self.streams}
+        missing |= {key: f"{table}.topics.{key}" for key in RATES_MS if key not in self.streams}
         if MAPPING not in accepted:
             key = "mapping_off" if self._named("mapping_on") else "mapping_on"
             missing[MAPPING] = f"{table}.services.{key}"
@@ -106,7 +107,7 @@ class SetUpRequests:
         if topic := names.topic("mode", robot):
             yield Feed("mode", (robot,), "", topic, names.type("mode"), latched=True, silent=True)
         plan = names.topic("plan", robot) if "plan" in names.vocabulary.topics else ""
-        for key, rate in ((SCAN, SCAN_MS), (PATH, PATH_MS)):
+        for key, rate in RATES_MS.items():
             topic = names.topic(key, robot)
             if topic and topic != plan:
                 yield Feed(key, (robot,), "", topic, names.type(key), rate, wanted_for="stream", silent=True)
@@ -135,10 +136,13 @@ class SetUpRequests:
     def stream(self, feed: Feed, msg: object) -> "StreamValue":
         """Return the value of a stream in a message of its topic. Raises WireError."""
         # With numpy, whose import takes longer than a whole command without a screen.
+        from fleet_tui.adapters.ros.set_up.camera import read_image
         from fleet_tui.adapters.ros.set_up.streams import read_path, read_scan
 
         if feed.key == "tf_static":
             return read_frames(msg)
+        if feed.key == CAMERA:
+            return read_image(msg)
         return read_scan(msg) if feed.key == SCAN else read_path(msg)
 
     def outgoing(self, command: commands.SetUp, robot: Robot) -> Sequence[Outgoing]:

@@ -106,7 +106,7 @@ def test_a_goal_beside_orders_is_the_sources_alone() -> None:
 def test_navigation_stacks_have_the_usual_names(kind: str) -> None:
     it = KINDS[kind].adapter(Profile(kind=kind), Site())
     assert {"pose", "localise", "settle", "mapping"} <= set(it.kind.accepts)
-    assert it.kind.streams == ("scan", "path")
+    assert it.kind.streams == ("scan", "path", "camera")
     calls = [it.outgoing(command, 1, robot())[0] for command in (Localise("tb2"), Settle("tb2"))]
     assert all(isinstance(call, ServiceCall) and call.args == {} for call in calls)
     (on,), (off,) = (it.outgoing(SetMapping("tb2", wanted), 1, robot()) for wanted in (True, False))

@@ -1,0 +1,139 @@
+"""The camera of the selected robot, watched while its picture is open."""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+from fleet_tui.backend import Backend
+from fleet_tui.camera.decoding import Decoded, decode
+from fleet_tui.controllers.parts import InBackground
+from fleet_tui.model.kind import CAMERA
+from fleet_tui.model.robot import Robot
+from fleet_tui.model.set_up.streams import CameraImage, Streamed
+from fleet_tui.state.store import Store
+from fleet_tui.view.camera.caption import CameraFacts, caption, note
+from fleet_tui.view.camera.cells import PictureCells, half_blocks, ramp
+from fleet_tui.view.camera.rate import PictureRate
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.widgets.camera_view import CameraView
+
+
+class PictureTerminal(NamedTuple):
+    """What a picture is sent to: the bytes ever `sent`, the `limit` of bytes a second, and whether it is
+    drawn with characters alone."""
+
+    sent: Callable[[], int]
+    limit: float
+    is_plain: Callable[[], bool]
+
+
+class PictureRequest(NamedTuple):
+    """A picture to be made: of a message, in a size, plain or coloured."""
+
+    streamed: Streamed
+    space: tuple[int, int]
+    is_plain: bool
+
+
+class CameraControls:
+    """Opens and closes the picture, and decodes the newest message in a thread: never two at once, and none
+    is queued."""
+
+    def __init__(
+        self,
+        store: Store,
+        backend: Backend,
+        selected: Callable[[], str],
+        view: CameraView,
+        in_background: InBackground,
+        terminal: PictureTerminal,
+    ) -> None:
+        """`selected` returns the name of the selected robot."""
+        self._store, self._backend, self._selected = store, backend, selected
+        self._view, self._in_background, self._terminal = view, in_background, terminal
+        self._rate = PictureRate(terminal.limit)
+        self.is_open = False
+        self._robot = ""
+        self._made: PictureRequest | None = None
+        self._is_decoding = False
+        self._decoded = Decoded(None)
+        self._picture: PictureCells | None = None
+
+    @property
+    def lack(self) -> str:
+        """Return the reason that the selected robot has no camera, empty if it has one."""
+        kind = self._store.state.robots[self._selected()].kind
+        return "" if CAMERA in kind.streams else kind.lack(CAMERA)
+
+    def turn(self, on: bool) -> None:
+        """Begin or end to show the camera of the selected robot."""
+        self.is_open = on
+        self.look()
+
+    def look(self) -> None:
+        """Show the newest picture and its age. Call it at every tick."""
+        robot = self._store.state.robots[self._selected()]
+        self._watch(robot.name if self.is_open and CAMERA in robot.kind.streams else "")
+        if not self.is_open:
+            return
+        streamed = self._backend.streams.get(robot.name, CAMERA)
+        if streamed is not None:
+            self._decode(PictureRequest(streamed, self._view.space, self._terminal.is_plain()))
+        facts = self._facts(robot, streamed)
+        (text, warns), missing = caption(facts, self._view.space[0] - 4), note(facts)
+        role = StyleRole.WARN if warns else StyleRole.TITLE
+        waits = "" if self._picture is not None else note(CameraFacts(robot.name))
+        rule = "-" if self._terminal.is_plain() else "─"
+        self._view.show((text, role), missing or waits, None if missing else self._picture, rule)
+
+    def _facts(self, robot: Robot, streamed: Streamed | None) -> CameraFacts:
+        if CAMERA not in robot.kind.streams:
+            return CameraFacts(robot.name, problem=robot.kind.lack(CAMERA))
+        if streamed is None or not isinstance(streamed.value, CameraImage):
+            return CameraFacts(robot.name)
+        seconds = self._store.state.now - streamed.taken_at
+        problem = streamed.value.unshown or self._decoded.reason
+        return CameraFacts(robot.name, self._decoded.size, seconds, self._rate.text, problem)
+
+    def _watch(self, robot: str) -> None:
+        if robot == self._robot:
+            return
+        if self._robot:
+            self._backend.unwatch(self._robot, CAMERA)
+        if robot:
+            self._backend.watch(robot, CAMERA)
+        self._robot, self._made = robot, None
+        self._decoded, self._picture = Decoded(None), None
+        self._rate.restart()
+
+    def _decode(self, wanted: PictureRequest) -> None:
+        image, before = wanted.streamed.value, self._made
+        is_resized = before is not None and before[1:] != wanted[1:]
+        is_due = is_resized or self._rate.is_due(self._store.state.now)
+        if self._is_decoding or wanted == before or not is_due or min(wanted.space) < 1:
+            return
+        if not isinstance(image, CameraImage) or not image.data:
+            return
+        self._is_decoding = True
+        robot = self._robot
+        self._in_background(
+            lambda: _made(image.data, wanted),
+            lambda made: self._take(robot, wanted, *made),
+        )
+
+    def _take(
+        self, robot: str, wanted: PictureRequest, decoded: Decoded, picture: PictureCells | None
+    ) -> None:
+        """Take a picture that was decoded; the robot may have been left meanwhile."""
+        self._is_decoding = False
+        if robot == self._robot:
+            self._made, self._decoded, self._picture = wanted, decoded, picture
+            self._rate.take(self._store.state.now, self._terminal.sent())
+            self.look()
+
+
+def _made(data: bytes, wanted: PictureRequest) -> tuple[Decoded, PictureCells | None]:
+    width, height = wanted.space
+    decoded = decode(data, width, height)
+    if decoded.pixels is None:
+        return decoded, None
+    return decoded, (ramp if wanted.is_plain else half_blocks)(decoded.pixels)

@@ -1,0 +1,41 @@
+"""Opens and closes the camera, above the map or in its place."""
+
+from collections.abc import Callable
+
+from textual.widget import Widget
+
+from fleet_tui.controllers.set_up.camera import CameraControls
+from fleet_tui.widgets.camera_view import CameraView
+from fleet_tui.widgets.panes import Panes
+
+
+class CameraSwitch:
+    """`view` is in the pane of the map."""
+
+    def __init__(
+        self,
+        panes: Panes,
+        map_view: Widget,
+        view: CameraView,
+        controls: CameraControls,
+        say: Callable[[str], None],
+    ) -> None:
+        self._panes, self._map, self.view = panes, map_view, view
+        self._controls, self._say = controls, say
+
+    def turn(self) -> None:
+        """Show or hide the camera of the selected robot."""
+        on, screen = not self._controls.is_open, self._panes.screen
+        if on and (reason := self._controls.lack):
+            self._say(reason)
+            return
+        if on and (screen.has_class("-tiny") or screen.has_class("-flat")):
+            self._say("no space for a picture: 60 columns and 16 lines at least")
+            return
+        self.view.display = on
+        self._panes.set_class(on, "-camera")
+        if on and not (screen.has_class("-wide") and screen.has_class("-tall")):
+            screen.set_focus(self.view)
+        elif not on and self.view.has_focus:
+            screen.set_focus(self._map)
+        self._controls.turn(on)

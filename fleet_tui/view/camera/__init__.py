@@ -1,0 +1,1 @@
+"""Pictures of robots' cameras in cells: pure."""

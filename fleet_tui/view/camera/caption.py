@@ -1,0 +1,43 @@
+"""The line above a picture of a camera, and the text in the place of a missing one."""
+
+from typing import NamedTuple
+
+from fleet_tui.text.durations import age
+from fleet_tui.text.sanitize import cell_width, fit, sanitize
+
+OLD, GONE = 2.0, 10.0
+"""Seconds after which a picture is marked as old, and is not shown any more."""
+
+
+class CameraFacts(NamedTuple):
+    """What is known of a camera. `size` in pixels, (0, 0) before the first picture; `seconds` since it was
+    taken, None before the first; `problem`: the reason that there is none; `rate` in words."""
+
+    robot: str
+    size: tuple[int, int] = (0, 0)
+    seconds: float | None = None
+    rate: str = ""
+    problem: str = ""
+
+
+def caption(facts: CameraFacts, width: int) -> tuple[str, bool]:
+    """Return robot, age, rate and size, as many of them as fit into `width` cells, and whether that is a
+    warning."""
+    parts = [fit(f"Camera {sanitize(facts.robot)}", width).rstrip()]
+    is_old = facts.seconds is not None and facts.seconds > OLD
+    if facts.seconds is not None:
+        parts += [f"old: {age(facts.seconds)}" if is_old else age(facts.seconds), facts.rate]
+    if facts.size != (0, 0):
+        parts.append(f"{facts.size[0]}x{facts.size[1]}")
+    while len(parts) > 1 and cell_width("  ".join(parts)) > width:
+        parts.pop()
+    return "  ".join(parts), is_old or bool(facts.problem)
+
+
+def note(facts: CameraFacts) -> str:
+    """Return the text in the place of the picture, empty if it is shown."""
+    if facts.problem:
+        return f"no picture: {facts.problem}"
+    if facts.seconds is None:
+        return "waiting for the first picture"
+    return f"no picture for {age(facts.seconds)}" if facts.seconds > GONE else ""
