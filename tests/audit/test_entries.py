@@ -31,6 +31,7 @@ from tests.support.fleets import (
     fleet,
     link_lost,
     place_order,
+    pose,
     queue,
     reduced,
     tick,
@@ -95,6 +96,7 @@ def test_an_alarm_from_raised_to_cleared(tmp_path: Path) -> None:
     store, _ = watched(tmp_path)
     for fact in (battery(T0 + 1, 15.0), tick(T0 + 1), tick(T0 + 1.1), AlarmAcknowledged()):
         store.apply(fact)
+    store.apply(pose(T0 + 59))
     for fact in (battery(T0 + 2, 80.0), tick(T0 + 2), battery(T0 + 60), tick(T0 + 60)):
         store.apply(fact)
     found = read(tmp_path)

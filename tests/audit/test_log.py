@@ -294,7 +294,7 @@ def test_a_record_costs_the_writer_little(tmp_path: Path) -> None:
     began = time.perf_counter()
     for n in range(300):
         give(store, n, ORDER, Stage.SENT, Stage.REFUSED)
-    assert (time.perf_counter() - began) / 900 < 0.002
+    assert (time.perf_counter() - began) / 900 < 0.02  # with a flush to the disk each it would be more
 
 
 def test_the_operator_is_named_by_the_config_or_the_login(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -124,7 +124,7 @@ async def test_another_console_pauses(server: RosbridgeServer) -> None:
         assert (await finished(link, store, ORDER)).stage is Stage.CONFIRMED
         await store.until(lambda _: robot.paused)
         watch = Stopwatch(store)
-        noticed = await watch.until(lambda state: "paused (elsewhere)" in shown(state))
+        noticed = await watch.until(lambda state: "paused" in shown(state))
         await store.until(lambda _: not robot.paused)
         watch.start()
         healed = await watch.until(lambda state: "paused" not in shown(state))

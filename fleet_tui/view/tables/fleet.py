@@ -17,6 +17,7 @@ from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, width_of
 
 CARGO = "▪"
+WAITING = " waiting"
 STILL_FROM = 5.0
 """Seconds from which a robot stands still."""
 LONG_STILL = 30.0
@@ -139,7 +140,7 @@ def _without_order(state: FleetState, robot: Robot) -> str:
     waiting = sum(not order.is_over for order in all_orders(state, robot))
     if robot.queue is None and not waiting:
         return missing_text(state, robot, "queue")
-    return f"{waiting} waiting" if waiting else "idle"
+    return f"{waiting}{WAITING}" if waiting else "idle"
 
 
 def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Columns) -> Row:
@@ -150,7 +151,8 @@ def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Co
     movement = StyleRole.ALARM if is_stuck else StyleRole.DIM
     current, order = robot.orders.current, ""
     if current is None:
-        runs = runs or [(_without_order(state, robot), StyleRole.DIM)]
+        idle = _without_order(state, robot)
+        runs += [(idle, StyleRole.DIM)] if not runs or idle.endswith(WAITING) else []
     if sign[1] is StyleRole.GOOD and any(colour is StyleRole.WARN for _, colour in runs):
         sign = sign[0], StyleRole.WARN
     shown = current or next((one for one in all_orders(state, robot) if not one.is_over), None)

@@ -169,7 +169,7 @@ async def test_without_a_recording_its_keys_mean_nothing(server: RosbridgeServer
         assert it.app.main.session.time_line() is None
         assert not it.app.main.rest.palette.is_open
         await it.press("?")
-        await it.shows("Fleet")
+        await it.shows("Send an order")
         assert "The recording" not in it.text
 
 

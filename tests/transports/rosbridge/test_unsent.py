@@ -41,13 +41,14 @@ async def on_loop(do: Callable[[], int | None]) -> int | None:
 
 
 async def test_what_is_not_read_is_on_its_way() -> None:
-    done = asyncio.Event()
+    is_deaf, done = asyncio.Event(), asyncio.Event()
 
     async def deaf(connection: ServerConnection) -> None:
         connection.transport.pause_reading()
+        is_deaf.set()
         await done.wait()
 
-    async with serve(deaf, "127.0.0.1", 0) as server:
+    async with serve(deaf, "127.0.0.1", 0, max_size=None) as server:
         host, port = next(iter(server.sockets)).getsockname()
         listener = Opened(asyncio.get_running_loop())
         network_loop()
@@ -56,6 +57,7 @@ async def test_what_is_not_read_is_on_its_way() -> None:
         await on_loop(connection.connect)
         async with asyncio.timeout(20):
             await listener.opened.wait()
+            await is_deaf.wait()
         await on_loop(lambda: connection.send(b" " * MORE_THAN_BUFFERS))
         assert await on_loop(lambda: unsent(connection))
         done.set()
