@@ -2,6 +2,9 @@
 
 import math
 
+import pytest
+
+from fleet_tui.controllers.set_up import comparison
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.kind import SCAN
 from fleet_tui.model.set_up.commands import SetPose
@@ -11,7 +14,10 @@ from tests.support.console_pilot import Console, console
 from tests.support.nav2_site import Site, placed
 
 
-async def test_a_mislocalised_robot_is_put_right_by_keys_alone(site: Site) -> None:
+async def test_a_mislocalised_robot_is_put_right_by_keys_alone(
+    site: Site, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(comparison, "GIVEN_UP", 60.0)  # a busy machine may take long to the next scan
     robot = site.navigation().robot
     play(site.server, [("mislocalised", "robot_0")])
     async with console(site.config) as it:
@@ -33,7 +39,7 @@ async def test_a_mislocalised_robot_is_put_right_by_keys_alone(site: Site) -> No
         assert found.commands[-1].stage is Stage.CONFIRMED
         assert robot.belief.misplaced is None
         assert it.app.main.rest.poses.mode is None
-        await it.shows(" % of the scan fits the map, ")
+        await it.shows(" % of the scan fits the map")
         streams = it.app.main.backend.streams
         it.app.main.tick()
         assert not streams.wants("robot_0", "scan")
