@@ -49,7 +49,7 @@ def test_an_address_is_enough(terminals: Terminals, kind: str) -> None:
         console.shows("config.toml: fleet-tui opens it here")
         console.press("q")
         console.ends()
-        console.until(console.is_restored, 5.0, "the terminal restored")
+        console.until(console.is_restored, what="the terminal restored")
         assert console.child.returncode == 0 and b"robot" not in console.sent.rpartition(OFF)[2]
         again = terminals.open()
         again.shows("3 of 3 online")
@@ -90,7 +90,7 @@ def test_without_a_configuration_it_asks_where_to_go(terminals: Terminals, more:
         assert bool(COLOUR.search(first.sent)) is not bool(more)
         first.press("q")
         first.ends()
-        first.until(first.is_restored, 5.0, "the terminal restored")
+        first.until(first.is_restored, what="the terminal restored")
         assert first.child.returncode == 0
 
 
@@ -99,7 +99,7 @@ def test_leaving_it_opens_nothing(terminals: Terminals) -> None:
     first.shows("no configuration found")
     first.press("q")
     first.ends()
-    first.until(first.is_restored, 5.0, "the terminal restored")
+    first.until(first.is_restored, what="the terminal restored")
     assert first.child.returncode == 0
 
 
@@ -107,8 +107,8 @@ def test_a_signal_ends_it(terminals: Terminals) -> None:
     first = terminals.open()
     first.shows("no configuration found")
     first.child.terminate()
-    first.ends(4.0)
-    first.until(first.is_restored, 5.0, "the terminal restored")
+    first.ends()
+    first.until(first.is_restored, what="the terminal restored")
 
 
 def test_progress_is_shown_while_it_takes_long_and_is_gone_after(terminals: Terminals) -> None:

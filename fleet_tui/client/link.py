@@ -1,6 +1,5 @@
 """One bridge: telemetry on one connection, commands on another, so that no map delays a command."""
 
-import threading
 from collections.abc import Mapping
 
 from fleet_tui.adapters.adapter import Adapter
@@ -14,6 +13,7 @@ from fleet_tui.errors import CommandError
 from fleet_tui.model.commands import Command
 from fleet_tui.model.kind import DRIVE
 from fleet_tui.rules.driving.speed import Caps
+from fleet_tui.transports.loop import call_now
 
 # Maximum seconds to wait for the network thread to take a command.
 HANDOVER = 0.005
@@ -39,18 +39,8 @@ class BridgeLink:
         self._writer.loop.call_soon_threadsafe(self._telemetry.connection.connect)
 
     def submit(self, command_id: int, command: Command, given_at: float) -> None:
-        """Send a command; its progress reaches the store as CommandAdvanced.
-
-        The network thread runs now, not after the caller's next drawing.
-        """
-        sent = threading.Event()
-
-        def send() -> None:
-            self._commands.submit(command_id, command, given_at)
-            sent.set()
-
-        self._writer.loop.call_soon_threadsafe(send)
-        sent.wait(HANDOVER)
+        """Send a command; its progress reaches the store as CommandAdvanced."""
+        call_now(lambda: self._commands.submit(command_id, command, given_at), HANDOVER)
 
     def submit_now(self, command_id: int, command: Command, given_at: float) -> None:
         """Send a command, on the loop."""

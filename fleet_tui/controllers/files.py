@@ -43,6 +43,11 @@ class ConsoleFiles:
         """The operator's name in the audit log."""
         return self.audit.origin.operator if self.audit else ""
 
+    def log(self, change: str, words: str) -> None:
+        """Write an event of the console to the audit log, if there is one."""
+        if self.audit is not None:
+            self.audit.log_console(change, words)
+
     def notes(self) -> list[str]:
         """Return notes on recording and its failures."""
         audit = self.audit.notes if self.audit else []

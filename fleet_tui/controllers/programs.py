@@ -103,7 +103,6 @@ class ProgramRequests:
         self._notices.note(sanitize(f"{name}: {verb} {outcome.text}"))
 
     def _log(self, name: str, verb: str, outcome: str) -> None:
-        if self._files.audit is not None:
-            host = self._watch.rows[name].host
-            where = f" on {host}" if host else ""
-            self._files.audit.log_console(f"program {verb}", f"{name}{where}: {outcome}")
+        host = self._watch.rows[name].host
+        where = f" on {host}" if host else ""
+        self._files.log(f"program {verb}", f"{name}{where}: {outcome}")

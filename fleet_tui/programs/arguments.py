@@ -16,20 +16,16 @@ PROPERTIES = (
     *("StateChangeTimestamp", "InvocationID", "RequiredBy", "BoundBy", "ConsistsOf"),
 )
 PASSED_ON = (
-    *(
-        "PATH",
-        "PYTHONPATH",
-        "LD_LIBRARY_PATH",
-        "CMAKE_PREFIX_PATH",
-        "AMENT_PREFIX_PATH",
-        "COLCON_PREFIX_PATH",
-    ),
-    *(
-        "RMW_IMPLEMENTATION",
-        "CYCLONEDDS_URI",
-        "FASTRTPS_DEFAULT_PROFILES_FILE",
-        "FASTDDS_DEFAULT_PROFILES_FILE",
-    ),
+    "PATH",
+    "PYTHONPATH",
+    "LD_LIBRARY_PATH",
+    "CMAKE_PREFIX_PATH",
+    "AMENT_PREFIX_PATH",
+    "COLCON_PREFIX_PATH",
+    "RMW_IMPLEMENTATION",
+    "CYCLONEDDS_URI",
+    "FASTRTPS_DEFAULT_PROFILES_FILE",
+    "FASTDDS_DEFAULT_PROFILES_FILE",
 )
 """Variables of a sourced ROS, beside those that begin with ROS: systemd starts programs without ours."""
 LINES = 1000

@@ -8,6 +8,7 @@ from pathlib import Path
 from fleet_tui.config.programs import ProgramEntry
 from fleet_tui.model.programs.program import (
     CONFIRMED,
+    ENDED,
     FAILED,
     NOT_CONFIRMED,
     REFUSED,
@@ -27,7 +28,6 @@ WITHIN = 30.0
 STEADY = 1.0
 """Seconds that a started program must run: a wrong argument ends it at once."""
 LOOK_EVERY = 0.25
-_ENDED = (ProgramState.STOPPED, ProgramState.FAILED)
 
 
 async def change(program: ProgramEntry, verb: str, folder: Path, within: float = WITHIN) -> ChangeOutcome:
@@ -50,7 +50,7 @@ async def change(program: ProgramEntry, verb: str, folder: Path, within: float =
 def _is_so(verb: str, status: ProgramStatus) -> bool:
     if verb == START:
         return status.state is ProgramState.RUNNING
-    return verb == STOP and status.state in _ENDED
+    return verb == STOP and status.state in ENDED
 
 
 async def _change(
@@ -94,7 +94,7 @@ async def _outcome(
     while True:
         now = await look(program, folder)
         is_new = now.instance != before.instance
-        if verb == STOP and now.state in _ENDED:
+        if verb == STOP and now.state in ENDED:
             return ChangeOutcome(CONFIRMED, now.detail if now.state is ProgramState.FAILED else "")
         if verb != STOP and now.state is ProgramState.FAILED and (is_new or before.state is not now.state):
             return ChangeOutcome(FAILED, f"{now.detail}: see its log")

@@ -12,7 +12,7 @@ from fleet_tui.programs.session import FILE_SUFFIX, RECORD
 
 
 class SessionRecord(msgspec.Struct, frozen=True):
-    """What a session keeps in its file: `since` in Unix seconds, `code` once the command has ended."""
+    """The record of a session in its file: `since` in Unix seconds, `code` once the command has ended."""
 
     pid: int
     instance: str

@@ -176,7 +176,7 @@ class MainScreen(Screen[None]):
             self._mapped = wanted
             self.backend.show_map(*wanted)
         scene = self.rest.mapping.on(self.rest.streams.on(floor_scene(state, selection, drafted)))
-        self.rest.show_scene(self.rest.drives.on(scene))
+        self.rest.show_scene(scene)
 
     def _mark_alarm(self, state: FleetState) -> None:
         """Mark an alarm. Unless the pane has the focus, the cursor moves from acknowledged to

@@ -122,6 +122,6 @@ def test_any_command_line(run: Run, arguments: list[str]) -> None:
     done = run(arguments)
     said = done["said"].encode("latin-1").decode("utf-8")
     assert done["code"] in CODES and "Traceback" not in said, said
-    assert done["took"] < 3.0
+    assert done["took"] < 15.0
     letters = {unicodedata.category(letter) for letter in set(said.replace("\r\n", "\n")) - {"\n"}}
     assert not letters & {"Cc", "Cf", "Cs", "Co", "Cn"}, said

@@ -34,7 +34,7 @@ async def test_for_a_while(server: RosbridgeServer, folder: Path) -> None:
     assert first == "recording to x.jsonl.gz; replay with: fleet-tui replay x.jsonl.gz"
     assert up == f"{server.url}: up" and last.endswith("MB in 1 file")
     recording = open_recording(folder / "x.jsonl.gz")
-    assert recording.note == "" and 2.0 < recording.end.at - recording.begin.at < 4.0
+    assert recording.note == "" and 2.0 < recording.end.at - recording.begin.at < 10.0
     records = list(recording.records())
     assert {type(record) for record in records} >= {Keyframe, ReceivedFrame, SentFrame, EventRecord}
     assert server.bridge.services.calls == []

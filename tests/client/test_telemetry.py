@@ -16,7 +16,7 @@ async def test_topics_are_counted_with_their_rates_and_last_messages(server: Ros
         it = counter(link).topics[POSE]
         await until(store, lambda: it.count > 25)
         rates, last = it.rates(store.state.now), it.last
-        assert rates is not None and 8.0 < rates[0] < 12.0
+        assert rates is not None and 5.0 < rates[0] < 20.0
         assert last is not None and b"frame_id" in last.payload
         assert counter(link).all.count >= sum(one.count for one in counter(link).topics.values())
         assert counter(link).topics["/robot_1/floor_1/graph"].count >= 1
@@ -53,7 +53,7 @@ async def test_losses_and_round_trips(server: RosbridgeServer) -> None:
         await store.until(phase(Phase.UP))
         assert (it.connections, it.lost_at) == (1, None)
         await until(store, lambda: it.round_trips.took)
-        assert 0.0 < it.round_trips.took[0] < 2.0
+        assert 0.0 < it.round_trips.took[0] < 20.0
         await server.drop_clients()
         await until(store, lambda: it.connections == 2)
         assert it.lost_at is not None and it.lost_why

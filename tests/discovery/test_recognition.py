@@ -24,9 +24,9 @@ def test_thousands_of_robots_take_no_longer_each_than_a_few(kind: str) -> None:
         for name, type_ in vocabulary.topics.values()
         if name
     }
-    began = time.monotonic()
+    began = time.process_time()
     found = claimed(Listed(topics, {}))
-    assert time.monotonic() - began < WITHIN
+    assert time.process_time() - began < WITHIN
     assert len(found[kind].robots) == MANY
 
 

@@ -40,7 +40,7 @@ async def test_round_trips_end_with_the_first_that_is_not_answered(
     answers: int, lost: str, count: int
 ) -> None:
     trips = await measure_calls(Beating(answers, lost).wire, time.monotonic() + 5)
-    assert len(trips) == count and all(0.0 <= trip < 1.0 for trip in trips)
+    assert len(trips) == count and all(0.0 <= trip < 10.0 for trip in trips)
 
 
 async def test_a_bridge_that_answers_nothing_is_measured_by_the_wait() -> None:

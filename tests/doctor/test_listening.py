@@ -21,7 +21,7 @@ FEEDS: list[Feed] = feeds_of(CONFIG, ADAPTERS, "rosbridge")
 
 
 async def listened(
-    url: str, types: dict[str, str] | None = None, seconds: float = 5.0, drawn: tuple[str, ...] = ()
+    url: str, types: dict[str, str] | None = None, seconds: float = 60.0, drawn: tuple[str, ...] = ()
 ) -> tuple[dict[str, TopicFacts], ListeningResult]:
     rosapi = RosapiFacts({one.address: one.type for one in FEEDS} | (types or {}), ros=1)
     listening_ = listen(Link(url), ADAPTERS, FEEDS, rosapi, time.monotonic() + seconds, drawn)
@@ -37,7 +37,7 @@ def quickly(monkeypatch: pytest.MonkeyPatch) -> None:
 async def test_it_ends_when_each_topic_has_said_enough(server: RosbridgeServer) -> None:
     began = time.monotonic()
     topics, found = await listened(server.url)
-    assert time.monotonic() - began < 4.0 and not found.lost
+    assert time.monotonic() - began < 30.0 and not found.lost
     assert topics["/robot_0/pose"].count >= listening.ENOUGH_FAST
     assert topics["/robot_1/battery"].count >= listening.ENOUGH
     assert topics["/robot_0/floor_0/graph"].first_after is not None

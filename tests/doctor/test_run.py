@@ -94,7 +94,7 @@ async def test_a_bridge_that_stops_answering_costs_no_more_than_the_timeout(
     await asyncio.wait_for(process.stdout.readline(), 20)
     began = time.monotonic()
     out, _ = await asyncio.wait_for(process.communicate(), 20)
-    assert time.monotonic() - began < 8
+    assert time.monotonic() - began < 15  # the default is 20 s
     assert process.returncode == 1 and b"robot_0 robot: silent" in out
     assert b"no reply from rosapi within 2 s" in out
 

@@ -1,5 +1,7 @@
 """Outcomes of sent commands: each end is reported, also an end caused by another client."""
 
+import pytest
+
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.simulator.faults import play
@@ -116,7 +118,8 @@ async def test_another_console_cancels(server: RosbridgeServer) -> None:
     report("another console cancels an order", "the robot lists it as cancelled", seen, noticed, None)
 
 
-async def test_another_console_pauses(server: RosbridgeServer) -> None:
+async def test_another_console_pauses(server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "120")  # a narrower one has a sign for the words
     play(server, [("foreign-pause", "robot_0")])
     robot = server.world.robots["robot_0"]
     async with linked(usual(server.url, 2)) as (link, store):
@@ -124,7 +127,7 @@ async def test_another_console_pauses(server: RosbridgeServer) -> None:
         assert (await finished(link, store, ORDER)).stage is Stage.CONFIRMED
         await store.until(lambda _: robot.paused)
         watch = Stopwatch(store)
-        noticed = await watch.until(lambda state: "paused" in shown(state))
+        noticed = await watch.until(lambda state: "paused (elsewhere)" in shown(state))
         await store.until(lambda _: not robot.paused)
         watch.start()
         healed = await watch.until(lambda state: "paused" not in shown(state))

@@ -29,8 +29,8 @@ def test_the_console_itself_is_broken(tmp_path: Path) -> None:
         simulator = running.children()
         breaks.touch()
         took = running.ends()
-        assert running.child.returncode == 1 and took < 4.0
-        running.until(lambda: not any(map(exists, simulator)), 3.0, "the simulator's end")
+        assert running.child.returncode == 1
+        running.until(lambda: not any(map(exists, simulator)), what="the simulator's end")
         after = running.sent.rpartition(b"\x1b[?1049l")[2].decode()
         words = "fleet-tui: internal error: broken ␛]52;c;QQ==␇ here"
         assert f"{words} (details in {log}, or with --debug)\r\n" in after

@@ -38,8 +38,8 @@ def test_a_signal_ends_it(demo: InTerminal, name: str) -> None:
     command(demo)
     demo.child.send_signal(signal.Signals[name])
     took = demo.ends()
-    demo.until(demo.is_restored, 2.0, "the terminal restored")
-    demo.until(lambda: not any(map(exists, simulator)), 3.0, "the simulator's end")
+    demo.until(demo.is_restored, what="the terminal restored")
+    demo.until(lambda: not any(map(exists, simulator)), what="the simulator's end")
     assert simulator
     report(f"{name}", "sent to the process", RESTORED, took, None)
 
@@ -50,7 +50,7 @@ def test_ssh_gone(demo: InTerminal) -> None:
     command(demo)
     demo.hang_up()
     took = demo.ends()
-    demo.until(lambda: not any(map(exists, simulator)), 3.0, "the simulator's end")
+    demo.until(lambda: not any(map(exists, simulator)), what="the simulator's end")
     report("SSH connection lost", "the terminal's other end closes", "-", took, None)
 
 
@@ -62,7 +62,7 @@ def test_a_terminal_of_another_session_goes(tmp_path: Path, monkeypatch: pytest.
         simulator = running.children()
         running.hang_up()
         took = running.ends()
-        running.until(lambda: not any(map(exists, simulator)), 3.0, "the simulator's end")
+        running.until(lambda: not any(map(exists, simulator)), what="the simulator's end")
         assert simulator
     report("terminal gone, no SIGHUP", "a terminal of another session; its other end closes", "-", took, None)
 
@@ -72,7 +72,7 @@ def test_killed(demo: InTerminal) -> None:
     command(demo)
     demo.child.kill()
     demo.ends()
-    took = demo.until(lambda: not any(map(exists, simulator)), 3.0, "the simulator's end")
+    took = demo.until(lambda: not any(map(exists, simulator)), what="the simulator's end")
     report("SIGKILL", "sent to the process", "no child is left", took, None)
 
 
@@ -130,7 +130,7 @@ def test_the_disk_is_full(tmp_path: Path) -> None:
         running.press("q")
         running.ends()
         assert running.child.returncode == 0
-        running.until(running.is_restored, 2.0, "the terminal restored")
+        running.until(running.is_restored, what="the terminal restored")
         after = running.sent.rpartition(b"\x1b[?1049l")[2]
         assert re.search(rb"audit: \d+ records not written: File too large\r\n", after)
         assert b"Traceback" not in running.sent
@@ -191,7 +191,7 @@ def test_the_state_folders_disk_hangs(tmp_path: Path) -> None:
         running.press("q")
         running.ends()
         assert running.child.returncode == 0
-        running.until(running.is_restored, 2.0, "the terminal restored")
+        running.until(running.is_restored, what="the terminal restored")
         running.shows("records not written: disk not responding")
     seen = "audit: not written: disk not responding; all else works"
     report("disk hangs", "no write to the state folder returns", seen, None, None)

@@ -14,7 +14,7 @@ from PIL import Image
 from fleet_tui.maps.images import load_floor_map
 
 BASE = "image: m.png\nresolution: 0.05\norigin: [0, 0, 0]\n"
-SOON = 1.0
+SOON = 5.0
 """Seconds of CPU."""
 PEAK = 700
 """Megabytes that the process may take for the largest image there may be."""

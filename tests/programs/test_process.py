@@ -19,7 +19,7 @@ async def test_a_process_that_hangs_is_ended_with_its_children(tmp_path: Path) -
     noted = tmp_path / "pid"
     began = time.monotonic()
     ended = await run(["sh", "-c", f"sleep 60 & echo $! > {noted}; wait"], 0.5)
-    assert ended.is_late and ended.problem == "no answer within 0 s" and time.monotonic() - began < 5
+    assert ended.is_late and ended.problem == "no answer within 0 s" and time.monotonic() - began < 30
     await until(lambda: not exists(int(noted.read_text())))
 
 
@@ -31,7 +31,7 @@ async def test_one_that_floods_is_ended_and_its_output_not_kept() -> None:
 async def test_a_child_that_holds_the_pipe_is_not_waited_for() -> None:
     began = time.monotonic()
     ended = await run(["sh", "-c", "sleep 60 & echo $!"], 20.0)
-    assert ended.code == 0 and time.monotonic() - began < 10
+    assert ended.code == 0 and time.monotonic() - began < 30
     await run(["kill", ended.output.strip()], 5.0)
 
 

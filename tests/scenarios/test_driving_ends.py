@@ -41,7 +41,7 @@ def driven(server: RosbridgeServer, folder: Path, end: Callable[[InTerminal], ob
         running.until(moves, what="a robot that moves")
         running.press("w")
         end(running)
-        running.until(lambda: speeds(server)[-1] == 0.0, 3.0, "a zero")
+        running.until(lambda: speeds(server)[-1] == 0.0, what="a zero")
         if running.child.poll() is None:
             running.child.terminate()
         running.ends()
@@ -71,7 +71,7 @@ async def test_the_robot_stands_before_a_console_is_suspended(
         running.press("\x1a")
         state = Path(f"/proc/{running.child.pid}/stat")
         running.until(lambda: state.read_text().rpartition(")")[2].split()[0] == "T", what="suspended")
-        running.until(lambda: speeds(server)[-3:] == [0.0] * 3, 3.0, "zeros")
+        running.until(lambda: speeds(server)[-3:] == [0.0] * 3, what="zeros")
         running.forget()
         running.child.send_signal(signal.SIGCONT)
         running.shows("Fleet")

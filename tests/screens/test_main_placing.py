@@ -29,7 +29,9 @@ async def test_a_mislocalised_robot_is_put_right_by_keys_alone(
         mode.cursor, mode.yaw = (truth.x, truth.y), truth.yaw  # as arrows do, cell by cell
         await it.press("right", "left", "h", "l", "H", "L")
         await it.shows(" % fit", "map")
-        await it.press("enter", "y")
+        await it.press("enter")
+        await it.shows(" % fit", "map")  # by a scan of this moment: that is the one before
+        await it.press("y")
         await it.until(lambda state: any(isinstance(one.command, SetPose) for one in state.commands))
         found = await it.until(
             lambda state: [
@@ -39,7 +41,7 @@ async def test_a_mislocalised_robot_is_put_right_by_keys_alone(
         assert found.commands[-1].stage is Stage.CONFIRMED
         assert robot.belief.misplaced is None
         assert it.app.main.rest.poses.mode is None
-        await it.shows(" % of the scan fits the map")
+        await it.shows(" % of the scan fits the map, ")
         streams = it.app.main.backend.streams
         it.app.main.tick()
         assert not streams.wants("robot_0", "scan")

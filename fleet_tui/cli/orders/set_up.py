@@ -6,8 +6,8 @@ from fleet_tui.cli.orders.sending import Sending
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import CommandError
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.rules.commands.pauses import STANDS_AFTER
-from fleet_tui.rules.commands.set_up.checks import map_of, moves
+from fleet_tui.rules.commands.pauses import STANDS_AFTER, is_moving
+from fleet_tui.rules.commands.set_up.checks import map_of
 from fleet_tui.rules.language.set_up import floor_of
 
 STANDING_WITHIN = STANDS_AFTER + 2.0
@@ -20,7 +20,7 @@ def await_set_up(given: Sending, config: Config, name: str, words: Sequence[str]
     if words[0] in ("set-pose", "localise"):
 
         def stands(state: FleetState) -> bool:
-            return not moves(state, state.robots[name])
+            return not is_moving(state.robots[name], state.now)
 
         given.store.wait(stands, min(STANDING_WITHIN, given.left))
     if words[0] in ("set-pose", "goto") and len(words) > 3:

@@ -2,9 +2,7 @@
 
 import asyncio
 import logging
-import threading
 import time
-from collections.abc import Callable
 
 from fleet_tui.adapters.ros import operations
 from fleet_tui.adapters.ros.set_up.twists import is_stamped, read_twist, twist_message
@@ -17,6 +15,7 @@ from fleet_tui.errors import CommandError, LinkError, WireError
 from fleet_tui.model.set_up.driving import DrivePhase, DriveState, Speeds, Steering
 from fleet_tui.rules.driving.session import FOREIGN, DriveSession
 from fleet_tui.rules.driving.speed import Caps
+from fleet_tui.transports.loop import call_now
 from fleet_tui.transports.rosbridge.connection import Connection
 from fleet_tui.transports.rosbridge.unsent import unsent
 
@@ -63,24 +62,11 @@ class Drive:
     def steer(self, steering: Steering) -> None:
         """Drive as the hand asks; the newest counts."""
         self._steering = steering
-        self._on_loop(self._steer, HANDOVER)
+        call_now(self._steer, HANDOVER)
 
     def end(self, reason: str) -> None:
         """Stop the robot and end; the first reason counts. Returns once the zeros left, or soon after."""
-        self._on_loop(lambda: self._end(reason), END_WITHIN)
-
-    def _on_loop(self, do: Callable[[], None], within: float) -> None:
-        """Do something on the loop now, not after the caller's next drawing."""
-        done = threading.Event()
-
-        def run() -> None:
-            try:
-                do()
-            finally:
-                done.set()
-
-        self._writer.loop.call_soon_threadsafe(run)
-        done.wait(within)
+        call_now(lambda: self._end(reason), END_WITHIN)
 
     def _steer(self) -> None:
         self._send(self._session.steer(self._steering, time.monotonic(), not unsent(self._connection)))

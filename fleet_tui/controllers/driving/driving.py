@@ -135,11 +135,11 @@ class DriveControls:
         self._journal.end(drive.state.reason, self._clock())
         self._parts.notices.note(sanitize(f"{name} is not driven any more: {drive.state.reason}"))
 
-    def on(self, scene: Scene) -> Scene:
-        """Follow the hand and look for reasons to end, with every picture; the scene stays as it is."""
+    def look(self, scene: Scene) -> None:
+        """Follow the hand and look for reasons to end, with every picture."""
         mode, drive = self.mode, self._drive
         if mode is None or drive is None:
-            return scene
+            return
         now, state = self._clock(), drive.state
         late, self._looked = now - self._looked > LATEST, now
         if reason := self._reason_to_end(mode, scene) or ("the screen was late" if late else ""):
@@ -150,7 +150,6 @@ class DriveControls:
             self._steer()
             mode.state = drive.state
             self._journal.sent(drive.state.sent)
-        return scene
 
     def _reason_to_end(self, mode: DriveMode, scene: Scene) -> str:
         if self._parts.navigation.robot != mode.robot:

@@ -15,7 +15,7 @@ class DriveJournal:
     def begin(self, robot: str, at: float) -> None:
         """Note that a drive begins at a monotonic second."""
         self._robot, self._began, self._linear, self._angular = robot, at, 0.0, 0.0
-        self._write("drive begun", robot)
+        self._files.log("drive begun", robot)
 
     def sent(self, speeds: Speeds) -> None:
         """Take the speeds of the newest frame."""
@@ -25,8 +25,4 @@ class DriveJournal:
     def end(self, reason: str, at: float) -> None:
         """Note the end of the drive."""
         most = f"at most {self._linear:.2f} m/s and {self._angular:.2f} rad/s"
-        self._write("drive ended", f"{self._robot}: {reason}, after {age(at - self._began)}, {most}")
-
-    def _write(self, change: str, words: str) -> None:
-        if self._files.audit is not None:
-            self._files.audit.log_console(change, words)
+        self._files.log("drive ended", f"{self._robot}: {reason}, after {age(at - self._began)}, {most}")

@@ -122,8 +122,7 @@ class DraftFiles:
         said = f"{where}: {format_.value}, {counts}"
         if kept is not None:
             said += f"; the old file is {kept.name}"
-        if self._files.audit is not None:
-            self._files.audit.log_console("graph written", f"{floor.name}: {said}")
+        self._files.log("graph written", f"{floor.name}: {said}")
         self._parts.notices.say(sanitize(said))
 
 

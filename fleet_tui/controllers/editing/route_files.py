@@ -106,9 +106,7 @@ class RouteFiles:
         self._renumber(file.floor)
         note = f" (before: {kept.name})" if kept is not None else ""
         self._sent[command] = SentFile(load_floor_graph(file.floor.name, file.path), file, note)
-        if self._files.audit is not None:
-            text = f"{file.floor.name}: {file.path} for {command.robot}{note}"
-            self._files.audit.log_console("graph written", text)
+        self._files.log("graph written", f"{file.floor.name}: {file.path} for {command.robot}{note}")
         return ""
 
     def _renumber(self, floor: DocumentFloor) -> None:

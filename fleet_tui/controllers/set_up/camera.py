@@ -18,7 +18,7 @@ from fleet_tui.widgets.camera_view import CameraView
 
 
 class PictureTerminal(NamedTuple):
-    """What a picture is sent to: the bytes ever `sent`, the `limit` of bytes a second, and whether it is
+    """The terminal of a picture: the bytes ever `sent`, the `limit` of bytes a second, and whether it is
     drawn with characters alone."""
 
     sent: Callable[[], int]

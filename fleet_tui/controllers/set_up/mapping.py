@@ -129,8 +129,7 @@ class MappingControls:
             save()
 
     def _said(self, text: Any) -> None:
-        if self._files.audit is not None:
-            self._files.audit.log_console("map saved", str(text))
+        self._files.log("map saved", str(text))
         self._parts.notices.say(sanitize(str(text)))
 
 

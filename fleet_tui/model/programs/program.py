@@ -19,6 +19,9 @@ class ProgramState(Enum):
     UNKNOWN = "unknown"
 
 
+ENDED = (ProgramState.STOPPED, ProgramState.FAILED)
+
+
 class ProgramStatus(Struct, frozen=True):
     """One look at a program. `at`: seconds of the monotonic clock; `since`: Unix seconds by the clock of its
     host; `instance` differs from one start to the next; `dependents`: units that stop with it; `detail`: the

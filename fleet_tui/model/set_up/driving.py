@@ -6,11 +6,11 @@ from typing import NamedTuple, Protocol
 
 
 class Axis(Enum):
-    """The ways a robot can move by itself, and the field of a Twist for each."""
+    """The ways a robot can move by itself, in the sequence of Speeds."""
 
-    AHEAD = "linear.x"
-    SIDEWAYS = "linear.y"
-    TURNING = "angular.z"
+    AHEAD = "ahead"
+    SIDEWAYS = "sideways"
+    TURNING = "turning"
 
 
 class Speeds(NamedTuple):

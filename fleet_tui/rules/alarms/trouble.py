@@ -26,9 +26,9 @@ def _robots(state: FleetState, alarms: Iterable[Alarm]) -> frozenset[str]:
 def next_in_trouble(state: FleetState, after: str) -> str:
     """Return the next robot in trouble after this one, by the order of the config and around its end; if none
     is, one whose alarm is shelved or whose pose is missing; empty without one."""
-    names = list(state.robots)
+    names, silenced = list(state.robots), shelved(state)
     troubled = in_trouble(state) or {
-        name for name in names if name in shelved(state) or is_missing(state, state.robots[name], "pose")
+        name for name in names if name in silenced or is_missing(state, state.robots[name], "pose")
     }
     start = names.index(after) + 1
     return next((name for name in (*names[start:], *names[:start]) if name in troubled), "")

@@ -25,7 +25,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetUpCommand
 from fleet_tui.rules.commands.goals import own_ids
 from fleet_tui.rules.commands.order_search import find_order, queue_since
-from fleet_tui.rules.commands.pauses import STANDS_AFTER, WAITS, instead_of_pause, pause_seen
+from fleet_tui.rules.commands.pauses import WAITS, instead_of_pause, is_moving, pause_seen
 from fleet_tui.rules.commands.set_up.confirmation import instead_of_set_up, set_up_seen
 
 
@@ -34,9 +34,7 @@ def before(robot: Robot, now: float) -> Baseline:
     queue = robot.orders
     known = robot.queue is not None or robot.kind.reports_ends
     last = max([queue.last_serial, *(order.serial for order in queue.orders)]) if known else None
-    standing = robot.standing
-    moving = standing is not None and now - standing.at < STANDS_AFTER
-    return Baseline(last, moving, queue.request_id, queue.last_serial, robot.floor or "")
+    return Baseline(last, is_moving(robot, now), queue.request_id, queue.last_serial, robot.floor or "")
 
 
 def is_repeated(state: FleetState, record: CommandRecord) -> bool:

@@ -22,6 +22,11 @@ WAITS = frozenset({Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
 """Text of a pause that telemetry decides."""
 
 
+def is_moving(robot: Robot, now: float) -> bool:
+    """Tell whether its poses showed it moving within the last STANDS_AFTER seconds."""
+    return robot.standing is not None and now - robot.standing.at < STANDS_AFTER
+
+
 def own_pause_text(state: FleetState, robot: Robot) -> str:
     """Return the pause state of a robot that does not report it, as far as this console knows."""
     if robot.kind.holds:

@@ -3,9 +3,7 @@
 import math
 
 from fleet_tui.model.robot import Robot, RobotMap
-
-AT = 0.5
-"""Metres within which a robot is at a place."""
+from fleet_tui.rules.why.traffic import AT_VERTEX
 
 
 def place_text(robot: Robot) -> str:
@@ -23,4 +21,4 @@ def place_text(robot: Robot) -> str:
     if not math.isfinite(metres):
         return ""
     floor = f", {robot.floor}" if len(robot.maps) > 1 else ""
-    return f"at {label}{floor}" if metres <= AT else f"{metres:.0f} m from {label}{floor}"
+    return f"at {label}{floor}" if metres <= AT_VERTEX else f"{metres:.0f} m from {label}{floor}"

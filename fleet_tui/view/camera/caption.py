@@ -10,7 +10,7 @@ OLD, GONE = 2.0, 10.0
 
 
 class CameraFacts(NamedTuple):
-    """What is known of a camera. `size` in pixels, (0, 0) before the first picture; `seconds` since it was
+    """The facts of a camera. `size` in pixels, (0, 0) before the first picture; `seconds` since it was
     taken, None before the first; `problem`: the reason that there is none; `rate` in words."""
 
     robot: str

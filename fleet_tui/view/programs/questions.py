@@ -2,11 +2,9 @@
 
 from collections.abc import Iterator, Mapping
 
-from fleet_tui.model.programs.program import ProgramRow, ProgramState
+from fleet_tui.model.programs.program import ENDED, ProgramRow, ProgramState
 from fleet_tui.text.limits import some
 from fleet_tui.text.sanitize import sanitize
-
-_ENDED = (ProgramState.STOPPED, ProgramState.FAILED)
 
 
 def change_question(rows: Mapping[str, ProgramRow], name: str, verb: str, now: float) -> str:
@@ -15,7 +13,7 @@ def change_question(rows: Mapping[str, ProgramRow], name: str, verb: str, now: f
     where = f" on {row.host}" if row.host else ""
     lines = [f"{verb.capitalize()} {name}{where}? It is {row.state(now).value}."]
     lines += consequences(rows, name, verb, now)
-    return sanitize_lines(lines)
+    return "\n".join(map(sanitize, lines))
 
 
 def consequences(rows: Mapping[str, ProgramRow], name: str, verb: str, now: float) -> Iterator[str]:
@@ -30,10 +28,5 @@ def consequences(rows: Mapping[str, ProgramRow], name: str, verb: str, now: floa
     if units:
         yield f"systemd also {verb}s {some(units)}."
     for other in rows.values():
-        if name in other.needs and other.state(now) not in _ENDED:
+        if name in other.needs and other.state(now) not in ENDED:
             yield f"{other.name} needs it, and is {other.state(now).value}."
-
-
-def sanitize_lines(lines: list[str]) -> str:
-    """Return lines as one text for a dialog."""
-    return "\n".join(map(sanitize, lines))

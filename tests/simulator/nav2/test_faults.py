@@ -207,7 +207,7 @@ class TestHumble:
         await client.close()
         before = time.monotonic()
         await server.stop()
-        assert time.monotonic() - before < 2.0
+        assert time.monotonic() - before < 10.0
 
     async def test_a_call_without_limit_is_waited_for(
         self, server: RosbridgeServer, client: ClientConnection, monkeypatch: pytest.MonkeyPatch

@@ -21,7 +21,7 @@ from fleet_tui.model.set_up.commands import (
     StoreMap,
 )
 from fleet_tui.rules.commands.local_queue import waiting
-from fleet_tui.rules.commands.pauses import STANDS_AFTER
+from fleet_tui.rules.commands.pauses import is_moving
 from fleet_tui.rules.commands.set_up.mode import mapping_text
 
 FARTHEST = 1e6
@@ -65,18 +65,13 @@ def no_place(state: FleetState, robot: Robot, command: Command) -> Iterator[Prob
         )
 
 
-def moves(state: FleetState, robot: Robot) -> bool:
-    """Tell whether the poses of the last second show it moving."""
-    return robot.standing is not None and state.now - robot.standing.at < STANDS_AFTER
-
-
 def driving(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """Check that the robot stands: its pose must not change while it drives by it."""
     if not isinstance(command, SetPose | Localise):
         return
     current = robot.orders.current
     has_begun = current is not None and current.state in BEGUN and not state.is_paused(robot)
-    if moves(state, robot) and state.is_fresh(robot, "pose"):
+    if is_moving(robot, state.now) and state.is_fresh(robot, "pose"):
         yield Problem("driving", f"{robot.name} is driving: pause it first")
     elif has_begun and current is not None:
         yield Problem("driving", f"{robot.name} has order {current.id} in process: pause it first")
