@@ -27,7 +27,7 @@ from fleet_tui.screens import picks
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.state.store import Store
 from fleet_tui.view.lines.commands import message_line
-from fleet_tui.view.lines.hints import footer, hidden_keys, hints, idle_hints
+from fleet_tui.view.lines.hints import hidden_keys, idle_hints, other_alarmed
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import alarm_table, unacknowledged
 from fleet_tui.view.tables.fleet import fleet_table
@@ -36,6 +36,7 @@ from fleet_tui.view.tables.recent import recent_table
 from fleet_tui.view.tables.robot_page import robot_page
 from fleet_tui.widgets import messages
 from fleet_tui.widgets.bindings import bindings
+from fleet_tui.widgets.key_line import KeyLine
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.panes import Panes
 from fleet_tui.widgets.rows_pane import RowsPane
@@ -69,7 +70,8 @@ class MainScreen(Screen[None]):
         super().__init__()
         self.store, self.backend, self.settings, self.files = store, backend, settings, files
         self.is_complete = False
-        self.status, self.message, self.hints = (LineView(id=id_) for id_ in ("status", "message", "hints"))
+        self.status, self.message = LineView(id="status"), LineView(id="message")
+        self.hints = KeyLine(settings.keys, id="hints")
         self.panes = Panes()
         self.fleet, self.alarms, self.queue = self.panes.fleet, self.panes.alarms, self.panes.queue
         self.views: list[RunsView] = [self.status, *self.panes.views, self.message, self.hints]
@@ -78,10 +80,10 @@ class MainScreen(Screen[None]):
         self.dispatch = Dispatch(
             store, backend, settings.permissions, self.notices, lambda *asked: self.rest.confirm.ask(*asked)
         )
-        parts = SessionParts(self.dispatch, self.notices, files, settings, self._forget_trails)
-        self.session = open_session(parts)
+        self.session = open_session(
+            SessionParts(self.dispatch, self.notices, files, settings, self._forget_trails)
+        )
         self._all_orders = False
-        self._hinted: tuple[Pane, bool, set[str], str, int] | None = None
         self._mapped: tuple[str, str] | None = None
 
     def compose(self) -> ComposeResult:
@@ -141,14 +143,11 @@ class MainScreen(Screen[None]):
 
     def _show_hints(self, state: FleetState, robot: str) -> None:
         pane = Pane.ANYWHERE if self._in_overlay() else self.focused_pane()
-        keys, may_command = self.settings.keys, not self.dispatch.permissions.read_only
-        idle = self.rest.snap.idle_keys if self.is_complete else set()
-        hidden = hidden_keys(state, robot) | idle_hints(state) | idle
-        shown = pane, may_command, hidden, (self.focused and self.focused.id) or "", self.hints.size.width
-        if shown != self._hinted:
-            self._hinted = shown
-            runs, buttons = footer(*hints(keys, *shown[:4]), keys, shown[4])
-            self.hints.show(runs, buttons=buttons)
+        idle = idle_hints(state) | (self.rest.snap.idle_keys if self.is_complete else set())
+        hidden = hidden_keys(state, robot) | idle
+        focused = (self.focused and self.focused.id) or ""
+        alarmed = other_alarmed(self.alarms.listing.cursor, robot)
+        self.hints.offer(pane, not self.dispatch.permissions.read_only, hidden, focused, alarmed)
 
     def idle_keys(self) -> set[str]:
         """Return the ids of keys without a use in this session."""

@@ -1,6 +1,6 @@
 """The footer: the keys available at the current focus, by importance."""
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Hashable, Mapping
 from typing import Any
 
 from msgspec.structs import replace
@@ -11,7 +11,9 @@ from fleet_tui.keys.key import key_name
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.trouble import in_trouble
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.alarms import unacknowledged
 from fleet_tui.view.tables.table import Button, Run, width_of
 
 OF_ROWS = {"alarms": "acknowledge", "queue": "cancel"}
@@ -31,7 +33,13 @@ def hidden_keys(state: FleetState, selected: str) -> set[str]:
 
 def idle_hints(state: FleetState) -> set[str]:
     """Return the ids of keys that the footer need not name now."""
-    return set() if in_trouble(state) else {"next_trouble"}
+    idle = set() if in_trouble(state) else {"next_trouble"}
+    return idle if unacknowledged(state) else {*idle, "acknowledge"}
+
+
+def other_alarmed(marked: Hashable | None, selected: str) -> str:
+    """Return who has the marked alarm, empty if that is the selected robot."""
+    return str(marked[0]) if isinstance(marked, tuple) and marked[0] != selected else ""
 
 
 def _serves(robot: Robot, need: str) -> bool:
@@ -46,10 +54,11 @@ def hints(
     can_command: bool = True,
     hidden: Collection[str] = (),
     focused: str = "",
+    alarmed: str = "",
 ) -> tuple[list[Key[Any]], list[Key[Any]]]:
     """Return the keys to hint at the left, the pane's own first, and the permanent ones at the right. In an
     overlay only global keys reach the console. `hidden`: ids of keys without a use here; `focused` is the id
-    of the widget, which may have a key for its rows."""
+    of the widget, which may have a key for its rows; `alarmed` is who has the marked alarm."""
     away = {*hidden, *(key.id for key in KEYS if key.commands and not can_command)}
     offered = [key for key in KEYS if key.hint and keys[key.id] and key.id not in away]
     if pane is Pane.DRIVE:
@@ -58,6 +67,10 @@ def hints(
     if pane is Pane.ANYWHERE:
         close = replace(BY_ID["back"], hint="close")
         return [close, *(key for key in offered if key.pane is pane)], []
+    offered = [
+        replace(key, hint=f"{key.hint} {sanitize(alarmed)}") if key.id == "acknowledge" and alarmed else key
+        for key in offered
+    ]
     offered.sort(key=lambda key: (OF_ROWS.get(focused) != key.id, key.pane is not pane))
     left = [key for key in offered if key.pane in (pane, Pane.CONSOLE) and not key.always]
     return left, [key for key in offered if key.always]

@@ -79,7 +79,9 @@ def _chips(
             without.append(at)
     for at in without:
         alone = robot_number(sharing[at][0]), robot_roles(sharing[at][0])[1]
-        if not _join(occupancy, numbers, at, alone):
+        if (joined := _join(occupancy, numbers, at, alone)) is not None:
+            chips += _bridge(occupancy, at, joined)
+        else:
             _stack(occupancy, numbers, at, alone)
     listed = (_beside(placed.start, at[1], placed.runs) for at, placed in numbers.items())
     return [*chips, *chain.from_iterable(listed)]
@@ -119,9 +121,9 @@ def _beside_arrow(
 
 def _join(
     occupancy: CellOccupancy, numbers: dict[Place, _Numbers], at: Place, number: tuple[str, StyleRole]
-) -> bool:
-    """List the number of a robot between others with those of the nearest one in its row that has space, if
-    any: their sequence is that of the arrows."""
+) -> Place | None:
+    """List the number of a robot between others with those of the nearest one in its row that has space, and
+    return its arrow's cell, None without one: their sequence is that of the arrows."""
     x, y = at
     near = [other for other in numbers if other[1] == y and abs(other[0] - x) <= NEIGHBOURS]
     for other in sorted(near, key=lambda one: abs(one[0] - x)):
@@ -132,8 +134,17 @@ def _join(
             comma = ",", StyleRole.ROBOT
             listed = [*runs, comma, number] if other[0] < x else [number, comma, *runs]
             numbers[other] = _Numbers(start - cells if side < 0 else start, side, listed)
-            return True
-    return False
+            return other
+    return None
+
+
+def _bridge(occupancy: CellOccupancy, at: Place, other: Place) -> Chips:
+    """Fill the free cells between two arrows whose numbers are together: they are one chip."""
+    between = range(min(at[0], other[0]) + 1, max(at[0], other[0]))
+    free = [x for x in between if not occupancy.is_taken(x, at[1], 1)]
+    for x in free:
+        occupancy.take(x, at[1], 1)
+    return [(x, at[1], " ", StyleRole.ROBOT) for x in free]
 
 
 def _stack(

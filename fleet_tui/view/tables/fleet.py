@@ -147,7 +147,8 @@ def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Co
     found = [run for text, colour in news(state, robot) for run in ((text, colour), (" ", role))]
     runs = shortened_news(found, columns.state)
     is_stuck = any(alarm.holds and alarm.key == (robot.name, "stuck") for alarm in state.alarms)
-    movement = StyleRole.ALARM if is_stuck else StyleRole.DIM
+    is_long = robot.still_for >= LONG_STILL and _movement(state, robot)
+    movement = StyleRole.ALARM if is_stuck else StyleRole.WARN if is_long else StyleRole.DIM
     current, order = robot.orders.current, ""
     if current is None:
         runs = runs or [(_without_order(state, robot), StyleRole.DIM)]

@@ -1,8 +1,9 @@
-"""Rows of /diagnostics: one for each part, its values below while it is opened."""
+"""Rows of /diagnostics: one for each part, the worst first, its values below while it is opened."""
 
 from collections import Counter
 from collections.abc import Collection, Hashable, Iterator, Mapping
 
+from fleet_tui.model.order import natural
 from fleet_tui.model.ros_logs import Health, PartDiagnosis
 from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.text.units import ago
@@ -18,6 +19,8 @@ _LOOKS: Mapping[int, tuple[str, StyleRole]] = {
     Health.ERROR: ("✗ ERROR", StyleRole.ALARM),
     Health.STALE: ("○ STALE", StyleRole.WARN),
 }
+# Levels that the message does not define may mean anything.
+_BY_LEVEL: Mapping[int, int] = {Health.ERROR: 0, Health.STALE: 1, Health.WARN: 2, Health.OK: 3}
 
 
 def _look(level: int) -> tuple[str, StyleRole]:
@@ -25,7 +28,7 @@ def _look(level: int) -> tuple[str, StyleRole]:
 
 
 def health_table(links: Links, opened: Collection[Hashable], wanted: str, now: float) -> Table:
-    """Return parts by name, so that no row moves; `opened` are the keys of rows whose values are shown."""
+    """Return the parts, the worst first; `opened` are the keys of rows whose values are shown."""
     sought = wanted.casefold()
     found = sorted(
         (
@@ -34,7 +37,7 @@ def health_table(links: Links, opened: Collection[Hashable], wanted: str, now: f
             for one in counter.health.values()
             if sought in f"{one.name} {one.message} {one.hardware}".casefold()
         ),
-        key=lambda entry: entry[0][1],
+        key=lambda entry: (_BY_LEVEL.get(entry[1].level, 0), natural(entry[1].name)),
     )
     names = column((one.name for _, one in found), 6, 30)
     rows = [row for key, one in found for row in _rows(key, one, names, key in opened, now)]

@@ -14,6 +14,8 @@ from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
 BAD_FOR = 10.0
 """Seconds for which a bad message marks its topic."""
 
+_FIRST = {StyleRole.ALARM: 0, StyleRole.WARN: 1}
+
 Entry = tuple[LinkState, TopicCounter]
 
 
@@ -48,9 +50,13 @@ def entries(state: FleetState, links: Links, wanted: str) -> list[Entry]:
 
 
 def topic_table(state: FleetState, links: Links, wanted: str, now: float) -> Table:
-    """Return a row for each; its key is link and topic."""
-    found = entries(state, links, wanted)
-    states = [topic_state(link, topic, now, _silent_after(state, topic)) for link, topic in found]
+    """Return a row for each, those with problems first; its key is link and topic."""
+    looked = [
+        (topic_state(link, topic, now, _silent_after(state, topic)), (link, topic))
+        for link, topic in entries(state, links, wanted)
+    ]
+    looked.sort(key=lambda one: _FIRST.get(one[0][1], len(_FIRST)))
+    states, found = [one for one, _ in looked], [entry for _, entry in looked]
     names = column((topic.topic for _, topic in found), 10, 34)
     keys = [(link.name, topic.topic) for link, topic in found]
     rows = LateRows(keys, lambda n: Row(keys[n], (*_runs(states[n], found[n][1], names, now),)))

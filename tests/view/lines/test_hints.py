@@ -53,6 +53,18 @@ def test_the_most_important_hints_are_whole_at_80_columns() -> None:
     assert " ! alarm " in shown and " w why " in shown
 
 
+def test_the_footer_names_whose_alarm_is_acknowledged() -> None:
+    trouble = reduced(fleet(), link_up(T0), battery(T0, 5.0), tick(T0))
+
+    def shown(state: FleetState, alarmed: str = "") -> str:
+        return text_of(
+            footer(*hints(KEYS, Pane.MAP, hidden=idle_hints(state), alarmed=alarmed), KEYS, 120)[0]
+        )
+
+    assert " a ack  " in shown(trouble) and " a ack robot_7␛  " in shown(trouble, "robot_7\x1b")
+    assert " a ack" not in shown(fleet())
+
+
 @pytest.mark.parametrize("pane", list(Pane))
 def test_hints_are_never_cut(pane: Pane) -> None:
     offered = hints(KEYS, pane)

@@ -12,6 +12,7 @@ from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop, picture
 from fleet_tui.view.map.robots import Arrangement
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
+from fleet_tui.view.roles import StyleRole
 
 CAMERA = Camera.fit((400, 200), 120, 40)
 CELL = CAMERA.scale * 2 * 0.05
@@ -47,7 +48,15 @@ def test_robots_in_one_cell_are_listed_or_counted() -> None:
 
 
 def test_the_number_of_a_robot_between_others_is_with_a_neighbours_in_the_sequence_of_the_arrows() -> None:
-    assert " 1,2→ → →3 " in drawn((robot(1, 0), robot(2, 2), robot(3, 4)))
+    robots = robot(1, 0), robot(2, 2), robot(3, 4)
+    text = drawn(robots)
+    assert " 1,2→ → →3 " in text
+    # The chip reaches from the numbers to the last arrow that they are of.
+    scene = replace(EMPTY, robots=robots)
+    roles = picture(backdrop(scene, CAMERA, MapOptions()), scene, CAMERA, MapOptions()).roles
+    (y,) = (n for n, line in enumerate(text.split("\n")) if "1,2→ → →3" in line)
+    x = text.split("\n")[y].index("1,2→ → →3")
+    assert roles[y, x + 4] == StyleRole.ROBOT and roles[y, x + 6] != StyleRole.ROBOT
 
 
 def test_the_selected_robot_in_a_crowd_has_its_number_above_it() -> None:

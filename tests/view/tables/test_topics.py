@@ -7,7 +7,7 @@ from tests.support.diagnostics import BATTERY, GRAPH, MAP, NOW, POSE, counter, r
 from tests.support.fleets import LINK, R0, T0, fleet, link_lost, link_up, of_kinds, reduced
 
 
-def test_topics_in_the_order_of_the_config_each_with_how_it_is() -> None:
+def test_topics_with_problems_first_then_in_the_order_of_the_config_each_with_how_it_is() -> None:
     link = counter()
     steady(link.topics[POSE])
     steady(link.topics["/robot_1/pose"], until=NOW - 6.0)
@@ -17,10 +17,10 @@ def test_topics_in_the_order_of_the_config_each_with_how_it_is() -> None:
     table = topic_table(state, links, "", NOW)
     assert [key[1] for key in table.keys if isinstance(key, tuple)] == [
         BATTERY,
+        "/robot_1/pose",
         POSE,
         GRAPH,
         MAP,
-        "/robot_1/pose",
         "/rosout",
     ]
     assert text(table)[0] == "Topics 6, 2 with problems"
