@@ -21,7 +21,7 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 
 def _fault_list(kind: str) -> str:
-    return "\n".join(f"  {name:<15}{text}" for name, (text, _) in KINDS[kind].faults.items())
+    return "\n".join(f"  {name:<16} {text}" for name, (text, _) in KINDS[kind].faults.items())
 
 
 USUAL = next(iter(KINDS))

@@ -34,6 +34,11 @@ class GraphDrawing:
     def _at_cursor(self, mode: EditMode, scene: Scene) -> str:
         return mode.vertex_at(self._editor.picture.viewport, scene, mode.cursor)
 
+    def _taken(self, draft: GraphDraft, mode: EditMode, scene: Scene) -> str:
+        """Return the vertex at the cursor, or where it would be put in line, empty for none."""
+        there = edits.vertex_there(draft.floor, *self._place(draft, mode, scene))
+        return self._at_cursor(mode, scene) or there
+
     def _place(self, draft: GraphDraft, mode: EditMode, scene: Scene) -> Point:
         """Return the cursor's place, in line with near vertices or on the grid."""
         near = cell_metres(self._editor.picture.viewport, scene) / 2
@@ -43,7 +48,7 @@ class GraphDrawing:
         """Add a vertex at the cursor, and select it; one that is there already is selected."""
         if opened := self._editor.opened:
             draft, mode, scene = opened
-            if taken := self._at_cursor(mode, scene):
+            if taken := self._taken(draft, mode, scene):
                 mode.selected, mode.edge = taken, ""
                 self._editor.refresh()
                 self._notices.say(f"selected vertex {sanitize(taken)}: zoom in to place another here")
@@ -81,7 +86,7 @@ class GraphDrawing:
         if not mode.selected:
             self._notices.say("select the vertex that the edge begins at: cursor on it, Enter")
             return
-        end, new = self._at_cursor(mode, scene), None
+        end, new = self._taken(draft, mode, scene), None
         ids = draft.free_ids()
         if not end:
             end = next(ids)
@@ -159,6 +164,9 @@ class GraphDrawing:
         )
         near = cell_metres(self._editor.picture.viewport, scene) / 2
         x, y = edits.snapped(others, *mode.cursor, near)
+        if there := edits.vertex_there(others, x, y):
+            self._notices.say(f"vertex {sanitize(there)} is there already")
+            return
         mode.held = False
         self._editor.do(edits.renewed(vertex, replace(vertex, x=x, y=y)))
 

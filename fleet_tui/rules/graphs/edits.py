@@ -82,6 +82,12 @@ def snapped(floor: DocumentFloor, x: float, y: float, near: float) -> tuple[floa
     )
 
 
+def vertex_there(floor: DocumentFloor, x: float, y: float) -> str:
+    """Return the id of a vertex at exactly this place, empty for none: two at one place are told apart by
+    nobody."""
+    return next((id_ for id_, one in floor.vertices.items() if (one.x, one.y) == (x, y)), "")
+
+
 def _in_line(value: float, others: Iterable[float], near: float, step: float) -> float:
     low, high = value - near, value + near
     in_line = [other for other in others if low <= other <= high]

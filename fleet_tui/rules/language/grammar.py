@@ -1,6 +1,7 @@
 """The command language: typed in the palette, in a file or after `fleet-tui`.
 
     robot_0 Base > Consumidores          robot_0 Base > A > B: Base -> A, then A -> B
+    robot_0 Base to Consumidores         the same, in words
     robot_0 > B                          the cargo on board to B; it alone if it reports no cargo
     order robot_0 Base Consumidores      the same without `>`; labels with spaces in quotes
     cancel 12, cancel robot_0 12         clear robot_0; cancel robot_0 goal
@@ -13,6 +14,8 @@ A robot is its name or its number, a place its label or its vertex id; `id=7` is
 
 from collections.abc import Iterable, Sequence
 from typing import assert_never
+
+from msgspec.structs import replace
 
 from fleet_tui.errors import CommandError
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot
@@ -35,12 +38,16 @@ USAGE = {
     **set_up.USAGE,
 }
 ALL, GOAL = "all", "goal"
+TO = "to", "TO", "To"
+"""Words that mean `>` in a line without one that begins with a robot."""
 
 
 def parse(line: str, state: FleetState, selected: str = "") -> Request:
     """Return the request of a line; `selected` is the robot if `cancel` names none. CommandError names the
     wrong word, and the nearest right one."""
     found = tokens(line)
+    if not any(token.separates for token in found) and found and found[0].text.casefold() not in USAGE:
+        found = [replace(token, separates=line[token.start : token.end] in TO) for token in found]
     if any(token.separates for token in found):
         return _route(line, found, state)
     return parse_words([token.text for token in found], state, selected)

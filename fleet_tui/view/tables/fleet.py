@@ -160,6 +160,8 @@ def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Co
         order = whose_mission(state, robot, shown)
     progress = progress_text(state, robot, current) if current is not None else ""
     if not columns.order:
+        if shown is not current and runs:
+            runs = [*runs, (" ", role)]
         if current is not None and not runs and _movement(state, robot) and robot.still_for >= LONG_STILL:
             runs = [(_movement(state, robot), movement), (" ", role)]
         if shown is not None and columns.state < WHOLE_ROUTES:

@@ -1,8 +1,11 @@
 """Drawing in the graph editor: what each key makes of the draft."""
 
+from itertools import product
+
 import pytest
 
 from fleet_tui.model.geometry import Pose
+from fleet_tui.view.map.modes.edit import cell_metres
 from tests.support.desk import ready
 from tests.support.drawn_graph import DrawnGraph, drawn_graph
 from tests.support.fleets import T0, pose, reduced, tick
@@ -47,6 +50,28 @@ async def test_ways_join_vertices_once_and_say_what_is_missing() -> None:
         it.drawing.connect()
         assert len(it.floor.edges) == edges
         assert "joins them already" in it.desk.notices.text
+
+
+async def test_no_vertex_is_put_where_one_is() -> None:
+    """The cursor is in the next cell, and in line with a vertex in both directions is where the vertex is."""
+    async with drawn_graph() as it:
+        it.editor.start()
+        scene, store = it.picture.scene, it.floor.vertices["2"]
+        assert scene is not None
+        aside = 0.4 * cell_metres(it.picture.viewport, scene)
+        for x, y in product((store.x - aside, store.x + aside), (store.y - aside, store.y + aside)):
+            it.at((x, y))
+            it.drawing.add_at_cursor()
+            select(it, "1")
+            it.at((x, y))
+            it.drawing.connect()
+            it.drawing.hold()
+            it.at((x, y))
+            it.drawing.select()
+            if it.mode.held:
+                it.editor.leave()
+        places = [(vertex.x, vertex.y) for vertex in it.floor.vertices.values()]
+        assert len(set(places)) == len(places)
 
 
 async def test_a_vertex_is_moved_and_escape_puts_it_back() -> None:

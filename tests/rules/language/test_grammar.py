@@ -37,6 +37,9 @@ ASKED: list[tuple[str, tuple[Command, ...]]] = [
     ("order robot_0 'Dock 7' \"Joe's\"", (place_order(R0, 3, 5),)),
     ("robot_0 77 > Base", (place_order(R0, 77, 1),)),  # the checks say that there is none
     ("robot_0 > Base", (place_order(R0, 1),)),
+    ("robot_0 Base to Consumidores", (place_order(R0, 1, 2),)),
+    ("robot_0 to Base", (place_order(R0, 1),)),
+    ("robot_0 Dock 7 to Joe's to 9", (place_order(R0, 3, 5), place_order(R0, 5, 9))),
     ("robot_0 > Base > 2", (place_order(R0, 1), place_order(R0, 1, 2))),
     ("order robot_0 Base", (place_order(R0, 1),)),
     ("cancel 12", (CancelOrder(R0, "12"),)),
