@@ -153,8 +153,8 @@ def test_what_it_does() -> None:
     named = (graph(1, 2), labels({1: "Base", 2: "Consumidores"}))
     assert "Base -> Consumidores" in row(received(*named, queue(T0 + 1, (4, 1, 2, "W"), current=4)))
     assert "2 waiting" in row(received(*named, queue(T0 + 1, (4, 1, 2, "Q"), (5, 2, 1, "Q"))))
-    waits = received(*named, queue(T0 + 1, (4, 1, 2, "Q")))
-    assert "1 waiting -> Consumidores" in text_of(fleet_table(waits, R0, 42).rows[0].runs)
+    waits = received(*named, queue(T0 + 1, (4, 2, 1, "Q")))
+    assert "1 waiting -> Base" in text_of(fleet_table(waits, R0, 42).rows[0].runs)
     assert CARGO in row(received(events.CargoReported(R0, T0 + 1, True)))
 
 
