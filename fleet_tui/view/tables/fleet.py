@@ -132,6 +132,12 @@ def _movement(state: FleetState, robot: Robot) -> str:
     return f"still {age(robot.still_for)}" if robot.still_for >= STILL_FROM else "moving"
 
 
+def _movement_role(state: FleetState, robot: Robot) -> StyleRole:
+    if any(alarm.holds and alarm.key == (robot.name, "stuck") for alarm in state.alarms):
+        return StyleRole.ALARM
+    return StyleRole.WARN if robot.still_for >= LONG_STILL and _movement(state, robot) else StyleRole.DIM
+
+
 def _without_order(state: FleetState, robot: Robot) -> str:
     """Return the state of a robot that drives no order."""
     if not state.is_online(robot) or not robot.kind.lists_orders:
@@ -146,9 +152,7 @@ def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Co
     role = StyleRole.TEXT if state.is_online(robot) else StyleRole.DIM
     found = [run for text, colour in news(state, robot) for run in ((text, colour), (" ", role))]
     runs = shortened_news(found, columns.state)
-    is_stuck = any(alarm.holds and alarm.key == (robot.name, "stuck") for alarm in state.alarms)
-    is_long = robot.still_for >= LONG_STILL and _movement(state, robot)
-    movement = StyleRole.ALARM if is_stuck else StyleRole.WARN if is_long else StyleRole.DIM
+    movement = _movement_role(state, robot)
     current, order = robot.orders.current, ""
     if current is None:
         runs = runs or [(_without_order(state, robot), StyleRole.DIM)]

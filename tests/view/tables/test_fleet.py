@@ -239,6 +239,14 @@ def test_a_robot_stands_as_long_as_its_poses_show() -> None:
     assert row(reduced(now, tick(T0 + 41.4))).rstrip().endswith("still 40 s"), "its last pose is of then"
 
 
+def test_a_robot_that_stands_for_long_is_yellow_before_it_is_an_alarm() -> None:
+    assert [role_of(standing(seconds), "still") for seconds in (20.0, 40.0)] == [
+        StyleRole.DIM,
+        StyleRole.WARN,
+    ]
+    assert [role_of(standing(seconds), "●") for seconds in (20.0, 40.0)] == [StyleRole.GOOD, StyleRole.WARN]
+
+
 def test_in_a_narrow_pane_an_order_that_does_not_get_on_says_so() -> None:
     short, long = (text_of(fleet_table(standing(t), R0, 48).rows[0].runs) for t in (10.0, 40.0))
     assert "still" not in short and "still 40 s 1? -> 2?" in long
