@@ -135,7 +135,8 @@ def _movement(state: FleetState, robot: Robot) -> str:
 def _movement_role(state: FleetState, robot: Robot) -> StyleRole:
     if any(alarm.holds and alarm.key == (robot.name, "stuck") for alarm in state.alarms):
         return StyleRole.ALARM
-    return StyleRole.WARN if robot.still_for >= LONG_STILL and _movement(state, robot) else StyleRole.DIM
+    waits = robot.orders.current is not None and robot.still_for >= LONG_STILL and _movement(state, robot)
+    return StyleRole.WARN if waits else StyleRole.DIM
 
 
 def _without_order(state: FleetState, robot: Robot) -> str:
@@ -155,17 +156,16 @@ def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Co
     movement = _movement_role(state, robot)
     current, order = robot.orders.current, ""
     if current is None:
-        runs = runs or [(_without_order(state, robot), StyleRole.DIM)]
+        runs = runs or [(_without_order(state, robot), StyleRole.DIM), (" ", role)]
     runs = [run for failed in failed_command(state, robot) for run in (failed, (" ", role))] + runs
-    if sign[1] is StyleRole.GOOD and any(colour is StyleRole.WARN for _, colour in runs):
+    is_odd = movement is StyleRole.WARN or any(colour is StyleRole.WARN for _, colour in runs)
+    if sign[1] is StyleRole.GOOD and is_odd:
         sign = sign[0], StyleRole.WARN
     shown = current or next((one for one in all_orders(state, robot) if not one.is_over), None)
     if shown is not None and (columns.order or shown is current):
         order = whose_mission(state, robot, shown)
     progress = progress_text(state, robot, current) if current is not None else ""
     if not columns.order:
-        if shown is not current and runs:
-            runs = [*runs, (" ", role)]
         if current is not None and not runs and _movement(state, robot) and robot.still_for >= LONG_STILL:
             runs = [(_movement(state, robot), movement), (" ", role)]
         if shown is not None and columns.state < WHOLE_ROUTES:
