@@ -57,6 +57,7 @@ PLACE: tuple[Key[Actions], ...] = (
         needs="pose",
         commands=True,
         only_live=True,
+        helps="leaves",
     ),
     Key(
         "goal",

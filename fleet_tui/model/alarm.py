@@ -65,7 +65,8 @@ _STEPS = {(was, now): step for (was, step), now in TRANSITIONS.items()}
 
 def class_of(kind: str) -> str:
     """Return the class of alarms that a kind belongs to: a group has that of its members."""
-    return {"many commands": "command", "frames": "data"}.get(kind, kind.removeprefix("many "))
+    usual = {"many commands": "command", "order": "command", "frames": "data"}
+    return usual.get(kind, kind.removeprefix("many "))
 
 
 class Condition(Struct, frozen=True):

@@ -8,7 +8,7 @@ from msgspec.structs import replace
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key
 from fleet_tui.model.commands import CommandRecord
 from fleet_tui.model.grid import OccupancyGrid
-from fleet_tui.model.link import LinkState
+from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.text.durations import age, duration
 
@@ -76,9 +76,11 @@ class FleetState(Struct, frozen=True, eq=False):
         return self.limits.offline_after + self.behind
 
     def is_online(self, robot: Robot) -> bool:
-        """Tell whether its last message is within the limit."""
-        limit = self.limits.offline_after + self.behind
-        return robot.last_received is not None and self.now - robot.last_received <= limit
+        """Tell whether its last message is within the limit, and its link was not lost since."""
+        link, last = self.links[robot.link], robot.last_received
+        if last is None or (link.phase is not Phase.UP and last < link.since):
+            return False
+        return self.now - last <= self.limits.offline_after + self.behind
 
     def was_obstructed(self, robot: Robot) -> bool:
         """Tell whether its last report was a lasting contact with an obstacle."""

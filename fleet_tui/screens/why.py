@@ -1,6 +1,7 @@
 """Reasons why the selected robot stands still, live, with the keys that help."""
 
 from collections.abc import Callable, Mapping
+from textwrap import wrap
 from typing import ClassVar
 
 from textual.app import ComposeResult
@@ -18,6 +19,18 @@ from fleet_tui.view.lines.why import why_lines
 from fleet_tui.widgets.bindings import action_of, bindings
 
 EVERY = 0.1  # seconds between two updates, as in the panes
+
+
+def _wrapped(lines: list[str], width: int) -> list[str]:
+    """Return the lines in pieces of at most `width` cells, each as far in as its line; 0: no layout yet."""
+    if width < 1:
+        return lines
+    indents = (" " * (len(line) - len(line.lstrip(" ▶▲"))) for line in lines)
+    return [
+        piece
+        for line, indent in zip(lines, indents, strict=True)
+        for piece in wrap(line, width, subsequent_indent=indent, drop_whitespace=True) or [""]
+    ]
 
 
 class Why(Overlay, can_focus=True):
@@ -71,10 +84,11 @@ class Why(Overlay, can_focus=True):
         """Show the current reasons."""
         state, name = self._looked_at()
         self.border_title = Content(f"Stop reasons: {sanitize(name)}")
-        lines = why_lines(state, state.robots[name], self._keys, self._match())
+        text = self.query_one("#reasons", Static)
+        lines = _wrapped(why_lines(state, state.robots[name], self._keys, self._match()), text.size.width)
         if lines != self._shown:
             self._shown = lines
-            self.query_one("#reasons", Static).update("\n".join(lines))
+            text.update("\n".join(lines))
 
     async def action_help_it(self, id_: str) -> None:
         """Run the key's usual action."""

@@ -69,7 +69,7 @@ async def test_dns_fails(
 @pytest.mark.parametrize(
     ("name", "attend", "words"),
     [
-        ("says nothing", mute, "connected, but no response"),
+        ("says nothing", mute, "reached, but no answer"),
         ("HTTP 200", answer("200 OK"), "a web server, not rosbridge (HTTP 200)"),
         ("HTTP 401", answer("401 No"), "access denied (HTTP 401): set authorization_file"),
         ("HTTP 404", answer("404 Not Found"), "path not found, correct url (HTTP 404)"),
@@ -170,7 +170,7 @@ async def test_a_slow_server(server: RosbridgeServer) -> None:
         watch.start()
         proxy.bytes_per_second = 1
         proxy.cut()
-        noticed = await watch.until(lost("connected, but no response"))
+        noticed = await watch.until(lost("reached, but no answer"))
         proxy.bytes_per_second = 0
         watch.start()
         healed = await watch.until(fresh())
@@ -181,7 +181,7 @@ async def test_a_slow_server(server: RosbridgeServer) -> None:
     report(
         "slow server",
         "it sends 1 byte a second",
-        "connected, but no response; robots offline with their age",
+        "reached, but no answer; robots offline with their age",
         noticed,
         healed,
     )

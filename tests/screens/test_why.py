@@ -103,3 +103,11 @@ async def test_the_robots_menu_has_it(server: RosbridgeServer) -> None:
         await it.shows("Explain why it")
         await it.press("j", "j", "j", "j", "j", "enter")
         await it.shows("▶ 1. no orders")
+
+
+async def test_long_lines_go_on_as_far_in_as_they_began(server: RosbridgeServer) -> None:
+    plant(server, "battery:robot_0")
+    async with console(config_of(server.url, 1, 1), (60, 24)) as it:
+        await it.press("w")
+        await it.shows("the robot may reserve the rest")
+        await it.shows("\n│     a charger ")

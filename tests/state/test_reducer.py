@@ -107,6 +107,13 @@ def test_online_is_a_message_within_the_limit() -> None:
     assert not reduced(state, tick(T0 + 5.01)).is_online(state.robots[R0])
 
 
+def test_no_robot_is_online_once_its_link_is_lost() -> None:
+    state = reduced(fleet(), link_up(T0), battery(T0 + 1), link_lost(T0 + 2, "it closed"), tick(T0 + 2))
+    assert not state.is_online(state.robots[R0])
+    state = reduced(state, link_up(T0 + 3), tick(T0 + 3))
+    assert state.is_online(state.robots[R0])
+
+
 def test_since_stays_the_moment_of_the_loss_while_it_is_tried_again() -> None:
     state = reduced(fleet(), link_up(T0 + 1), link_lost(T0 + 10, "it closed", T0 + 11))
     for n in range(5):

@@ -1,11 +1,14 @@
-"""Alarm rules for navigating robots: blocked, lost on its map, orders held for the operator."""
+"""Alarm rules for navigating robots: blocked, lost on its map, orders held or failed."""
 
 from fleet_tui.model.alarm import Condition, Priority
+from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
+from fleet_tui.rules.commands.failures import FAILED_FOR
 from fleet_tui.rules.commands.local_queue import HELD_BY_OTHERS, orders_to_save
+from fleet_tui.text.details import detail_text
 from fleet_tui.text.durations import age
 
 LOST_ABOVE, FOUND_BELOW = 0.5, 0.3
@@ -59,4 +62,16 @@ def held_orders(state: FleetState, robot: Robot, _active: ActiveConditions) -> C
     return Condition(robot.name, "held", priority, text, "orders resumed")
 
 
-NAVIGATION_RULES = (blocked, not_sure_where, held_orders)
+def failed_order(state: FleetState, robot: Robot, _active: ActiveConditions) -> Condition | None:
+    """Raise shortly after an order of another client failed: those of this console are commands."""
+    last = robot.gone[-1] if robot.gone else None
+    if last is None or last.stage is not Stage.FAILED or state.now - last.at >= FAILED_FOR:
+        return None
+    if any(record.order_id == last.order.id for record in state.commands):
+        return None
+    text = f"order {last.order.id} failed"
+    found = f"{text}{detail_text(last.reason)}"
+    return Condition(robot.name, "order", Priority.MEDIUM, found, text, parts=frozenset({last.order.id}))
+
+
+NAVIGATION_RULES = (blocked, not_sure_where, held_orders, failed_order)

@@ -6,6 +6,7 @@ from itertools import pairwise
 from msgspec import Struct
 
 from fleet_tui.model.geometry import Line
+from fleet_tui.model.order import Order
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.rules.routes.ways import Spot, routes_of
@@ -30,12 +31,14 @@ class Draft(Struct, frozen=True):
 
 class DraftRoute(Struct, frozen=True):
     """The lines of a draft's way by floor, and its length in metres, None if some of it has no way;
-    `approach`: the metres from the robot to its start, 0 if it starts here or that way is unknown."""
+    `approach`: the metres to its start from the robot, or from the end of its last open order, 0 if it starts
+    there or that way is unknown; `before`: its open orders, that are driven first."""
 
     lines: Mapping[str, tuple[Line, ...]]
     metres: float | None
     by_lift: bool = False
     approach: float = 0.0
+    before: int = 0
 
     @property
     def text(self) -> str:
@@ -43,9 +46,10 @@ class DraftRoute(Struct, frozen=True):
         if self.metres is None:
             return "no way on the graph"
         lift = ", by lift" if self.by_lift else ""
-        before = f" and {self.approach:.0f} m to its start" if self.approach >= 1.0 else ""
+        to_start = f" and {self.approach:.0f} m to its start" if self.approach >= 1.0 else ""
         seconds = (self.metres + self.approach) / SPEED
-        return f"{self.metres:.0f} m{before}{lift}, about {age(seconds)} at {SPEED} m/s"
+        after = f" after {self.before} order{'s' * (self.before > 1)}" if self.before else ""
+        return f"{self.metres:.0f} m{to_start}{lift}, about {age(seconds)} at {SPEED} m/s{after}"
 
 
 Drafted = tuple[Draft, DraftRoute | None]
@@ -55,12 +59,14 @@ Drafted = tuple[Draft, DraftRoute | None]
 def draft_route(robot: Robot, draft: Draft) -> DraftRoute | None:
     """Return the way along the graphs from place to place, None before there are two."""
     here, places = _here(robot), [(place.floor, ((place.vertex, 0.0),)) for place in draft.places]
+    orders = () if draft.starts_here else robot.orders.open
     stops: list[Stop] = [*here, *places] if draft.starts_here else [*places]
     if len(stops) < 2:
         return None
-    approach = 0.0 if draft.starts_here else _way(robot, [*here, stops[0]])[1] or 0.0
+    before = _end(robot, orders[-1]) if orders else here
+    approach = 0.0 if draft.starts_here else _way(robot, [*before, stops[0]])[1] or 0.0
     lines, metres = _way(robot, stops)
-    return DraftRoute(lines, metres, len({floor for floor, _ in stops}) > 1, approach)
+    return DraftRoute(lines, metres, len({floor for floor, _ in stops}) > 1, approach, len(orders))
 
 
 def _way(robot: Robot, stops: Sequence[Stop]) -> tuple[Mapping[str, tuple[Line, ...]], float | None]:
@@ -78,6 +84,13 @@ def _way(robot: Robot, stops: Sequence[Stop]) -> tuple[Mapping[str, tuple[Line, 
             if metres is not None and way.lines:
                 metres += way.length
     return lines, metres
+
+
+def _end(robot: Robot, order: Order) -> list[Stop]:
+    """Return the last place of an order, if it is on a graph."""
+    vertex = order.end.vertex if order.end is not None else ""
+    floors = [name for name, one in robot.maps.items() if one.graph and vertex in one.graph.vertices]
+    return [(floors[0], ((vertex, 0.0),))] if floors else []
 
 
 def _here(robot: Robot) -> list[Stop]:

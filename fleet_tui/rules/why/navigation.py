@@ -31,7 +31,7 @@ def not_sure_where(state: FleetState, robot: Robot) -> Reason | None:
         return None
     evidence = f"localisation uncertainty {2 * robot.variance.value**0.5:.1f} m: set the robot's pose"
     return Reason(
-        "localisation uncertain", evidence, Strength.LIKELY, seen=robot.variance.at, keys=("centre",)
+        "localisation uncertain", evidence, Strength.LIKELY, seen=robot.variance.at, keys=("pose", "centre")
     )
 
 

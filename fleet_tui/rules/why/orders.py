@@ -16,7 +16,10 @@ from fleet_tui.rules.commands.local_queue import waiting
 from fleet_tui.rules.commands.newest import last_command
 from fleet_tui.rules.why.reason import RECENT, Reason, Strength, mission, name_of, stationary_since
 from fleet_tui.rules.why.traffic import in_the_way, next_stop, vertex_here
+from fleet_tui.text.details import detail_text
 from fleet_tui.text.durations import age
+
+LOOK = "Go and look at it: wheels, emergency stop, manual mode"
 
 
 def command(state: FleetState, robot: Robot) -> Reason | None:
@@ -32,6 +35,20 @@ def command(state: FleetState, robot: Robot) -> Reason | None:
     strength = Strength.LIKELY if robot.orders.open else Strength.CERTAIN
     keys = (verb,) if failed else ()
     return Reason(f"{verb}: {record.stage.value}", evidence, strength, since=record.at, keys=keys)
+
+
+def failed_order(state: FleetState, robot: Robot) -> Reason | None:
+    """Report that the last order failed, whoever gave it, and none came since."""
+    last = robot.gone[-1] if robot.gone else None
+    if (
+        last is None
+        or last.stage is not Stage.FAILED
+        or robot.orders.open
+        or command(state, robot) is not None
+    ):
+        return None
+    evidence = f"{mission(robot, last.order)}{detail_text(last.reason)}"
+    return Reason("last order failed", evidence, since=last.at, keys=("order",), remedy=LOOK)
 
 
 def cargo(state: FleetState, robot: Robot) -> Reason | None:
@@ -62,7 +79,6 @@ def no_orders(state: FleetState, robot: Robot) -> Reason | None:
     return Reason("no orders", evidence, strength, seen=robot.queue.at, keys=("order",))
 
 
-LOOK = "Go and look at it: wheels, emergency stop, manual mode"
 FAIR_SHARE = 0.5
 """Of a robot's standstill: for so long another one must have stood before it to be the cause."""
 

@@ -130,7 +130,7 @@ def jumps(state: FleetState, robot: Robot) -> Reason | None:
         return None
     last = recent[-1]
     evidence = f"{len(recent)} pose jumps in {JUMPS_WITHIN:.0f} s, the last {last.value:.1f} m"
-    return Reason("localisation jumps", evidence, Strength.LIKELY, recent[0].at, last.at, ("centre",))
+    return Reason("localisation jumps", evidence, Strength.LIKELY, recent[0].at, last.at, ("pose", "centre"))
 
 
 def charges(state: FleetState, robot: Robot) -> Reason | None:
@@ -155,4 +155,4 @@ def battery(state: FleetState, robot: Robot) -> Reason | None:
     limit = limits.battery_critical if critical else limits.battery_low
     strength = Strength.LIKELY if critical else Strength.POSSIBLE
     evidence = f"below {limit:.0f} %: the robot may reserve the rest to reach a charger"
-    return Reason(f"battery {int(charge.value)} %", evidence, strength, seen=charge.at)
+    return Reason(f"battery {int(charge.value)} %", evidence, strength, seen=charge.at, keys=("order",))

@@ -22,6 +22,7 @@ from fleet_tui.rules.why.orders import (
     at_stop,
     cargo,
     command,
+    failed_order,
     no_orders,
     none_current,
     unexplained,
@@ -55,6 +56,7 @@ RULES: tuple[Rule, ...] = (
     stale_pose,
     jumps,
     command,
+    failed_order,
     cargo,
     no_orders,
     at_stop,
@@ -70,7 +72,9 @@ def _held(rules: tuple[Rule, ...], state: FleetState, robot: Robot) -> list[Reas
 
 def _misplaced(match: "Match | None") -> list[Reason]:
     """Return the reason of a scan that does not fit the map: only while a scan is watched."""
-    return [Reason("not localised", match.text)] if match is not None and match.is_poor else []
+    return (
+        [Reason("not localised", match.text, keys=("pose",))] if match is not None and match.is_poor else []
+    )
 
 
 def reasons(state: FleetState, robot: Robot, match: "Match | None" = None) -> list[Reason]:

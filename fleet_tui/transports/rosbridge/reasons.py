@@ -75,7 +75,7 @@ def failed_handshake(text: str, bridge: Link, lost_by: Exception | None) -> str:
     if status:
         return _http(int(status.group(1)), bridge)
     if "handshake timeout" in text:
-        return "connected, but no response"
+        return "reached, but no answer"
     if "peer dropped" in text:
         remedy = "client_cert required?" if bridge.is_secure else "not rosbridge, or wss://?"
         return f"{DROPS} {remedy}"

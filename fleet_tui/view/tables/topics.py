@@ -14,6 +14,8 @@ from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
 BAD_FOR = 10.0
 """Seconds for which a bad message marks its topic."""
 
+NAMES = 34
+"""Cells of the longest topic."""
 _FIRST = {StyleRole.ALARM: 0, StyleRole.WARN: 1}
 
 Entry = tuple[LinkState, TopicCounter]
@@ -57,13 +59,25 @@ def topic_table(state: FleetState, links: Links, wanted: str, now: float) -> Tab
     ]
     looked.sort(key=lambda one: _FIRST.get(one[0][1], len(_FIRST)))
     states, found = [one for one, _ in looked], [entry for _, entry in looked]
-    names = column((topic.topic for _, topic in found), 10, 34)
+    names = column((topic.topic for _, topic in found), 10, NAMES)
     keys = [(link.name, topic.topic) for link, topic in found]
     rows = LateRows(keys, lambda n: Row(keys[n], (*_runs(states[n], found[n][1], names, now),)))
     trouble = sum(role in (StyleRole.WARN, StyleRole.ALARM) for _, role in states)
     note = f" {len(found)}, {trouble} with problems" + (f", matching {sanitize(wanted)}" if wanted else "")
     title = ("Topics", StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
-    return Table(title, rows, "no matching topic" if wanted else "console starting")
+    empty = "no matching topic" if wanted else "console starting"
+    return Table(title, rows, empty, head=_head(names))
+
+
+def _head(names: int) -> tuple[Run, ...]:
+    heads = f"{'State':<17}{'Topic':<{names}} {'Rate':>8} {'Last':>10} {'':>7} {'Bytes':>9} {'Messages':>8}"
+    return ((heads, StyleRole.DIM),)
+
+
+def _shortened(name: str, cells: int) -> str:
+    """Return a name of at most so many letters: topics of a robot differ at their ends."""
+    kept = cells - 1
+    return name if len(name) <= cells else f"{name[: kept // 3]}…{name[len(name) - kept + kept // 3 :]}"
 
 
 def _silent_after(state: FleetState, topic: TopicCounter) -> float:
@@ -79,7 +93,7 @@ def _runs(state: Run, topic: TopicCounter, names: int, now: float) -> Sequence[R
     bad = f"{topic.errors:,} bad" if topic.errors else ""
     runs = [
         (f"{word:<17}", role),
-        (fit(topic.topic, names) + " ", StyleRole.TEXT),
+        (fit(_shortened(sanitize(topic.topic), names), names) + " ", StyleRole.TEXT),
         (f"{rate:>8} ", StyleRole.TEXT),
         (f"{ago(topic.at, now):>10} ", StyleRole.WARN if role is StyleRole.WARN else StyleRole.TEXT),
         (f"{bad:>7} ", StyleRole.WARN),

@@ -1,21 +1,25 @@
-"""Alarms of navigating robots: blocked for long, lost on the map, orders held."""
+"""Alarms of navigating robots: blocked for long, lost on the map, orders held or failed."""
 
 from msgspec.structs import replace
 
-from fleet_tui.model.alarm import Condition, Priority
+from fleet_tui.model.alarm import Condition, Priority, class_of
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.navigation import Blocked
+from fleet_tui.model.order import Order
+from fleet_tui.model.order_life import GoneOrder
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.navigation import (
     FOUND_BELOW,
     LOST_ABOVE,
     NO_POSE_AFTER,
     blocked,
+    failed_order,
     held_orders,
     not_sure_where,
 )
+from fleet_tui.rules.commands.failures import FAILED_FOR
 from fleet_tui.rules.commands.local_queue import ANOTHER_CLIENT
 from tests.support.fleets import (
     R0,
@@ -86,3 +90,23 @@ def test_held_orders_are_counted_and_those_held_by_others_matter_more() -> None:
     other = held_orders(*known(state, held=ANOTHER_CLIENT), {})
     assert other is not None and other.priority is Priority.MEDIUM
     assert held_orders(*known(held=ANOTHER_CLIENT), {}) is None and held_orders(*known(state), {}) is None
+
+
+def failed(stage: Stage = Stage.FAILED, at: float = T0) -> GoneOrder:
+    return GoneOrder(Order("7", (), None, "", 1), at, stage, "aborted by the robot")
+
+
+def test_an_order_of_another_client_that_failed_is_told_for_a_while() -> None:
+    found = failed_order(*known(gone=(failed(),)), {})
+    assert found is not None
+    assert (found.kind, found.text) == ("order", "order 7 failed (aborted by the robot)")
+    assert class_of(found.kind) == "command"
+    assert failed_order(*known(gone=(failed(at=T0 - FAILED_FOR),)), {}) is None
+    assert failed_order(*known(gone=(failed(), failed(Stage.DONE))), {}) is None
+    assert failed_order(*known(), {}) is None
+
+
+def test_an_order_of_this_console_that_failed_is_its_command() -> None:
+    ours = reduced(fleet(), *commanded(1, place_order(R0, 1, 2), Stage.SENT), tick(T0))
+    record = replace(ours.commands[0], order_id="7")
+    assert failed_order(*known(replace(ours, commands=(record,)), gone=(failed(),)), {}) is None

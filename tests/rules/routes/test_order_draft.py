@@ -8,7 +8,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.rules.routes.order_draft import SPEED, Draft, draft_route
-from tests.support.fleets import F0, R0, T0, fleet, graph, pose, reduced
+from tests.support.fleets import F0, R0, T0, fleet, graph, pose, queue, reduced
 
 F1 = "floor_1"
 
@@ -55,6 +55,13 @@ def test_the_way_to_its_start_is_told_and_takes_time_too() -> None:
     unplaced = reduced(fleet(1, 2), with_lift(F0, 1, 2, 3, 4)).robots[R0]
     route = draft_route(unplaced, draft(place(3), place(4)))
     assert route is not None and route.text == f"1 m, about 2 s at {SPEED} m/s"
+
+
+def test_the_way_to_its_start_begins_where_the_last_open_order_ends() -> None:
+    ordered = reduced(state(), queue(T0, (7, 1, 2, "W"), (8, 2, 4, "Q"), current=7)).robots[R0]
+    route = draft_route(ordered, draft(place(2), place(3)))
+    assert route is not None
+    assert route.text == f"1 m and 2 m to its start, about 6 s at {SPEED} m/s after 2 orders"
 
 
 def test_over_floors_it_goes_by_the_lifts() -> None:

@@ -1,8 +1,14 @@
 """Reasons that lie in a robot's orders."""
 
+from msgspec.structs import replace
+
 from fleet_tui.model.commands import (
     ClearOrders,
+    Stage,
 )
+from fleet_tui.model.order import Order, at_vertices
+from fleet_tui.model.order_life import GoneOrder
+from fleet_tui.rules.why.reason import Reason
 from fleet_tui.rules.why.why import reasons
 from tests.support.fleets import (
     R0,
@@ -35,3 +41,16 @@ def test_a_robot_without_cargo_does_not_load() -> None:
             moved(kind), queue(T0 + 1, order, current=1), pose(T0 + 9), queue(T0 + 9, order, current=1)
         )
         assert name in names(reduced(driving, tick(T0 + 9)))
+
+
+def test_the_order_that_failed_last_is_why_a_robot_has_none() -> None:
+    order = Order("7", at_vertices("1", "2"), None, "", 1)
+    idle = reduced(moved(GOALS), queue(T0 + 9), pose(T0 + 9), tick(T0 + 9))
+
+    def after(stage: Stage) -> Reason:
+        gone = GoneOrder(order, T0, stage, "no path")
+        return reasons(idle, replace(idle.robots[R0], gone=(gone,)))[0]
+
+    assert (after(Stage.FAILED).name, after(Stage.FAILED).since) == ("last order failed", T0)
+    assert after(Stage.FAILED).evidence.endswith("(no path)")
+    assert after(Stage.DONE).name == "no orders"

@@ -4,7 +4,7 @@ from fleet_tui.model.counters import LinkCounter, TopicCounter
 from fleet_tui.model.kind import Kind
 from fleet_tui.view.tables.topics import topic_table
 from tests.support.diagnostics import BATTERY, GRAPH, MAP, NOW, POSE, counter, row, seen, steady, text
-from tests.support.fleets import LINK, R0, T0, fleet, link_lost, link_up, of_kinds, reduced
+from tests.support.fleets import LINK, R0, T0, fleet, link_lost, link_up, of_kinds, reduced, text_of
 
 
 def test_topics_with_problems_first_then_in_the_order_of_the_config_each_with_how_it_is() -> None:
@@ -30,6 +30,16 @@ def test_topics_with_problems_first_then_in_the_order_of_the_config_each_with_ho
     assert row(table, GRAPH).startswith("● received") and "Hz" not in row(table, GRAPH)
     assert row(table, MAP).startswith("· on demand") and "never" in row(table, MAP)
     assert row(table, "/rosout").startswith("· on demand")
+
+
+def test_long_names_keep_both_ends_and_the_columns_have_heads() -> None:
+    long = "/robot_0/follow_waypoints/_action/feedback"
+    link = LinkCounter(LINK, [TopicCounter(long, R0, "pose"), TopicCounter(POSE, R0, "pose")])
+    state, links = seen(link)
+    table = topic_table(state, links, "", NOW)
+    assert row(table, POSE).split()[3:4] == [POSE]
+    assert "/robot_0/fo…oints/_action/feedback" in row(table, "feedback")
+    assert text_of(table.head).split() == ["State", "Topic", "Rate", "Last", "Bytes", "Messages"]
 
 
 def test_bad_data_marks_its_topic_for_a_while_and_its_words_stay() -> None:
