@@ -15,7 +15,8 @@ class Goal(Struct, frozen=True):
     `is_leg`: another goal of the same robot gave it, `is_ours`: this console did. `begun_at` and
     `ended_at` are when it was first seen active and ended (monotonic), minus infinity if that was earlier.
     `label` describes it if it has no stop; `listed_at` is when its action server listed it last
-    (monotonic); `is_ending`: it is being cancelled; `said` is the robot's text on its end."""
+    (monotonic); `is_ending`: it is being cancelled; `said` is the robot's text on its end; `has_missed`: a leg
+    of it has failed."""
 
     id: str
     uuid: str
@@ -35,6 +36,7 @@ class Goal(Struct, frozen=True):
     listed_since: float = -math.inf
     is_ending: bool = False
     said: str = ""
+    has_missed: bool = False
 
 
 class Progress(Struct, frozen=True):

@@ -12,6 +12,7 @@ from fleet_tui.text.limits import MOST_ORDERS
 LISTED_FOR = 10.0
 """Seconds for which an ended goal stays in the queue, for the command that gave it."""
 
+_FAILED = frozenset({OrderState.FAILED, OrderState.REPLACED})
 Goals = Mapping[str, tuple[Goal, ...]]
 """The goals of each action."""
 
@@ -35,7 +36,20 @@ def with_reported(
             last += 1
             old = replace(goal, serial=last, listed_since=seen_at)
         merged.append(_listed(old, goal, at, seen_at))
-    return _with_legs({**known, action: tuple(_with_replaced(before, merged))})
+    found = _with_legs({**known, action: tuple(_with_replaced(before, merged))})
+    ended = (one for one in found[action] if one.is_leg and one.state in _FAILED)
+    failed = any((old := before.get(one.uuid)) is None or old.state not in OVER for one in ended)
+    return _with_missed(found) if failed else found
+
+
+def _with_missed(goals: Goals) -> Goals:
+    """Mark the active leading goals: their action server may count a stop that failed as reached."""
+    return {
+        action: tuple(
+            replace(goal, has_missed=True) if goal.leads and goal.state in BEGUN else goal for goal in listed
+        )
+        for action, listed in goals.items()
+    }
 
 
 def _listed(old: Goal, goal: Goal, at: float, seen_at: float) -> Goal:
@@ -97,21 +111,23 @@ def queue_of(goals: Goals, at: float, offset: float | None, last: int = 0) -> Or
     last = max([last, *(goal.serial for listed in goals.values() for goal in listed)])
     shown = [goal for goal in own if goal.ended_at is None or at - goal.ended_at < LISTED_FOR]
     begun = [goal.id for goal in shown if goal.state in BEGUN]
-    orders = tuple(
-        Order(
-            goal.id,
-            goal.stops,
-            goal.state,
-            goal.word,
-            goal.serial,
-            None if goal.stamp is None or offset is None else goal.stamp + offset,
-            goal.label,
-            goal.uuid,
-            goal.said,
-        )
-        for goal in shown[-MOST_ORDERS:]
-    )
+    orders = tuple(_order_of(goal, offset) for goal in shown[-MOST_ORDERS:])
     return OrderQueue(last, begun[-1] if begun else "", orders)
+
+
+def _order_of(goal: Goal, offset: float | None) -> Order:
+    has_failed = goal.state is OrderState.DONE and goal.has_missed
+    return Order(
+        goal.id,
+        goal.stops,
+        OrderState.FAILED if has_failed else goal.state,
+        goal.word,
+        goal.serial,
+        None if goal.stamp is None or offset is None else goal.stamp + offset,
+        goal.label,
+        goal.uuid,
+        goal.said or ("a stop was missed" if has_failed else ""),
+    )
 
 
 def with_stops(goals: Goals, id_: str, stops: tuple[Stop, ...], is_ours: bool) -> Goals:

@@ -85,6 +85,18 @@ def test_a_goal_accepted_after_an_active_tour_is_a_leg_of_it() -> None:
     assert {one.id for one in active(found)} == {"before", "leg", "t"}
 
 
+def test_a_tour_that_succeeded_in_spite_of_a_failed_leg_has_failed() -> None:
+    for leg_ends, end in ((FAILED, FAILED), (DONE, DONE)):
+        tour = replace(goal("t", action="tour", leads=True), stamp=10.0)
+        found = lists((1.0, (tour,)), action="tour")
+        first, second = (replace(goal(one), stamp=11.0) for one in ("one", "two"))
+        found = lists((2.0, (first,)), (3.0, (replace(first, state=leg_ends), second)), known=found)
+        found = lists((4.0, (replace(second, state=DONE),)), known=found)
+        found = lists((5.0, (replace(tour, state=DONE),)), action="tour", known=found)
+        (order,) = queue_of(found, 5.0, None).orders
+        assert (order.id, order.state, order.said) == ("t", end, "a stop was missed" if end is FAILED else "")
+
+
 def test_stamps_are_told_by_our_clock_and_left_out_while_that_is_unknown() -> None:
     found = lists((1.0, (replace(goal("a"), stamp=10.0),)))
     assert queue_of(found, 1.0, 500.0).orders[0].taken_at == 510.0
