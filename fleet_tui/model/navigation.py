@@ -15,8 +15,8 @@ class Goal(Struct, frozen=True):
     `is_leg`: another goal of the same robot gave it, `is_ours`: this console did. `begun_at` and
     `ended_at` are when it was first seen active and ended (monotonic), minus infinity if that was earlier.
     `label` describes it if it has no stop; `listed_at` is when its action server listed it last
-    (monotonic); `is_ending`: it is being cancelled; `said` is the robot's text on its end; `has_missed`: a leg
-    of it has failed."""
+    (monotonic); `is_ending`: it is being cancelled; `said` is the robot's text on its end; `has_missed`: a
+    leg of it has failed."""
 
     id: str
     uuid: str
