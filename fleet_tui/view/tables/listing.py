@@ -78,7 +78,8 @@ class Listing:
             for text, role in self._table.title
         ]
         if len(self._table.rows) > rows and self.cursor is not None and not self._table.title_buttons:
-            title.append((f" {self._place + 1}/{len(self._table.rows)}", StyleRole.DIM))
+            seen = f"{self._top + 1}-{self._top + rows} of {len(self._table.rows)}"
+            title.append((f"  {seen}", StyleRole.DIM))
         rule = StyleRole.ACCENT if focused else StyleRole.RULE
         runs = [("─ ", rule), *title, (" ", rule)]
         return cut([*runs, ("─" * (width - width_of(runs)), rule)], width)

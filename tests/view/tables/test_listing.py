@@ -37,6 +37,15 @@ def test_an_empty_table_says_why() -> None:
     assert lines(listing, 3)[1] == " nothing here"
 
 
+def test_the_title_tells_which_rows_are_in_view() -> None:
+    listing = Listing()
+    listing.show(table(*"abcdefgh"))
+    assert lines(listing, 4, 30)[0].startswith("─ Rows  1-3 of 8 ─")
+    listing.move(5)
+    assert lines(listing, 4, 30)[0].startswith("─ Rows  4-6 of 8 ─")
+    assert " of " not in lines(listing, 9, 30)[0]
+
+
 def test_long_rows_slide_and_never_beyond_their_end() -> None:
     listing = Listing()
     listing.show(table("a"))
