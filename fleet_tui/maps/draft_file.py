@@ -109,18 +109,21 @@ class DraftFile:
 
     def _begin(self) -> None:
         self.path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
-        if self.path.exists() and self.path.read_bytes().count(b"\n") > 1:
-            self.path.replace(self.path.with_suffix(".bak"))
+        if self.path.exists():
+            with self.path.open("r+b") as before:
+                _lock(before)
+                if before.read().count(b"\n") > 1:
+                    self.path.replace(self.path.with_suffix(".bak"))
         handle = os.open(self.path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
         self._own(os.fdopen(handle, "r+b"), 0)
 
     def _own(self, file: BinaryIO, kept: int) -> None:
         """Write after the first bytes of a file that no other console writes to. Raises OSError."""
         try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
+            _lock(file)
+        except OSError:
             file.close()
-            raise OSError(EBUSY, "another console edits this floor") from None
+            raise
         file.truncate(kept)
         file.seek(kept)
         self._file = file
@@ -140,3 +143,11 @@ class DraftFile:
         if self._file is not None:
             self._file.close()
             self._file = None
+
+
+def _lock(file: BinaryIO) -> None:
+    """Lock a draft, until it is closed. Raises OSError if another console writes to it."""
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        raise OSError(EBUSY, "another console edits this floor") from None

@@ -62,6 +62,7 @@ def test_a_new_draft_keeps_the_old_one_beside_it(tmp_path: Path) -> None:
     file, draft = begun(tmp_path)
     add(file, draft)
     before = file.path.read_bytes()
+    file.close()
     begun(tmp_path)
     (kept,) = tmp_path.glob("*.bak")
     assert kept.read_bytes() == before
@@ -85,6 +86,9 @@ def test_a_second_console_on_the_floor_erases_nothing(tmp_path: Path) -> None:
     add(file, draft)
     with pytest.raises(OSError, match="another console"):
         add(other, read)
+    with pytest.raises(OSError, match="another console"):
+        other.begin(read)
+    assert not list(tmp_path.glob("*.bak"))
     again = DraftFile(tmp_path, "site", "floor/0").load()
     assert again is not None and list(again.floor.vertices) == ["1", "2"]
 
