@@ -23,6 +23,7 @@ from fleet_tui.terminal.annunciator import Annunciator
 from fleet_tui.terminal.ending import leave_on_signals, terminal_restorer
 from fleet_tui.terminal.fault_guard import FaultGuard
 from fleet_tui.terminal.first_paint import FirstPaint
+from fleet_tui.terminal.key_releases import KeyReleased
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.themes import FleetTheme
 from fleet_tui.view.map.drawing import Drawing
@@ -135,6 +136,11 @@ class FleetApp(LeanApp, inherit_bindings=False):
         self.register_theme(Theme(**theme.textual()))
         self.theme = f"fleet-{name}"
         self.main.set_role_styles(theme.styles(self._colour))
+
+    def on_key_released(self, released: KeyReleased) -> None:
+        """Stop what drives only while its key is held."""
+        if self.main.is_complete:
+            self.main.rest.release_key(released.key)
 
     def on_unmount(self) -> None:
         """Close the connections before the loop goes."""

@@ -13,6 +13,16 @@ PASSES = frozenset(
 )
 """The ids of the other keys that keep their meaning. All but one of them end the drive."""
 
+WHILE_HELD = {
+    "drive_ahead": "w",
+    "drive_back": "s",
+    "drive_left": "a",
+    "drive_right": "d",
+    "drive_sideways_left": "q",
+    "drive_sideways_right": "e",
+}
+"""The ids of the keys that drive while held, and their directions."""
+
 
 def _drive(
     name: str, keys: tuple[str, ...], do: Callable[[DriveActions], object], text: str, hint: str = ""

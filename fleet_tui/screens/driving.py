@@ -1,6 +1,6 @@
 """The parts of the main screen with which a robot is driven by hand."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 from fleet_tui.actions import DriveActions
@@ -8,7 +8,8 @@ from fleet_tui.controllers.driving.driving import DriveControls
 from fleet_tui.controllers.driving.journal import DriveJournal
 from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.keys import KEYS, Pane
-from fleet_tui.keys.drive import PASSES
+from fleet_tui.keys.drive import PASSES, WHILE_HELD
+from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.widgets.bindings import textual_key
 
 if TYPE_CHECKING:
@@ -23,7 +24,8 @@ def drive_controls(screen: "MainScreen", rest: "Rest", parts: SetUpParts) -> Dri
         # Later: a question gives the focus back to where it was.
         screen.call_later(screen.set_focus, rest.map)
 
-    keys = screen.settings.keys
+    keys, app = screen.settings.keys, screen.app
+    assert isinstance(app, LeanApp)
     ids = {key.id for key in KEYS if key.pane is Pane.DRIVE} | PASSES
     return DriveControls(
         parts,
@@ -35,7 +37,15 @@ def drive_controls(screen: "MainScreen", rest: "Rest", parts: SetUpParts) -> Dri
         rest.confirm.ask,
         focus,
         frozenset(textual_key(key) for id_ in ids for key in keys[id_]),
+        app.tell_releases,
     )
+
+
+def release_key(drives: DriveControls, keys: Mapping[str, tuple[str, ...]], released: str) -> None:
+    """Release the direction of a key, by Textual's name of it."""
+    for id_, direction in WHILE_HELD.items():
+        if released in map(textual_key, keys[id_]):
+            drives.release(direction)
 
 
 def drive_actions(rest: "Rest") -> DriveActions:

@@ -35,7 +35,7 @@ from fleet_tui.screens.camera_switch import CameraSwitch
 from fleet_tui.screens.confirm import Confirm
 from fleet_tui.screens.diagnosing.overlay import Diagnostics
 from fleet_tui.screens.diagnosing.pages import Pages
-from fleet_tui.screens.driving import drive_controls
+from fleet_tui.screens.driving import drive_controls, release_key
 from fleet_tui.screens.help import Help
 from fleet_tui.screens.key_actions import key_actions
 from fleet_tui.screens.menu import Menu
@@ -148,6 +148,7 @@ class Rest:
         self.values, self.edge_values = VertexValues(parts, self.editor), EdgeValues(parts, self.editor)
         self.drawing = GraphDrawing(parts, self.editor, self.values, self.edge_values)
         self.drives = drive_controls(self._screen, self, parts)
+        self.release_key = partial(release_key, self.drives, keys)
 
     def _typed_set_up(self, line: str) -> Typed | None:
         """Parse a typed line that is about the draft or the map, None for any other."""

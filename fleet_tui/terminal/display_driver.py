@@ -1,7 +1,7 @@
 """The display driver: sends changed cells, and holds them back while the terminal is not read.
 
-The only module that uses Textual's private parts (`lean_app` calls it), and only of the version it was made
-for.
+With `key_releases` the only module that uses Textual's private parts (`lean_app` calls both), and only of
+the version they were made for.
 
 Stock Textual 8.2.8 resends a row from its widget's left edge when one cell of it changes, and waits for the
 terminal as soon as 30 writes are queued: an SSH hiccup then stops the event loop.

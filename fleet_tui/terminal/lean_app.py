@@ -11,6 +11,7 @@ from textual.screen import Screen
 from textual.worker import WorkerFailed
 
 from fleet_tui.terminal.display_driver import DisplayDriver
+from fleet_tui.terminal.key_releases import parse_releases, tell_releases
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -36,6 +37,7 @@ class LeanApp(App[None]):
 
     def __init__(self, ansi_color: bool = False, driver_class: type[Driver] | None = None) -> None:
         super().__init__(driver_class=driver_class, ansi_color=ansi_color)
+        parse_releases()
         self.output = DisplayDriver(self, self.LEAN)
 
     def _handle_exception(self, error: Exception) -> None:
@@ -95,6 +97,10 @@ class LeanApp(App[None]):
                 self.post_display_hook()
         if update is not None and shows and self.startup is not None:
             self.startup.painted.set()
+
+    def tell_releases(self, wanted: bool) -> None:
+        """Ask the terminal to tell key releases, or no longer."""
+        tell_releases(self._driver, wanted)
 
     def on_resize(self, _event: events.Resize) -> None:
         """Repaint: terminals reflow their content when their size changes, also there and back."""

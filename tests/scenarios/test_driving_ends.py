@@ -85,3 +85,17 @@ async def test_a_hung_up_terminal_stops_the_robot(server: RosbridgeServer, tmp_p
         running.ends()
 
     await asyncio.to_thread(driven, server, tmp_path, end)
+
+
+async def test_key_releases_of_the_terminal_are_taken(server: RosbridgeServer, tmp_path: Path) -> None:
+    """As kitty sends them: Textual's own parser would end the thread that reads."""
+
+    def end(running: InTerminal) -> None:
+        running.until(lambda: b"\x1b[=27;1u" in running.sent, what="the wish for releases")
+        running.press("\x1b[119;1:2;119u\x1b[119;1:3u")
+        running.until(lambda: speeds(server)[-1] == 0.0, what="a zero")
+        running.press("\x1b[27u")
+        running.until(lambda: "left by key" in running.text(), what="the end of the drive")
+        running.until(lambda: b"\x1b[=25;1u" in running.sent, what="the end of the wish")
+
+    await asyncio.to_thread(driven, server, tmp_path, end)

@@ -11,6 +11,7 @@ from textual import events
 
 from fleet_tui.model.set_up.driving import DrivePhase
 from fleet_tui.simulator.faults import play
+from fleet_tui.terminal.key_releases import KeyReleased
 from tests.support.console_pilot import Console, console
 from tests.support.nav2_site import Site, nav2_site
 
@@ -172,3 +173,12 @@ async def test_a_console_that_quits_stops_the_robot(slow_site: Site) -> None:
         assert drive is not None
     assert drive.state.phase is DrivePhase.ENDED
     assert is_still(slow_site)
+
+
+async def test_the_release_of_a_key_stops_the_robot(slow_site: Site) -> None:
+    async with driving(slow_site) as it:
+        await it.press("w")
+        it.app.post_message(KeyReleased("w"))
+        it.app.post_message(KeyReleased("up"))
+        await it.until(lambda _: is_still(slow_site))
+        assert it.app.main.rest.drives.mode is not None

@@ -28,7 +28,7 @@ LATEST = 1.5
 
 class DriveControls:
     """The mode of the map in which the selected robot is driven. `focus` gives the map the focus, `passes`
-    are the keys that have a meaning in it."""
+    are the keys that have a meaning in it, `tell_releases` asks the terminal for the releases of keys."""
 
     def __init__(
         self,
@@ -41,11 +41,13 @@ class DriveControls:
         ask: Ask,
         focus: Callable[[], None],
         passes: frozenset[str],
+        tell_releases: Callable[[bool], None],
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self._parts, self._backend, self._limits = parts, backend, limits
         self._controls, self._picture, self._journal, self._ask = controls, picture, journal, ask
         self._focus, self._passes, self._clock = focus, passes, clock
+        self._tell_releases = tell_releases
         self._caps = Caps(limits.max_linear, limits.max_angular)
         self._drive: HandDrive | None = None
         self._hand, self._share, self._steered = Hand(), FIRST, False
@@ -97,6 +99,7 @@ class DriveControls:
             name, floor, self._caps, self._passes, self.stop, lambda: self.end("the map lost the focus")
         )
         self._controls.enter(mode)
+        self._tell_releases(True)
         self._focus()
 
     def press(self, key: str) -> None:
@@ -109,6 +112,12 @@ class DriveControls:
             return
         self._hand = self._hand.pressed(key, self._clock())
         self._steer()
+
+    def release(self, key: str) -> None:
+        """Take the release of a direction, where the terminal tells it."""
+        if self._drive is not None:
+            self._hand = self._hand.released(key)
+            self._steer()
 
     def change_speed(self, step: int) -> None:
         """Drive faster or slower from now on."""
@@ -132,6 +141,7 @@ class DriveControls:
         drive.end(reason)
         self._picture.viewport.follow = self._followed
         self._controls.leave_mode()
+        self._tell_releases(False)
         self._journal.end(drive.state.reason, self._clock())
         self._parts.notices.note(sanitize(f"{name} is not driven any more: {drive.state.reason}"))
 

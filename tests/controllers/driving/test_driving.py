@@ -40,6 +40,7 @@ class Bench:
     ) -> None:
         self.desk = Desk(state or standing(), may)
         self.view, self.now, self.focused = MapView(), T0, 0
+        self.told = list[bool]()
         self.view.picture.show(SCENE)
         desk = self.desk
         parts = SetUpParts(
@@ -55,6 +56,7 @@ class Bench:
             desk.ask,
             self._focus,
             frozenset(),
+            self.told.append,
             lambda: self.now,
         )
 
@@ -186,3 +188,15 @@ def test_it_ends_with_the_reason_in_words(change: Callable[[Bench], None], reaso
     assert it.desk.notices.text.startswith(f"{R0} is not driven any more: {reason}")
     it.drives.press("w")
     assert len(it.drive.steered) == 1
+
+
+def test_a_release_that_the_terminal_tells_stops_at_once() -> None:
+    it = Bench().began()
+    it.drives.press("w")
+    it.drives.release("s")
+    assert it.drive.steered[-1].speeds != STILL
+    it.drives.release("w")
+    assert it.drive.steered[-1].speeds == STILL
+    it.drives.leave()
+    it.drives.release("w")
+    assert it.told == [True, False]
