@@ -160,6 +160,12 @@ class CameraConfig(msgspec.Struct, frozen=True):
     kB_per_s: Annotated[float, msgspec.Meta(gt=0, le=100_000)] = 60.0  # noqa: N815  # the unit's own letters
 
 
+class RoutinesConfig(msgspec.Struct, frozen=True):
+    """`[routines]`: the folder of routine files, relative to the config file."""
+
+    folder: str = "routines"
+
+
 class Config(msgspec.Struct, frozen=True):
     """A whole configuration; `path` is its file."""
 
@@ -174,6 +180,7 @@ class Config(msgspec.Struct, frozen=True):
     recording: RecordingConfig = RecordingConfig()
     camera: CameraConfig = CameraConfig()
     programs: list[ProgramEntry] = []
+    routines: RoutinesConfig = RoutinesConfig()
     drive: DriveConfig = DriveConfig()
     profile: Profile = Profile()
     profiles: dict[str, Profile] = {}
@@ -197,6 +204,7 @@ class Config(msgspec.Struct, frozen=True):
             rosbridge=self._whole(self.rosbridge, LINK_FILES),
             links={name: self._whole(link, LINK_FILES) for name, link in self.links.items()},
             floors=[self._whole(floor, ("map", "graph")) for floor in self.floors],
+            routines=self._whole(self.routines, ("folder",)),
         )
 
     def _whole(self, part: S, keys: tuple[str, ...]) -> S:

@@ -105,6 +105,8 @@ class LedLane:
         """The lines of the blocks that have begun and not ended; fails where an end fits no begin."""
         opened = list[int]()
         for change, line in self.notes:
+            if not line:
+                continue
             if change == BEGUN:
                 opened.append(line)
             elif change in (ENDED, LEFT):

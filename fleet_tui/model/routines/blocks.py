@@ -25,7 +25,7 @@ class PlaceCondition(Struct, frozen=True, tag=True):
 Condition = BatteryCondition | IdleCondition | PlaceCondition
 
 
-class Duration(Struct, frozen=True, tag=True):
+class TimeSpan(Struct, frozen=True, tag=True):
     """A number of seconds."""
 
     seconds: float
@@ -64,7 +64,7 @@ class WaitBlock(Struct, frozen=True, tag=True):
 
     line: int
     text: str
-    until: Duration | DayTime | Condition
+    until: TimeSpan | DayTime | Condition
 
 
 class RunBlock(Struct, frozen=True, tag=True):

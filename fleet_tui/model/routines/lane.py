@@ -152,7 +152,7 @@ class EndProgram(Struct, frozen=True):
 
 
 class LaneNote(Struct, frozen=True):
-    """A line for people: `change` is begun or the end of a block, or a state of the lane."""
+    """A line for people: `change` of the block in a `line`, or of the lane if that is 0."""
 
     change: str
     line: int = 0
@@ -162,5 +162,5 @@ class LaneNote(Struct, frozen=True):
 
 LaneAction = GiveOrder | StartProgram | EndProgram | LaneNote
 
-BEGUN, ENDED, LEFT = "begun", "ended", "left"
-"""Changes of a block: it was carried out, or left after a failure or a stop."""
+BEGUN, ENDED, LEFT, SKIPPED = "begun", "done", "not done", "skipped"
+"""Changes of a block: it was carried out, left after a failure or a stop, or not begun."""

@@ -15,7 +15,6 @@ from fleet_tui.model.routines.blocks import (
     CarryBlock,
     Condition,
     DayTime,
-    Duration,
     GoBlock,
     IdleCondition,
     IfBlock,
@@ -25,6 +24,7 @@ from fleet_tui.model.routines.blocks import (
     Routine,
     RoutineProblem,
     RunBlock,
+    TimeSpan,
     WaitBlock,
 )
 from fleet_tui.rules.commands.route_checks import no_path, same_place, unknown_vertex
@@ -141,7 +141,7 @@ class _LaneCheck:
             yield from (problem.text for problem in no_path(self._state, robot, before))
         self._at = vertices[-1]
 
-    def _condition(self, condition: Condition | Duration | DayTime) -> Iterator[str]:
+    def _condition(self, condition: Condition | TimeSpan | DayTime) -> Iterator[str]:
         robot = self._robot
         match condition:
             case BatteryCondition() if "battery" not in robot.kind.reports:

@@ -11,13 +11,13 @@ from fleet_tui.model.routines.blocks import (
     CarryBlock,
     Condition,
     DayTime,
-    Duration,
     GoBlock,
     IdleCondition,
     Leaf,
     PlaceCondition,
     RunBlock,
     Schedule,
+    TimeSpan,
     WaitBlock,
 )
 from fleet_tui.rules.language.words import said
@@ -53,7 +53,7 @@ def instruction(line: int, words: Sequence[str]) -> tuple[Leaf, ...]:
         case ["wait", "until", *rest] if rest:
             return (WaitBlock(line, text, _until(rest)),)
         case ["wait", *rest] if rest:
-            return (WaitBlock(line, text, Duration(_seconds(rest))),)
+            return (WaitBlock(line, text, TimeSpan(_seconds(rest))),)
         case ["run", "within", number, *program] if _is_duration(number) and program:
             return (RunBlock(line, text, tuple(program), _seconds([number])),)
         case ["run", "within", number, unit, *program] if _is_duration(number + unit) and program:

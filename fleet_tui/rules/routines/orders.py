@@ -1,18 +1,18 @@
 """Orders of a routine: the request of an instruction, and the outcome of the order."""
 
 import math
-
-from msgspec import Struct
+from collections.abc import Sequence
 
 from fleet_tui.errors import CommandError
-from fleet_tui.model import kind
 from fleet_tui.model.commands import CommandRecord, PlaceOrder, Stage
 from fleet_tui.model.order import at_vertices
 from fleet_tui.model.order_life import latest
+from fleet_tui.model.problem import Problem
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.routines.blocks import CarryBlock, GoBlock
-from fleet_tui.model.routines.lane import OrderEnded
+from fleet_tui.model.routines.lane import OrderEnded, OrderWithheld
+from fleet_tui.rules.language.lookup import destination_only, may_skip_start
 from fleet_tui.rules.language.words import vertex_of
 
 
@@ -21,37 +21,26 @@ def order_of(robot: Robot, block: GoBlock | CarryBlock) -> Request | None:
     places = (block.place,) if isinstance(block, GoBlock) else (block.start, block.end)
     found = [vertex_of(robot, place) for place in places]
     vertices = [vertex for vertex, _ in found]
-    if isinstance(block, GoBlock) and needs_start(robot):
-        vertices.insert(0, nearest_vertex(robot))
+    if isinstance(block, GoBlock) and not (destination_only(robot) or may_skip_start(robot)):
+        vertices.insert(0, _start(robot))
     if len(vertices) == 2 and vertices[0] == vertices[1] and isinstance(block, GoBlock):
         return None
     order = PlaceOrder(robot.name, at_vertices(*vertices))
     return Request((order,), {vertex: floor for vertex, floor in found if floor})
 
 
-def needs_start(robot: Robot) -> bool:
-    """Tell whether an order to a place alone is impossible: such robots take one only with cargo on board."""
-    if kind.ORDER_TO not in robot.kind.accepts:
-        return True
-    return "cargo" in robot.kind.reports and not robot.has_cargo
-
-
-def nearest_vertex(robot: Robot) -> str:
-    """Return the vertex of its floor that is nearest to a robot. Raises CommandError."""
-    here_map = robot.maps.get(robot.floor or "")
-    graph = here_map.graph if here_map else None
+def _start(robot: Robot) -> str:
+    """Return the vertex from which a robot will go: the end of its last order, else the nearest one. Raises
+    CommandError."""
+    last = robot.orders.open[-1].end if robot.orders.open else None
+    if last is not None and last.vertex:
+        return last.vertex
+    robot_map = robot.maps.get(robot.floor or "")
+    graph = robot_map.graph if robot_map else None
     if graph is None or not graph.vertices or robot.pose is None:
         raise CommandError(f"{robot.name} needs a start, and its place on the graph is unknown")
     here = robot.pose.value.x, robot.pose.value.y
     return min(graph.vertices.values(), key=lambda one: math.dist((one.x, one.y), here)).id
-
-
-class GivenOrder(Struct, frozen=True):
-    """An order that was given: `command` is that very object in its record, None for an order of an earlier
-    run; `order_id` in the robot's queue, as far as known."""
-
-    command: PlaceOrder | None
-    order_id: str = ""
 
 
 def outcome_of(record: CommandRecord) -> OrderEnded | None:
@@ -74,3 +63,17 @@ def earlier_outcome(robot: Robot, order_id: str) -> OrderEnded | None:
     if listed is not None:
         return OrderEnded(False, f"order {order_id}: {listed.state_text} while no console followed it")
     return OrderEnded(False, f"order {order_id} left the queue while no console followed it")
+
+
+_FOR_A_PERSON = frozenset({"no link", "read-only", "not armed"})
+"""Errors that a person can remove: the order is right."""
+
+
+def objection(problems: Sequence[Problem]) -> OrderEnded | OrderWithheld | None:
+    """Return the effect of the objections to an order, errors first; None if it may be sent. A warning is for
+    a person to decide."""
+    if not problems:
+        return None
+    text = f"not sent: {'; '.join(problem.text for problem in problems)}"
+    can_fail = problems[0].blocks and problems[0].check not in _FOR_A_PERSON
+    return OrderEnded(False, text) if can_fail else OrderWithheld(text)

@@ -13,18 +13,19 @@ from fleet_tui.model.routines.blocks import (
     CarryBlock,
     Condition,
     DayTime,
-    Duration,
     GoBlock,
     IfBlock,
     LanePlan,
     RepeatBlock,
     RunBlock,
+    TimeSpan,
     WaitBlock,
 )
 from fleet_tui.model.routines.lane import (
     BEGUN,
     ENDED,
     LEFT,
+    SKIPPED,
     EndProgram,
     Gate,
     GiveOrder,
@@ -118,7 +119,7 @@ def _begin_leaf(
 ) -> tuple[Lane, list[LaneAction]]:
     lane = replace(lane, detail=lane.detail if lane.has_failed else "", order_id="")
     match block:
-        case WaitBlock(until=Duration(seconds)):
+        case WaitBlock(until=TimeSpan(seconds)):
             return replace(lane, phase=LanePhase.WAITING, until=facts.wall + seconds), []
         case WaitBlock(until=DayTime() as at):
             return replace(lane, phase=LanePhase.WAITING, until=facts.next_time(at)), []
@@ -138,8 +139,8 @@ def _wait(plan: LanePlan, lane: Lane, facts: LaneFacts) -> Stepped:
     return _finished(plan, lane) if _is_over(block.until, lane, facts) else (lane, [])
 
 
-def _is_over(until: Duration | DayTime | Condition, lane: Lane, facts: LaneFacts) -> bool:
-    if isinstance(until, Duration | DayTime):
+def _is_over(until: TimeSpan | DayTime | Condition, lane: Lane, facts: LaneFacts) -> bool:
+    if isinstance(until, TimeSpan | DayTime):
         return facts.wall >= lane.until
     return facts.holds(until) is True
 
@@ -165,7 +166,7 @@ def _outcome(plan: LanePlan, lane: Lane, event: OrderEnded | ProgramEnded) -> St
 
 def _withheld(plan: LanePlan, lane: Lane, event: OrderWithheld) -> Stepped:
     block = leaf_at(plan, lane.path)
-    left = LaneNote(LEFT, block.line, block.text, event.words)
+    left = LaneNote(LEFT, block.line, block.text)
     held, actions = _hold(replace(lane, phase=LanePhase.READY), event.words)
     return held, [left, *actions]
 
@@ -218,7 +219,7 @@ def _skip(plan: LanePlan, lane: Lane, event: LaneSkipped) -> Stepped:
     if lane.gate in (Gate.OPEN, Gate.STEP) or block is None:
         return lane, []
     skipped = replace(lane, path=after(lane.path), gate=Gate.OPEN)
-    return skipped, [LaneNote("skipped", block.line, block.text)]
+    return skipped, [LaneNote(SKIPPED, block.line, block.text)]
 
 
 def _stop(plan: LanePlan, lane: Lane, event: LaneStopped) -> Stepped:

@@ -11,13 +11,13 @@ from fleet_tui.model.routines.blocks import (
     Block,
     CarryBlock,
     DayTime,
-    Duration,
     GoBlock,
     IfBlock,
     LanePlan,
     Leaf,
     RepeatBlock,
     RunBlock,
+    TimeSpan,
     WaitBlock,
 )
 from fleet_tui.rules.language.lookup import Place
@@ -78,7 +78,7 @@ class _Drawing:
                         return False
                 case GoBlock() | CarryBlock() | WaitBlock() | RunBlock():
                     seconds, why = self._estimate(block)
-                    self._add(block, seconds, why or note)
+                    self._add(block, seconds, ", ".join(part for part in (note, why) if part))
                 case _:
                     assert_never(block)
         return True
@@ -106,15 +106,15 @@ class _Drawing:
         """Add both parts; the longer one counts."""
         began, at = self._now, self._at
         goes_on = self.blocks(block.body, block.text)
-        ended, self._now, self._at = self._now, began, at
+        ended, end, self._now, self._at = self._now, self._at, began, at
         goes_on = self.blocks(block.otherwise, f"else of {block.text}") and goes_on
-        self._now, self._at = max(ended, self._now), None
+        self._now, self._at = max(ended, self._now), self._at if self._at == end else None
         self._is_least = True
         return goes_on
 
     def _estimate(self, block: Leaf) -> tuple[float | None, str]:
         match block:
-            case WaitBlock(until=Duration(seconds)):
+            case WaitBlock(until=TimeSpan(seconds)):
                 return seconds, ""
             case WaitBlock(until=DayTime() as at):
                 now = self._wall + self._now

@@ -7,11 +7,11 @@ from fleet_tui.model.routines.blocks import (
     BatteryCondition,
     CarryBlock,
     DayTime,
-    Duration,
     IdleCondition,
     Leaf,
     PlaceCondition,
     RunBlock,
+    TimeSpan,
     WaitBlock,
 )
 from fleet_tui.rules.routines.instructions import RUN_WITHIN, condition, instruction, schedule
@@ -26,10 +26,10 @@ def read(line: str) -> Leaf:
 @pytest.mark.parametrize(
     ("line", "until"),
     [
-        ("wait 30 s", Duration(30.0)),
-        ("wait 30s", Duration(30.0)),
-        ("wait 1.5 min", Duration(90.0)),
-        ("wait 2 h", Duration(7200.0)),
+        ("wait 30 s", TimeSpan(30.0)),
+        ("wait 30s", TimeSpan(30.0)),
+        ("wait 1.5 min", TimeSpan(90.0)),
+        ("wait 2 h", TimeSpan(7200.0)),
         ("wait until 06:45", DayTime(405)),
         ("wait until 6:45", DayTime(405)),
         ("wait until idle", IdleCondition()),
