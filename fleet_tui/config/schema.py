@@ -193,6 +193,16 @@ class Config(msgspec.Struct, frozen=True):
         used = [robot.link for robot in self.robots] or [DEFAULT_LINK]
         return {name: known[name] for name in dict.fromkeys(used)}
 
+    @property
+    def routine_folder(self) -> Path:
+        """Return the folder of the routines."""
+        return self.beside(self.routines.folder).absolute()
+
+    @property
+    def bridge_urls(self) -> dict[str, str]:
+        """Return the URL of each robot's bridge, without secrets."""
+        return {robot.name: self.bridges[robot.link].shown for robot in self.robots}
+
     def bridge(self, name: str) -> Link:
         """Return one bridge, its files with absolute paths."""
         return self._whole(self.bridges[name], LINK_FILES)

@@ -6,7 +6,6 @@ from pathlib import Path
 
 from msgspec import Struct
 
-from fleet_tui.config.schema import Config
 from fleet_tui.config.small_file import read_text
 from fleet_tui.errors import RoutineError, did_you_mean
 from fleet_tui.model.routines.blocks import ParsedRoutine
@@ -27,11 +26,6 @@ class RoutineFile(Struct, frozen=True):
     path: Path
     parsed: ParsedRoutine
     digest: str
-
-
-def folder_of(config: Config) -> Path:
-    """Return the folder of the routines."""
-    return config.beside(config.routines.folder).absolute()
 
 
 def routine_names(folder: Path) -> list[str]:

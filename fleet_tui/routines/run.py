@@ -65,7 +65,7 @@ class RoutineRun:
         self.file, self._parts, self._operator = file, parts, operator
         state = parts.store.state
         lanes = {find_robot(lane.robot, state).name: lane for lane in file.parsed.routine.lanes}
-        self._plans: Mapping[str, LanePlan] = lanes
+        self.plans: Mapping[str, LanePlan] = lanes
         known = {lane.robot: resumed(lane) for lane in before.lanes} if before else {}
         now = time.time()
         self.lanes = {name: known.get(name, Lane(name, since=now)) for name in lanes}
@@ -142,7 +142,7 @@ class RoutineRun:
         events: list[LaneEvent] = [event]
         while events:
             before = self.lanes[robot]
-            lane, actions = step(self._plans[robot], before, events.pop(0))
+            lane, actions = step(self.plans[robot], before, events.pop(0))
             if lane is not before:
                 moved = (lane.path, lane.phase, lane.gate) != (before.path, before.phase, before.gate)
                 self.lanes[robot] = replace(lane, since=time.time()) if moved else lane

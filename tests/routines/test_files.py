@@ -7,18 +7,18 @@ import pytest
 
 from fleet_tui.config.load import from_text
 from fleet_tui.errors import RoutineError
-from fleet_tui.routines.files import LARGEST, folder_of, read_routine, routine_names
+from fleet_tui.routines.files import LARGEST, read_routine, routine_names
 from tests.support.routines import MORNING
 
 
 def test_the_folder_is_beside_the_configuration(tmp_path: Path) -> None:
     text = '[[floors]]\nname = "f"\n[[robots]]\nname = "r"\n'
     config = msgspec.structs.replace(from_text(text), path=tmp_path / "config.toml")
-    assert folder_of(config) == tmp_path / "routines"
+    assert config.routine_folder == tmp_path / "routines"
     other = msgspec.structs.replace(
         from_text(text + '[routines]\nfolder = "../day"\n'), path=tmp_path / "config.toml"
     )
-    assert folder_of(other) == tmp_path / "../day"
+    assert other.routine_folder == tmp_path / "../day"
     assert other.whole().routines.folder == str(tmp_path / "../day")
 
 

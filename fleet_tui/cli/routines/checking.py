@@ -1,23 +1,20 @@
 """`fleet-tui routine check`: all problems, else the timeline."""
 
 import json
-import time
 
 import msgspec
 
 from fleet_tui.cli.orders.giving import unreachable
 from fleet_tui.cli.orders.outcome import DONE, NO_LINK, NOT_DONE
 from fleet_tui.cli.orders.sending import How, Sending
-from fleet_tui.cli.routines.reading import Say, await_robots, named_routine, problems_of
+from fleet_tui.cli.routines.reading import Say, await_robots, named_routine
 from fleet_tui.cli.session import session
 from fleet_tui.config.schema import Config
-from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.routines.blocks import RoutineProblem
-from fleet_tui.routines.clock import next_time
 from fleet_tui.routines.files import RoutineFile
-from fleet_tui.rules.language.words import find_robot
-from fleet_tui.rules.routines.timeline import TimelineEntry, timeline
+from fleet_tui.routines.start import problems_of, timeline_of
+from fleet_tui.rules.routines.timeline import TimelineEntry
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.routines.lines import problem_line, timeline_lines
 
@@ -40,13 +37,6 @@ def check(config: Config, name: str, within: float, as_json: bool, say: Say) -> 
     if problems:
         return NO_LINK if no_link else NOT_DONE
     return DONE
-
-
-def timeline_of(state: FleetState, file: RoutineFile) -> list[TimelineEntry]:
-    """Return the timelines of all robots, if they start now."""
-    now, lanes = time.time(), file.parsed.routine.lanes
-    found = [timeline(find_robot(lane.robot, state), lane, now, next_time) for lane in lanes]
-    return [entry for entries in found for entry in entries]
 
 
 def _print(

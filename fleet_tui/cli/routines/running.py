@@ -16,8 +16,7 @@ from fleet_tui.audit.log import operator_name
 from fleet_tui.cli.orders.giving import forbidden, sending, unreachable
 from fleet_tui.cli.orders.outcome import DONE, NO_LINK, NOT_DONE
 from fleet_tui.cli.orders.sending import How, Sending
-from fleet_tui.cli.routines.listing import bridge_urls
-from fleet_tui.cli.routines.reading import Say, await_robots, named_routine, problems_of
+from fleet_tui.cli.routines.reading import Say, await_robots, named_routine
 from fleet_tui.config.schema import Config
 from fleet_tui.log_file import state_folder
 from fleet_tui.model.problem import Permissions
@@ -37,6 +36,7 @@ from fleet_tui.routines.files import RoutineFile
 from fleet_tui.routines.owner import RobotLocks
 from fleet_tui.routines.progress import RoutineProgress, progress_path, resumable, save_progress
 from fleet_tui.routines.run import RoutineRun, RunParts
+from fleet_tui.routines.start import problems_of
 from fleet_tui.rules.routines.orders import objection
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.routines.lines import note_text, problem_line
@@ -77,7 +77,7 @@ def run_routine(config: Config, name: str, options: RunOptions, say: Say) -> int
                 say(problem_line(file.name, problem), err=True)
             say(sanitize(f"{file.name}: not started"), err=True)
             return NOT_DONE
-        urls, operator = bridge_urls(config), operator_name(config)
+        urls, operator = config.bridge_urls, operator_name(config)
         owner = f"{operator} (process {os.getpid()}, routine {file.name})"
         locks = RobotLocks(path.parent, {robot: urls[robot] for robot in robots}, owner)
         locks.claim()

@@ -23,6 +23,7 @@ from fleet_tui.model.routines.blocks import (
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.rules.language.words import vertex_of
 from fleet_tui.rules.routes.order_draft import SPEED, Draft, draft_route
+from fleet_tui.text.durations import age
 
 MOST_ENTRIES = 200
 """Instructions of one robot in a timeline."""
@@ -107,7 +108,7 @@ class _Drawing:
         began, at = self._now, self._at
         goes_on = self.blocks(block.body, block.text)
         ended, end, self._now, self._at = self._now, self._at, began, at
-        goes_on = self.blocks(block.otherwise, f"else of {block.text}") and goes_on
+        goes_on = self.blocks(block.otherwise, f"unless {block.text.removeprefix('if ')}") and goes_on
         self._now, self._at = max(ended, self._now), self._at if self._at == end else None
         self._is_least = True
         return goes_on
@@ -120,9 +121,9 @@ class _Drawing:
                 now = self._wall + self._now
                 return self._next_time(at, now) - now, ""
             case WaitBlock():
-                return None, "duration unknown"
+                return None, "unknown"
             case RunBlock(within=within):
-                return None, f"duration unknown, at most {within:.0f} s"
+                return None, f"at most {age(within)}"
             case GoBlock(place=place):
                 return self._way(place)
             case CarryBlock(start=start, end=end):

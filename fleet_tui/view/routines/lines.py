@@ -5,12 +5,14 @@ from itertools import groupby
 
 from fleet_tui.model.routines.blocks import LanePlan, RoutineProblem
 from fleet_tui.model.routines.lane import Gate, Lane, LaneNote, LanePhase
+from fleet_tui.model.routines.row import RoutineRow
 from fleet_tui.rules.routines.positions import block_at
 from fleet_tui.rules.routines.timeline import TimelineEntry
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.units import counted
 
-HELD, PAUSED, WAITING, RUNNING = "held", "paused", "waiting", "running"
+HELD, PAUSED, WAITING, RUNNING, NEVER = "held", "paused", "waiting", "running", "never run"
 
 
 def problem_line(name: str, problem: RoutineProblem) -> str:
@@ -23,10 +25,24 @@ def timeline_lines(entries: Sequence[TimelineEntry]) -> Iterator[str]:
     for robot, of_robot in groupby(entries, lambda entry: entry.robot):
         yield sanitize(f"{robot}:")
         for entry in of_robot:
-            at = f"{'>=' if entry.is_least else ''}{int(entry.at) // 60}:{int(entry.at) % 60:02}"
+            at = _clock(entry.at, entry.is_least)
             lasts = "" if entry.seconds is None else f"about {age(entry.seconds)}"
             notes = ", ".join(part for part in (lasts, entry.note) if part)
             yield sanitize(f"{at:>8}  line {entry.line:<4} {entry.text}" + (f" ({notes})" if notes else ""))
+
+
+def timeline_totals(entries: Sequence[TimelineEntry]) -> Iterator[str]:
+    """Yield the number of instructions of each robot, and the time of the last one's end."""
+    for robot, of_robot in groupby(entries, lambda entry: entry.robot):
+        found = list(of_robot)
+        last = found[-1]
+        how = "at least" if last.is_least or last.seconds is None else "about"
+        ends = _clock(last.at + (last.seconds or 0.0), False)
+        yield sanitize(f"{robot}: {counted(len(found), 'instruction')}, {how} {ends} min")
+
+
+def _clock(seconds: float, is_least: bool) -> str:
+    return f"{'>=' if is_least else ''}{int(seconds) // 60}:{int(seconds) % 60:02}"
 
 
 def lane_word(lane: Lane) -> str:
@@ -51,6 +67,13 @@ def note_text(note: LaneNote) -> str:
     """Return a change of a lane in words."""
     where = f"line {note.line}: {note.text}: " if note.line else ""
     return sanitize(f"{where}{note.change}" + (f": {note.detail}" if note.detail else ""))
+
+
+def row_word(row: RoutineRow) -> str:
+    """Return the state of a routine in the list."""
+    if not row.lanes:
+        return NEVER
+    return HELD if row.is_left else summary_word(row.lanes)
 
 
 def summary_word(lanes: Sequence[Lane]) -> str:

@@ -13,7 +13,7 @@ async def test_a_good_one_is_shown_with_its_times(server: RosbridgeServer, folde
     done = await run(folder, "routine", "check", "day")
     assert (done.code, done.err) == (0, "") and done.out.startswith("day: no problems; if it started now:")
     assert "robot_1:\n    0:00  line 2    carry Base Consumidores (about " in done.out
-    assert "line 3    run true (duration unknown, at most 600 s)" in done.out
+    assert "line 3    run true (at most 10 min)" in done.out
     assert not asked(server)
 
 

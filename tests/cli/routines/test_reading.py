@@ -1,15 +1,20 @@
-"""A routine named on the command line: its problems against the fleet, or those of its text alone."""
+"""A routine named on the command line."""
 
 from pathlib import Path
 
-from fleet_tui.cli.routines.reading import problems_of
-from fleet_tui.routines.files import read_routine
-from tests.support.routines import two_robots
+import click
+import msgspec
+import pytest
+
+from fleet_tui.cli.routines.reading import named_routine, place_of
+from fleet_tui.config.load import from_text
+from tests.support.routine_files import ONE_ROBOT, routine
 
 
-def test_a_mistake_in_the_text_comes_before_the_fleet(tmp_path: Path) -> None:
-    path = tmp_path / "day.routine"
-    for text, lines in (("for robot_0\ngo Bse\nrun absent\nend\n", [2, 3]), ("for robot_9\ngo\nend\n", [2])):
-        path.write_text(text)
-        found = problems_of(two_robots(), read_routine(tmp_path, "day"))
-        assert [problem.line for problem in found] == lines
+def test_it_is_beside_the_configuration(tmp_path: Path) -> None:
+    config = msgspec.structs.replace(from_text(ONE_ROBOT), path=tmp_path / "config.toml")
+    routine(tmp_path, "for robot_0\nwait 1 s\nend\n")
+    assert named_routine(config, "day").path == tmp_path / "routines" / "day.routine"
+    assert place_of(config).urls == {"robot_0": "ws://127.0.0.1:9090"}
+    with pytest.raises(click.UsageError, match="unknown routine 'dya', did you mean day"):
+        named_routine(config, "dya")

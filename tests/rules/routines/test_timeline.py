@@ -30,7 +30,7 @@ def test_ways_and_waits_add_up() -> None:
 def test_after_an_unknown_duration_times_are_lower_limits() -> None:
     found = drawn("run x", "wait 30 s")
     assert [(entry.seconds, entry.is_least) for entry in found] == [(None, False), (30.0, True)]
-    assert found[0].note == "duration unknown, at most 600 s"
+    assert found[0].note == "at most 10 min"
 
 
 def test_rounds_are_repeated_and_an_endless_one_ends_it() -> None:
@@ -43,7 +43,7 @@ def test_of_both_parts_of_an_if_the_longer_one_counts() -> None:
     found = drawn("if idle", "wait 5 s", "else", "wait 9 s", "end", "wait 1 s")
     assert [(entry.at, entry.note, entry.is_least) for entry in found] == [
         (0.0, "if idle", False),
-        (0.0, "else of if idle", False),
+        (0.0, "unless idle", False),
         (9.0, "", True),
     ]
 
