@@ -42,7 +42,7 @@ async def test_held_by_a_lost_link_and_resumed_by_a_person(fast: RosbridgeServer
     try:
         await until(lambda: len(asked(fast)) == 2)
         await fast.drop_clients()
-        await asyncio.to_thread(terminal.wait_for, "held: robot_0, robot_1: Enter: resume")
+        await asyncio.to_thread(terminal.wait_for, "Enter: resume with this instruction")
         await until(lambda: not any(robot.orders for robot in fast.world.robots.values()))
         assert len(asked(fast)) == 2, "the running orders went on, nothing followed"
         terminal.press("\r")

@@ -39,7 +39,7 @@ from fleet_tui.routines.run import RoutineRun, RunParts
 from fleet_tui.routines.start import problems_of
 from fleet_tui.rules.routines.orders import objection
 from fleet_tui.text.sanitize import sanitize
-from fleet_tui.view.routines.lines import note_text, problem_line
+from fleet_tui.view.routines.lines import lane_text, note_text, problem_line
 
 VERSION = 1
 EVERY = 0.2
@@ -112,15 +112,27 @@ class _Running:
             self._say(sanitize(f"{clock_text(time.time())} {self._file.name} {verb}: {', '.join(run.lanes)}"))
         try:
             if before is not None:
-                run.tick()
-                for lane in self._decisions(run):
-                    run.request(LaneSkipped() if self._options.skip else LaneResumed(), lane.robot)
+                self._take_up(run, before)
             return self._follow(run)
         except KeyboardInterrupt:
             self._say_what_goes_on(run)
             raise
         finally:
             run.close()
+
+    def _take_up(self, run: RoutineRun, before: RoutineProgress) -> None:
+        """Let the robots go on. Whether an order is given once more is asked where that is possible."""
+        run.tick()
+        sent = {lane.robot for lane in before.lanes if lane.phase is LanePhase.ORDERED}
+        for lane in self._decisions(run):
+            is_unclear = lane.robot in sent and lane.phase is LanePhase.READY
+            if not (is_unclear and self._can_ask):
+                self._go_on(run, lane, is_unclear and self._options.skip)
+
+    def _go_on(self, run: RoutineRun, lane: Lane, skips: bool) -> None:
+        """Resume a lane with its instruction, or after it unless that runs."""
+        can_skip = lane.phase is not LanePhase.ORDERED
+        run.request(LaneSkipped() if skips and can_skip else LaneResumed(), lane.robot)
 
     def _follow(self, run: RoutineRun) -> int:
         held_since = time.monotonic()
@@ -151,9 +163,11 @@ class _Running:
             return
         if not self._asked:
             self._asked = True
-            names = ", ".join(lane.robot for lane in ready)
+            for lane in ready:
+                where = lane_text(run.plans[lane.robot], lane)
+                self._say(f"held: {sanitize(lane.robot)} {where}", err=True)
             skip = "" if all(lane.phase is LanePhase.ORDERED for lane in ready) else "; s Enter: skip it"
-            self._say(sanitize(f"held: {names}: Enter: resume with the instruction above{skip}"), err=True)
+            self._say(f"Enter: resume with this instruction{skip}", err=True)
         if not select.select([sys.stdin], [], [], EVERY)[0]:
             return
         typed = sys.stdin.readline()
@@ -162,9 +176,7 @@ class _Running:
             return
         self._asked = False
         for lane in ready:
-            is_running = lane.phase is LanePhase.ORDERED
-            skips = typed.strip().casefold() == "s" and not is_running
-            run.request(LaneSkipped() if skips else LaneResumed(), lane.robot)
+            self._go_on(run, lane, typed.strip().casefold() == "s")
 
     def _give(self, request: Request) -> OrderEnded | OrderWithheld | None:
         """Send an order, or return the objection."""

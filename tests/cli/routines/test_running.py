@@ -1,11 +1,17 @@
 """`fleet-tui routine run`: orders one after the other, one line for each event."""
 
+import asyncio
 import json
+import signal
 from pathlib import Path
 
+from fleet_tui.model.routines.lane import Lane, LanePhase
+from fleet_tui.routines.files import read_routine
+from fleet_tui.routines.progress import RoutineProgress, progress_path, save_progress
 from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.cli import asked, audited, config_file, run
+from tests.support.cli import asked, audited, config_file, run, started
+from tests.support.polling import until
 from tests.support.routine_files import hurry, routine
 
 
@@ -14,6 +20,11 @@ def consoles(folder: Path) -> list[str]:
     lines = (folder / "fleet-tui" / "audit.jsonl").read_text().splitlines()
     records = [json.loads(line) for line in lines]
     return [f"{one['change']}: {one['words']}" for one in records if one["change"].startswith("routine")]
+
+
+def progress(folder: Path) -> str:
+    """The saved progress, empty before there is any."""
+    return "".join(path.read_text() for path in (folder / "fleet-tui" / "routines").glob("day-*.json"))
 
 
 async def test_two_robots_drive_to_the_end(server: RosbridgeServer, folder: Path) -> None:
@@ -85,3 +96,37 @@ async def test_what_does_not_start(server: RosbridgeServer, folder: Path) -> Non
     config_file(folder, "ws://127.0.0.1:9")
     assert (await run(folder, "routine", "run", "day")).code == 3
     assert not asked(server)
+
+
+async def test_ctrl_c_leaves_the_order_and_a_resume_follows_it(server: RosbridgeServer, folder: Path) -> None:
+    routine(folder, "for robot_0\ncarry Base Consumidores\nrun true\nend\n")
+    process = await started(folder, "routine", "run", "day")
+    await until(lambda: '"order_id":"1"' in progress(folder))
+    process.send_signal(signal.SIGINT)
+    _, err = await process.communicate()
+    assert process.returncode == 130 and b"robot_0: order 1 goes on, nothing follows" in err
+    resumed = asyncio.create_task(run(folder, "routine", "run", "day", "--resume"))
+    await until(lambda: "routine resumed: day robot_0" in consoles(folder))
+    hurry(server)
+    done = await resumed
+    assert done.code == 0 and len(asked(server)) == 1
+    assert [line.partition(" ")[2] for line in done.out.splitlines()][1:3] == [
+        "robot_0 resumed",
+        "robot_0 line 2: carry Base Consumidores: done",
+    ]
+
+
+async def test_an_order_of_unknown_outcome_is_skipped_or_given_again(
+    server: RosbridgeServer, folder: Path
+) -> None:
+    hurry(server)
+    routine(folder, "for robot_0\ncarry Base Consumidores\nend\n")
+    file = read_routine(folder / "routines", "day")
+    lane = Lane("robot_0", phase=LanePhase.ORDERED, order_id="77")
+    left = RoutineProgress(file.digest, (lane,), 0.0, 0.0)
+    path = progress_path(folder / "fleet-tui" / "routines", file.path)
+    for options, orders in ((["--skip"], 0), ([], 1)):
+        save_progress(path, left)
+        done = await run(folder, "routine", "run", "day", "--resume", *options)
+        assert "order 77 left the queue while no console followed it" in done.out
+        assert done.code == 0 and len(asked(server)) == orders
