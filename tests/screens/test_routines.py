@@ -13,6 +13,7 @@ from fleet_tui.audit.file import FILE_NAME
 from fleet_tui.audit.log import auditing
 from fleet_tui.audit.reader import AuditReader
 from fleet_tui.config.schema import Operator, RoutinesConfig
+from fleet_tui.model.link import CommandPath, LinkState, Phase
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import Console, console
 from tests.support.routine_files import hurry, routine
@@ -43,6 +44,10 @@ async def with_routines(
     config = replace(config_of(server.url, 1), routines=routines, operator=operator or Operator("ana"))
     async with console(config, size) as it:
         yield it
+
+
+def reaches(link: LinkState) -> bool:
+    return link.phase is Phase.UP and link.command_path is CommandPath.ALIVE
 
 
 def audited(folder: Path) -> list[str]:
@@ -90,7 +95,7 @@ async def test_without_a_link_it_is_held_and_a_person_resumes(
         await it.shows("line 3: run ./gate", PANE)
         await server.drop_clients()
         await it.shows("△ held", PANE)
-        await it.until(lambda state: all(link.phase.value == "up" for link in state.links.values()))
+        await it.until(lambda state: all(map(reaches, state.links.values())))
         await it.shows("△ held", PANE)
         await it.press("down", "enter", "1")
         await it.shows("● running", PANE)
