@@ -160,6 +160,7 @@ class ViewActions(Struct, frozen=True):
     diagnostics: Act
     audit: Act
     programs: Act
+    routines: Act
     go_to_time: Act
     step_robot: Step
     choose_robot: Step

@@ -95,6 +95,8 @@ class FleetApp(LeanApp, inherit_bindings=False):
             message=message,
             programs=config.programs,
             drive=config.drive,
+            routines=config.routine_folder,
+            bridge_urls=config.bridge_urls,
             picture_limit=1000 * config.camera.kB_per_s,
         )
 

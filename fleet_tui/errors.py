@@ -36,6 +36,10 @@ class MapError(FleetError):
     """A map that can't be drawn, and the reason."""
 
 
+class RoutineError(FleetError):
+    """A routine that can't be read, started or resumed, with the remedy."""
+
+
 class GraphError(FleetError):
     """A graph file that can't be read, and the reason."""
 

@@ -15,6 +15,7 @@ from fleet_tui.cli.map.commands import map_group
 from fleet_tui.cli.options import FileName, NumberRange, common, fleet, merged, timeout
 from fleet_tui.cli.orders.commands import orders
 from fleet_tui.cli.programs.commands import programs
+from fleet_tui.cli.routines.commands import routine
 from fleet_tui.config.schema import Config
 from fleet_tui.log_file import log_to_file
 from fleet_tui.text.sanitize import sanitize
@@ -25,7 +26,7 @@ def headless() -> None:
     """Group of the commands, which the command line lists as its own."""
 
 
-for command in (config, graph, map_group, programs, *orders.commands.values()):
+for command in (config, graph, map_group, programs, routine, *orders.commands.values()):
     headless.add_command(command)
 
 

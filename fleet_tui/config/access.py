@@ -96,12 +96,14 @@ def _exposure(found: os.stat_result, is_private: bool) -> str:
 
 
 def unsafe_places(config: Config) -> Iterator[str]:
-    """Return one line for each path through which any user of this machine could change the config's file."""
+    """Return one line for each path through which any user of this machine could change the config's file,
+    or the routines, which run programs."""
     path = config.path
     if path == Path():  # it is in no file
         return
     # A link can be replaced in its own folder, too.
-    for place in dict.fromkeys((path, *path.absolute().parents, *path.resolve().parents)):
+    own = path, config.routine_folder
+    for place in dict.fromkeys((*own, *path.absolute().parents, *path.resolve().parents)):
         try:
             mode = place.stat().st_mode
         except OSError:

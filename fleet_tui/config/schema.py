@@ -160,6 +160,12 @@ class CameraConfig(msgspec.Struct, frozen=True):
     kB_per_s: Annotated[float, msgspec.Meta(gt=0, le=100_000)] = 60.0  # noqa: N815  # the unit's own letters
 
 
+class RoutinesConfig(msgspec.Struct, frozen=True):
+    """`[routines]`: the folder of routine files, relative to the config file."""
+
+    folder: str = "routines"
+
+
 class Config(msgspec.Struct, frozen=True):
     """A whole configuration; `path` is its file."""
 
@@ -174,6 +180,7 @@ class Config(msgspec.Struct, frozen=True):
     recording: RecordingConfig = RecordingConfig()
     camera: CameraConfig = CameraConfig()
     programs: list[ProgramEntry] = []
+    routines: RoutinesConfig = RoutinesConfig()
     drive: DriveConfig = DriveConfig()
     profile: Profile = Profile()
     profiles: dict[str, Profile] = {}
@@ -186,6 +193,16 @@ class Config(msgspec.Struct, frozen=True):
         used = [robot.link for robot in self.robots] or [DEFAULT_LINK]
         return {name: known[name] for name in dict.fromkeys(used)}
 
+    @property
+    def routine_folder(self) -> Path:
+        """Return the folder of the routines."""
+        return self.beside(self.routines.folder).absolute()
+
+    @property
+    def bridge_urls(self) -> dict[str, str]:
+        """Return the URL of each robot's bridge, without secrets."""
+        return {robot.name: self.bridges[robot.link].shown for robot in self.robots}
+
     def bridge(self, name: str) -> Link:
         """Return one bridge, its files with absolute paths."""
         return self._whole(self.bridges[name], LINK_FILES)
@@ -197,6 +214,7 @@ class Config(msgspec.Struct, frozen=True):
             rosbridge=self._whole(self.rosbridge, LINK_FILES),
             links={name: self._whole(link, LINK_FILES) for name, link in self.links.items()},
             floors=[self._whole(floor, ("map", "graph")) for floor in self.floors],
+            routines=self._whole(self.routines, ("folder",)),
         )
 
     def _whole(self, part: S, keys: tuple[str, ...]) -> S:

@@ -128,6 +128,16 @@ class Dispatch:
         self.given = {**recent, request.commands: now}
         sent()
 
+    def give_unasked(self, request: Request) -> list[Problem]:
+        """Send a request without a question. Returns the objections, warnings included, errors first; empty
+        if it was sent."""
+        if refusal := self._backend.refusal:
+            return [Problem("read-only", refusal)]
+        if found := problems(self._store.state, request, self.permissions):
+            return found
+        unsent = [reason for command in request.commands if (reason := self._backend.submit(command))]
+        return [Problem("no link", reason) for reason in unsent]
+
     def do(self, request: Request, prepare: Prepare | None = None) -> None:
         """Send a request, or show the reason not to."""
         if problem := self.give(request, prepare=prepare):

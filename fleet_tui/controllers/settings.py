@@ -1,6 +1,7 @@
 """The settings of one console, fixed while it runs."""
 
 from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
 
 from msgspec import Struct
 
@@ -16,7 +17,8 @@ class ConsoleSettings(Struct, frozen=True):
     `themes`: for each a function that switches to it; `announce` is called with every state, `resized` after
     a change of size; `hatched`: colours don't tell unknown ground from floor; `terminal`: its description in
     help; `message`: the first notice; `programs` and `drive`: of the configuration; `picture_limit`: bytes a
-    second to the terminal above which pictures of cameras come less often."""
+    second to the terminal above which pictures of cameras come less often; `routines`: their folder;
+    `bridge_urls` by robot."""
 
     keys: Mapping[str, tuple[str, ...]]
     clock: Callable[[float], str]
@@ -29,4 +31,6 @@ class ConsoleSettings(Struct, frozen=True):
     message: str = ""
     programs: Sequence[ProgramEntry] = ()
     drive: DriveConfig = DriveConfig()
+    routines: Path = Path()
+    bridge_urls: Mapping[str, str] = {}
     picture_limit: float = 60_000.0

@@ -4,8 +4,9 @@ import asyncio
 import os
 import signal
 from asyncio.subprocess import DEVNULL, PIPE, STDOUT, Process
-from collections.abc import AsyncIterator, Sequence
+from collections.abc import AsyncIterator, Mapping, Sequence
 from contextlib import asynccontextmanager, suppress
+from pathlib import Path
 
 from msgspec import Struct
 
@@ -26,16 +27,27 @@ class EndedProcess(Struct, frozen=True):
 
 
 @asynccontextmanager
-async def running(arguments: Sequence[str]) -> AsyncIterator[Process]:
-    """Start a process apart from our terminal, and end it with all that it started. Raises OSError,
-    ValueError if it can't be started."""
+async def running(
+    arguments: Sequence[str], environment: Mapping[str, str] | None = None, folder: Path | None = None
+) -> AsyncIterator[Process]:
+    """Start a process apart from our terminal, and end it with all that it started; by default with our
+    environment, in our folder. Raises OSError, ValueError if it can't be started."""
     process = await asyncio.create_subprocess_exec(
-        *arguments, stdin=DEVNULL, stdout=PIPE, stderr=STDOUT, start_new_session=True
+        *arguments,
+        stdin=DEVNULL,
+        stdout=PIPE,
+        stderr=STDOUT,
+        start_new_session=True,
+        env=environment,
+        cwd=folder,
     )
     try:
         yield process
     finally:
         _kill(process)
+        with suppress(TimeoutError):  # its end is told to this loop, which may close next
+            async with asyncio.timeout(DRAIN):
+                await exit_code(process)
         # Else the pipe stays open for as long as a grandchild holds it.
         process._transport.close()  # type: ignore[attr-defined]  # typeshed leaves it out
 
@@ -46,11 +58,16 @@ def _kill(process: Process) -> None:
             os.killpg(process.pid, signal.SIGKILL)
 
 
-async def run(arguments: Sequence[str], within: float) -> EndedProcess:
+async def run(
+    arguments: Sequence[str],
+    within: float,
+    environment: Mapping[str, str] | None = None,
+    folder: Path | None = None,
+) -> EndedProcess:
     """Run a process to its end, for at most `within` seconds."""
     output = bytearray()
     try:
-        async with asyncio.timeout(within), running(arguments) as process:
+        async with asyncio.timeout(within), running(arguments, environment, folder) as process:
             reading = asyncio.ensure_future(_read(process, output))
             try:
                 code = await exit_code(process)

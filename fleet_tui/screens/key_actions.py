@@ -61,7 +61,7 @@ def _app_actions(screen: "MainScreen", rest: "Rest") -> AppActions:
     return AppActions(
         suspend=after_a_drive(rest, "suspended", app.action_suspend_process),
         repaint=app.action_repaint,
-        quit=app.action_quit,
+        quit=rest.routines.quit,
         back=partial(_back, screen, rest),
         next_pane=app.action_focus_next,
         previous_pane=app.action_focus_previous,
@@ -104,6 +104,7 @@ def _view_actions(screen: "MainScreen", rest: "Rest") -> ViewActions:
         diagnostics=lambda: rest.diagnostics.show(navigation.robot),
         audit=rest.audit_log.show,
         programs=rest.programs.show,
+        routines=rest.routines.show,
         go_to_time=partial(rest.palette.show, "@"),
         step_robot=navigation.step_robot,
         choose_robot=partial(_choose_robot, screen),

@@ -42,6 +42,7 @@ from fleet_tui.screens.menu import Menu
 from fleet_tui.screens.ordering.form import OrderForm
 from fleet_tui.screens.palette import Palette
 from fleet_tui.screens.programs import Programs, programs_overlay
+from fleet_tui.screens.routines import Routines, routines_overlay
 from fleet_tui.screens.simple import Simple
 from fleet_tui.screens.simple_switch import SimpleSwitch
 from fleet_tui.screens.why import Why
@@ -66,7 +67,7 @@ CURSORS = frozenset({"map_cursor", "next_vertex", "previous_vertex", "pose", "go
 class Rest:
     """Widgets and controllers with their dependencies, and the action of every key."""
 
-    styled: list[RunsView | Diagnostics | Programs]
+    styled: list[RunsView | Diagnostics | Programs | Routines]
     robots: RobotRequests
     alarms: AlarmResponses
     _covers = False
@@ -85,10 +86,7 @@ class Rest:
         self.streams = ShownStreams(store, screen.backend, navigation, notices, self.map.picture)
         self.why = Why(lambda: (store.state, navigation.robot), settings.keys, self.streams.match)
         self.audit_log = AuditLog(lambda: screen.files.audit)
-        self.programs = programs_overlay(screen, self.confirm.ask, self.menu.show)
-        pages = Pages(lambda: store.state, screen.backend, settings.clock)
-        self.diagnostics = Diagnostics(pages, screen.backend, settings.keys)
-        self.styled = [self.map, self.audit_log.rows, self.diagnostics, self.programs, *self.key_help.views]
+        self._add_tools(screen)
         self._answer_menus(screen)
         self.save = SaveCommand(
             screen.files, self.confirm.ask, lambda line: self.palette.show(line), notices.say
@@ -97,11 +95,19 @@ class Rest:
             store, dispatch, navigation, screen.session, self.save, settings, partial(_run, screen)
         )
         self.palette = Palette(offers.entries, lambda line: self._typed_set_up(line) or offers.typed(line))
-        parts = store, dispatch, navigation, notices, self.menu.show, self.palette.show
-        self._set_up_with(SetUpParts(*parts))
+        self._set_up_with(SetUpParts(store, dispatch, navigation, notices, self.menu.show, self.palette.show))
         self.simple = self._simple_switch(screen)
         self._add_camera(screen)
         self.actions = key_actions(screen, self)
+
+    def _add_tools(self, screen: "MainScreen") -> None:
+        store, settings, asks = screen.store, screen.settings, (self.confirm.ask, self.menu.show)
+        self.programs = programs_overlay(screen, *asks)
+        self.routines = routines_overlay(screen, *asks, partial(_in_background, screen))
+        pages = Pages(lambda: store.state, screen.backend, settings.clock)
+        self.diagnostics = Diagnostics(pages, screen.backend, settings.keys)
+        self.styled = [self.map, self.audit_log.rows, self.diagnostics, *self.key_help.views]
+        self.styled += [self.programs, self.routines]
 
     def _add_camera(self, screen: "MainScreen") -> None:
         view = CameraView()
@@ -161,7 +167,7 @@ class Rest:
         with screen.app.batch_update():
             await screen.query_one("#map").remove()
             await screen.panes.floor.mount(self.camera_switch.view, self.map, before=0)
-            await screen.mount(*opens, self.audit_log, self.diagnostics, self.programs)
+            await screen.mount(*opens, self.audit_log, self.diagnostics, self.programs, self.routines)
             time_line = screen.session.time_line()
             if time_line is not None:
                 self.styled.append(time_line)

@@ -9,7 +9,7 @@ from msgspec.structs import replace
 from fleet_tui.config.access import access_problems, secret, unsafe_places
 from fleet_tui.config.check import checked
 from fleet_tui.config.load import load
-from fleet_tui.config.schema import Link
+from fleet_tui.config.schema import Config, Link
 from fleet_tui.errors import ConfigError
 from tests.support.secrets import SHARED, WORD, bridged, kept
 from tests.support.watched_store import config_of
@@ -102,3 +102,13 @@ def test_a_config_that_anybody_can_change_is_reported(tmp_path: Path) -> None:
     ]
     (tmp_path / "in").chmod(0o1777)
     assert not any(f"{tmp_path / 'in'} is writable" in line for line in unsafe_places(config))
+
+
+def test_a_folder_of_routines_that_everyone_may_write_is_named(tmp_path: Path) -> None:
+    folder = tmp_path / "routines"
+    folder.mkdir()
+    folder.chmod(0o777)
+    config = Config(path=tmp_path / "config.toml")
+    assert f"{folder} is writable by everyone: chmod o-w {folder}" in list(unsafe_places(config))
+    folder.chmod(0o755)
+    assert not [line for line in unsafe_places(config) if str(folder) in line]

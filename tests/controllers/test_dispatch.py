@@ -101,3 +101,16 @@ def test_a_request_that_needs_preparing_does_not_wait_for_the_link() -> None:
     desk = Desk(fleet())
     desk.dispatch.do(Request((ClearOrders(R0),)), lambda: "")
     assert desk.notices.text.startswith("not sent: ") and not desk.answers
+
+
+def test_what_nobody_can_be_asked_about_is_sent_only_without_objections() -> None:
+    desk = Desk(ready())
+    assert desk.dispatch.give_unasked(Request((ORDER,))) == [] and desk.backend.submitted == [ORDER]
+    (problem,) = desk.dispatch.give_unasked(Request((place_order(R0, 1, 1),)))
+    assert problem.text.startswith("From and To are the same place")
+    desk.dispatch.permissions = DISARMED
+    assert desk.dispatch.give_unasked(Request((ORDER,)))[0].check == "not armed"
+    assert (
+        Desk(ready(), refusal="a recording").dispatch.give_unasked(Request((ORDER,)))[0].text == "a recording"
+    )
+    assert desk.backend.submitted == [ORDER] and desk.answers == []

@@ -87,6 +87,7 @@ def sending(config: Config, asked: How, say: Say) -> Iterator[Sending]:
             link, store = opened.enter_context(session(config))
             given = Sending(link, store, asked)
             with auditing(state_folder(), config, store) as audit:
+                given.log = audit.log_console
                 try:
                     yield given
                 finally:

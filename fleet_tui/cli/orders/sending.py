@@ -1,7 +1,7 @@
 """From a request to the outcome of each of its commands: checked, sent, awaited."""
 
 import time
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -82,6 +82,8 @@ class Sending:
         self._how = how
         self._records: dict[int, CommandRecord] = {}
         self._driven: dict[int, Outcome] = {}
+        self.log: Callable[[str, str], None] = lambda _change, _words: None
+        """Writes an event of this command line to the audit log."""
         store.watchers.append(self._keep)
         self.begin()
 
@@ -119,7 +121,7 @@ class Sending:
         sequence, up to the first failure; to several, all at once."""
         request, unable = divide(self.state, request)
         yield from unable
-        wrong = self._problems(request)
+        wrong = self.objections(request)
         if wrong:
             yield from self._hold_back(request.commands, wrong)
         elif len({command.robot for command in request.commands}) > 1:
@@ -129,12 +131,12 @@ class Sending:
 
     def check(self, request: Request) -> list[Outcome]:
         """Return the objections to a request now, empty if it would be sent."""
-        wrong = self._problems(request)
+        wrong = self.objections(request)
         return list(self._hold_back(request.commands, wrong)) if wrong else []
 
     def warnings(self, request: Request) -> list[Problem]:
         """Return the warnings that a person may override, empty if the request is never sent."""
-        found = self._problems(request)
+        found = self.objections(request)
         return [] if any(problem.blocks for problem in found) else found
 
     def override(self) -> None:
@@ -142,7 +144,8 @@ class Sending:
         self._how = replace(self._how, yes=True)
         self.begin()
 
-    def _problems(self, request: Request) -> list[Problem]:
+    def objections(self, request: Request) -> list[Problem]:
+        """Return all objections to a request now, errors first; empty if it would be sent."""
         found = [*problems(self.state, request, self._how.permissions), *losses(self.state, request)]
         if not self._how.until_done:
             found += unattended(self.state, request)

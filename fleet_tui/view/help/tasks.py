@@ -30,7 +30,7 @@ TASKS: dict[str, tuple[Step, ...]] = {
         (("acknowledge", "acknowledge_all"), "Acknowledge the alarm; all alarms"),
         (("all_orders",), "Orders of the robot, or of all"),
         (("diagnostics",), "Diagnostics: links, topics, logs"),
-        (("bundle", "programs"), "Incident bundle; server programs"),
+        (("bundle", "programs", "routines"), "Incident; programs; routines"),
     ),
     "Look around on the map": (
         (("zoom_in", "zoom_out", "fit"), "Zoom in, out, fit (mouse wheel)"),

@@ -1,0 +1,1 @@
+"""Routines from a shell: checked, run, listed, installed as timers."""

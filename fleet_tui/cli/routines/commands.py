@@ -1,0 +1,99 @@
+"""`fleet-tui routine`. Exit codes 0: done or no problem, 1: problems, a robot failed, or a person is needed,
+2: unreadable, 3: no link, 130: Ctrl-C."""
+
+import sys
+
+import click
+
+from fleet_tui.cli.options import NearestGroup, NumberRange, common, fleet, merged, timeout
+from fleet_tui.log_file import log_to_file
+
+HELD_FOR = 300.0
+"""Seconds for which a routine that nobody can resume waits for its link."""
+
+
+@click.group(cls=NearestGroup)
+def routine() -> None:
+    """Check, run, list and install routines: files of instructions for robots."""
+
+
+@routine.command("check")
+@click.argument("name")
+@click.option("--json", "as_json", is_flag=True, help="Print JSON; schema in docs/routines.md.")
+@timeout(5.0)
+@fleet
+@merged
+def check_command(
+    name: str, as_json: bool, timeout: float, config_file: str | None, url: str | None, debug: bool
+) -> None:
+    """Check a routine against the robots and their graphs, and print its timeline. Sends nothing."""
+    from fleet_tui.cli.chosen import chosen
+    from fleet_tui.cli.routines.checking import check
+
+    log_to_file(debug)
+    sys.exit(check(chosen(config_file, url), name, timeout, as_json, click.echo))
+
+
+@routine.command("run")
+@click.argument("name")
+@click.option("--resume", is_flag=True, help="Go on from where it was held or ended.")
+@click.option("--skip", is_flag=True, help="With --resume: go on after an instruction of unknown outcome.")
+@click.option("--yes", is_flag=True, help="Send orders in spite of warnings.")
+@click.option("--json", "as_json", is_flag=True, help="Print JSON Lines; schema in docs/routines.md.")
+@click.option(
+    "--timeout",
+    type=NumberRange(0.1, 86400),
+    default=HELD_FOR,
+    show_default=True,
+    help="Without a terminal: maximum seconds to wait while it is held.",
+)
+@fleet
+@merged
+def run_command(
+    name: str,
+    resume: bool,
+    skip: bool,
+    yes: bool,
+    as_json: bool,
+    timeout: float,
+    config_file: str | None,
+    url: str | None,
+    debug: bool,
+) -> None:
+    """Run a routine, and print each event. Without a link it is held until a person resumes it. Ctrl-C ends
+    it; running orders go on."""
+    from fleet_tui.cli.chosen import chosen_to_command
+    from fleet_tui.cli.routines.running import RunOptions, run_routine
+
+    if skip and not resume:
+        raise click.UsageError("--skip needs --resume")
+    log_to_file(debug)
+    options = RunOptions(resume, skip, yes, as_json, timeout)
+    sys.exit(run_routine(chosen_to_command(config_file, url), name, options, click.echo))
+
+
+@routine.command("list")
+@click.option("--json", "as_json", is_flag=True, help="Print JSON; schema in docs/routines.md.")
+@common
+@merged
+def list_command(as_json: bool, config_file: str | None, debug: bool) -> None:
+    """List the routines with their times, states and last runs."""
+    from fleet_tui.cli.routines.listing import list_routines
+    from fleet_tui.config.load import find, load
+
+    log_to_file(debug)
+    sys.exit(list_routines(load(find(config_file)), as_json, click.echo))
+
+
+@routine.command("install")
+@click.argument("name")
+@click.option("--print", "only_print", is_flag=True, help="Print the units without writing them.")
+@common
+@merged
+def install_command(name: str, only_print: bool, config_file: str | None, debug: bool) -> None:
+    """Write a timer of the user's systemd for the times of a routine. Enables nothing."""
+    from fleet_tui.cli.routines.installing import install_routine
+    from fleet_tui.config.load import find, load
+
+    log_to_file(debug)
+    sys.exit(install_routine(load(find(config_file)), name, only_print, click.echo))

@@ -1,0 +1,140 @@
+"""The routines that this console leads: one run each, with the locks of its robots and its saved progress."""
+
+import os
+import threading
+from functools import partial
+from pathlib import Path
+
+from fleet_tui.controllers.dispatch import Dispatch
+from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.controllers.notices import Notices
+from fleet_tui.controllers.parts import InBackground
+from fleet_tui.errors import RoutineError
+from fleet_tui.model.request import Request
+from fleet_tui.model.routines.lane import (
+    Gate,
+    LaneNote,
+    LaneRequest,
+    LaneResumed,
+    LaneSkipped,
+    LaneStepped,
+    OrderEnded,
+    OrderWithheld,
+)
+from fleet_tui.routines.files import RoutineFile
+from fleet_tui.routines.look import RoutinePlace, plans_of
+from fleet_tui.routines.owner import RobotLocks
+from fleet_tui.routines.progress import RoutineProgress, progress_path, resumable, save_progress
+from fleet_tui.routines.run import RoutineRun, RunParts
+from fleet_tui.rules.routines.orders import objection
+from fleet_tui.state.store import Store
+from fleet_tui.text.sanitize import sanitize
+
+UNTOLD = ("resumed", "step")
+"""Changes that a person has just asked for."""
+
+
+class LedRoutines:
+    """Starts runs, leads them with every tick, and leaves them so that they can be taken up."""
+
+    def __init__(
+        self,
+        place: RoutinePlace,
+        store: Store,
+        dispatch: Dispatch,
+        notices: Notices,
+        files: ConsoleFiles,
+        in_background: InBackground,
+    ) -> None:
+        self.runs: dict[str, RoutineRun] = {}
+        self._place, self._store, self._dispatch = place, store, dispatch
+        self._notices, self._files, self._in_background = notices, files, in_background
+        self._locks: dict[str, RobotLocks] = {}
+        self._saving = threading.Lock()
+        self._newest: dict[Path, RoutineProgress] = {}
+
+    def start(self, file: RoutineFile, is_left: bool) -> None:
+        """Start a routine, or take it up where it was left. Raises RoutineError."""
+        if refusal := self._dispatch.set_up_refusal():  # it may have been disarmed during the question
+            raise RoutineError(refusal)
+        urls = {robot: self._place.urls[robot] for robot in plans_of(self._store.state, file)}
+        owner = f"{self._files.operator or 'a console'} (process {os.getpid()}, routine {file.name})"
+        path = progress_path(self._place.state, file.path)
+        before = resumable(path, file) if is_left else None
+        locks = RobotLocks(self._place.state, urls, owner)
+        locks.claim()
+        note, save = partial(self._note, file.name), partial(self._save, path)
+        parts = RunParts(self._store, self._give, note, self._files.log, save)
+        self._locks[file.name] = locks
+        self.runs[file.name] = RoutineRun(file, parts, self._files.operator, before)
+
+    def tick(self) -> bool:
+        """Lead the robots; tell whether a routine has ended."""
+        for run in self.runs.values():
+            run.tick()
+        ended = [name for name, run in self.runs.items() if run.is_over]
+        for name in ended:
+            self.runs.pop(name).close()
+            self._locks.pop(name).release()
+        return bool(ended)
+
+    def request(self, run: RoutineRun, event: LaneRequest, robot: str) -> None:
+        """Carry out a request for a robot, or for all. Without permission or link nothing goes on, but it can
+        always be paused and stopped."""
+        for name, lane in list(run.lanes.items()):
+            if robot not in ("", name) or lane.is_over:
+                continue
+            goes_on = isinstance(event, LaneResumed | LaneStepped | LaneSkipped)
+            if goes_on and lane.gate not in (Gate.PAUSED, Gate.HELD):
+                continue
+            if goes_on and (refusal := self._dispatch.set_up_refusal() or run.no_link(name)):
+                self._notices.say(sanitize(f"{run.file.name} {name}: not resumed: {refusal}"))
+                continue
+            run.request(event, name)
+
+    def _give(self, request: Request) -> OrderEnded | OrderWithheld | None:
+        return objection(self._dispatch.give_unasked(request))
+
+    def _note(self, name: str, robot: str, note: LaneNote) -> None:
+        """Tell what a person must know: the list has the rest."""
+        if not note.line and note.change not in UNTOLD:
+            detail = f": {note.detail}" if note.detail else ""
+            self._notices.note(sanitize(f"{name} {robot} {note.change}{detail}"))
+
+    def _save(self, path: Path, progress: RoutineProgress) -> None:
+        self._newest[path] = progress
+        self._in_background(partial(self._write, path), self._tell)
+
+    def _write(self, path: Path) -> str:
+        """Write the newest progress; return the reason if that failed. In a thread."""
+        with self._saving:
+            try:
+                save_progress(path, self._newest[path])
+            except OSError as problem:
+                return f"{path}: not written: {problem.strerror}: can't be resumed"
+        return ""
+
+    def _tell(self, problem: str) -> None:
+        if problem:
+            self._notices.note(sanitize(problem))
+
+    @property
+    def losses(self) -> str:
+        """Return the question before they are left, empty if nothing is led here."""
+        if not self.runs:
+            return ""
+        names = sanitize(", ".join(self.runs))
+        return (
+            f"Leave {names}? Running orders go on, nothing follows.\nIn the next console B takes it up again."
+        )
+
+    def close(self) -> None:
+        """Leave the routines, so that they can be taken up."""
+        for name, run in self.runs.items():
+            run.close()
+            path = progress_path(self._place.state, run.file.path)
+            self._newest[path] = run.progress
+            self._write(path)
+            self._files.log("routine held", f"{name}: the console was closed")
+            self._locks[name].release()
+        self.runs.clear()

@@ -1,0 +1,152 @@
+"""Requests to routines: checked and asked first."""
+
+from collections.abc import Callable, Sequence
+from functools import partial
+
+from msgspec.structs import replace
+
+from fleet_tui.controllers.dispatch import Ask, Dispatch
+from fleet_tui.controllers.notices import Notices
+from fleet_tui.controllers.parts import InBackground
+from fleet_tui.controllers.routines.led import LedRoutines
+from fleet_tui.controllers.typed import Entry, OpenMenu
+from fleet_tui.errors import RoutineError
+from fleet_tui.model.routines.lane import (
+    Gate,
+    LanePaused,
+    LanePhase,
+    LaneRequest,
+    LaneResumed,
+    LaneSkipped,
+    LaneStepped,
+    LaneStopped,
+)
+from fleet_tui.model.routines.row import RoutineRow
+from fleet_tui.routines.look import RoutinePlace, look_at_all
+from fleet_tui.routines.run import RoutineRun
+from fleet_tui.routines.start import Examined, examine
+from fleet_tui.state.store import Store
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.routines.lines import lane_text, lane_word, row_word
+
+ShowText = Callable[[str, Sequence[str]], None]
+"""Shows a text with its title."""
+
+
+class RoutineRequests:
+    """Lists the routines, opens the menu of one, and carries out what is chosen."""
+
+    def __init__(
+        self,
+        place: RoutinePlace,
+        store: Store,
+        dispatch: Dispatch,
+        notices: Notices,
+        led: LedRoutines,
+        ask: Ask,
+        open_menu: OpenMenu,
+        in_background: InBackground,
+    ) -> None:
+        self._place, self._store, self._dispatch, self._notices = place, store, dispatch, notices
+        self._led, self._ask, self._open_menu, self._in_background = led, ask, open_menu, in_background
+        self._seen: list[RoutineRow] = []
+        self._is_looking = False
+
+    @property
+    def rows(self) -> list[RoutineRow]:
+        """Return every routine, those that run here with their newest progress."""
+        return [self._with_run(row) for row in self._seen]
+
+    def _with_run(self, row: RoutineRow) -> RoutineRow:
+        run = self._led.runs.get(row.name)
+        if run is None:
+            return row
+        lanes = tuple(run.lanes.values())
+        return replace(row, plans=run.plans, lanes=lanes, at=run.progress.started, owner="this console")
+
+    def look(self) -> None:
+        """Look at the files, not on the loop."""
+        if not self._is_looking:
+            self._is_looking = True
+            self._in_background(partial(look_at_all, self._place, self._store.state), self._got)
+
+    def _got(self, rows: list[RoutineRow]) -> None:
+        self._is_looking = False
+        self._seen = rows
+
+    def tick(self) -> None:
+        """Lead the robots of the routines that run here."""
+        if self._led.tick():
+            self.look()
+
+    def menu(self, name: str, robot: str, show_text: ShowText) -> None:
+        """List what can be done with a routine, or with one robot of it."""
+        row = next((one for one in self.rows if one.name == name), None)
+        if row is None:
+            return
+        run = self._led.runs.get(name)
+        entries: list[Entry] = [] if run is None else self._changes(run, robot)
+        if row.is_left:
+            entries.append(("Take up where it was left, held", self._starting(name, True, show_text)))
+        if not row.owner:
+            entries.append(("Start", self._starting(name, False, show_text)))
+        entries.append(("Check: problems or timeline", partial(self._check, name, show_text)))
+        lane = next((one for one in row.lanes if one.robot == robot and not row.is_left), None)
+        state = lane_word(lane) if lane is not None else row_word(row)
+        by = f", led by {row.owner}" if row.owner and run is None else ""
+        title = f"{' '.join(filter(None, (name, robot)))}: {state}{by}"
+        where = lane_text(row.plans[robot], lane) if lane is not None else ""
+        self._open_menu("\n".join(sanitize(line) for line in (title, where) if line), entries)
+
+    def _changes(self, run: RoutineRun, robot: str) -> list[Entry]:
+        """Return the requests that change something in the present state of a robot, or of all."""
+        lanes = [lane for name, lane in run.lanes.items() if robot in ("", name) and not lane.is_over]
+        shut = [lane for lane in lanes if lane.gate in (Gate.PAUSED, Gate.HELD)]
+        found: list[tuple[str, LaneRequest]] = []
+        if shut:
+            found += [("Resume", LaneResumed()), ("Step: one instruction", LaneStepped())]
+        if any(lane.phase is LanePhase.READY for lane in shut):
+            found.append(("Skip the next instruction, and resume", LaneSkipped()))
+        if len(shut) < len(lanes):
+            found.append(("Pause: running orders go on, nothing follows", LanePaused()))
+        if lanes:
+            found.append(("Stop: running orders go on", LaneStopped()))
+        return [(text, partial(self._request, run, event, robot)) for text, event in found]
+
+    def _request(self, run: RoutineRun, event: LaneRequest, robot: str) -> None:
+        self._led.request(run, event, robot)
+        self.tick()
+
+    def _check(self, name: str, show_text: ShowText) -> None:
+        def show(found: Examined) -> None:
+            title = f"{name}: problems" if found.problems else f"{name}: timeline, if it started now"
+            show_text(title, found.problems or found.timeline)
+
+        self._in_background(partial(examine, self._place, self._store.state, name), show)
+
+    def _starting(self, name: str, is_left: bool, show_text: ShowText) -> Callable[[], None]:
+        """Return the start of a routine, or its taking up where it was left: checked, then asked."""
+
+        def ask(found: Examined) -> None:
+            if found.problems:
+                show_text(f"{name}: not started", found.problems)
+            else:
+                self._ask(lambda: found.question(is_left), partial(self._start, found, is_left))
+
+        def start() -> None:
+            if refusal := self._dispatch.set_up_refusal():
+                self._notices.say(sanitize(f"{name}: not started: {refusal}"))
+                return
+            self._in_background(partial(examine, self._place, self._store.state, name), ask)
+
+        return start
+
+    def _start(self, found: Examined, is_left: bool) -> None:
+        assert found.file is not None
+        name = found.file.name
+        try:
+            self._led.start(found.file, is_left)
+        except RoutineError as problem:
+            self._notices.say(sanitize(f"{name}: not started: {problem}"))
+        else:
+            self._notices.say(sanitize(f"{name}: {'taken up, held' if is_left else 'started'}"))

@@ -1,0 +1,45 @@
+"""Keys of the console's tools: diagnostics, logs, programs, routines, files."""
+
+from fleet_tui.actions import Actions
+from fleet_tui.keys.key import Key
+
+TOOLS: tuple[Key[Actions], ...] = (
+    Key(
+        "diagnostics",
+        ("d",),
+        lambda do: do.view.diagnostics(),
+        "Open diagnostics: links, topics, raw messages, logs",
+        eager="opens",
+    ),
+    Key("record", (), lambda do: do.files.record(), "Record: start or stop a recording"),
+    Key(
+        "audit",
+        ("L",),
+        lambda do: do.view.audit(),
+        "Open the audit log: all commands and alarms with their outcome",
+        eager="opens",
+    ),
+    Key(
+        "programs",
+        ("J",),
+        lambda do: do.view.programs(),
+        "Programs of the robot servers: state, start, stop, restart, log",
+        eager="opens",
+        only_live=True,
+    ),
+    Key(
+        "routines",
+        ("B",),
+        lambda do: do.view.routines(),
+        "Routines: list, start, pause, resume, stop, progress",
+        eager="opens",
+        only_live=True,
+    ),
+    Key(
+        "bundle",
+        ("b",),
+        lambda do: do.files.bundle(),
+        "Write an incident bundle: recording, log and doctor report",
+    ),
+    Key("save", (), lambda do: do.files.save(), "Save: write the configuration of this console to a file"),
+)

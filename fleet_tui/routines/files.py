@@ -1,0 +1,58 @@
+"""Routine files: NAME.routine in the folder of the configuration."""
+
+import hashlib
+import re
+from pathlib import Path
+
+from msgspec import Struct
+
+from fleet_tui.config.small_file import read_text
+from fleet_tui.errors import RoutineError, did_you_mean
+from fleet_tui.model.routines.blocks import ParsedRoutine
+from fleet_tui.rules.routines.parsing import parse_routine
+
+SUFFIX = ".routine"
+LARGEST = 100_000
+"""Bytes of a file."""
+MOST_ROUTINES = 200
+NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,63}")
+"""Names that the unit of a timer may have, too. None begins like an option or a hidden file."""
+
+
+class RoutineFile(Struct, frozen=True):
+    """A file that was read: `digest` tells whether it is still the same."""
+
+    name: str
+    path: Path
+    parsed: ParsedRoutine
+    digest: str
+
+
+def routine_names(folder: Path) -> list[str]:
+    """Return the names of the routines in a folder; none if it can't be read."""
+    try:
+        found = sorted(path.name for path in folder.iterdir() if path.suffix == SUFFIX)
+    except OSError:
+        return []
+    return [name.removesuffix(SUFFIX) for name in found[:MOST_ROUTINES]]
+
+
+def read_routine(folder: Path, name: str) -> RoutineFile:
+    """Return a routine by its name. Raises RoutineError."""
+    name = name.removesuffix(SUFFIX)
+    if not NAME.fullmatch(name):
+        raise RoutineError(
+            f"routine {name[:80]!r}: use up to 64 letters, digits, _, . and -, not - or . first"
+        )
+    path = folder / f"{name}{SUFFIX}"
+    try:
+        text = read_text(path, LARGEST)
+    except FileNotFoundError:
+        near = did_you_mean(name, routine_names(folder)) or f": create {path}"
+        raise RoutineError(f"unknown routine {name!r}{near}") from None
+    except UnicodeDecodeError:
+        raise RoutineError(f"{path}: not UTF-8 text: save it as UTF-8") from None
+    except (OSError, ValueError) as problem:
+        reason = problem.strerror if isinstance(problem, OSError) else f"{problem}: divide it"
+        raise RoutineError(f"{path}: {reason}") from None
+    return RoutineFile(name, path, parse_routine(text), hashlib.sha256(text.encode()).hexdigest())

@@ -1,0 +1,72 @@
+"""Looks at the routines of a folder: their files, and their last or present runs."""
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from msgspec import Struct
+
+from fleet_tui.errors import CommandError, RoutineError
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.routines.blocks import LanePlan
+from fleet_tui.model.routines.row import RoutineRow
+from fleet_tui.routines.files import RoutineFile, read_routine, routine_names
+from fleet_tui.routines.owner import owner_of
+from fleet_tui.routines.progress import RoutineProgress, load_progress, progress_path
+from fleet_tui.rules.language.words import find_robot
+from fleet_tui.text.units import counted
+
+
+class RoutinePlace(Struct, frozen=True):
+    """The folders of the routines and of their progress, and the URL of each robot's bridge."""
+
+    folder: Path
+    state: Path
+    urls: Mapping[str, str]
+
+
+def look_at_all(place: RoutinePlace, state: FleetState) -> list[RoutineRow]:
+    """Return every routine, as far as it can be read."""
+    return [_row(place, state, name) for name in routine_names(place.folder)]
+
+
+def plans_of(state: FleetState, file: RoutineFile) -> dict[str, LanePlan]:
+    """Return the plan of each robot that exists, by its name."""
+    found = dict[str, LanePlan]()
+    for lane in file.parsed.routine.lanes:
+        try:
+            found.setdefault(find_robot(lane.robot, state).name, lane)
+        except CommandError:
+            continue
+    return found
+
+
+def _row(place: RoutinePlace, state: FleetState, name: str) -> RoutineRow:
+    try:
+        file = read_routine(place.folder, name)
+    except RoutineError as problem:
+        return RoutineRow(name, problem=str(problem))
+    plans, progress = plans_of(state, file), load_progress(progress_path(place.state, file.path))
+    lanes = progress.lanes if progress is not None and progress.digest == file.digest else ()
+    return RoutineRow(
+        name,
+        tuple(schedule.text for schedule in file.parsed.routine.schedules),
+        plans,
+        tuple(lane for lane in lanes if lane.robot in plans),
+        progress.at if progress is not None else 0.0,
+        _owner(place, progress),
+        _problem(file),
+    )
+
+
+def _problem(file: RoutineFile) -> str:
+    found = file.parsed.problems
+    more = f", and {counted(len(found) - 1, 'more problem')}" if len(found) > 1 else ""
+    return f"line {found[0].line}: {found[0].text}{more}" if found else ""
+
+
+def _owner(place: RoutinePlace, progress: RoutineProgress | None) -> str:
+    """Return the process that leads the robots of an open run, empty if it has ended."""
+    if progress is None or progress.is_over:
+        return ""
+    owners = (owner_of(place.state, lane.robot, place.urls.get(lane.robot, "")) for lane in progress.lanes)
+    return next((owner for owner in owners if owner), "")

@@ -1,0 +1,213 @@
+"""Reading a routine: its lines as nested blocks, and every problem with its line.
+
+every weekday 06:30          # used by `fleet-tui routine install`
+for robot_0 robot_1          # the blocks of each, at the same time
+  go Base
+  repeat 3
+    carry Base Consumidores
+    if battery < 30
+      wait until battery > 80
+    else
+      run check.py
+    end
+  end
+  on failure
+    go Base
+  end
+end
+"""
+
+import shlex
+from collections import deque
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from typing import TypeVar
+
+from msgspec.structs import replace
+
+from fleet_tui.errors import CommandError, did_you_mean
+from fleet_tui.model.routines.blocks import (
+    Block,
+    Condition,
+    IfBlock,
+    LanePlan,
+    ParsedRoutine,
+    RepeatBlock,
+    Routine,
+    RoutineProblem,
+    Schedule,
+)
+from fleet_tui.rules.language.words import said
+from fleet_tui.rules.routines.instructions import USAGE, condition, instruction, schedule
+
+MOST_LINES, DEEPEST, MOST_TIMES, MOST_LANES = 2000, 20, 10_000, 100
+"""Lines of a file, blocks within each other, rounds of a `repeat`, robots."""
+_KEYWORDS = (*USAGE, "every", "for", "repeat", "if", "else", "on failure", "end")
+_FAILURE = ["on", "failure"]
+
+T = TypeVar("T")
+
+
+class _TooDeepError(CommandError):
+    """Blocks within each other beyond the limit: the rest of the file is not read."""
+
+
+def parse_routine(text: str) -> ParsedRoutine:
+    """Return the routine of a file, and all its problems in the order of their lines."""
+    lines = text.splitlines()
+    reader = _Reader()
+    if len(lines) > MOST_LINES:
+        reader.wrong(MOST_LINES + 1, f"over {MOST_LINES} lines: divide the routine into several files")
+    reader.lines = deque(reader.split(lines[:MOST_LINES]))
+    routine = reader.routine()
+    return ParsedRoutine(routine, tuple(sorted(reader.problems, key=lambda problem: problem.line)))
+
+
+class _Reader:
+    """Takes lines from the start of `lines`, as far as they belong to a block."""
+
+    def __init__(self) -> None:
+        self.lines: deque[tuple[int, list[str]]] = deque()
+        self.problems: list[RoutineProblem] = []
+
+    def wrong(self, line: int, text: str) -> None:
+        """Keep a problem."""
+        self.problems.append(RoutineProblem(line, text))
+
+    def split(self, lines: Sequence[str]) -> Iterator[tuple[int, list[str]]]:
+        """Yield the words of each line that has any."""
+        for number, text in enumerate(lines, 1):
+            try:
+                words = shlex.split(text, comments=True)
+            except ValueError:
+                self.wrong(number, "a quotation mark is not closed: close it, or write it as \\' or \\\"")
+                continue
+            if words:
+                yield number, [words[0].casefold(), *words[1:]]
+
+    def routine(self) -> Routine:
+        """Read the whole file."""
+        schedules, lanes, failure = list[Schedule](), list[LanePlan](), list[Block]()
+        while self.lines:
+            number, words = self.lines.popleft()
+            try:
+                match words:
+                    case ["every", *rest] if not lanes:
+                        schedules.append(schedule(rest))
+                    case ["for", *robots]:
+                        lanes += self._lanes(number, robots, lanes)
+                    case ["on", "failure"] if not failure:
+                        failure = self._closed("on failure", number, 1)
+                    case _:
+                        raise CommandError(_misplaced(words))
+            except _TooDeepError as problem:
+                self.wrong(number, str(problem))
+                break
+            except CommandError as problem:
+                self.wrong(number, str(problem))
+        if not lanes and not self.problems:
+            self.wrong(1, "no lane: begin one with for ROBOT, and close it with end")
+        return Routine(
+            tuple(lane if lane.on_failure else replace(lane, on_failure=tuple(failure)) for lane in lanes),
+            tuple(schedules),
+        )
+
+    def _lanes(self, number: int, robots: Sequence[str], others: Sequence[LanePlan]) -> list[LanePlan]:
+        body, failure = self._blocks(2), list[Block]()
+        if self.lines and self.lines[0][1] == _FAILURE:
+            failure = self._closed("on failure", self.lines.popleft()[0], 2)
+        self._end("for", number, 2)
+        if not robots:
+            raise CommandError("usage: for ROBOT [ROBOT ...]")
+        if len(robots) + len(others) > MOST_LANES:
+            raise CommandError(f"over {MOST_LANES} robots: divide the routine into several files")
+        return [LanePlan(robot, number, tuple(body), tuple(failure)) for robot in robots]
+
+    def _closed(self, word: str, number: int, depth: int) -> list[Block]:
+        """Read the blocks up to `end`."""
+        body = self._blocks(depth + 1)
+        self._end(word, number, depth)
+        return body
+
+    def _end(self, word: str, number: int, depth: int) -> None:
+        """Take the `end` of a block; anything before it is misplaced."""
+        while self.lines:
+            at, words = self.lines[0]
+            if words == ["end"]:
+                self.lines.popleft()
+                return
+            if words[0] == "else" or words == _FAILURE:
+                self.lines.popleft()
+                self.wrong(at, _misplaced(words))
+            else:
+                self.wrong(at, "put it before on failure, which is the last part of its lane")
+            self._blocks(depth + 1)
+        self.wrong(number, f"{word} is not closed: add end")
+
+    def _blocks(self, depth: int) -> list[Block]:
+        """Read blocks up to the line that ends them."""
+        if depth > DEEPEST + 1:
+            raise _TooDeepError(f"over {DEEPEST} blocks within each other: use fewer")
+        found = list[Block]()
+        while self.lines and self.lines[0][1] not in (["end"], ["else"], _FAILURE):
+            number, words = self.lines.popleft()
+            match words[0]:
+                case "repeat":
+                    times = self._tried(number, partial(_times, words[1:]))
+                    body = tuple(self._closed("repeat", number, depth))
+                    found.append(RepeatBlock(number, " ".join(words), times, body))
+                case "if":
+                    found += self._if(number, words, depth)
+                case _:
+                    found += self._tried(number, partial(_instruction, number, words)) or ()
+        return found
+
+    def _if(self, number: int, words: list[str], depth: int) -> list[Block]:
+        asked: Condition | None = self._tried(number, partial(condition, words[1:]))
+        body, otherwise = self._blocks(depth + 1), list[Block]()
+        if self.lines and self.lines[0][1] == ["else"]:
+            self.lines.popleft()
+            otherwise = self._blocks(depth + 1)
+        self._end("if", number, depth)
+        if asked is None:
+            return []
+        return [IfBlock(number, " ".join(words), asked, tuple(body), tuple(otherwise))]
+
+    def _tried(self, number: int, read: Callable[[], T]) -> T | None:
+        """Return what is read, or keep the problem."""
+        try:
+            return read()
+        except CommandError as problem:
+            self.wrong(number, str(problem))
+            return None
+
+
+def _times(words: Sequence[str]) -> int | None:
+    if not words:
+        return None
+    count = int(words[0]) if len(words) == 1 and words[0].isascii() and words[0].isdigit() else 0
+    if not 1 <= count <= MOST_TIMES:
+        raise CommandError(f"usage: repeat, or repeat N with N from 1 to {MOST_TIMES}")
+    return count
+
+
+def _instruction(number: int, words: Sequence[str]) -> tuple[Block, ...]:
+    if words[0] not in USAGE:
+        raise CommandError(_misplaced(words))
+    return instruction(number, words)
+
+
+def _misplaced(words: Sequence[str]) -> str:
+    """Return the problem of a line that is known, but not here, or that is unknown."""
+    places = {
+        "every": "every: put it at the start of the file",
+        "for": "for inside a block: close that block with end first",
+        "end": "end without a block: remove it",
+        "else": "else without if before it: write else alone in its line, after if",
+        "on": "on failure: put it alone in its line, once, at the end of a lane or of the file",
+    }
+    if words[0] in places:
+        return places[words[0]]
+    if words[0] in _KEYWORDS:
+        return f"{words[0]} outside a lane: put it between for ROBOT and end"
+    return f"unknown instruction {said(words[0])}{did_you_mean(words[0], _KEYWORDS)}"

@@ -1,0 +1,144 @@
+"""The routines: a list with the progress of each robot, and a text about one of them."""
+
+import time
+from collections.abc import Hashable, Mapping, Sequence
+from typing import TYPE_CHECKING, ClassVar
+
+from rich.style import Style
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.widgets import Static
+
+from fleet_tui.controllers.dispatch import Ask
+from fleet_tui.controllers.parts import InBackground
+from fleet_tui.controllers.programs import since_text
+from fleet_tui.controllers.routines.led import LedRoutines
+from fleet_tui.controllers.routines.requests import RoutineRequests
+from fleet_tui.controllers.typed import OpenMenu
+from fleet_tui.keys import Pane
+from fleet_tui.log_file import state_folder
+from fleet_tui.routines.look import RoutinePlace
+from fleet_tui.screens.overlay import ReturningOverlay
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.routines.table import routine_table, text_table
+from fleet_tui.widgets.bindings import bindings
+from fleet_tui.widgets.rows_pane import RowsPane
+
+if TYPE_CHECKING:
+    from fleet_tui.screens.main import MainScreen
+
+EVERY = 0.25
+"""Seconds between two ticks of the routines."""
+LOOK_EVERY = 2.0
+"""Seconds between two looks at the files."""
+
+
+def routines_overlay(
+    screen: "MainScreen", ask: Ask, open_menu: OpenMenu, in_background: InBackground
+) -> "Routines":
+    """Return the overlay for the routines of a console's configuration."""
+    settings = screen.settings
+    place = RoutinePlace(settings.routines, state_folder() / "routines", settings.bridge_urls)
+    parts = screen.store, screen.dispatch, screen.notices
+    led = LedRoutines(place, *parts, screen.files, in_background)
+    return Routines(place, RoutineRequests(place, *parts, led, ask, open_menu, in_background), led, ask)
+
+
+class Routines(ReturningOverlay):
+    """One table: the routines, or the lines of a text about one. What runs here goes on while it is
+    closed."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        ("escape,q", "back", "Back"),
+        *(
+            Binding(binding.key, "close", show=False, id=binding.id)
+            for binding in bindings(Pane.CONSOLE)
+            if isinstance(binding, Binding) and binding.id == "routines"
+        ),
+    ]
+
+    def __init__(self, place: RoutinePlace, requests: RoutineRequests, led: LedRoutines, ask: Ask) -> None:
+        super().__init__(id="routines")
+        self._place, self._requests, self._led, self._ask = place, requests, led, ask
+        self._text: tuple[str, Sequence[str]] | None = None
+        self._looked = 0.0
+        self._has_timer = False
+        self._noted = ""
+        self.rows = RowsPane(id="routine-rows", choose=self._choose)
+
+    def compose(self) -> ComposeResult:
+        """Compose the rows, and the whole text of the marked one."""
+        yield self.rows
+        yield Static(id="routine-note", markup=False)
+
+    def set_role_styles(self, styles: Mapping[StyleRole, Style]) -> None:
+        """Change every colour."""
+        self.rows.set_role_styles(styles)
+
+    def show(self) -> None:
+        """Open on the list."""
+        self._text, self._looked = None, 0.0
+        self.open(self.rows)
+        self._tick()
+        if not self._has_timer:
+            self._has_timer = True
+            self.set_interval(EVERY, self._tick)
+
+    def show_text(self, title: str, lines: Sequence[str]) -> None:
+        """Show a text in the place of the list."""
+        self._text = title, lines
+        self.open(self.rows)
+        self._fill()
+
+    def action_back(self) -> None:
+        """Return from a text to the list, from the list to the console."""
+        if self._text is None:
+            self.action_close()
+        self._text = None
+        self._fill()
+
+    def _choose(self, key: Hashable) -> None:
+        match key:
+            case str():
+                self._requests.menu(key, "", self.show_text)
+            case (str() as name, str() as robot):
+                self._requests.menu(name, robot, self.show_text)
+
+    def _tick(self) -> None:
+        self._requests.tick()
+        if not self.is_open:
+            return
+        if time.monotonic() - self._looked > LOOK_EVERY:
+            self._looked = time.monotonic()
+            self._requests.look()
+        self._fill()
+
+    def on_resize(self) -> None:
+        """Fill it at its new size."""
+        if self.is_open:
+            self._fill()
+
+    def _fill(self) -> None:
+        """Show the current rows."""
+        if self._text is not None:
+            table = text_table(*self._text)
+        else:
+            table = routine_table(self._requests.rows, str(self._place.folder), since_text)
+        self.rows.show(table)
+        cursor = self.rows.listing.cursor
+        marked = next((row for row in table.rows if row.key == cursor), None)
+        text = marked.runs[-1][0] if marked is not None else ""
+        if text != self._noted:  # an update lays out the whole screen
+            self._noted = text
+            self.query_one("#routine-note", Static).update(text)
+
+    def quit(self) -> None:
+        """Leave the program, after a question if a routine runs here."""
+        if self._led.losses:
+            self._ask(lambda: self._led.losses, self.app.exit)
+        else:
+            self.app.exit()
+
+    def on_unmount(self) -> None:
+        """Leave what runs here."""
+        self._led.close()

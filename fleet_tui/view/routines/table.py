@@ -1,0 +1,90 @@
+"""Rows of the routines, each with a row for every robot of its last run, and of a text about one."""
+
+from collections.abc import Callable, Iterator, Sequence
+
+from fleet_tui.model.routines.lane import Lane
+from fleet_tui.model.routines.row import RoutineRow
+from fleet_tui.text.sanitize import fit, sanitize
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.routines.lines import (
+    HELD,
+    NEVER,
+    PAUSED,
+    RUNNING,
+    WAITING,
+    lane_text,
+    lane_word,
+    row_word,
+)
+from fleet_tui.view.tables.table import Row, Run, Table, column
+
+NONE_THERE = (
+    "Write one there, for example morning.routine:",
+    "",
+    "  for robot_0 robot_1",
+    "    carry Base Store",
+    "    wait until idle",
+    "  end",
+    "",
+    "docs/routines.md has the other instructions.",
+)
+_LOOKS = {
+    RUNNING: ("● ", StyleRole.GOOD),
+    WAITING: ("◇ ", StyleRole.GOOD),
+    PAUSED: ("◇ ", StyleRole.WARN),
+    HELD: ("△ ", StyleRole.WARN),
+    "failed": ("✗ ", StyleRole.ALARM),
+    NEVER: ("○ ", StyleRole.DIM),
+    "done": ("○ ", StyleRole.TEXT),
+    "stopped": ("○ ", StyleRole.DIM),
+}
+
+
+def routine_table(rows: Sequence[RoutineRow], folder: str, clock: Callable[[float], str]) -> Table:
+    """Return the routines; the key of a row is the name, or the name and the robot. `clock` formats Unix
+    seconds."""
+    title = (("Routines", StyleRole.TITLE), ("  Enter: start, pause, resume, stop", StyleRole.DIM))
+    if not rows:
+        text = (f"No routine in {sanitize(folder)}.", *NONE_THERE)
+        return Table(
+            (("Routines", StyleRole.TITLE),),
+            [Row(n, ((line, StyleRole.TEXT),)) for n, line in enumerate(text)],
+        )
+    names = column((name for row in rows for name in (row.name, *(f"  {one}" for one in row.plans))), 7, 18)
+    head = f"{'routine':<{names}} {'state':<11} {'since':<11} instruction"
+    shown = [one for row in rows for one in _rows(row, names, clock)]
+    return Table(title, shown, head=((head, StyleRole.DIM),))
+
+
+def _rows(row: RoutineRow, names: int, clock: Callable[[float], str]) -> Iterator[Row]:
+    times = f"every {', every '.join(row.times)}" if row.times else ""
+    by = f"led by {row.owner}" if row.owner and not any(lane.is_over for lane in row.lanes) else ""
+    note = "; ".join(sanitize(part) for part in (by, times) if part)
+    role = StyleRole.ALARM if row.problem else StyleRole.DIM
+    since = clock(row.at) if row.lanes else "-"
+    yield Row(row.name, _runs(row.name, names, row_word(row), since, sanitize(row.problem) or note, role))
+    if not all(lane.is_over for lane in row.lanes):
+        for lane in row.lanes:
+            yield Row((row.name, lane.robot), _lane(row, lane, names, clock))
+
+
+def _lane(row: RoutineRow, lane: Lane, names: int, clock: Callable[[float], str]) -> tuple[Run, ...]:
+    word = HELD if row.is_left and not lane.is_over else lane_word(lane)
+    text = lane_text(row.plans[lane.robot], lane)
+    return _runs(f"  {lane.robot}", names, word, clock(lane.since), text, StyleRole.TEXT)
+
+
+def _runs(name: str, names: int, word: str, since: str, note: str, role: StyleRole) -> tuple[Run, ...]:
+    sign, look = _LOOKS[word]
+    return (
+        (fit(name, names) + " ", StyleRole.TEXT),
+        (fit(f"{sign}{word}", 11) + " ", look),
+        (fit(since, 11) + " ", StyleRole.DIM),
+        (note, role),
+    )
+
+
+def text_table(title: str, lines: Sequence[str]) -> Table:
+    """Return the lines of a text about a routine."""
+    shown = [Row(n, ((sanitize(line), StyleRole.TEXT),)) for n, line in enumerate(lines)]
+    return Table(((sanitize(title), StyleRole.TITLE), ("  Esc: back", StyleRole.DIM)), shown)
