@@ -1,5 +1,4 @@
-"""Parts of the main screen after its first paint: the map, the overlays, and the controllers that need
-them."""
+"""Parts of the main screen after its first paint: the map, the overlays, and their controllers."""
 
 from collections.abc import Callable
 from functools import partial
