@@ -45,11 +45,13 @@ async def running(
         yield process
     finally:
         _kill(process)
-        with suppress(TimeoutError):  # its end is told to this loop, which may close next
-            async with asyncio.timeout(DRAIN):
-                await exit_code(process)
-        # Else the pipe stays open for as long as a grandchild holds it.
-        process._transport.close()  # type: ignore[attr-defined]  # typeshed leaves it out
+        try:
+            with suppress(TimeoutError):  # its end is told to this loop, which may close next
+                async with asyncio.timeout(DRAIN):
+                    await exit_code(process)
+        finally:
+            # Else the pipe stays open for as long as a grandchild holds it.
+            process._transport.close()  # type: ignore[attr-defined]  # typeshed leaves it out
 
 
 def _kill(process: Process) -> None:

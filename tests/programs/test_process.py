@@ -1,6 +1,8 @@
 """Processes within limits: late, loud, missing and left behind ones."""
 
+import asyncio
 import time
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -56,3 +58,25 @@ async def test_a_process_that_is_left_is_ended() -> None:
     async with running(["sleep", "60"]) as process:
         assert exists(process.pid)
     await until(lambda: not exists(process.pid))
+
+
+async def test_who_is_cancelled_twice_leaves_no_pipe_open() -> None:
+    """As by the end of a program: a task that waits for the end of its process is cancelled, too."""
+    started = asyncio.Event()
+    processes = list[asyncio.subprocess.Process]()
+
+    async def runs() -> None:
+        async with running(["sleep", "60"]) as process:
+            processes.append(process)
+            started.set()
+            await asyncio.Event().wait()
+
+    task = asyncio.create_task(runs())
+    await started.wait()
+    task.cancel()
+    await asyncio.sleep(0)  # it waits for the end of the process now
+    task.cancel()
+    with suppress(asyncio.CancelledError):
+        await task
+    transport = processes[0]._transport  # type: ignore[attr-defined]  # typeshed leaves it out
+    assert transport.is_closing()
