@@ -131,6 +131,16 @@ DOCS = {
             settled=10,
         ),
     ),
+    "camera": ((100, 30), Console(NAV2_ALONE, {"open": ["V"]}, settled=5)),
+    "driving": (
+        (100, 30),
+        Console(
+            NAV2_ALONE,
+            # The last picture is made while the key still counts as held.
+            {"asked": ["T"], "begun": ["'y"], "nearer": ["plus"] * 12, "back": ["'" + "s" * 20]},
+            settled=0,
+        ),
+    ),
 }
 """The pictures of the documentation, by name: size, console, and the keys before them."""
 
