@@ -45,7 +45,7 @@ Give = Callable[[Request], OrderEnded | OrderWithheld | None]
 
 
 class RunParts(NamedTuple):
-    """What a run uses: `give` sends an order, `note` is called with each change of a robot's lane, `log`
+    """The doors of a run: `give` sends an order, `note` is called with each change of a robot's lane, `log`
     writes to the audit log, `save` keeps the progress."""
 
     store: Store

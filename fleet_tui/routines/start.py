@@ -33,11 +33,11 @@ class Examined(Struct, frozen=True):
     totals: tuple[str, ...] = ()
 
     def question(self, is_left: bool) -> str:
-        """Return the question before it starts, or is taken up where it was left."""
+        """Return the question before it starts, or continues where it left off."""
         assert self.file is not None
         robots = sanitize(f"{self.file.name} with {some(self.robots)}")
         if is_left:
-            return f"Take up {robots}? It is held until it is resumed; orders that still run are followed."
+            return f"Continue {robots}? It is held until it is resumed; orders that still run are followed."
         more = [f"and {len(self.totals) - SHOWN} more robots"] if len(self.totals) > SHOWN else []
         return "\n".join([f"Start {robots}?", *self.totals[:SHOWN], *more])
 

@@ -29,7 +29,7 @@ def _wrapped(lines: list[str], width: int) -> list[str]:
     return [
         piece
         for line, indent in zip(lines, indents, strict=True)
-        for piece in wrap(line, width, subsequent_indent=indent, drop_whitespace=True) or [""]
+        for piece in wrap(line, width, subsequent_indent=indent) or [""]
     ]
 
 

@@ -1,12 +1,10 @@
 """P25: from a key to the first twist on the wire, with 1 and with 100 robots."""
 
 import asyncio
-import json
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import Any
 
 from msgspec.structs import replace
 from textual import events
@@ -17,42 +15,29 @@ from fleet_tui.config.start import initial_state
 from fleet_tui.demo import demo_config, simulated
 from fleet_tui.model.set_up.driving import STILL, DrivePhase, Speeds, Steering
 from fleet_tui.themes import load_themes
-from fleet_tui.transports.rosbridge.connection import Connection
 from fleet_tui.view.map.drawing import Drawing
 from tests.bench.rows import Row, p95, row
+from tests.bench.wiretap import wiretap
 from tests.support.console_pilot import Console
 from tests.support.watched_store import WatchedStore
 
 PRESSES = 40
-TARGETS = {1: 10.0, 100: 20.0}
+TARGETS = {1: 10.0, 100: 10.0}
 SILENCE = 0.65
 """Seconds after a press until nothing is sent any more."""
 
 
-@contextmanager
-def wiretap(times: list[float]) -> Iterator[None]:
-    """Note when a twist that moves the robot is handed to the socket."""
-    send = Connection.send
-
-    def tapped(self: Connection, payload: bytes) -> None:
-        send(self, payload)
-        at = time.perf_counter()
-        message = json.loads(payload).get("msg", {})
-        if any(message.get("linear", {}).values()) or any(message.get("angular", {}).values()):
-            times.append(at)
-
-    Connection.send = tapped  # type: ignore[method-assign]  # the one place where the frame leaves us
-    try:
-        yield
-    finally:
-        Connection.send = send  # type: ignore[method-assign]  # as it was
+def moves(frame: dict[str, Any]) -> bool:
+    """Tell whether a frame is a twist that moves the robot."""
+    message = frame.get("msg", {})
+    return any(message.get("linear", {}).values()) or any(message.get("angular", {}).values())
 
 
 async def keys(it: Console) -> list[float]:
     """Milliseconds from a key to its first twist, at any moment of the tick."""
     sent: list[float] = []
     taken = []
-    with wiretap(sent):
+    with wiretap(moves, sent):
         for n in range(PRESSES):
             await asyncio.sleep(SILENCE + n % 10 * 0.011)
             sent.clear()
@@ -70,7 +55,7 @@ async def direct(it: Console) -> list[float]:
     taken = []
     drive = it.app.main.rest.drives._drive
     assert drive is not None and drive.state.phase is DrivePhase.READY
-    with wiretap(sent):
+    with wiretap(moves, sent):
         for _ in range(PRESSES):
             drive.steer(Steering(STILL, 0.0))
             await asyncio.sleep(SILENCE)

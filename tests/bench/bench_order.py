@@ -1,11 +1,10 @@
 """P7: from Enter in the order form to the service call on the wire, with 1 and with 100 robots."""
 
 import asyncio
-import json
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 from textual import events
 
@@ -15,9 +14,9 @@ from fleet_tui.config.start import initial_state
 from fleet_tui.demo import demo_config, simulated
 from fleet_tui.model.commands import PauseRobot
 from fleet_tui.themes import load_themes
-from fleet_tui.transports.rosbridge.connection import Connection
 from fleet_tui.view.map.drawing import Drawing
 from tests.bench.rows import Row, p95, row
+from tests.bench.wiretap import wiretap
 from tests.support.console_pilot import Console
 from tests.support.watched_store import WatchedStore
 
@@ -29,23 +28,9 @@ TRIPS = [(start, end) for start in STARTS for end in ENDS]
 TARGETS = {1: 5.0, 100: 15.0}
 
 
-@contextmanager
-def wiretap(service: str, times: list[float]) -> Iterator[None]:
-    """Note when a call to a service is handed to the socket."""
-    send = Connection.send
-
-    def tapped(self: Connection, payload: bytes) -> None:
-        send(self, payload)
-        at = time.perf_counter()
-        # Its name alone is also in the questions to rosapi.
-        if json.loads(payload).get("service", "").endswith(service):
-            times.append(at)
-
-    Connection.send = tapped  # type: ignore[method-assign]  # the one place where the frame leaves us
-    try:
-        yield
-    finally:
-        Connection.send = send  # type: ignore[method-assign]  # as it was
+def calls(service: str) -> Callable[[dict[str, Any]], bool]:
+    """Return a test for calls to a service: its name alone is also in the questions to rosapi."""
+    return lambda frame: frame.get("service", "").endswith(service)
 
 
 def key(app: FleetApp, name: str) -> None:
@@ -56,7 +41,7 @@ async def orders(it: Console) -> list[float]:
     """Milliseconds from Enter to the wire, per order."""
     sent: list[float] = []
     taken = []
-    with wiretap("Execute_order", sent):
+    with wiretap(calls("Execute_order"), sent):
         for n in range(ORDERS):
             start, end = TRIPS[n % len(TRIPS)]
             for name in ["o", *start, "enter", *end]:
@@ -74,7 +59,7 @@ async def direct(it: Console) -> list[float]:
     """The same way without the screen: submit to wire."""
     sent: list[float] = []
     taken = []
-    with wiretap("Pause", sent):
+    with wiretap(calls("Pause"), sent):
         for n in range(ORDERS):
             started = time.perf_counter()
             it.app.backend.submit(PauseRobot("robot_0"))

@@ -19,7 +19,7 @@ def test_a_good_one_has_a_timeline_and_a_question(tmp_path: Path) -> None:
     found = examined(tmp_path, "for robot_0\nwait 90 s\nwait 30 s\nend\n")
     assert found.problems == () and found.timeline[0] == "robot_0:" and len(found.timeline) == 3
     assert found.question(False) == "Start day with robot_0?\nrobot_0: 2 instructions, about 2:00 min"
-    assert found.question(True).startswith("Take up day with robot_0? It is held until it is resumed")
+    assert found.question(True).startswith("Continue day with robot_0? It is held until it is resumed")
 
 
 def test_an_unknown_duration_makes_it_a_lower_limit(tmp_path: Path) -> None:

@@ -10,6 +10,7 @@ from msgspec.structs import replace
 from textual import events
 
 from fleet_tui.model.set_up.driving import DrivePhase
+from fleet_tui.rules.driving import hold
 from fleet_tui.simulator.faults import play
 from fleet_tui.terminal.key_releases import KeyReleased
 from tests.support.console_pilot import Console, console
@@ -175,10 +176,12 @@ async def test_a_console_that_quits_stops_the_robot(slow_site: Site) -> None:
     assert is_still(slow_site)
 
 
-async def test_the_release_of_a_key_stops_the_robot(slow_site: Site) -> None:
+async def test_the_release_of_a_key_stops_the_robot(slow_site: Site, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(hold, "TAP", 60.0)  # else a tap ends before anyone could tell
     async with driving(slow_site) as it:
         await it.press("w")
-        it.app.post_message(KeyReleased("w"))
+        await it.until(lambda _: len(frames(slow_site)) > 1 and not is_still(slow_site))
         it.app.post_message(KeyReleased("up"))
+        it.app.post_message(KeyReleased("w"))
         await it.until(lambda _: is_still(slow_site))
         assert it.app.main.rest.drives.mode is not None

@@ -1,4 +1,4 @@
-"""Routines by keys alone: checked, asked, led, held, resumed, left and taken up."""
+"""Routines by keys alone: checked, asked, led, held, resumed, left and continued."""
 
 import asyncio
 import os
@@ -153,7 +153,7 @@ async def test_leaving_is_asked_and_the_next_console_takes_it_up(
         await it.press("B")
         await it.shows("△ held", PANE)
         await it.press("enter", "1")
-        await it.shows("Take up day with robot_0?")
+        await it.shows("Continue day with robot_0?")
         await it.press("y")
         await it.shows("the process that led it has ended", PANE)
         await it.shows("led by this console", PANE)

@@ -108,7 +108,7 @@ class _Running:
         parts = RunParts(self._given.store, self._give, self._note, self._given.log, save)
         run = RoutineRun(self._file, parts, operator, before)
         if not self._options.as_json:
-            verb = "started" if before is None else "taken up"
+            verb = "started" if before is None else "continued"
             self._say(sanitize(f"{clock_text(time.time())} {self._file.name} {verb}: {', '.join(run.lanes)}"))
         try:
             if before is not None:

@@ -35,7 +35,7 @@ UNTOLD = ("resumed", "step")
 
 
 class LedRoutines:
-    """Starts runs, leads them with every tick, and leaves them so that they can be taken up."""
+    """Starts runs, leads them with every tick, and leaves them so that they can be continued."""
 
     def __init__(
         self,
@@ -54,7 +54,7 @@ class LedRoutines:
         self._newest: dict[Path, RoutineProgress] = {}
 
     def start(self, file: RoutineFile, is_left: bool) -> None:
-        """Start a routine, or take it up where it was left. Raises RoutineError."""
+        """Start a routine, or continue it where it left off. Raises RoutineError."""
         if refusal := self._dispatch.set_up_refusal():  # it may have been disarmed during the question
             raise RoutineError(refusal)
         urls = {robot: self._place.urls[robot] for robot in plans_of(self._store.state, file)}
@@ -124,12 +124,10 @@ class LedRoutines:
         if not self.runs:
             return ""
         names = sanitize(", ".join(self.runs))
-        return (
-            f"Leave {names}? Running orders go on, nothing follows.\nIn the next console B takes it up again."
-        )
+        return f"Leave {names}? Running orders go on, nothing follows.\nIn the next console B continues it."
 
     def close(self) -> None:
-        """Leave the routines, so that they can be taken up."""
+        """Leave the routines, so that they can be continued."""
         for name, run in self.runs.items():
             run.close()
             path = progress_path(self._place.state, run.file.path)

@@ -87,7 +87,7 @@ class RoutineRequests:
         run = self._led.runs.get(name)
         entries: list[Entry] = [] if run is None else self._changes(run, robot)
         if row.is_left:
-            entries.append(("Take up where it was left, held", self._starting(name, True, show_text)))
+            entries.append(("Continue where it left off, held", self._starting(name, True, show_text)))
         if not row.owner:
             entries.append(("Start", self._starting(name, False, show_text)))
         entries.append(("Check: problems or timeline", partial(self._check, name, show_text)))
@@ -125,7 +125,7 @@ class RoutineRequests:
         self._in_background(partial(examine, self._place, self._store.state, name), show)
 
     def _starting(self, name: str, is_left: bool, show_text: ShowText) -> Callable[[], None]:
-        """Return the start of a routine, or its taking up where it was left: checked, then asked."""
+        """Return the start of a routine, or its continuation where it left off: checked, then asked."""
 
         def ask(found: Examined) -> None:
             if found.problems:
@@ -149,4 +149,4 @@ class RoutineRequests:
         except RoutineError as problem:
             self._notices.say(sanitize(f"{name}: not started: {problem}"))
         else:
-            self._notices.say(sanitize(f"{name}: {'taken up, held' if is_left else 'started'}"))
+            self._notices.say(sanitize(f"{name}: {'continued, held' if is_left else 'started'}"))
