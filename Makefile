@@ -5,18 +5,17 @@ BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 PURE := $(addprefix tests/,text model keys rules graph_files state view adapters config test_house.py test_mirror.py test_keymap.py test_errors.py)
 # Tests with links and processes wait more than they work: several at once, the longest first.
-TOGETHER := -q -n 6 --maxschedchunk 1
+TOGETHER := -q -n 8 --maxschedchunk 1
 # Compiled once, not by each of a few hundred processes.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test quick lint types compiled unit bench faults fuzz soak pictures docs lock format clean
+.PHONY: demo test quick lint types compiled tested unit bench faults fuzz soak pictures docs lock format clean
 
 demo: $(READY)
 	@$(BIN)/fleet-tui demo
 
 test: $(READY)
-	@$(MAKE) --no-print-directory -j 2 lint types compiled
-	@$(MAKE) --no-print-directory unit
+	@$(MAKE) --no-print-directory -j 2 lint types tested
 
 lint: $(READY)
 	@$(BIN)/ruff format --check --quiet . || { echo "run: make format"; exit 1; }
@@ -33,6 +32,9 @@ compiled: $(READY)
 # The developer's loop: no processes, no sockets.
 quick: $(READY)
 	@$(BIN)/pytest -q -n 2 $(PURE)
+
+tested: compiled
+	@$(MAKE) --no-print-directory unit
 
 unit: $(READY)
 	@$(BIN)/pytest $(TOGETHER)

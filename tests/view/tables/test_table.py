@@ -68,7 +68,7 @@ RUNS = st.lists(
 def test_cut_takes_exactly_its_cells_and_keeps_the_beginning(runs: list[Run], cells: int) -> None:
     shown = cut(runs, cells)
     assert width_of(shown) == cells
-    if width_of(runs) <= cells:
+    if width_of(runs) < cells:  # marks without a width, once all cells are taken, may go
         assert "".join(text for text, _ in shown).rstrip(" ") == "".join(text for text, _ in runs)
 
 
