@@ -61,7 +61,7 @@ class Robot(Struct, frozen=True, eq=False):
     last bad data; `says_paused`: it has a topic for that, received or not; `traces` are the orders in its
     queue by id, `gone` those that left it, newest last; `pause_lost_at` is when a restart ended our own
     pause; `goals` are those that its action servers list, by action; `odometry` is its newest pose by its
-    wheels, `located` its last localised pose on the map, `anchor` the origin of its wheel frame on the map;
+    wheels, of `odometry_at`, `located` its last localised pose on the map, `anchor` the origin of its wheel frame on the map;
     `variance` that of its position in square metres; `own_floor` the floor it reports; `held` is the reason
     that this console sends it no waiting order, empty while it does, and `released_at` when the operator last
     released them; `named` is a goal that this console named and that is not listed yet; `target` the last
@@ -91,6 +91,7 @@ class Robot(Struct, frozen=True, eq=False):
     queue: Reading[OrderQueue] | None = None
     goals: Mapping[str, tuple[Goal, ...]] = field(default_factory=dict)
     odometry: Pose | None = None
+    odometry_at: float | None = None
     located: Pose | None = None
     located_at: float | None = None
     anchor: Pose | None = None

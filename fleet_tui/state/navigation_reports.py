@@ -59,7 +59,7 @@ def _merged(robot: Robot, new: Progress) -> Progress:
 
 def _take_odometry(robot: Robot, event: navigation_events.OdometryReported) -> Robot:
     """Move a robot by its wheel odometry, from its last localised pose."""
-    robot = replace(robot, odometry=event.pose)
+    robot = replace(robot, odometry=event.pose, odometry_at=event.at)
     if robot.anchor is None and robot.located is not None:
         robot = replace(robot, anchor=robot.located.after(event.pose.inverse))
     if robot.anchor is None:
@@ -69,6 +69,9 @@ def _take_odometry(robot: Robot, event: navigation_events.OdometryReported) -> R
     placed = robot.anchor.after(event.pose)
     return apply_report(robot, events.PoseReported(robot.name, event.at, placed, robot.frame_id, event.stamp))
 
+
+WHEELS_UNHEARD = 2.0
+"""Seconds after which the last odometry says nothing about the place of a new localised pose."""
 
 SCAN_DELAY = 0.3
 """Seconds by which a localised pose is stamped earlier: with the time of the scan that it is from."""
@@ -90,7 +93,11 @@ def _take_localisation(robot: Robot, event: navigation_events.LocalisationReport
     jumped = relocation(robot, event.pose, frame_id, event.at)
     robot = replace(robot, located=event.pose, located_at=_true_at(robot, event), frame_id=frame_id)
     if robot.odometry is not None:
-        robot = replace(robot, anchor=event.pose.after(robot.odometry.inverse), relocated=jumped)
+        # Wheels unheard for a while may have started anew from zero, as those of a restarted base: they count
+        # from here on with their next message.
+        heard = robot.odometry_at is None or event.at - robot.odometry_at <= WHEELS_UNHEARD
+        anchor = event.pose.after(robot.odometry.inverse) if heard else None
+        robot = replace(robot, anchor=anchor, relocated=jumped)
         return replace(robot, pose=Reading(event.pose, robot.pose.at)) if robot.pose else robot
     placed = events.PoseReported(robot.name, event.at, event.pose, frame_id, None)
     return replace(apply_report(robot, placed), last_received=robot.last_received)

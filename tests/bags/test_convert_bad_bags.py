@@ -130,7 +130,7 @@ def test_damage_is_an_error_or_what_could_be_read(form: str, tmp_path: Path) -> 
     read = []
 
     # The same each time: the last line wants some that can be read.
-    @settings(max_examples=40, deadline=None, database=None, derandomize=True)
+    @settings(max_examples=20, deadline=None, database=None, derandomize=True)
     @given(st.integers(0, len(whole) - 1), st.integers(0, 255), st.integers(0, 3))
     def damaged(place: int, byte: int, cut: int) -> None:
         content = bytearray(whole)

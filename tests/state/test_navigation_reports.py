@@ -53,6 +53,12 @@ class TestPlacing:
         assert self.place(*facts) == Pose(10.0, 0.0)
         assert self.place(*facts, odometry(T0 + 10, 11.3)) == pytest.approx(Pose(11.0, 0.0))
 
+    def test_wheels_that_start_anew_take_it_nowhere(self) -> None:
+        before = odometry(T0, 0.0), localised(T0, 0.0), odometry(T0 + 9, 20.0)
+        anew = localised(T0 + 30, 20.0), odometry(T0 + 30.1, 0.0)
+        assert self.place(*before, *anew) == self.place(*before, *reversed(anew)) == Pose(20.0, 0.0)
+        assert self.place(*before, *anew, odometry(T0 + 31, 0.5)) == Pose(20.5, 0.0)
+
     def test_it_is_no_sign_of_life(self) -> None:
         state = reduced(nav2(), localised(T0 + 60, 1.0), tick(T0 + 60))
         assert not state.is_online(robot(state))

@@ -76,7 +76,7 @@ def parse_words(words: Sequence[str], state: FleetState, selected: str = "") -> 
     if verb in USAGE:
         raise CommandError(f"usage: {USAGE[verb]}")
     name = find_robot(words[0], state, [*state.robots, *USAGE]).name
-    raise CommandError(f"usage: {name} FROM > TO")
+    raise CommandError(f"usage: {name} FROM > TO, or {name} > TO")
 
 
 def _cancel(state: FleetState, robot: Robot, word: str) -> Request:

@@ -65,7 +65,7 @@ def test_what_a_line_asks(line: str, asked: tuple[Command, ...]) -> None:
         ("oder robot_0 Base 2", "unknown robot or command 'oder', did you mean order?"),
         ("robot_0 Bse > 2", "robot_0 has no place 'Bse', did you mean Base?"),
         ("robot_0 Base > Dok 7", "robot_0 has no place 'Dok 7', did you mean Dock 7?"),
-        ("robot_0 Base", "usage: robot_0 FROM > TO"),
+        ("robot_0 Base", "usage: robot_0 FROM > TO, or robot_0 > TO"),
         ("robot_0 Base >", "missing place beside >: order ROBOT FROM TO, or ROBOT FROM > TO"),
         ("> Base", "missing robot before >: order ROBOT FROM TO, or ROBOT FROM > TO"),
         ("order robot_0", "usage: order ROBOT FROM TO, or ROBOT FROM > TO"),
