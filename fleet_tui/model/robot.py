@@ -61,16 +61,16 @@ class Robot(Struct, frozen=True, eq=False):
     last bad data; `says_paused`: it has a topic for that, received or not; `traces` are the orders in its
     queue by id, `gone` those that left it, newest last; `pause_lost_at` is when a restart ended our own
     pause; `goals` are those that its action servers list, by action; `odometry` is its newest pose by its
-    wheels, of `odometry_at`, `located` its last localised pose on the map, `anchor` the origin of its wheel frame on the map;
-    `variance` that of its position in square metres; `own_floor` the floor it reports; `held` is the reason
-    that this console sends it no waiting order, empty while it does, and `released_at` when the operator last
-    released them; `named` is a goal that this console named and that is not listed yet; `target` the last
-    reported target of a goal it had just begun; `unmeasured` are values that it reports as not measured;
-    `located_at`: the time of `located`; `mode` is the mode that it reports, `mapping_by_us` that this console
-    switched mapping on; `counts_percent`: its battery was seen to count to 100; `size` is its length and
-    width in metres, None if not configured; `laser` is the pose of its laser on it, None if unknown,
-    `laser_flipped` that it hangs upside down, `base_frame` the frame of the robot itself, empty for a usual
-    one."""
+    wheels, of `odometry_at`, `located` its last localised pose on the map, `anchor` the origin of its wheel
+    frame on the map; `variance` that of its position in square metres; `own_floor` the floor it reports;
+    `held` is the reason that this console sends it no waiting order, empty while it does, and `released_at`
+    when the operator last released them; `named` is a goal that this console named and that is not listed
+    yet; `target` the last reported target of a goal it had just begun; `unmeasured` are values that it
+    reports as not measured; `located_at`: the time of `located`; `mode` is the mode that it reports,
+    `mapping_by_us` that this console switched mapping on; `counts_percent`: its battery was seen to count to
+    100; `size` is its length and width in metres, None if not configured; `laser` is the pose of its laser on
+    it, None if unknown, `laser_flipped` that it hangs upside down, `base_frame` the frame of the robot
+    itself, empty for a usual one."""
 
     name: str
     number: int
