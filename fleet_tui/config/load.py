@@ -192,6 +192,7 @@ def _as_message(kind: Any, value: object, problem: str) -> str:
     if typing.get_origin(kind) is Literal and isinstance(value, str):
         choices = typing.get_args(kind)
         return f"{value!r} is not one of {', '.join(choices)}{did_you_mean(value, choices)}"
+    problem = problem.replace(" | null`", "`")  # TOML has no null
     for name, message in _WORDS.items():
         problem = problem.replace(f"`{name}`", message)
     return problem[0].lower() + problem[1:]

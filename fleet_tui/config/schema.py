@@ -150,7 +150,7 @@ class DriveConfig(msgspec.Struct, frozen=True):
 
     max_linear: Annotated[float, msgspec.Meta(gt=0, le=2)] = 0.3
     max_angular: Annotated[float, msgspec.Meta(gt=0, le=4)] = 0.6
-    robot_timeout: Positive | None = None
+    robot_timeout: Annotated[float, msgspec.Meta(gt=0, le=10)] | None = None
     holonomic: bool = False
 
 
