@@ -174,6 +174,7 @@ class RoutineRun:
         if request is None:
             return OrderEnded(True, "there already")
         (self._given[robot],) = request.commands
+        self._save()  # before it is sent: after a crash it is asked about, not given twice
         return self._parts.give(request)
 
     def _note(self, robot: str, note: LaneNote) -> None:

@@ -41,6 +41,7 @@ class Desk:
         self.notes = list[tuple[str, LaneNote]]()
         self.log = list[str]()
         self.saved = list[RoutineProgress]()
+        self.kept_at_sending = list[LanePhase]()
         self.objection: OrderEnded | OrderWithheld | None = None
         parts = RunParts(
             self.store,
@@ -55,6 +56,7 @@ class Desk:
         (order,) = request.commands
         assert isinstance(order, PlaceOrder)
         if self.objection is None:
+            self.kept_at_sending.append(self.saved[-1].lanes[0].phase)
             self.sent.append(order)
         return self.objection
 
@@ -79,6 +81,13 @@ def test_an_order_counts_once_it_was_driven(tmp_path: Path) -> None:
     assert desk.after(*commanded(1, desk.sent[0], Stage.DONE)[1:]).phase is LanePhase.DONE
     assert desk.run.is_over and len(desk.sent) == 1
     assert desk.log == ["routine started: day: robot_0", "routine done: day robot_0"]
+
+
+def test_an_order_is_kept_as_sent_before_it_is_sent(tmp_path: Path) -> None:
+    desk = Desk(tmp_path, "for robot_0\nwait 0 s\ncarry Base Consumidores\nend\n")
+    while not desk.sent:
+        desk.after()
+    assert desk.kept_at_sending == [LanePhase.ORDERED], "a crash just then must not give it twice"
 
 
 def test_a_lost_link_holds_it_and_a_person_resumes(tmp_path: Path) -> None:
