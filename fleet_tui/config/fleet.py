@@ -6,7 +6,7 @@ from typing import NamedTuple
 import msgspec
 
 from fleet_tui.adapters.adapter import Adapter, Feed, Limit, Site
-from fleet_tui.adapters.profile import Profile
+from fleet_tui.adapters.profile import DriveConfig, Profile
 from fleet_tui.adapters.registry import KINDS, kind_of
 from fleet_tui.config.schema import Config, RobotEntry, link_key
 
@@ -21,6 +21,11 @@ def profile_of(config: Config, robot: RobotEntry) -> tuple[str, Profile]:
     if name in config.profiles:
         return f"profiles.{name}", config.profiles[name]
     return ("profile", config.profile) if not name else (f"profiles.{name}", Profile(kind=name))
+
+
+def drive_of(config: Config, robot: RobotEntry) -> DriveConfig:
+    """Return the limits of a robot that is driven by hand: those of its profile, else of all robots."""
+    return profile_of(config, robot)[1].drive or config.drive
 
 
 def adapters_of(config: Config) -> dict[str, Adapter]:

@@ -5,7 +5,7 @@ from collections.abc import Callable
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.config.schema import DriveConfig
+from fleet_tui.adapters.profile import DriveConfig
 from fleet_tui.controllers.driving.driving import LATEST, DriveControls
 from fleet_tui.controllers.driving.journal import DriveJournal
 from fleet_tui.controllers.files import ConsoleFiles
@@ -49,7 +49,7 @@ class Bench:
         self.drives = DriveControls(
             parts,
             desk.backend,
-            limits,
+            {R0: limits},
             MapControls(self.view),
             self.view.picture,
             DriveJournal(ConsoleFiles()),
