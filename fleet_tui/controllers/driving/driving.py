@@ -109,6 +109,8 @@ class DriveControls:
         self._controls.enter(mode)
         self._tell_releases(True)
         self._focus()
+        # In the place of why the last drive ended.
+        self._parts.notices.say(sanitize(f"{name} drives while a key is held; this is not an emergency stop"))
 
     def press(self, key: str) -> None:
         """Take a press of a direction; nothing is kept for a drive that has not begun."""

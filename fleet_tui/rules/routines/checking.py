@@ -106,6 +106,8 @@ class _LaneCheck:
             case RunBlock(arguments=arguments):
                 if reason := self._program(arguments):
                     yield reason
+            case RepeatBlock(body=()):
+                yield "repeat without an instruction: add one before its end"
             case RepeatBlock(times=None, body=body):
                 if not any(map(takes_time, body)):
                     yield "endless repeat without a wait or an order in each round: add wait 30 s"
