@@ -5,7 +5,9 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
+from fleet_tui.errors import RoutineError
 from fleet_tui.model.commands import PlaceOrder, Stage
 from fleet_tui.model.events import Event
 from fleet_tui.model.request import Request
@@ -18,6 +20,7 @@ from fleet_tui.model.routines.lane import (
     LaneStopped,
     OrderEnded,
     OrderWithheld,
+    Position,
 )
 from fleet_tui.routines.files import read_routine
 from fleet_tui.routines.progress import RoutineProgress
@@ -157,6 +160,13 @@ def test_an_order_of_an_earlier_process_is_followed(tmp_path: Path) -> None:
     desk.run.request(LaneResumed())
     assert desk.after().phase is LanePhase.ORDERED and desk.sent == [], "it is not given a second time"
     assert desk.log[0] == "routine resumed: day: robot_0"
+
+
+def test_a_progress_that_fits_no_line_is_refused(tmp_path: Path) -> None:
+    before = Desk(tmp_path, "for robot_0\ngo Base\nend\n").saved[-1]
+    astray = Lane("robot_0", (Position(index=3), Position()))
+    with pytest.raises(RoutineError, match="does not fit the file: start it again"):
+        Desk(tmp_path, "for robot_0\ngo Base\nend\n", replace(before, lanes=(astray,)))
 
 
 @pytest.fixture
