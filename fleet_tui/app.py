@@ -10,6 +10,7 @@ from textual.binding import BindingType
 from textual.theme import Theme
 
 from fleet_tui.backend import Backend, LiveBackend
+from fleet_tui.config.fleet import drive_of
 from fleet_tui.config.schema import Config
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.session import LiveSession, OpenSession
@@ -94,7 +95,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
             terminal=terminal,
             message=message,
             programs=config.programs,
-            drive=config.drive,
+            drive={robot.name: drive_of(config, robot) for robot in config.robots},
             routines=config.routine_folder,
             bridge_urls=config.bridge_urls,
             picture_limit=1000 * config.camera.kB_per_s,

@@ -1,10 +1,21 @@
 """Profiles: the differences of one site's robots from the usual ones of their kind, as in the config."""
 
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 import msgspec
 
 VertexRole = Literal["plain", "elevator", "docking"]
+
+
+class DriveConfig(msgspec.Struct, frozen=True):
+    """`[drive]`, or that of a profile: the highest speeds of a robot that is driven by hand, in metres and
+    radians per second. `robot_timeout`: seconds after which it stops by itself without a message, None:
+    unknown. `holonomic`: it can move sideways."""
+
+    max_linear: Annotated[float, msgspec.Meta(gt=0, le=2)] = 0.3
+    max_angular: Annotated[float, msgspec.Meta(gt=0, le=4)] = 0.6
+    robot_timeout: Annotated[float, msgspec.Meta(gt=0, le=10)] | None = None
+    holonomic: bool = False
 
 
 class Profile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -17,7 +28,8 @@ class Profile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     loads {path} and {floor}; `answers`: by
     service the fields of an answer that mean success; `modes`: the meanings of a robot's words for its mode;
     `pose_frame`: the frame of poses that are set, with {robot} and {floor}, empty for the usual one;
-    `base_frame`: the frame of the robot itself, with {robot}, empty for `base_link` or `base_footprint`.
+    `base_frame`: the frame of the robot itself, with {robot}, empty for `base_link` or `base_footprint`;
+    `drive` replaces `[drive]` as a whole: a timeout of other robots must not count for these.
     """
 
     name: str = ""
@@ -41,3 +53,4 @@ class Profile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     modes: dict[str, Literal["mapping", "navigation"]] = {}
     pose_frame: str = ""
     base_frame: str = ""
+    drive: DriveConfig | None = None

@@ -7,7 +7,7 @@ from fleet_tui.client.command_channel import CommandChannel
 from fleet_tui.client.driving.drive import Drive
 from fleet_tui.client.telemetry import Telemetry
 from fleet_tui.client.writer import Writer
-from fleet_tui.config.fleet import publications_of
+from fleet_tui.config.fleet import drive_of, publications_of
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import CommandError
 from fleet_tui.model.commands import Command
@@ -52,10 +52,11 @@ class BridgeLink:
 
     def drive(self, robot: str) -> Drive:
         """Begin to drive a robot by hand, on a connection of its own. Raises CommandError."""
-        names, limits = self._adapters[robot].names, self._config.drive
-        topic = names.topic("drive", robot)
+        topic = self._adapters[robot].names.topic("drive", robot)
         if not topic:
             raise CommandError(self._adapters[robot].kind.lack(DRIVE))
+        entry = next(one for one in self._config.robots if one.name == robot)
+        limits = drive_of(self._config, entry)
         caps = Caps(limits.max_linear, limits.max_angular)
         drive = Drive(self.name, self._config.bridge(self.name), self._writer, topic, caps)
         drive.open()

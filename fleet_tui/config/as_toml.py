@@ -11,8 +11,7 @@ from fleet_tui.config.schema import Config
 def _value(value: object) -> str:
     """Return a value on one line. JSON's strings, numbers and lists are valid TOML."""
     if isinstance(value, Mapping):
-        pairs = (f"{_key(key)} = {_value(one)}" for key, one in value.items())
-        return "{" + ", ".join(pairs) + "}"
+        return "{" + ", ".join(_lines(value)) + "}"
     if isinstance(value, list | tuple):
         return "[" + ", ".join(map(_value, value)) + "]"
     return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")

@@ -9,7 +9,7 @@ import msgspec
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.registry import KINDS, kind_of
 from fleet_tui.adapters.ros.names import Vocabulary
-from fleet_tui.config.fleet import adapters_of, shared_topics
+from fleet_tui.config.fleet import adapters_of, shared_steering, shared_topics
 from fleet_tui.config.schema import DEFAULT_LINK, Config, link_key
 from fleet_tui.errors import did_you_mean
 
@@ -26,7 +26,9 @@ def check_profiles(config: Config) -> Iterator[str]:
             robot for robot in config.robots if robot.link in known and _is_known(config, robot.profile)
         ]
         config = msgspec.structs.replace(config, robots=robots)
-        yield from shared_topics(config, adapters_of(config))
+        adapters = adapters_of(config)
+        yield from shared_topics(config, adapters)
+        yield from shared_steering(config, adapters)
 
 
 def _is_known(config: Config, name: str) -> bool:

@@ -6,9 +6,12 @@ from typing import NamedTuple
 import msgspec
 
 from fleet_tui.adapters.adapter import Adapter, Feed, Limit, Site
-from fleet_tui.adapters.profile import Profile
+from fleet_tui.adapters.profile import DriveConfig, Profile
 from fleet_tui.adapters.registry import KINDS, kind_of
 from fleet_tui.config.schema import Config, RobotEntry, link_key
+
+STEERING = frozenset({"drive", "goal", "initial_pose"})
+"""Keys of the topics that move a robot, or its place on the map."""
 
 
 def profile_of(config: Config, robot: RobotEntry) -> tuple[str, Profile]:
@@ -18,6 +21,11 @@ def profile_of(config: Config, robot: RobotEntry) -> tuple[str, Profile]:
     if name in config.profiles:
         return f"profiles.{name}", config.profiles[name]
     return ("profile", config.profile) if not name else (f"profiles.{name}", Profile(kind=name))
+
+
+def drive_of(config: Config, robot: RobotEntry) -> DriveConfig:
+    """Return the limits of a robot that is driven by hand: those of its profile, else of all robots."""
+    return profile_of(config, robot)[1].drive or config.drive
 
 
 def adapters_of(config: Config) -> dict[str, Adapter]:
@@ -98,6 +106,19 @@ def shared_topics(config: Config, adapters: Mapping[str, Adapter]) -> Iterator[s
             if _owner(other) != _owner(feed) and not is_shared:
                 both = f"{_owner(other)} and {_owner(feed)}: add {{robot}} or {{floor}}"
                 yield f"{table}.topics.{feed.key}: {feed.address} is used by {both}"
+
+
+def shared_steering(config: Config, adapters: Mapping[str, Adapter]) -> Iterator[str]:
+    """Return each topic on which two robots would follow what is meant for one of them."""
+    taken: dict[tuple[str, str], str] = {}
+    for robot in config.robots:
+        names = adapters[robot.name].names
+        for key in sorted(STEERING & names.vocabulary.topics.keys()):
+            topic = names.topic(key, robot.name)
+            other = taken.setdefault((robot.link, topic), robot.name)
+            if topic and other != robot.name:
+                both = f"{other} and {robot.name}: add {{robot}}"
+                yield f"{names.table}.topics.{key}: {topic} moves both {both}"
 
 
 def _owner(feed: Feed) -> str:

@@ -149,7 +149,7 @@ def _read(struct: type[Any], table: object, where: str, problems: list[str]) -> 
 
 def _without_none(kind: Any) -> Any:
     """Drop the None from a union: TOML has no null, so only the other type can be in a file."""
-    if typing.get_origin(kind) is UnionType:
+    if typing.get_origin(kind) in (UnionType, typing.Union):  # the latter is that of Annotated
         return next(one for one in typing.get_args(kind) if one is not type(None))
     return kind
 

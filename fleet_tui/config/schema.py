@@ -6,7 +6,7 @@ from typing import Annotated, Literal, TypeVar
 
 import msgspec
 
-from fleet_tui.adapters.profile import Profile
+from fleet_tui.adapters.profile import DriveConfig, Profile
 from fleet_tui.config.programs import ProgramEntry
 
 S = TypeVar("S", bound=msgspec.Struct)
@@ -141,17 +141,6 @@ class RecordingConfig(msgspec.Struct, frozen=True):
     rotate_mb: Annotated[float, msgspec.Meta(ge=1, le=100_000)] = 256.0
     rotate_minutes: Annotated[float, msgspec.Meta(ge=1, le=100_000)] = 60.0
     keep: Annotated[int, msgspec.Meta(ge=0, le=100_000)] = 0
-
-
-class DriveConfig(msgspec.Struct, frozen=True):
-    """`[drive]`: the highest speeds of a robot that is driven by hand, in metres and radians per second.
-    `robot_timeout`: seconds after which robots stop by themselves without a message, None: unknown.
-    `holonomic`: they can move sideways."""
-
-    max_linear: Annotated[float, msgspec.Meta(gt=0, le=2)] = 0.3
-    max_angular: Annotated[float, msgspec.Meta(gt=0, le=4)] = 0.6
-    robot_timeout: Positive | None = None
-    holonomic: bool = False
 
 
 class CameraConfig(msgspec.Struct, frozen=True):

@@ -5,8 +5,8 @@ from pathlib import Path
 
 from msgspec import Struct
 
+from fleet_tui.adapters.profile import DriveConfig
 from fleet_tui.config.programs import ProgramEntry
-from fleet_tui.config.schema import DriveConfig
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.problem import Permissions
 from fleet_tui.view.map.drawing import Drawing
@@ -16,9 +16,9 @@ class ConsoleSettings(Struct, frozen=True):
     """`keys`: the keys of each id; `clock`: Unix seconds as text; `permissions`: those at the start;
     `themes`: for each a function that switches to it; `announce` is called with every state, `resized` after
     a change of size; `hatched`: colours don't tell unknown ground from floor; `terminal`: its description in
-    help; `message`: the first notice; `programs` and `drive`: of the configuration; `picture_limit`: bytes a
-    second to the terminal above which pictures of cameras come less often; `routines`: their folder;
-    `bridge_urls` by robot."""
+    help; `message`: the first notice; `programs`: of the configuration; `drive`: limits
+    by robot; `picture_limit`: bytes a second to the terminal above which pictures of cameras come less often;
+    `routines`: their folder; `bridge_urls` by robot."""
 
     keys: Mapping[str, tuple[str, ...]]
     clock: Callable[[float], str]
@@ -30,7 +30,7 @@ class ConsoleSettings(Struct, frozen=True):
     terminal: str = ""
     message: str = ""
     programs: Sequence[ProgramEntry] = ()
-    drive: DriveConfig = DriveConfig()
+    drive: Mapping[str, DriveConfig] = {}
     routines: Path = Path()
     bridge_urls: Mapping[str, str] = {}
     picture_limit: float = 60_000.0

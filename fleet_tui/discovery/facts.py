@@ -2,9 +2,13 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from fleet_tui.adapters.adapter import Adapter, Feed
 from fleet_tui.model.events import Event
+
+if TYPE_CHECKING:  # with numpy
+    from fleet_tui.model.set_up.streams import StreamValue
 
 LONG_ENOUGH = 1.5  # seconds of silence that count as evidence
 
@@ -65,7 +69,8 @@ class TopicFacts:
     `event` is the last readable message, `problem` the error of another. `lag`: the least of arrival by our
     clock minus the robot's stamp, `late`: the last of it beyond the least. `retried`: it was subscribed once
     more, with default options; `fragmented`: bytes of a fragmented message; `held_by`: the bridge's node, if
-    it still held the topic after we unsubscribed; `complaint`: the message about it in the bridge's log.
+    it still held the topic after we unsubscribed; `complaint`: the message about it in the bridge's log;
+    `picture`: the newest one of a camera.
     """
 
     wanted: Feed
@@ -84,6 +89,7 @@ class TopicFacts:
     fragmented: int = 0
     held_by: str = ""
     complaint: str = ""
+    picture: "StreamValue | None" = None
 
     @property
     def topic(self) -> str:

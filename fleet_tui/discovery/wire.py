@@ -8,6 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import dataclass
 from types import MappingProxyType
+from typing import TYPE_CHECKING
 
 from fleet_tui.adapters.adapter import Adapter, Feed
 from fleet_tui.adapters.ros import operations
@@ -20,8 +21,12 @@ from fleet_tui.config.schema import Link
 from fleet_tui.discovery.facts import TopicFacts
 from fleet_tui.errors import LinkError, WireError
 from fleet_tui.model.events import Event, GraphReceived, PoseReported
+from fleet_tui.model.kind import CAMERA
 from fleet_tui.model.navigation_events import OdometryReported
 from fleet_tui.transports.rosbridge.connection import Connection
+
+if TYPE_CHECKING:  # with numpy
+    from fleet_tui.model.set_up.streams import StreamValue
 
 LARGE_FRAME = 100_000
 QUEUE = 100  # log lines that the bridge queues for us
@@ -32,11 +37,12 @@ FROZEN = "accepts connections but does not respond: restart it"
 @dataclass(slots=True)
 class TopicListening:
     """The messages of a topic so far. Monotonic seconds: `asked` for, and `since` when the bridge has
-    certainly subscribed, which it does one by one."""
+    certainly subscribed, which it does one by one. `look` reads the pictures of a camera."""
 
     wanted: Feed
     asked: float
     read: Callable[[Feed, object, float], Iterable[Event]]
+    look: "Callable[[Feed, object], StreamValue] | None" = None
     since: float | None = None
     count: int = 0
     faults: int = 0
@@ -49,11 +55,13 @@ class TopicListening:
     retried: bool = False
     fragmented: int = 0
     held_by: str = ""
+    picture: "StreamValue | None" = None
 
     def take(self, msg: object, at: float) -> None:
         """Take one message, still encoded."""
         try:
             found = list(self.read(self.wanted, msg, at))
+            self.picture = self.look(self.wanted, msg) if self.look else None
         except WireError as problem:
             self.faults, self.problem = self.faults + 1, str(problem)
         else:
@@ -91,6 +99,7 @@ class TopicListening:
             retried=self.retried,
             fragmented=self.fragmented,
             held_by=self.held_by,
+            picture=self.picture,
         )
 
 
@@ -135,11 +144,13 @@ class BridgeConnection:
         return str(await self.call(HEARTBEAT, {}, within))
 
     def subscribe(self, wanted: Feed, type_: str, latched: bool) -> None:
-        """Subscribe to every message of a topic. Raises LinkError."""
-        read = self.adapters[wanted.robot].read
-        self.listening[wanted.address] = TopicListening(wanted, time.monotonic(), read)
+        """Subscribe to every message of a topic, to pictures at the rate of the console. Raises LinkError."""
+        adapter, is_camera = self.adapters[wanted.robot], wanted.stream_key == CAMERA
+        look = adapter.stream if is_camera else None
+        self.listening[wanted.address] = TopicListening(wanted, time.monotonic(), adapter.read, look)
         compression = "cbor" if wanted.large else "none"
-        subscription = Subscription(wanted.address, type_, compression=compression, latched=latched)
+        rate = wanted.rate_ms if is_camera else 0  # the pictures of a fleet would fill its network
+        subscription = Subscription(wanted.address, type_, rate, compression, latched=latched)
         self.connection.send(operations.subscribe(subscription))
 
     def unsubscribe(self, topic: str) -> None:

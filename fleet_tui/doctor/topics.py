@@ -7,9 +7,11 @@ from fleet_tui.config.schema import Config, RobotEntry
 from fleet_tui.discovery.facts import LONG_ENOUGH, BridgeFacts, RosapiFacts, TopicFacts, is_hidden
 from fleet_tui.discovery.finding import Finding, Verdict, listed, nearest
 from fleet_tui.discovery.tools import LATCHED, LOOK_FOR_NODE, named
+from fleet_tui.doctor.cameras import judged_camera
 from fleet_tui.doctor.causes import Cause
 from fleet_tui.doctor.clocks import falls_behind
 from fleet_tui.doctor.names import near_topic, robots_on
+from fleet_tui.model.kind import CAMERA
 
 SLOWEST_POSES = 5.0  # Hz; robots give about 10
 UNSEEN = "existence unknown without rosapi"
@@ -131,14 +133,9 @@ def _wrong_type(config: Config, facts: TopicFacts, there: str, bridge: BridgeFac
     other = near_topic(config, facts, bridge)
     table = bridge.table(facts.wanted.robot)
     same = f'if the fields match, set [{table}.types] {key} = "{there}"'
-    return _finding(
-        facts,
-        Verdict.FAIL,
-        f"{facts.topic} has type {there}, not {expected}: not subscribed",
-        f"{same}; else {other}" if other else f"{same}; else correct [{table}.topics] {key}",
-        type=there,
-        expected_type=expected,
-    )
+    measured = f"{facts.topic} has type {there}, not {expected}: not subscribed"
+    remedy = f"{same}; else {other or f'correct [{table}.topics] {key}'}"
+    return _finding(facts, Verdict.FAIL, measured, remedy, type=there, expected_type=expected)
 
 
 def _received(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
@@ -155,12 +152,7 @@ def _received(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding
         "age_s": None if facts.age is None else round(facts.age, 2),
         "first_after_s": None if facts.first_after is None else round(facts.first_after, 3),
     }
-    if facts.fragmented or (facts.retried and facts.count):
-        verdict, measured, remedy = _received_on_retry(facts, rosapi)
-    elif facts.count:
-        verdict, measured, remedy = _judged(config, facts, bridge)
-    else:
-        verdict, measured, remedy = _nothing_received(facts, rosapi)
+    verdict, measured, remedy = _verdict(config, facts, bridge)
     if rosapi.problem and verdict in (Verdict.WARN, Verdict.FAIL) and not facts.count:
         table = bridge.table(facts.wanted.robot)
         remedy += f" ({UNSEEN}: check [{table}.topics] {facts.wanted.key} and its type)"
@@ -170,6 +162,14 @@ def _received(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding
     if verdict is Verdict.OK and nodes and len(nodes) > 1:
         verdict, remedy = Verdict.WARN, f"stop all but one of the {len(nodes)} publishing nodes"
     return _finding(facts, verdict, f"{measured}{by}", remedy, **values)
+
+
+def _verdict(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> tuple[Verdict, str, str]:
+    if facts.fragmented or (facts.retried and facts.count):
+        return _received_on_retry(facts, bridge.rosapi)
+    if facts.wanted.stream_key == CAMERA:
+        return judged_camera(facts)
+    return _judged(config, facts, bridge) if facts.count else _nothing_received(facts, bridge.rosapi)
 
 
 def _received_on_retry(facts: TopicFacts, rosapi: RosapiFacts) -> tuple[Verdict, str, str]:
@@ -240,10 +240,6 @@ def _judged(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> tuple[Ver
     if facts.rate is not None and 1 / facts.rate > silence:
         if silence == usual:
             return Verdict.WARN, f"{measured}: slower than offline_after", "raise alarms.offline_after"
-        table = f"{adapter.names.table}.silence"
-        return (
-            Verdict.WARN,
-            f"{measured}: counts as old after {silence:g} s",
-            f"raise {table}.{facts.wanted.key}",
-        )
+        key = f"{adapter.names.table}.silence.{facts.wanted.key}"
+        return Verdict.WARN, f"{measured}: counts as old after {silence:g} s", f"raise {key}"
     return Verdict.OK, measured, ""

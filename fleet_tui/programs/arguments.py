@@ -35,7 +35,7 @@ _PLAIN = ("env", "TZ=UTC", "LC_ALL=C")
 
 def unit_of(program: ProgramEntry) -> str:
     """Return its unit: its own, or that of its command."""
-    return program.unit or f"fleet-tui-{program.name}.service"
+    return program.unit or f"fleet-tui-program-{program.name}.service"
 
 
 def on_host(program: ProgramEntry, arguments: list[str]) -> list[str]:

@@ -1,5 +1,7 @@
 """Reasons that a process of systemd, ssh or a site failed, with their remedies."""
 
+from collections.abc import Mapping
+
 from fleet_tui.config.programs import ProgramEntry
 from fleet_tui.programs.process import EndedProcess
 from fleet_tui.programs.session_state import exit_text
@@ -8,7 +10,7 @@ from fleet_tui.text.sanitize import sanitize
 
 SSH_FAILED, NOT_FOUND = 255, 127
 NO_SYSTEMD = ("not been booted with systemd", "Failed to connect to", "systemctl: not found")
-_REMEDIES = {
+_OF_SSH = {
     "Permission denied (": "{host} does not accept this user's key: try ssh-copy-id {host}",
     "Host key verification failed": "{host} is not known here: connect once with ssh {host}",
     "Could not resolve hostname": "{host} has no address: check host, and ~/.ssh/config",
@@ -16,12 +18,14 @@ _REMEDIES = {
     "timed out": "{host} does not answer: is it on, and in this network?",
     "No route to host": "{host} can't be reached: is it on, and in this network?",
     "onnection closed": "{host} closed the connection: try ssh {host}",
+}
+_OF_SYSTEMD = {
     "authentication required": "not allowed for this user: add a polkit rule, or use a unit with user = true",
     "Access denied": "not allowed for this user: add a polkit rule, or use a unit with user = true",
     "not been booted with systemd": "no systemd to ask: use start, stop and status instead of unit",
     "Failed to connect to": "no systemd of this user to ask: log in first, or use start, stop and status",
-    "not found": "{last}: install it there, or write its full path in [[programs]]",
 }
+_OF_SHELL = {"not found": "{last}: install it there, or write its full path in [[programs]]"}
 
 
 def failure(program: ProgramEntry, ended: EndedProcess) -> str:
@@ -30,10 +34,19 @@ def failure(program: ProgramEntry, ended: EndedProcess) -> str:
         where = f" from {program.host}" if program.host and ended.is_late else ""
         return ended.problem.replace("no answer", f"no answer{where}")
     last = last_line(ended.output)
-    for words, remedy in _REMEDIES.items():
+    for words, remedy in _remedies(program, ended).items():
         if words in ended.output:
             return remedy.format(host=program.host or "this machine", last=last)
     return last or exit_text(ended.code or 0)
+
+
+def _remedies(program: ProgramEntry, ended: EndedProcess) -> Mapping[str, str]:
+    """Return the remedies of whoever failed: a site's own program may print the same words."""
+    if ended.code == NOT_FOUND:
+        return _OF_SHELL
+    if program.host and ended.code == SSH_FAILED:
+        return _OF_SSH
+    return {} if program.status else _OF_SYSTEMD
 
 
 def has_no_systemd(ended: EndedProcess) -> bool:

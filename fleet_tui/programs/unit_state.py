@@ -1,7 +1,7 @@
 """The state of a systemd unit, from the output of `systemctl show` in UTC and English."""
 
 from collections.abc import Mapping
-from datetime import UTC, datetime
+from datetime import MAXYEAR, MINYEAR, UTC, datetime
 
 from fleet_tui.model.programs.program import ProgramState, ProgramStatus
 from fleet_tui.text.limits import truncate
@@ -63,9 +63,11 @@ def _seconds(text: str) -> float | None:
     """Return a time as systemctl writes it, `Mon 2024-05-06 08:00:00 UTC`, in Unix seconds."""
     try:
         _, date, time, *_ = text.split()
-        return datetime.strptime(f"{date} {time}", "%Y-%m-%d %H:%M:%S").replace(tzinfo=UTC).timestamp()
+        found = datetime.strptime(f"{date} {time}", "%Y-%m-%d %H:%M:%S").replace(tzinfo=UTC)
     except ValueError:
         return None
+    # A day from either end of the calendar there is no local time.
+    return found.timestamp() if MINYEAR < found.year < MAXYEAR else None
 
 
 def _count(text: str) -> int | None:

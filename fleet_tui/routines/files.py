@@ -48,7 +48,8 @@ def read_routine(folder: Path, name: str) -> RoutineFile:
     try:
         text = read_text(path, LARGEST)
     except FileNotFoundError:
-        near = did_you_mean(name, routine_names(folder)) or f": create {path}"
+        others = [one for one in routine_names(folder) if one != name]  # a broken link has this very name
+        near = did_you_mean(name, others) or f": create {path}"
         raise RoutineError(f"unknown routine {name!r}{near}") from None
     except UnicodeDecodeError:
         raise RoutineError(f"{path}: not UTF-8 text: save it as UTF-8") from None

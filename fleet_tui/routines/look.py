@@ -13,6 +13,7 @@ from fleet_tui.routines.files import RoutineFile, read_routine, routine_names
 from fleet_tui.routines.owner import owner_of
 from fleet_tui.routines.progress import RoutineProgress, load_progress, progress_path
 from fleet_tui.rules.language.words import find_robot
+from fleet_tui.rules.routines.positions import fits
 from fleet_tui.text.units import counted
 
 
@@ -51,7 +52,7 @@ def _row(place: RoutinePlace, state: FleetState, name: str) -> RoutineRow:
         name,
         tuple(schedule.text for schedule in file.parsed.routine.schedules),
         plans,
-        tuple(lane for lane in lanes if lane.robot in plans),
+        tuple(lane for lane in lanes if lane.robot in plans and fits(plans[lane.robot], lane)),
         progress.at if progress is not None else 0.0,
         _owner(place, progress),
         _problem(file),

@@ -7,7 +7,7 @@ from typing import NamedTuple, assert_never
 
 from msgspec.structs import replace
 
-from fleet_tui.errors import CommandError
+from fleet_tui.errors import CommandError, RoutineError
 from fleet_tui.model.commands import Command, CommandRecord, ResumeRobot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.request import Request
@@ -37,6 +37,7 @@ from fleet_tui.rules.commands.checks import no_link
 from fleet_tui.rules.language.words import find_robot
 from fleet_tui.rules.routines.conditions import condition_holds
 from fleet_tui.rules.routines.orders import earlier_outcome, order_of, outcome_of
+from fleet_tui.rules.routines.positions import fits
 from fleet_tui.rules.routines.stepping import step
 from fleet_tui.state.store import Store
 
@@ -61,12 +62,14 @@ class RoutineRun:
     def __init__(
         self, file: RoutineFile, parts: RunParts, operator: str, before: RoutineProgress | None = None
     ) -> None:
-        """`before` is the progress to go on from."""
+        """`before` is the progress to go on from. Raises RoutineError if it does not fit the file."""
         self.file, self._parts, self._operator = file, parts, operator
         state = parts.store.state
         lanes = {find_robot(lane.robot, state).name: lane for lane in file.parsed.routine.lanes}
         self.plans: Mapping[str, LanePlan] = lanes
         known = {lane.robot: resumed(lane) for lane in before.lanes} if before else {}
+        if not all(fits(plan, known[name]) for name, plan in lanes.items() if name in known):
+            raise RoutineError(f"{file.name}: its progress does not fit the file: start it again")
         now = time.time()
         self.lanes = {name: known.get(name, Lane(name, since=now)) for name in lanes}
         self._started = before.started if before else now
@@ -174,6 +177,7 @@ class RoutineRun:
         if request is None:
             return OrderEnded(True, "there already")
         (self._given[robot],) = request.commands
+        self._save()  # before it is sent: after a crash it is asked about, not given twice
         return self._parts.give(request)
 
     def _note(self, robot: str, note: LaneNote) -> None:

@@ -41,7 +41,10 @@ def unit_files(file: RoutineFile, config: Path) -> dict[str, str]:
     words = [*_program(), "--config", str(config.absolute()), "routine", "run", file.name]
     if any(not word.isprintable() for word in words):
         raise RoutineError(f"{config}: a unit can't hold this path: move it to one of plain letters")
-    unit, times = f"fleet-tui-{file.name}", "\n".join(f"OnCalendar={_calendar(one)}" for one in schedules)
+    unit, times = (
+        f"fleet-tui-routine-{file.name}",
+        "\n".join(f"OnCalendar={_calendar(one)}" for one in schedules),
+    )
     return {
         f"{unit}.service": SERVICE.format(name=file.name, command=" ".join(map(_quoted, words))),
         f"{unit}.timer": TIMER.format(name=file.name, times=times),

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from functools import lru_cache
+from textwrap import wrap
 from typing import ClassVar
 
 import numpy as np
@@ -84,7 +85,9 @@ def _body(picture: PictureCells | None, note: str, width: int, height: int) -> t
     blank = Cells.blank(width, height, StyleRole.FLOOR)
     body = Cells(blank.codes, np.zeros((height, width), np.uint16))
     if picture is None:
-        body.write(max(0, (width - len(note)) // 2), height // 2, note, StyleRole.FLOOR)
+        lines = wrap(note, width)[:height]
+        for n, line in enumerate(lines, height // 2 - len(lines) // 2):
+            body.write((width - len(line)) // 2, n, line, StyleRole.FLOOR)
         return body, []
     codes = picture.codes[:height, :width]
     lines, columns = codes.shape

@@ -9,8 +9,9 @@ from typing import Any
 from msgspec.structs import replace
 from textual import events
 
+from fleet_tui.adapters.profile import DriveConfig
 from fleet_tui.app import FleetApp
-from fleet_tui.config.schema import Config, DriveConfig
+from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.demo import demo_config, simulated
 from fleet_tui.model.set_up.driving import STILL, DrivePhase, Speeds, Steering

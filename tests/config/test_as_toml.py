@@ -28,6 +28,7 @@ def test_a_written_configuration_reads_as_itself(tmp_path: Path) -> None:
         alarms=Alarms(bell=["high"], offline_after=7.5),
         programs=[ProgramEntry("p", start=["a b", '"c'], needs=["q"]), ProgramEntry("q", unit="q.service")],
         profile=Profile(topics={"pose": "/{robot}/pose"}, refusals=(r"(?i)\bno\b",), directed=True),
+        profiles={"cart": Profile(kind="nav2", topics={"drive": ""})},
     )
     path = tmp_path / "config.toml"
     path.write_text(as_toml(config))

@@ -60,5 +60,15 @@ def test_one_topic_on_two_bridges_is_two_topics() -> None:
     assert checked(Config(floors=GOOD.floors, robots=robots, links={"b": Link()}, profile=profile)) == []
 
 
+@pytest.mark.parametrize("key", ["drive", "initial_pose"])
+def test_a_topic_that_moves_two_robots_is_refused(key: str) -> None:
+    both = with_profile(topics={key: "/all"})
+    first, second = (robot.name for robot in both.robots)
+    says = f"profile.topics.{key}: /all moves both {first} and {second}: add {{robot}}"
+    assert checked(both) == [says]
+    apart = replace(both, robots=[both.robots[0], replace(both.robots[1], link="b")], links={"b": Link()})
+    assert checked(apart) == [], "two bridges"
+
+
 def test_a_topic_may_be_left_out() -> None:
     assert checked(with_profile(topics={"cargo": "", "battery": ""})) == []

@@ -5,7 +5,8 @@ from typing import Any
 
 import pytest
 
-from fleet_tui.config.fleet import adapters_of, feeds_of
+from fleet_tui.adapters.profile import DriveConfig
+from fleet_tui.config.fleet import adapters_of, drive_of, feeds_of
 from fleet_tui.config.load import load, read
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import WireError
@@ -213,3 +214,35 @@ class TestSeveralKinds:
     def test_what_is_wrong_is_named(self, tmp_path: Path, old: str, new: str, said: str) -> None:
         found = problems(tmp_path, MIXED.replace(old, new, 1))
         assert found and found[0].startswith(said), found
+
+
+CARTS = """
+[drive]
+max_linear = 0.5
+robot_timeout = 0.5
+[profiles.cart]
+kind = "nav2"
+[profiles.cart.drive]
+max_linear = 0.2
+[[robots]]
+name = "r2"
+profile = "cart"
+"""
+
+
+class TestDrive:
+    def test_a_profile_has_its_own_limits_and_no_timeout_of_others(self, tmp_path: Path) -> None:
+        config = configured(tmp_path, SITE + CARTS)
+        first, cart = (drive_of(config, robot) for robot in config.robots)
+        assert first == DriveConfig(max_linear=0.5, robot_timeout=0.5)
+        assert cart == DriveConfig(max_linear=0.2), "what is not known of it is asked"
+
+    @pytest.mark.parametrize(
+        ("line", "said"),
+        [
+            ("max_linear = -0.2", "profiles.cart.drive.max_linear: expected a number > 0.0"),
+            ("max_liner = 0.2", "profiles.cart.drive.max_liner: unknown key, did you mean max_linear?"),
+        ],
+    )
+    def test_its_mistakes_are_named(self, tmp_path: Path, line: str, said: str) -> None:
+        assert problems(tmp_path, SITE + CARTS.replace("max_linear = 0.2", line)) == [said]

@@ -235,3 +235,11 @@ def test_which_config_is_found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
     assert find(None) == Path("env.toml")
     assert find("given.toml") == Path("given.toml")
     assert find("~no-such-user-here/x.toml") == Path("~no-such-user-here/x.toml")
+
+
+@pytest.mark.parametrize("seconds", ["0", "-1", "nan", "inf", "60", '"0.5"'])
+def test_a_robot_that_drives_on_for_long_has_no_timeout(tmp_path: Path, seconds: str) -> None:
+    path = tmp_path / "config.toml"
+    path.write_text(f"{ENOUGH}\n[drive]\nrobot_timeout = {seconds}\n")
+    with pytest.raises(ConfigError, match=r"drive\.robot_timeout: expected a number"):
+        load(path)

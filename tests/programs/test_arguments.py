@@ -29,12 +29,13 @@ def test_a_unit_is_asked_in_utc_and_english_and_never_for_a_password() -> None:
 def test_a_command_gets_a_unit_of_its_own_and_ros_as_it_is_sourced_here() -> None:
     environment = {"ROS_DOMAIN_ID": "7", "PATH": "/opt/bin", "SECRET": "x"}
     assert start_kept(KEPT, environment) == [
-        *("systemd-run", "--user", "--quiet", "--unit=fleet-tui-mapping.service"),
+        *("systemd-run", "--user", "--quiet", "--unit=fleet-tui-program-mapping.service"),
         *("--setenv=ROS_DOMAIN_ID=7", "--setenv=PATH=/opt/bin", "--", "sleep", "60"),
     ]
     elsewhere = ProgramEntry("mapping", start=["sleep", "60"], host="server")
     assert "setenv" not in " ".join(start_kept(elsewhere, environment))
-    assert unit_of(KEPT) == "fleet-tui-mapping.service"
+    assert unit_of(KEPT).startswith("fleet-tui-program-"), "routines have units of the user, too"
+    assert unit_of(KEPT) == "fleet-tui-program-mapping.service"
 
 
 @given(st.lists(st.text(st.characters(exclude_characters="\0", exclude_categories=["Cs"])), min_size=1))
@@ -48,7 +49,7 @@ def test_logs_are_followed_or_printed(tmp_path: Path) -> None:
     assert "--unit=rosbridge.service" in log(BRIDGE, tmp_path, True)
     assert "--follow" in log(BRIDGE, tmp_path, True)
     assert "--follow" not in log(BRIDGE, tmp_path, True, follow=False)
-    assert "--user-unit=fleet-tui-mapping.service" in log(KEPT, tmp_path, True)
+    assert "--user-unit=fleet-tui-program-mapping.service" in log(KEPT, tmp_path, True)
     assert log(KEPT, tmp_path, False) == ["tail", "-n", "1000", "-F", str(tmp_path / "mapping.log")]
     own = ProgramEntry("d", start=["a"], stop=["b"], status=["c"], log=["docker", "logs", "-f", "d"])
     assert log(own, tmp_path, True) == own.log

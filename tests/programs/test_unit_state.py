@@ -46,6 +46,12 @@ def test_other_states_and_their_reasons(lines: str, state: ProgramState, detail:
     assert found is not None and found.state is state and found.detail.startswith(detail)
 
 
+@pytest.mark.parametrize("date", ["9999-12-31", "0001-01-01"])
+def test_a_time_at_the_end_of_the_calendar_has_no_local_time(date: str) -> None:
+    found = unit_status(f"ActiveState=active\nStateChangeTimestamp=Mon {date} 12:00:00 UTC", "u", 0.0)
+    assert found is not None and found.since is None
+
+
 def test_other_output_is_no_state() -> None:
     assert unit_status("Failed to connect to bus", "u", 0.0) is None
     assert unit_status("ActiveState=undead", "u", 0.0) is None

@@ -33,6 +33,12 @@ def test_names_and_contents(tmp_path: Path) -> None:
     assert read_routine(tmp_path, "morning").digest != file.digest
 
 
+def test_a_broken_link_is_not_meant_by_its_own_name(tmp_path: Path) -> None:
+    (tmp_path / "day.routine").symlink_to("gone")
+    with pytest.raises(RoutineError, match=r"unknown routine 'day': create "):
+        read_routine(tmp_path, "day")
+
+
 @pytest.mark.parametrize(
     ("name", "content", "words"),
     [

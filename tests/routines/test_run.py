@@ -5,7 +5,9 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
+from fleet_tui.errors import RoutineError
 from fleet_tui.model.commands import PlaceOrder, Stage
 from fleet_tui.model.events import Event
 from fleet_tui.model.request import Request
@@ -18,6 +20,7 @@ from fleet_tui.model.routines.lane import (
     LaneStopped,
     OrderEnded,
     OrderWithheld,
+    Position,
 )
 from fleet_tui.routines.files import read_routine
 from fleet_tui.routines.progress import RoutineProgress
@@ -41,6 +44,7 @@ class Desk:
         self.notes = list[tuple[str, LaneNote]]()
         self.log = list[str]()
         self.saved = list[RoutineProgress]()
+        self.kept_at_sending = list[LanePhase]()
         self.objection: OrderEnded | OrderWithheld | None = None
         parts = RunParts(
             self.store,
@@ -55,6 +59,7 @@ class Desk:
         (order,) = request.commands
         assert isinstance(order, PlaceOrder)
         if self.objection is None:
+            self.kept_at_sending.append(self.saved[-1].lanes[0].phase)
             self.sent.append(order)
         return self.objection
 
@@ -79,6 +84,13 @@ def test_an_order_counts_once_it_was_driven(tmp_path: Path) -> None:
     assert desk.after(*commanded(1, desk.sent[0], Stage.DONE)[1:]).phase is LanePhase.DONE
     assert desk.run.is_over and len(desk.sent) == 1
     assert desk.log == ["routine started: day: robot_0", "routine done: day robot_0"]
+
+
+def test_an_order_is_kept_as_sent_before_it_is_sent(tmp_path: Path) -> None:
+    desk = Desk(tmp_path, "for robot_0\nwait 0 s\ncarry Base Consumidores\nend\n")
+    while not desk.sent:
+        desk.after()
+    assert desk.kept_at_sending == [LanePhase.ORDERED], "a crash just then must not give it twice"
 
 
 def test_a_lost_link_holds_it_and_a_person_resumes(tmp_path: Path) -> None:
@@ -148,6 +160,13 @@ def test_an_order_of_an_earlier_process_is_followed(tmp_path: Path) -> None:
     desk.run.request(LaneResumed())
     assert desk.after().phase is LanePhase.ORDERED and desk.sent == [], "it is not given a second time"
     assert desk.log[0] == "routine resumed: day: robot_0"
+
+
+def test_a_progress_that_fits_no_line_is_refused(tmp_path: Path) -> None:
+    before = Desk(tmp_path, "for robot_0\ngo Base\nend\n").saved[-1]
+    astray = Lane("robot_0", (Position(index=3), Position()))
+    with pytest.raises(RoutineError, match="does not fit the file: start it again"):
+        Desk(tmp_path, "for robot_0\ngo Base\nend\n", replace(before, lanes=(astray,)))
 
 
 @pytest.fixture

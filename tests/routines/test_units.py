@@ -19,7 +19,7 @@ def named(folder: Path, text: str) -> RoutineFile:
 def test_the_units_name_the_program_the_configuration_and_the_times(tmp_path: Path) -> None:
     text = "every day 05:00\nevery sunday 7:05\n" + MORNING
     units = unit_files(named(tmp_path, text), Path("/site a/50% $x.toml"))
-    assert list(units) == ["fleet-tui-morning.service", "fleet-tui-morning.timer"]
+    assert list(units) == ["fleet-tui-routine-morning.service", "fleet-tui-routine-morning.timer"]
     service, timer = units.values()
     (command,) = [line for line in service.splitlines() if line.startswith("ExecStart=")]
     assert command.startswith('ExecStart="/')

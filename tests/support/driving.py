@@ -7,6 +7,7 @@ from typing import Any
 
 from msgspec.structs import replace
 
+from fleet_tui.adapters.profile import DriveConfig
 from fleet_tui.client.driving.drive import Drive
 from fleet_tui.model.link import CommandPath
 from fleet_tui.model.set_up.driving import STILL, DrivePhase, Speeds, Steering
@@ -52,11 +53,15 @@ class LiveDrive:
 
 @asynccontextmanager
 async def driving(
-    server: RosbridgeServer, url: str = "", topic: str = "/{robot}/cmd_vel"
+    server: RosbridgeServer,
+    url: str = "",
+    topic: str = "/{robot}/cmd_vel",
+    limits: DriveConfig | None = None,
 ) -> AsyncIterator[LiveDrive]:
-    """Begin to drive the first robot of a server, perhaps through a proxy before it."""
+    """Begin to drive the first robot of a server, perhaps through a proxy before it; `limits`: those of its
+    profile."""
     config = config_of(url or server.url)
-    named = replace(config.profile, topics={**config.profile.topics, "drive": topic})
+    named = replace(config.profile, topics={**config.profile.topics, "drive": topic}, drive=limits)
     async with linked(replace(config, profile=named)) as (link, store):
         await store.until(path(CommandPath.ALIVE))
         yield LiveDrive(link.drive(R0), store, server, topic.replace("{robot}", R0))

@@ -31,7 +31,7 @@ def install_routine(config: Config, name: str, only_print: bool, say: Say) -> in
             say(sanitize(f"written: {path}"))
     except RoutineError as problem:
         raise click.UsageError(sanitize(str(problem))) from None
-    timer = shlex.quote(f"fleet-tui-{file.name}.timer")
+    timer = shlex.quote(f"fleet-tui-routine-{file.name}.timer")
     say(f"start it: systemctl --user daemon-reload; systemctl --user enable --now {timer}")
     say("also while nobody is logged in: loginctl enable-linger")
     return DONE

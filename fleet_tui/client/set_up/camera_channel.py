@@ -12,6 +12,8 @@ from fleet_tui.adapters.adapter import Adapter, Feed
 from fleet_tui.adapters.ros import operations
 from fleet_tui.adapters.ros.reading import FrameReader, Read, StreamSink
 from fleet_tui.adapters.ros.type_names import type_problem
+from fleet_tui.client.calls import Calls
+from fleet_tui.client.set_up.listeners import ask
 from fleet_tui.client.subscriber import Subscriber
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError
@@ -27,6 +29,10 @@ LARGE_FRAME = 100_000
 """Bytes of a message above which it is read off the loop."""
 CBOR_PATIENCE = 8.0
 """Seconds without a picture after which it is requested as JSON: an old bridge knows no CBOR."""
+
+
+PUBLISHERS_WITHIN = 2.0
+"""Seconds for rosapi to tell who publishes a topic."""
 
 
 class CameraChannel:
@@ -47,6 +53,8 @@ class CameraChannel:
         self._adapters, self._subscriber = adapters, subscriber
         self._reading, self._sink = reading, sink
         self._connection: Connection | None = None
+        self._calls: Calls | None = None
+        self._questions: set[asyncio.Task[None]] = set()
         self._wanted: frozenset[Feed] = frozenset()
         self._timers: dict[Feed, asyncio.TimerHandle] = {}
         self._reader = ThreadPoolExecutor(1, thread_name_prefix="fleet-tui-camera")
@@ -67,6 +75,7 @@ class CameraChannel:
             self._disconnect()
         elif self._connection is None:
             self._connection = Connection(self._bridge, self)
+            self._calls = Calls(self._connection)
             self._connection.connect()
         elif self._connection.is_connected:
             for feed in wanted - before:
@@ -83,6 +92,8 @@ class CameraChannel:
     def on_lost(self, reason: str, next_try_in: float) -> None:
         """Report that no pictures come."""
         self._cancel_timers()
+        if self._calls is not None:
+            self._calls.on_lost()
         for feed in self._wanted:
             self._report(feed, f"no link for pictures: {reason}")
 
@@ -103,8 +114,10 @@ class CameraChannel:
             self._take(done.result())
 
     def _take(self, read: Read) -> None:
-        """Report an unreadable picture; a readable one is in the sink."""
-        if isinstance(read, Sequence):
+        """Take an answer of rosapi, or report an unreadable picture; a readable one is in the sink."""
+        if isinstance(read, operations.ServiceResponse) and self._calls is not None:
+            self._calls.on_response(read)
+        elif isinstance(read, Sequence):
             for event in read:
                 if isinstance(event, MessageRejected):
                     self._report_to(event.robot, f"unreadable: {event.text}")
@@ -130,15 +143,25 @@ class CameraChannel:
         asked = operations.Subscription(feed.address, type_, feed.rate_ms, compression, feed.queue_length)
         with suppress(LinkError):
             connection.send(operations.subscribe(asked))
+            came = _pictures(self._reading, feed)
+            question = asyncio.ensure_future(self._look_for_publisher(feed, came))
+            self._questions.add(question)
+            question.add_done_callback(self._questions.discard)
             if compression == "cbor":
-                came = self._reading.counter.topics[feed.address].count
                 later = asyncio.get_running_loop().call_later
                 self._timers[feed] = later(CBOR_PATIENCE, self._request_as_json, feed, came)
 
     def _request_as_json(self, feed: Feed, came: int) -> None:
-        if feed in self._wanted and self._reading.counter.topics[feed.address].count == came:
+        if feed in self._wanted and _pictures(self._reading, feed) == came:
             self._unsubscribe(feed)
             self._subscribe(feed, "none")
+
+    async def _look_for_publisher(self, feed: Feed, came: int) -> None:
+        """Report a topic without a publisher: its kind names a camera that this robot need not have."""
+        assert self._calls is not None
+        nodes = await ask(self._calls, "publishers", {"topic": feed.address}, "publishers", PUBLISHERS_WITHIN)
+        if nodes == [] and feed in self._wanted and _pictures(self._reading, feed) == came:
+            self._report(feed, f"no camera: nothing publishes {feed.address}")
 
     def _unsubscribe(self, feed: Feed) -> None:
         if timer := self._timers.pop(feed, None):
@@ -166,9 +189,16 @@ class CameraChannel:
         self._cancel_timers()
         if self._connection is not None:
             self._connection.shut()
-            self._connection = None
+            self._connection = self._calls = None
+        for question in self._questions:
+            question.cancel()
 
     def close(self) -> None:
         """Close permanently."""
         self._watch(())
         self._reader.shutdown(wait=False, cancel_futures=True)
+
+
+def _pictures(reading: FrameReader, feed: Feed) -> int:
+    """Return the number of pictures that have come."""
+    return reading.counter.topics[feed.address].count

@@ -1,10 +1,10 @@
 """Driving by hand: from the key to the robot, and every reason to end it."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
+from fleet_tui.adapters.profile import DriveConfig
 from fleet_tui.backend import Backend
-from fleet_tui.config.schema import DriveConfig
 from fleet_tui.controllers.dispatch import Ask
 from fleet_tui.controllers.driving.clearance import ClearanceAhead
 from fleet_tui.controllers.driving.journal import DriveJournal
@@ -27,14 +27,15 @@ LATEST = 1.5
 
 
 class DriveControls:
-    """The mode of the map in which the selected robot is driven. `focus` gives the map the focus, `passes`
-    are the keys that have a meaning in it, `tell_releases` asks the terminal for the releases of keys."""
+    """The mode of the map in which the selected robot is driven. `limits` by robot; `focus` gives the map
+    the focus, `passes` are the keys that have a meaning in it, `tell_releases` asks the terminal for the
+    releases of keys."""
 
     def __init__(
         self,
         parts: SetUpParts,
         backend: Backend,
-        limits: DriveConfig,
+        limits: Mapping[str, DriveConfig],
         controls: MapControls,
         picture: MapPicture,
         journal: DriveJournal,
@@ -44,11 +45,10 @@ class DriveControls:
         tell_releases: Callable[[bool], None],
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
-        self._parts, self._backend, self._limits = parts, backend, limits
+        self._parts, self._backend, self._by_robot = parts, backend, limits
         self._controls, self._picture, self._journal, self._ask = controls, picture, journal, ask
         self._focus, self._passes, self._clock = focus, passes, clock
         self._tell_releases = tell_releases
-        self._caps = Caps(limits.max_linear, limits.max_angular)
         self._drive: HandDrive | None = None
         self._hand, self._share, self._steered = Hand(), FIRST, False
         self._looked, self._followed = 0.0, False
@@ -64,6 +64,14 @@ class DriveControls:
     def _robot(self) -> Robot:
         name = self.mode.robot if self.mode is not None else self._parts.navigation.robot
         return self._parts.store.state.robots[name]
+
+    @property
+    def _limits(self) -> DriveConfig:
+        return self._by_robot[self._robot.name]
+
+    @property
+    def _caps(self) -> Caps:
+        return Caps(self._limits.max_linear, self._limits.max_angular)
 
     def _refusal(self) -> str:
         return self._parts.dispatch.set_up_refusal() or drive_refusal(self._parts.store.state, self._robot)
@@ -101,6 +109,8 @@ class DriveControls:
         self._controls.enter(mode)
         self._tell_releases(True)
         self._focus()
+        # In the place of why the last drive ended.
+        self._parts.notices.say(sanitize(f"{name} drives while a key is held; this is not an emergency stop"))
 
     def press(self, key: str) -> None:
         """Take a press of a direction; nothing is kept for a drive that has not begun."""
@@ -108,7 +118,7 @@ class DriveControls:
             return
         if key in SIDEWAYS and not self._limits.holonomic:
             self.stop()
-            self._parts.notices.say("no sideways: [drive] holonomic is false")
+            self._parts.notices.say(sanitize(f"no sideways: holonomic is false for {self._robot.name}"))
             return
         self._hand = self._hand.pressed(key, self._clock())
         self._steer()

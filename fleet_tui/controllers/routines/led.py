@@ -65,8 +65,12 @@ class LedRoutines:
         locks.claim()
         note, save = partial(self._note, file.name), partial(self._save, path)
         parts = RunParts(self._store, self._give, note, self._files.log, save)
+        try:
+            self.runs[file.name] = RoutineRun(file, parts, self._files.operator, before)
+        except RoutineError:
+            locks.release()
+            raise
         self._locks[file.name] = locks
-        self.runs[file.name] = RoutineRun(file, parts, self._files.operator, before)
 
     def tick(self) -> bool:
         """Lead the robots; tell whether a routine has ended."""

@@ -90,9 +90,10 @@ class CameraControls:
             return CameraFacts(robot.name, problem=robot.kind.lack(CAMERA))
         if streamed is None or not isinstance(streamed.value, CameraImage):
             return CameraFacts(robot.name)
+        if streamed.value.unshown:  # whatever came was no picture: it has no age
+            return CameraFacts(robot.name, problem=streamed.value.unshown)
         seconds = self._store.state.now - streamed.taken_at
-        problem = streamed.value.unshown or self._decoded.reason
-        return CameraFacts(robot.name, self._decoded.size, seconds, self._rate.text, problem)
+        return CameraFacts(robot.name, self._decoded.size, seconds, self._rate.text, self._decoded.reason)
 
     def _watch(self, robot: str) -> None:
         if robot == self._robot:

@@ -106,11 +106,8 @@ class _LaneCheck:
             case RunBlock(arguments=arguments):
                 if reason := self._program(arguments):
                     yield reason
-            case RepeatBlock(times=None, body=body):
-                if not any(map(takes_time, body)):
-                    yield "endless repeat without a wait or an order in each round: add wait 30 s"
             case RepeatBlock():
-                pass
+                yield from _rounds(block)
             case _:
                 assert_never(block)
 
@@ -153,6 +150,14 @@ class _LaneCheck:
                     vertex_of(robot, place)
                 except CommandError as problem:
                     yield str(problem)
+
+
+def _rounds(block: RepeatBlock) -> Iterator[str]:
+    """Check that a repeat does something, and an endless one not without a rest."""
+    if not block.body:
+        yield "repeat without an instruction: add one before its end"
+    elif block.times is None and not any(map(takes_time, block.body)):
+        yield "endless repeat without a wait or an order in each round: add wait 30 s"
 
 
 def takes_time(block: Block) -> bool:

@@ -54,7 +54,8 @@ class _TooDeepError(CommandError):
 
 def parse_routine(text: str) -> ParsedRoutine:
     """Return the routine of a file, and all its problems in the order of their lines."""
-    lines = text.splitlines()
+    # As editors count them: what else splits a line would begin an instruction within a comment.
+    lines = text.removesuffix("\n").split("\n")
     reader = _Reader()
     if len(lines) > MOST_LINES:
         reader.wrong(MOST_LINES + 1, f"over {MOST_LINES} lines: divide the routine into several files")

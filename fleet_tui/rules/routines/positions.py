@@ -15,7 +15,7 @@ from fleet_tui.model.routines.blocks import (
     RunBlock,
     WaitBlock,
 )
-from fleet_tui.model.routines.lane import Part, Position
+from fleet_tui.model.routines.lane import Lane, LanePhase, Part, Position
 
 Path = tuple[Position, ...]
 
@@ -46,6 +46,18 @@ def block_at(plan: LanePlan, path: Path) -> Block | None:
     """Return the block at the end of a path, None after the last one of its list."""
     blocks, index = blocks_at(plan, path), path[-1].index
     return blocks[index] if index < len(blocks) else None
+
+
+def fits(plan: LanePlan, lane: Lane) -> bool:
+    """Tell whether a lane that was kept can go on in a plan: an older version may have read the same file in
+    another way."""
+    indexes = [one.index for one in lane.path]
+    try:
+        block = block_at(plan, lane.path)
+    except LookupError:
+        return False
+    is_order = isinstance(block, GoBlock | CarryBlock)
+    return min(indexes) >= 0 and (is_order or lane.phase is not LanePhase.ORDERED)
 
 
 def leaf_at(plan: LanePlan, path: Path) -> Leaf:

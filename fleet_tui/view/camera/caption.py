@@ -37,7 +37,7 @@ def caption(facts: CameraFacts, width: int) -> tuple[str, bool]:
 def note(facts: CameraFacts) -> str:
     """Return the text in the place of the picture, empty if it is shown."""
     if facts.problem:
-        return f"no picture: {facts.problem}"
+        return facts.problem if facts.problem.startswith("no ") else f"no picture: {facts.problem}"
     if facts.seconds is None:
         return "waiting for the first picture"
     return f"no picture for {age(facts.seconds)}" if facts.seconds > GONE else ""

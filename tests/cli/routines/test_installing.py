@@ -14,11 +14,14 @@ def test_it_writes_units_and_says_how_to_enable_them(tmp_path: Path) -> None:
     units = tmp_path / "systemd" / "user"
     assert not units.exists()
     done = run("routine", "install", "morning", cwd=tmp_path)
-    assert done.returncode == 0 and "systemctl --user enable --now fleet-tui-morning.timer" in done.stdout
+    assert (
+        done.returncode == 0
+        and "systemctl --user enable --now fleet-tui-routine-morning.timer" in done.stdout
+    )
     assert "loginctl enable-linger" in done.stdout
-    service = (units / "fleet-tui-morning.service").read_text()
+    service = (units / "fleet-tui-routine-morning.service").read_text()
     assert f'"{tmp_path / "config.toml"}" "routine" "run" "morning"' in service
-    assert (units / "fleet-tui-morning.timer").is_file()
+    assert (units / "fleet-tui-routine-morning.timer").is_file()
 
 
 def test_what_cannot_be_installed(tmp_path: Path) -> None:

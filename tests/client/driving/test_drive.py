@@ -5,6 +5,7 @@ from itertools import dropwhile, takewhile
 
 import pytest
 
+from fleet_tui.adapters.profile import DriveConfig
 from fleet_tui.model.set_up.driving import STILL, DrivePhase, Steering
 from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.server import RosbridgeServer
@@ -60,6 +61,13 @@ async def test_the_bridge_keeps_one_frame_alone_and_the_connection_is_shut_in_th
         it.drive.steer(Steering(AHEAD, time.monotonic() + 5.0))
         it.drive.end("again")
         assert (it.drive.state.reason, len(it.frames)) == ("a dialog", told)
+
+
+async def test_the_caps_of_its_profile_are_the_last_word(server: RosbridgeServer) -> None:
+    async with driving(server, limits=DriveConfig(max_linear=0.08)) as it:
+        await it.ready()
+        await it.moving()
+        assert max(one.ahead for one in it.frames) == pytest.approx(0.08)
 
 
 async def test_another_publisher_ends_it(server: RosbridgeServer) -> None:

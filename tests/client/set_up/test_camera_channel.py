@@ -102,3 +102,15 @@ async def test_raw_pictures_are_never_subscribed(site: Site) -> None:
         store.streams.watch(R0, "camera")
         await store.until(lambda _: (it := newest(store)) is not None and TYPE[-15:] in it.unshown)
         assert not site.server.bridge.subscribers(f"/{R0}/scan")
+
+
+async def test_a_camera_that_nothing_publishes_is_said_and_shown_once_it_comes(site: Site) -> None:
+    topics = {**site.config.profile.topics, "camera": "/{robot}/front"}
+    config = replace(site.config, profile=replace(site.config.profile, topics=topics))
+    async with linked(config) as (_, store):
+        await store.until(nav2_ready)
+        store.streams.watch(R0, "camera")
+        says = "no camera: nothing publishes /robot_0/front"
+        await store.until(lambda _: (it := newest(store)) is not None and it.unshown == says)
+        site.server.bridge.publish_raw("/robot_0/front", {"format": "jpeg", "data": b"\xff\xd8\xff"})
+        await store.until(lambda _: (it := newest(store)) is not None and it.data)

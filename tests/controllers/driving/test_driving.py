@@ -5,7 +5,7 @@ from collections.abc import Callable
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.config.schema import DriveConfig
+from fleet_tui.adapters.profile import DriveConfig
 from fleet_tui.controllers.driving.driving import LATEST, DriveControls
 from fleet_tui.controllers.driving.journal import DriveJournal
 from fleet_tui.controllers.files import ConsoleFiles
@@ -49,7 +49,7 @@ class Bench:
         self.drives = DriveControls(
             parts,
             desk.backend,
-            limits,
+            {R0: limits},
             MapControls(self.view),
             self.view.picture,
             DriveJournal(ConsoleFiles()),
@@ -84,6 +84,14 @@ def test_a_declared_timeout_needs_no_question_and_the_map_follows_the_robot() ->
     it.drives.leave()
     assert it.drives.mode is None
     assert it.drive.state.reason == "left by key" and it.view.picture.viewport.follow is Viewport().follow
+
+
+def test_the_end_of_the_last_drive_is_not_told_in_the_next() -> None:
+    it = Bench().began()
+    it.drives.end("someone else drives")
+    assert "is not driven any more" in it.desk.notices.text
+    it.began()
+    assert it.desk.notices.text == "robot_0 drives while a key is held; this is not an emergency stop"
 
 
 def test_without_one_only_a_yes_begins_it() -> None:

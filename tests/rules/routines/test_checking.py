@@ -41,6 +41,7 @@ def test_a_good_routine_has_no_problem() -> None:
         (("wait until at Nowhere",), "2: robot_0 has no place 'Nowhere'"),
         (("repeat", "run x", "end"), "2: endless repeat without a wait or an order in each round"),
         (("repeat", "if idle", "go Base", "end", "end"), "2: endless repeat without a wait or an order"),
+        (("repeat 10000", "repeat 10000", "end", "end"), "3: repeat without an instruction: add one"),
         ((), "1: robot_0 has no instruction: add one before end"),
         (("go Base", "on failure", "go Bas", "end"), "4: robot_0 has no place 'Bas'"),
     ],

@@ -75,6 +75,13 @@ def test_mistakes(text: str, line: int, words: str) -> None:
     assert any(one.line == line and words in one.text for one in found), found
 
 
+@pytest.mark.parametrize("separator", ["\u2028", "\x0b", "\x85", "\x1c"])
+def test_a_comment_ends_where_an_editor_ends_it(separator: str) -> None:
+    parsed = parse_routine(f"for robot_0\r\n  go Base # then{separator}go Elsewhere\r\nend\r\n")
+    (lane,) = parsed.routine.lanes
+    assert [block.text for block in lane.body] == ["go Base"] and not parsed.problems
+
+
 def test_all_mistakes_at_once() -> None:
     text = "every day 6\nfor r\ngo\nif x\nwait 5\nelse\nwait until noon\nend\nend\n"
     assert [problem.line for problem in parse_routine(text).problems] == [1, 3, 4, 5, 7]
