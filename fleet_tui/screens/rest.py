@@ -194,7 +194,7 @@ class Rest:
         """Show a scene on the map, at the same scale while a panel covers a part of it, and until it has its
         lines again."""
         self.drives.look(scene)
-        covers = self.why.is_open or self.menu.is_open
+        covers = self.why.is_open or self.menu.is_open or self.order_form.is_open
         self.map.picture.viewport.holds = covers or self._covers
         self._covers = covers
         self._screen.panes.show_map(self.map, scene)
