@@ -15,6 +15,7 @@ from tests.support.fleets import (
     fleet,
     graph,
     labels,
+    link_lost,
     link_up,
     queue,
     reduced,
@@ -88,3 +89,9 @@ def test_an_alarm_reads_as_it_was_at_its_time() -> None:
     state = reduced(fleet(), link_up(T0), *(event for both in seen for event in both))
     assert [alarm.text for alarm in state.alarms] == ["obstacle 2 min"]
     assert lines(state) == ["0 robot_0 obstacle 40 s"]
+
+
+def test_the_return_of_a_link_stays_with_its_outage_after_its_alarm_is_gone() -> None:
+    back = reduced(fleet(), link_up(T0), link_lost(T0 + 5), tick(T0 + 9), link_up(T0 + 27), tick(T0 + 60))
+    assert not [alarm for alarm in back.alarms if alarm.condition.kind == "link"]
+    assert "27 rosbridge link restored after 22 s" in lines(back)
