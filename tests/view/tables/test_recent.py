@@ -7,6 +7,7 @@ from fleet_tui.model.events import CommandAdvanced, CommandIssued, ObstacleRepor
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.recent import recent_table
+from tests.support.alarms import without_poses
 from tests.support.fleets import (
     R0,
     T0,
@@ -86,7 +87,7 @@ def test_a_pause_of_several_robots_is_one_line() -> None:
 
 def test_an_alarm_reads_as_it_was_at_its_time() -> None:
     seen = [(ObstacleReported(R0, T0 + n, 40.0 + n), tick(T0 + n)) for n in range(90)]
-    state = reduced(fleet(), link_up(T0), *(event for both in seen for event in both))
+    state = reduced(without_poses(fleet()), link_up(T0), *(event for both in seen for event in both))
     assert [alarm.text for alarm in state.alarms] == ["obstacle 2 min"]
     assert lines(state) == ["0 robot_0 obstacle 40 s"]
 
