@@ -24,7 +24,7 @@ PAGES = {
     ),
     "Raw": DiagnosticsPage("the last message of a topic", keys=("freeze", "bad", "copy")),
     "Log": DiagnosticsPage(
-        "robot log (/rosout); Enter shows the whole message", "message", ("filter", "level", "freeze", "copy")
+        "robot log (/rosout); Enter shows the whole message", "whole", ("filter", "level", "freeze", "copy")
     ),
     "Health": DiagnosticsPage("robot diagnostics (/diagnostics)", "values", ("filter", "copy")),
     "Console": DiagnosticsPage("rendering cost and log of this console", keys=("filter", "copy")),
