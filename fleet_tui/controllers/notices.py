@@ -7,13 +7,12 @@ from time import monotonic
 from fleet_tui.state.store import Store
 from fleet_tui.view.lines.commands import newest
 
-SHOWN = 10.0
+SHOWN = 8.0
 """Seconds for which a text is shown: later it would read as the answer to the last key."""
 
 
 class Notices:
-    """Keeps the newest text and the number of the newest command at that time. `text`, the first one, is
-    shown until there is a newer one."""
+    """Keeps the newest text and the number of the newest command at that time; `text` is the first one."""
 
     def __init__(
         self,
@@ -23,7 +22,7 @@ class Notices:
         clock: Callable[[], float] = monotonic,
     ) -> None:
         self._store, self._refresh, self._clock = store, refresh, clock
-        self._text, self._until, self.at = text, math.inf, 0.0
+        self._text, self._until, self.at = text, clock() + SHOWN, 0.0
 
     @property
     def text(self) -> str:

@@ -23,7 +23,9 @@ PAGES = {
         "rate, age and errors; Enter shows the last message", "message", ("filter", "copy")
     ),
     "Raw": DiagnosticsPage("the last message of a topic", keys=("freeze", "bad", "copy")),
-    "Log": DiagnosticsPage("robot log (/rosout)", keys=("filter", "level", "freeze", "copy")),
+    "Log": DiagnosticsPage(
+        "robot log (/rosout); Enter shows the whole message", "whole", ("filter", "level", "freeze", "copy")
+    ),
     "Health": DiagnosticsPage("robot diagnostics (/diagnostics)", "values", ("filter", "copy")),
     "Console": DiagnosticsPage("rendering cost and log of this console", keys=("filter", "copy")),
 }

@@ -135,6 +135,14 @@ def with_robot(state: FleetState, robot: Robot) -> FleetState:
     return replace(state, robots={**state.robots, robot.name: robot})
 
 
+def returned_text(state: FleetState, link: LinkState) -> str:
+    """Return for how long a link that is up again was lost, empty if nobody saw that."""
+    if link.outage <= state.limits.link_after:
+        return ""
+    name = f"{link.name} " if len(state.links) > 1 else ""
+    return f"{name}link restored after {age(link.outage)}"
+
+
 MISSING_AFTER = 3.0
 """Seconds of a link after which a value that must arrive regularly is missing."""
 

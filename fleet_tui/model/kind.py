@@ -51,7 +51,7 @@ class Kind(Struct, frozen=True):
     and sends again. `takes_stops`: one order leads to any number of stops; `gives_stops`: this console
     sends those one by one. `changes_floors`: an order can lead it to another floor.
     `streams` can be watched. `loads_graphs`: a graph reaches it as the file of its floor, which it loads by
-    its path."""
+    its path. `pose_topic`: the name of its poses' topic, with {robot}, empty if unknown."""
 
     name: str = ""
     reports: tuple[str, ...] = ()
@@ -67,6 +67,7 @@ class Kind(Struct, frozen=True):
     changes_floors: bool = True
     streams: tuple[str, ...] = ()
     loads_graphs: bool = False
+    pose_topic: str = ""
 
     def can(self, verb: str) -> bool:
         """Tell whether it accepts the request of a verb; an order with or without a start, a goal also as an

@@ -33,9 +33,9 @@ OF_BAG = "rosbag://"
 class LinkState(Struct, frozen=True):
     """A bridge: `since` is the start of the phase, `next_try` the next attempt, both monotonic seconds;
     `reason` is the reason for no link in plain words; `commands_connected`: there is a connection for
-    commands, tested or not; `was_up`: it has been up before; `fault_at` is the time of the last bad frame;
-    `late` are the seconds by which its poses are late, `unsourced` the package whose messages the bridge
-    lacks."""
+    commands, tested or not; `was_up`: it has been up before; `outage`: seconds for which it was down before
+    it came up again, else 0; `fault_at` is the time of the last bad frame; `late` are the seconds by which
+    its poses are late, `unsourced` the package whose messages the bridge lacks."""
 
     name: str
     url: str
@@ -48,6 +48,7 @@ class LinkState(Struct, frozen=True):
     command_reason: str = ""
     commands_connected: bool = False
     was_up: bool = False
+    outage: float = 0.0
     faults: int = 0
     last_fault: str = ""
     fault_at: float | None = None

@@ -60,10 +60,12 @@ def vertices_of(stops: tuple[Stop, ...]) -> tuple[str, ...]:
 
 
 def route_text(stops: tuple[Stop, ...], name: Callable[[str], str]) -> str:
-    """Return stops as `A -> B`, a single one as `-> B`, none as `-> ?`; `name` returns that of a vertex
-    id."""
+    """Return stops as `A -> B`, a single one as `-> B`, none as `to a point`; `name` returns that
+    of a vertex id."""
     names = [name(stop.vertex) if stop.pose is None else pose_text(stop.pose) for stop in stops]
-    return " -> ".join(names) if len(names) > 1 else f"-> {names[0] if names else '?'}"
+    if not names:
+        return "to a point"
+    return " -> ".join(names) if len(names) > 1 else f"-> {names[0]}"
 
 
 def pose_text(pose: Pose) -> str:

@@ -236,6 +236,7 @@ class MainScreen(Screen[None]):
 
     @on(messages.RobotPicked)
     @on(messages.VertexPicked)
+    @on(messages.FloorPicked)
     @on(messages.PlacePicked)
     @on(messages.RowPicked)
     @on(messages.RowChosen)

@@ -18,6 +18,8 @@ def picked(screen: "MainScreen", event: messages.Picked) -> None:
             navigation.select(event.name)
         case messages.VertexPicked():
             rest.orders.start_at(event.id, navigation.floor)
+        case messages.FloorPicked():
+            navigation.find_floor(event.name)
         case messages.PlacePicked():
             # A pose or goal is where the mouse was; only a draft does something with it.
             rest.drawing.clicked(event.dragged)

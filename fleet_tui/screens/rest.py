@@ -1,6 +1,5 @@
 """Parts of the main screen after its first paint: the map, the overlays, and their controllers."""
 
-from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -49,11 +48,13 @@ from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.scene import Scene
+from fleet_tui.widgets.background import run_in_background
 from fleet_tui.widgets.bindings import action_of
 from fleet_tui.widgets.camera_view import CameraView
 from fleet_tui.widgets.map_view import MapView
 from fleet_tui.widgets.panes import lines_below
 from fleet_tui.widgets.runs_view import RunsView
+from fleet_tui.widgets.small_maps_view import SmallMapsView
 
 if TYPE_CHECKING:
     from fleet_tui.screens.main import MainScreen
@@ -76,7 +77,7 @@ class Rest:
         self._screen, self._navigation, self._session = screen, screen.navigation, screen.session
         store, settings, dispatch = screen.store, screen.settings, screen.dispatch
         navigation, notices = screen.navigation, screen.notices
-        self.map = MapView(id="map")
+        self.map, self.small_maps = MapView(id="map"), SmallMapsView()
         self.map.picture.options = MapOptions(drawing=settings.drawing)
         to_next, menu = settings.keys["next_vertex"], lambda: self.robots.menu(navigation.robot)
         self.map_controls = MapControls(self.map, notices.say, to_next, menu)
@@ -102,11 +103,11 @@ class Rest:
     def _add_tools(self, screen: "MainScreen") -> None:
         store, settings, asks = screen.store, screen.settings, (self.confirm.ask, self.menu.show)
         self.programs = programs_overlay(screen, *asks)
-        self.routines = routines_overlay(screen, *asks, partial(_in_background, screen))
+        self.routines = routines_overlay(screen, *asks, partial(run_in_background, screen))
         pages = Pages(lambda: store.state, screen.backend, settings.clock)
         self.diagnostics = Diagnostics(pages, screen.backend, settings.keys)
         self.styled = [self.map, self.audit_log.rows, self.diagnostics, *self.key_help.views]
-        self.styled += [self.programs, self.routines]
+        self.styled += [self.programs, self.routines, self.small_maps]
 
     def _add_camera(self, screen: "MainScreen") -> None:
         view = CameraView()
@@ -117,7 +118,7 @@ class Rest:
             screen.settings.picture_limit,
             lambda: self._has_few_colours or self.map.picture.options.drawing is Drawing.ASCII,
         )
-        selected, in_background = lambda: self._navigation.robot, partial(_in_background, screen)
+        selected, in_background = lambda: self._navigation.robot, partial(run_in_background, screen)
         self.camera = CameraControls(screen.store, screen.backend, selected, view, in_background, terminal)
         self.camera_switch = CameraSwitch(screen.panes, self.map, view, self.camera, screen.notices.say)
         self.styled.append(view)
@@ -138,7 +139,7 @@ class Rest:
         self._overruled = {pane: overruled(keys, pane) for pane in Pane if pane.is_mode}
         ask, comparison = self.confirm.ask, self.streams.comparison
         streams, controls, picture = self._screen.backend.streams, self.map_controls, self.map.picture
-        in_background = partial(_in_background, self._screen)
+        in_background = partial(run_in_background, self._screen)
         self.poses = PoseRequests(*parts[:4], ask, controls, picture, comparison)
         self.snap = PoseSnap(parts, streams, controls, picture, in_background)
         self.editor = GraphEditor(parts, controls, picture, self._screen.files.draft)
@@ -166,6 +167,8 @@ class Rest:
         with screen.app.batch_update():
             await screen.query_one("#map").remove()
             await screen.panes.floor.mount(self.camera_switch.view, self.map, before=0)
+            if len(screen.store.state.floors) > 1:
+                await screen.panes.small_maps.mount(self.small_maps)
             await screen.mount(*opens, self.audit_log, self.diagnostics, self.programs, self.routines)
             time_line = screen.session.time_line()
             if time_line is not None:
@@ -191,10 +194,12 @@ class Rest:
         """Show a scene on the map, at the same scale while a panel covers a part of it, and until it has its
         lines again."""
         self.drives.look(scene)
-        covers = self.why.is_open or self.menu.is_open
+        covers = self.why.is_open or self.menu.is_open or self.order_form.is_open
         self.map.picture.viewport.holds = covers or self._covers
         self._covers = covers
         self._screen.panes.show_map(self.map, scene)
+        state, options = self._screen.store.state, self.map.picture.options
+        self.small_maps.show(state, self._navigation.selection, options)
 
     def show(self) -> None:
         """Show the newest state in the place of the map."""
@@ -233,16 +238,6 @@ class Rest:
         if text != form.route.content:  # an update lays out the whole screen
             form.route.update(text)
         return None if draft is None else (draft, route)
-
-
-def _in_background(screen: "MainScreen", work: Callable[[], object], then: Callable[[object], None]) -> None:
-    """Do work in a thread, then call with its result on the loop."""
-
-    def run() -> None:
-        result = work()
-        screen.app.call_from_thread(then, result)
-
-    screen.run_worker(run, thread=True, exit_on_error=False)
 
 
 def _run(screen: "MainScreen", key: Key[Any]) -> None:

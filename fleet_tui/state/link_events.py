@@ -26,6 +26,7 @@ def _change_link(state: FleetState, event: events.LinkChanged) -> FleetState:
     """Change the phase; during repeated attempts `since` stays the time of the loss."""
     link = state.links[event.link]
     same_side = (link.phase is Phase.UP) == (event.phase is Phase.UP)
+    returns = link.was_up and event.phase is Phase.UP and not same_side
     return _with_link(
         state,
         replace(
@@ -34,6 +35,7 @@ def _change_link(state: FleetState, event: events.LinkChanged) -> FleetState:
             reason=truncate(event.reason) or (link.reason if event.phase is not Phase.UP else ""),
             next_try=event.next_try,
             since=link.since if same_side and link.since else event.at,
+            outage=event.at - link.since if returns else link.outage if same_side else 0.0,
             was_up=link.was_up or event.phase is Phase.UP,
             unsourced=link.unsourced if event.phase is Phase.UP else "",
         ),

@@ -12,6 +12,10 @@ LEAST_BESIDE, MAP_SHARE = 78, 10 / 21
 `fleet.tcss`."""
 LEAST_PAGE = 6
 """Lines from which the robot's page and the last events are worth their place."""
+USUAL_SHAPE = 0.4
+"""Lines of a floor per cell of its width, until one is known."""
+WHOLE_PAGE, LEAST_COLUMN = 14, 60
+"""Lines that the robot's page keeps beside small maps, and cells of its column from which there are some."""
 
 
 class Wanted(NamedTuple):
@@ -30,6 +34,15 @@ def beside_map(lines: int, wanted: Wanted) -> tuple[int, int, int, int]:
     left = max(0, lines - fleet - alarms - queue)
     page = left if left >= LEAST_PAGE else 0
     return fleet, alarms, queue + left - page, page
+
+
+def below_page(lines: int, page: int, width: int) -> int:
+    """Return the lines for small maps of other floors in the place of a robot's page, `page` of `lines` lines
+    and `width` cells (0 for none). In steps: they rarely change while other panes grow."""
+    if width < LEAST_COLUMN:
+        return 0
+    sizes = (lines // 2, lines // 3, lines // 4)
+    return next((size for size in sizes if size >= LEAST_MAP and page - size >= WHOLE_PAGE), 0)
 
 
 def below_floor(lines: int, floor: int) -> int:

@@ -21,6 +21,13 @@ class VertexPicked(Message):
 
 
 @dataclass
+class FloorPicked(Message):
+    """The operator pointed at the small map of a floor."""
+
+    name: str
+
+
+@dataclass
 class PlacePicked(Message):
     """The operator clicked at a place of the map where its mode takes clicks; `dragged`: he moved something
     there."""
@@ -61,4 +68,13 @@ class TimePicked(Message):
     width: int
 
 
-Picked = RobotPicked | VertexPicked | PlacePicked | RowPicked | RowChosen | ButtonPressed | TimePicked
+Picked = (
+    RobotPicked
+    | VertexPicked
+    | FloorPicked
+    | PlacePicked
+    | RowPicked
+    | RowChosen
+    | ButtonPressed
+    | TimePicked
+)

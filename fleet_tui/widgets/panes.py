@@ -9,10 +9,12 @@ from textual.containers import Container
 from textual.widget import Widget
 
 from fleet_tui.view.layout import (
+    USUAL_SHAPE,
     Wanted,
     below_buttons,
     below_floor,
     below_map,
+    below_page,
     beside_fleet,
     beside_map,
     is_better_beside,
@@ -30,8 +32,6 @@ OTHERS = 3
 """Lines of the screen that are no panes: status, message, footer. Before the first layout."""
 BELOW = 2
 """Those of them below the panes: message, footer."""
-USUAL_SHAPE = 0.4
-"""Lines of a floor per cell of its width, until one is known."""
 
 
 class Pace:
@@ -56,8 +56,9 @@ def lines_below(overlay: Widget) -> int:
 
 
 class Panes(Container):
-    """The place of the map, the last events, fleet, alarms, queue, and the page of the selected robot. Only
-    its background is visible, between the panes: Textual need not build it row by row."""
+    """The place of the map, the last events, fleet, alarms, queue, the page of the selected robot, and the
+    small maps of other floors. Only its background is visible, between the panes: Textual need not build it
+    row by row."""
 
     BLANK = True
 
@@ -69,8 +70,10 @@ class Panes(Container):
         self.recent = RowsPane(id="recent")
         self.recent.can_focus = False
         self.floor = Container(Container(id="map"), self.recent, id="floor")
-        super().__init__(self.floor, self.fleet, self.alarms, self.queue, self.page, id="panes")
-        self._alone = ""
+        self.small_maps = Container(id="small-maps")
+        aside = Container(self.page, self.small_maps, id="aside")
+        super().__init__(self.floor, self.fleet, self.alarms, self.queue, aside, id="panes")
+        self._alone, self._small_lines = "", 0
         # Nobody reads values that change ten times a second, and rows of a large fleet take a while to make.
         self._fleet_pace, self._page_pace, self._recent_pace = Pace(0.2), Pace(0.5), Pace(1.0)
         self._recent_lines = 0
@@ -155,6 +158,7 @@ class Panes(Container):
         may_enlarge = (is_wide or not covered) and self._alone in self._enlargeable(is_wide)
         alone = self._alone if may_enlarge else ""
         heights = (lines, *[0] * 3)[: 4 if is_wide else 1] if alone else self._heights(lines, wanted, covered)
+        self._share_aside(lines, heights[-1] if len(heights) == 4 and not alone else 0)
         rows = " ".join(map(str, heights))
         if (rows, alone, is_wide) == self._shared_out:
             return
@@ -166,6 +170,15 @@ class Panes(Container):
             spans = (not is_wide and not self._is_small) or alone == "floor"
             pane.set_class(bool(alone) and pane.id != alone and not keeps, "-hidden")
             pane.set_class(bool(alone) and pane.id == alone and spans, "-across")
+
+    def _share_aside(self, lines: int, page: int) -> None:
+        """Give small maps the lines that the robot's page can spare."""
+        has_some = bool(self.small_maps.children)
+        small = below_page(lines, page, self.page.size.width) if has_some else 0
+        if small != self._small_lines:
+            self._small_lines = small
+            self.small_maps.styles.height = small
+            self.small_maps.display = small > 0
 
     @property
     def _is_small(self) -> bool:

@@ -1,6 +1,6 @@
 """The last line: the newest text, and which command was the newest then."""
 
-from fleet_tui.controllers.notices import Notices
+from fleet_tui.controllers.notices import SHOWN, Notices
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.state.store import Store
 from tests.support.fleets import R0, T0, commanded, fleet, reduced
@@ -18,10 +18,12 @@ def test_what_is_said_is_shown_at_once_and_what_is_noted_with_the_next_tick() ->
 def test_a_text_goes_after_a_while_unless_it_stays() -> None:
     now = [T0]
     notices = Notices(Store(fleet()), lambda: None, "welcome", clock=lambda: now[0])
-    now[0] += 60
+    now[0] += SHOWN - 0.1
     assert notices.text == "welcome"
+    now[0] += 0.2
+    assert notices.text == "", "nor does the first one stay"
     notices.say("no order here")
-    now[0] += 9.9
+    now[0] += SHOWN - 0.1
     assert notices.text == "no order here"
     now[0] += 0.2
     assert notices.text == ""

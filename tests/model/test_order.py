@@ -74,7 +74,7 @@ def test_every_state_is_pending_or_over() -> None:
 @pytest.mark.parametrize(
     ("stops", "text"),
     [
-        ((), "-> ?"),
+        ((), "to a point"),
         (at_vertices("b"), "-> B"),
         (at_vertices("a", "b"), "A -> B"),
         (at_vertices("a", "b", "c"), "A -> B -> C"),

@@ -39,3 +39,11 @@ def test_bad_frames_are_counted_and_the_newest_is_named() -> None:
     for text in ("no JSON", "x" * 10_000):
         state = apply_to_link(state, events.FrameRejected(LINK, text))
     assert state.links[LINK].faults == 2 and len(state.links[LINK].last_fault) < 600
+
+
+def test_a_link_that_returns_tells_how_long_it_was_lost_until_it_is_lost_again() -> None:
+    assert after(link_up(T0)).outage == 0.0
+    tries = events.LinkChanged(LINK, T0 + 6, Phase.CONNECTING)
+    back = after(link_up(T0), link_lost(T0 + 5), tries, link_up(T0 + 27), link_up(T0 + 28))
+    assert back.outage == 22.0
+    assert after(link_up(T0), link_lost(T0 + 5), link_up(T0 + 27), link_lost(T0 + 30)).outage == 0.0

@@ -10,6 +10,7 @@ from fleet_tui.view.layout import (
     Wanted,
     below_buttons,
     below_map,
+    below_page,
     beside_fleet,
     beside_map,
     is_better_beside,
@@ -59,6 +60,13 @@ def test_thirty_robots_have_twenty_four_rows_at_120_by_40() -> None:
 
 def test_a_small_fleet_leaves_lines_to_the_robots_page() -> None:
     assert beside_map(37, Wanted(5, 2, 2)) == (6, 3, 3, 25)
+
+
+def test_small_maps_have_what_the_robots_page_can_spare() -> None:
+    assert below_page(57, 44, 80) == 28
+    assert below_page(57, 35, 80) == 19 and below_page(57, 30, 80) == 14
+    assert below_page(57, 20, 80) == 0, "the page is not cut"
+    assert below_page(37, 25, 48) == 0, "a column too narrow for a floor"
 
 
 def test_more_alarms_have_more_lines() -> None:

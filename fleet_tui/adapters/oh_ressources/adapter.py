@@ -85,6 +85,7 @@ class OhRessources:
             {"mode": math.inf, **names.profile.silence},
             {**unset, kind.GRAPH: no_graph} if no_graph else unset,
             streams=set_up.streams,
+            pose_topic=names.topic("pose", "{robot}"),
         )
 
     def feeds(self, robot: str, floors: Sequence[str]) -> Iterable[Feed]:

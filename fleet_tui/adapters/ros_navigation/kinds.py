@@ -50,6 +50,7 @@ def kind_of_goals(
         changes_floors=False,
         loads_graphs=GRAPH in set_up.accepted,
         streams=set_up.streams,
+        pose_topic=names.topic("pose", "{robot}"),
     )
 
 

@@ -28,6 +28,7 @@ FLOODS = {
     "offline": Flood("offline", "robots back online", Priority.HIGH),
     "stuck": Flood("with an order, not moving", "no longer stuck", Priority.MEDIUM),
     "pause": Flood("in a long pause", "pauses ended", Priority.LOW),
+    "localisation": Flood("unsure of their position", "localisation recovered", Priority.MEDIUM),
     "data": Flood("with bad data", "no new bad data", Priority.LOW),
 }
 

@@ -14,7 +14,7 @@ from fleet_tui.text.durations import age
 LOST_ABOVE, FOUND_BELOW = 0.5, 0.3
 """Variance of x and y in square metres above which localisation is lost, and below which it is back."""
 NO_POSE_AFTER = 30.0
-"""Seconds without a pose from a robot that reports, until it counts as driving unseen."""
+"""Seconds without a pose from a robot that reports and had one, until it counts as driving unseen."""
 
 
 def blocked(state: FleetState, robot: Robot, _active: ActiveConditions) -> Condition | None:
@@ -28,12 +28,13 @@ def blocked(state: FleetState, robot: Robot, _active: ActiveConditions) -> Condi
 
 
 def not_sure_where(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
-    """Raise if its localisation is too uncertain to drive by, or its poses have ceased."""
+    """Raise if its localisation is too uncertain to drive by, or its poses have ceased or never came."""
     if (lost := _pose_lost(state, robot, active)) is not None:
         return lost
     if robot.variance is None:
         return None
-    limit = FOUND_BELOW if (robot.name, "localisation") in active else LOST_ABOVE
+    was_lost = was_active(active, robot.name, robot.link, "localisation")
+    limit = FOUND_BELOW if was_lost else LOST_ABOVE
     if robot.variance.value <= limit:
         return None
     text = f"localisation uncertain: within {2 * robot.variance.value**0.5:.1f} m"
@@ -41,10 +42,15 @@ def not_sure_where(state: FleetState, robot: Robot, active: ActiveConditions) ->
 
 
 def _pose_lost(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
-    if robot.pose is None or not robot.kind.expects("pose") or state.is_fresh(robot, "pose"):
+    if not robot.kind.expects("pose") or state.is_fresh(robot, "pose"):
         return None
     if not state.is_online(robot) and not was_active(active, robot.name, robot.link, "localisation"):
         return None
+    if robot.pose is None:
+        due = state.began.get((robot.name, "localisation"), state.now) + state.patience
+        return Condition(
+            robot.name, "localisation", Priority.MEDIUM, "no pose received", "localisation recovered", due
+        )
     text = f"no pose for {age(state.now - robot.pose.at)}"
     due = robot.pose.at + NO_POSE_AFTER
     return Condition(robot.name, "localisation", Priority.MEDIUM, text, "localisation recovered", due)

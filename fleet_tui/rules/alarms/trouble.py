@@ -18,6 +18,17 @@ def shelved(state: FleetState) -> frozenset[str]:
     return _robots(state, (one for one in state.alarms if one.stage is AlarmStage.SHELVED and one.holds))
 
 
+def acknowledged(state: FleetState) -> frozenset[str]:
+    """Return the names of the robots with alarms that all are acknowledged, those of their links included."""
+    return _concerned(state, AlarmStage.ACKNOWLEDGED) - _concerned(state, AlarmStage.UNACKNOWLEDGED)
+
+
+def _concerned(state: FleetState, stage: AlarmStage) -> frozenset[str]:
+    alarms = [one for one in state.alarms if one.stage is stage]
+    links = {one.condition.source for one in alarms} & state.links.keys()
+    return _robots(state, alarms) | {robot.name for robot in state.robots.values() if robot.link in links}
+
+
 def _robots(state: FleetState, alarms: Iterable[Alarm]) -> frozenset[str]:
     named = {name for one in alarms for name in (one.condition.source, *one.condition.parts)}
     return frozenset(named & state.robots.keys())

@@ -113,7 +113,8 @@ def stale_pose(state: FleetState, robot: Robot) -> Reason | None:
     if not state.is_online(robot) or state.is_fresh(robot, "pose") or "pose" not in robot.kind.reports:
         return None
     if robot.pose is None:
-        evidence = "other reports received, no pose: position unknown"
+        topic = robot.kind.pose_topic.replace("{robot}", robot.name)
+        evidence = f"other reports received, no pose{topic and f' on {topic}'}: position unknown"
         return Reason("no pose", evidence, keys=("diagnostics",), remedy=NO_POSE)
     name, clock = f"pose {age(state.now - robot.pose.at)} old", robot.clock
     silence = robot.kind.silence_of("pose", state.limits.offline_after) + state.behind

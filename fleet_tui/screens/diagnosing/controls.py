@@ -6,7 +6,7 @@ from collections.abc import Hashable
 from functools import partial
 from typing import TYPE_CHECKING
 
-from fleet_tui.screens.diagnosing.pages import Page, Pages
+from fleet_tui.screens.diagnosing.pages import Page, Pages, line_of
 
 if TYPE_CHECKING:
     from fleet_tui.screens.diagnosing.overlay import Diagnostics
@@ -100,6 +100,10 @@ class DiagnosticsControls:
                 self._pages.choose(link, topic)
                 self.page(Page.RAW)
                 self._came_from_topics = True
+            case Page.LOG, _:
+                line = self._view.rows.listing.cursor = line_of(key)
+                self._pages.opened_lines ^= {line}
+                self._view.look()
             case Page.HEALTH, _:
                 self._pages.opened ^= {key}
                 self._view.look()

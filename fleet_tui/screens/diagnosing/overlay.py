@@ -105,6 +105,7 @@ class Diagnostics(Overlay):
     def look(self) -> None:
         """Show the current page."""
         page, listing = self._controls.current, self.rows.listing
+        self._pages.width = self.rows.row_width
         table = self._pages.table(page, self.output.budget)
         keys = table.keys
         # At the end of the log, the cursor stays at the end.

@@ -37,7 +37,8 @@ FILTERED = (Page.TOPICS, Page.LOG, Page.HEALTH, Page.CONSOLE)
 
 class Pages:
     """`topic` is the link and the topic of the messages, `least` the minimum level of the robots' log,
-    `wanted` the filter text of a page."""
+    `wanted` the filter text of a page, `opened` and `opened_lines` the parts and log lines that are shown
+    whole, `width` the cells of a row."""
 
     def __init__(
         self,
@@ -51,6 +52,8 @@ class Pages:
         self.least = Severity.DEBUG
         self.wanted: dict[Page, str] = {}
         self.opened: set[Hashable] = set()
+        self.opened_lines: set[Hashable] = set()
+        self.width = 80
         self._frozen: dict[Page, float] = {}
         self._raw: tuple[Raw | None, str] = (None, "")
         self._lines: tuple[LogLine, ...] = ()
@@ -80,11 +83,17 @@ class Pages:
             case Page.LOG:
                 if page not in self._frozen:
                     self._lines = lines_of(links)
-                return robot_log_table(self._lines, links, state, self._clock, self.least, wanted)
+                return self._log_table(links, state, wanted)
             case Page.HEALTH:
                 return health_table(links, self.opened, wanted, state.now)
             case Page.CONSOLE:
                 return console_table(_own_facts(budget), snapshot(TAIL.lines), wanted)
+
+    def _log_table(self, links: Links, state: FleetState, wanted: str) -> Table:
+        # The id of a line that is gone may be that of another one.
+        self.opened_lines &= {id(line) for line in self._lines} if self.opened_lines else set()
+        opened = self.opened_lines, self.width
+        return robot_log_table(self._lines, links, state, self._clock, self.least, wanted, *opened)
 
     def _raw_table(self, state: FleetState) -> Table:
         topic = self._topic()
@@ -140,12 +149,17 @@ class Pages:
         if page is Page.RAW and self._raw[0] is not None and self.topic is not None:
             text, size = copied(self._raw[0])
             return text, f"the message of {self.topic[1]}, {size}"
-        table = self.table(page, budget)
+        table, key = self.table(page, budget), line_of(key) if page is Page.LOG else key
         if key not in table.keys:
             return "", ""
         row = table.rows[table.keys.index(key)]
         text = "".join(part for part, _ in row.runs).strip()
         return text, f"the row, {len(text)} characters"
+
+
+def line_of(key: Hashable) -> Hashable:
+    """Return the key of the log line that a row is a part of."""
+    return key[0] if isinstance(key, tuple) else key
 
 
 def _own_facts(budget: Budget) -> OwnFacts:

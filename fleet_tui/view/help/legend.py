@@ -104,7 +104,10 @@ def _tables() -> tuple[HelpRow, ...]:
             alarm,
             "alarm that waits for an acknowledgement; robot with an alarm",
         ),
-        SIGNS[AlarmStage.ACKNOWLEDGED]: (text, "acknowledged alarm that still holds"),
+        SIGNS[AlarmStage.ACKNOWLEDGED]: (
+            text,
+            "acknowledged alarm that still holds; robot with such an alarm",
+        ),
         SIGNS[AlarmStage.RETURNED]: (StyleRole.DIM, "alarm that is over, not acknowledged"),
         SIGNS[AlarmStage.SHELVED]: (StyleRole.DIM, "alarm put aside for a while; robot with such an alarm"),
         MARKS[MarkKind.COMMAND][0]: (StyleRole.ACCENT, "recording: a command"),

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from typing import assert_never
 
 from fleet_tui.model import commands
-from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.fleet import FleetState, returned_text
 from fleet_tui.model.set_up.commands import SetUpCommand
 from fleet_tui.rules.commands.batches import TOGETHER, pauses, summary
 from fleet_tui.text.details import detail_text
@@ -17,7 +17,7 @@ from fleet_tui.view.tables.table import Run, cut, width_of
 
 # Number of commands that fit in a line one by one.
 FEW = 3
-# Seconds for which a failed command is shown.
+# Seconds for which a failed command, and the return of a link, is shown.
 REMEMBERED = 30.0
 # Seconds for which the success of the last command is shown.
 SUCCEEDED = 10.0
@@ -138,11 +138,22 @@ def message_line(state: FleetState, said: str, said_at: float, width: int) -> Pa
     # Failures first, the newest leading: they must not be cut at the right end.
     found = sorted(_parts(state, said_at), key=lambda part: (part[0], -part[1]))
     parts, briefs = [part[2] for part in found], [part[3] for part in found]
+    for returned in _returned(state):
+        parts.append(returned)
+        briefs.append(returned)
     if said and _is_news(state, said_at):
         parts.insert(0, ((said, StyleRole.WARN),))
         briefs.insert(0, ((said, StyleRole.WARN),))
     runs = _in_line(parts)
     return runs if width_of(runs) <= width else _squeezed(parts, briefs, width)
+
+
+def _returned(state: FleetState) -> Iterator[Part]:
+    """Yield the links that returned a short while ago: their alarms may have gone unseen."""
+    for link in state.links.values():
+        text = returned_text(state, link)
+        if text and state.now - link.since < REMEMBERED:
+            yield ((sanitize(text), StyleRole.TEXT),)
 
 
 def _in_line(parts: list[tuple[Run, ...]]) -> tuple[Run, ...]:

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 from fleet_tui.keys import PAGES
+from fleet_tui.keys.key import key_name
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run
@@ -30,5 +31,5 @@ def foot_runs(keys: Mapping[str, tuple[str, ...]], page: int, said: str) -> tupl
     hints += [(keys[id_][0], word) for id_, word in (("next_page", "page"), ("leave", "back")) if keys[id_]]
     runs: list[Run] = []
     for key, word in hints:
-        runs += [(f" {key} ", StyleRole.KEY), (f"{word} ", StyleRole.DIM)]
+        runs += [(f" {key_name(key)} ", StyleRole.KEY), (f"{word} ", StyleRole.DIM)]
     return [], runs

@@ -186,10 +186,9 @@ def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None
     scene = _with_map(floor, robot_map, scene, bool(mapping_text(state.robots[selection.robot])))
     tied = floor.grid is not None and floor.tied
     troubled = in_trouble(state)
-    marks = marks_of(tuple(state.robots))
     robots = (
         _robot(state, robot, selection, scene.frame, tied, mark, robot.name in troubled)
-        for robot, mark in zip(state.robots.values(), marks, strict=True)
+        for robot, mark in zip(state.robots.values(), marks_of(tuple(state.robots)), strict=True)
     )
     selected = state.robots[selection.robot]
     notes = [note for note in (_elsewhere(state, selection), scene.note, floor.graph_problem) if note]
@@ -200,6 +199,7 @@ def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None
         area=worth_seeing(scene, placed),
         robots=placed,
         target_vertices=vertices_of_way,
+        picked=vertices_of_way[-1] if drafted is not None and vertices_of_way else "",
         mission=way,
         note=", ".join(notes),
         elsewhere=trouble_elsewhere(state, floor.name),

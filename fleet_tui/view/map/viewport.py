@@ -73,6 +73,8 @@ class Viewport:
         if kept is None:
             return self._fit(scene)
         camera, made_for = kept
+        if self.holds and made_for == frame and self._is_part_of(camera):
+            return self._part_of(scene, camera)
         camera = camera.resized(self.width, self.height)
         if made_for == frame:
             return camera
@@ -83,7 +85,7 @@ class Viewport:
         until the floor does not fit any more; then there is room for more of it."""
         before = self._fitted.get(scene.floor)
         whole = before.camera if before is not None and before.frame == scene.frame else None
-        if self.holds and whole is not None and whole.width == self.width and whole.height > self.height:
+        if self.holds and whole is not None and self._is_part_of(whole):
             return self._part_of(scene, whole)
         camera = Camera.fit((scene.frame.width, scene.frame.height), self.width, self.height, scene.area)
         grows = before is not None and (before.grows or before.frame != scene.frame)
@@ -93,14 +95,21 @@ class Viewport:
             self._fitted[scene.floor] = _Fitted(camera, scene.frame, grows)
         return camera
 
+    def _is_part_of(self, whole: Camera) -> bool:
+        return whole.width == self.width and whole.height > self.height
+
     def _part_of(self, scene: Scene, whole: Camera) -> Camera:
-        """Return the camera of the uncovered part of a view, moved only if the selected robot would be out of
-        it."""
-        robot, part = self._robot_pixel(scene), self._part
+        """Return the camera of the uncovered part of a view, moved only if the selected robot or the picked
+        vertex would be out of it; without space for both the vertex is in it."""
+        part = self._part
         if part is None or (part.scale, part.width, part.height) != (whole.scale, self.width, self.height):
             part = whole.resized(self.width, self.height)
-        if robot is not None and not _shows(part, robot):
-            part = part.centred_within(*robot, _area(scene))
+        points = [at for at in (self._robot_pixel(scene), _picked_pixel(scene)) if at is not None]
+        if not all(_shows(part, at) for at in points):
+            middle = [sum(ends) / len(ends) for ends in zip(*points, strict=True)]
+            part = part.centred_within(middle[0], middle[1], _area(scene))
+            if not _shows(part, points[-1]):
+                part = part.centred_within(*points[-1], _area(scene))
         self._part = part
         return part
 
@@ -196,6 +205,13 @@ def pointed(scene: Scene, camera: Camera, cursor: Point | None) -> str | None:
         return None
     at = camera.to_cell(*scene.frame.to_pixel(*cursor))
     return next((vertex.id for vertex, place in seen_vertices(scene, camera) if place == at), None)
+
+
+def _picked_pixel(scene: Scene) -> tuple[float, float] | None:
+    """Return the place of the vertex that an order being typed would go to."""
+    found = next((vertex for vertex in scene.vertices if scene.picked and vertex.id == scene.picked), None)
+    pixel = scene.frame.to_pixel(found.x, found.y) if found is not None else (math.nan, math.nan)
+    return pixel if all(map(math.isfinite, pixel)) else None
 
 
 def _shows(camera: Camera, pixel: tuple[float, float]) -> bool:

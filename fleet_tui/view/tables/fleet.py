@@ -6,7 +6,7 @@ from functools import partial
 from fleet_tui.model.fleet import FleetState, is_missing, missing_text
 from fleet_tui.model.order import Order, Stop, pose_text, route_text
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.alarms.trouble import in_trouble, shelved
+from fleet_tui.rules.alarms.trouble import acknowledged, in_trouble, shelved
 from fleet_tui.rules.commands.local_queue import all_orders, foreign
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
@@ -84,6 +84,13 @@ def _signed(state: FleetState, robot: Robot, troubled: bool, shelved: bool) -> R
     if troubled:
         return "▲ ", StyleRole.ALARM
     return ("◇ ", StyleRole.WARN) if shelved else ("● ", StyleRole.GOOD)
+
+
+def _seen_row(row: Row) -> Row:
+    """Return a row as the alarm pane has acknowledged alarms: with their sign, and without red."""
+    (sign, _), *_ = row.runs
+    runs = [(text, StyleRole.TEXT if role is StyleRole.ALARM else role) for text, role in row.runs]
+    return Row(row.key, ((sign.replace("▲", "△"), runs[0][1]), *runs[1:]))
 
 
 def _head(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Columns) -> list[Run]:
@@ -183,7 +190,7 @@ def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Co
 def fleet_table(state: FleetState, selected: str, width: int) -> Table:
     """The whole fleet for a pane of `width` cells: robots with an alarm first, then those in shelved trouble
     or without a pose, else in the order of the config."""
-    troubled, silenced = in_trouble(state), shelved(state)
+    troubled, silenced, seen = in_trouble(state), shelved(state), acknowledged(state)
 
     def calm(robot: Robot) -> int:
         is_odd = robot.name in silenced or is_missing(state, robot, "pose")
@@ -196,7 +203,8 @@ def fleet_table(state: FleetState, selected: str, width: int) -> Table:
     def row(place: int) -> Row:
         robot = robots[place]
         sign = _signed(state, robot, robot.name in troubled, robot.name in silenced)
-        return _row(state, robot, sign, robot.name == selected, columns)
+        made = _row(state, robot, sign, robot.name == selected, columns)
+        return _seen_row(made) if robot.name in seen else made
 
     rows = LateRows([robot.name for robot in robots], row)
     title = ("Fleet", StyleRole.TITLE), (f" {online} of {len(rows)} online", StyleRole.DIM)

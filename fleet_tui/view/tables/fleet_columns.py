@@ -64,7 +64,7 @@ class Columns(NamedTuple):
         floors = shortened({*state.floors, *names}) if is_narrow else {name: name for name in names}
         is_obvious = is_narrow and len(state.floors) == 1 and not names.intersection(NO_FLOOR)
         fixed = cls(
-            number=len(str(len(robots))) + 1 if by_place else 2 if is_narrow else 4,
+            number=len(str(len(robots))) + 1 if by_place else 2,
             name=column((robot.name for robot in robots), 6, 14) + 1,
             battery=6 if "battery" in reported else 0,
             bar=BAR + 1 if "battery" in reported and width >= WITH_BAR else 0,
@@ -77,7 +77,7 @@ class Columns(NamedTuple):
             seen=7 if width >= WITH_SEEN else 0,
             floors=floors,
             by_place=by_place,
-            number_head="#" if by_place else "" if is_narrow else "Key",
+            number_head="#" if by_place else "Key",
         )
         left = width - DOT - sum(fixed[:-4])
         order = min(left - STATE, ORDER_MOST) if left >= STATE + ORDER_LEAST else 0
@@ -93,8 +93,7 @@ class Columns(NamedTuple):
     def head(self) -> tuple[Run, ...]:
         """Return their names."""
         names = (
-            ("", DOT),
-            (self.number_head.rjust(self.number - 1), self.number),
+            (self.number_head.rjust(DOT + self.number - 1), DOT + self.number),
             ("Robot", self.name),
             ("Batt", self.battery),
             ("", self.bar),

@@ -1,4 +1,5 @@
-"""The pane of the last events: current alarms, commands given here, orders that began or ended."""
+"""The pane of the last events: current alarms, links that returned, commands given here, orders that began
+or ended."""
 
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -6,7 +7,7 @@ from heapq import nlargest
 
 from fleet_tui.model.alarm import Alarm, AlarmStage
 from fleet_tui.model.commands import ORDER_ENDS, CommandRecord, Stage
-from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.fleet import FleetState, returned_text
 from fleet_tui.model.order import Order
 from fleet_tui.model.order_life import GoneOrder
 from fleet_tui.model.robot import Robot
@@ -26,7 +27,7 @@ FAILED = frozenset({*TROUBLE, Stage.LOST, Stage.FAILED})
 
 def recent_table(state: FleetState, clock: Callable[[float], str], lines: int) -> Table:
     """Return the newest events, at most `lines` of them; `clock` formats Unix seconds as a local time."""
-    found = [*_alarms(state), *_commands(state), *_orders(state)]
+    found = [*_alarms(state), *_links(state), *_commands(state), *_orders(state)]
     newest = nlargest(lines, found, key=lambda event: event[0])
     sources = column((source for _, source, _ in newest), 7, 14) + 1
     rows = tuple(
@@ -40,6 +41,17 @@ def _alarms(state: FleetState) -> Iterator[Event]:
     for alarm in state.alarms:
         at = alarm.first_wall if alarm.holds else alarm.last_wall
         yield at, alarm.condition.source, partial(_alarm, alarm)
+
+
+def _links(state: FleetState) -> Iterator[Event]:
+    for link in state.links.values():
+        if text := returned_text(state, link):
+            at = state.wall - (state.now - link.since)
+            yield at, link.name, partial(_returned, text)
+
+
+def _returned(text: str) -> tuple[Run, ...]:
+    return ((sanitize(text), StyleRole.TEXT),)
 
 
 def _alarm(alarm: Alarm) -> tuple[Run, ...]:

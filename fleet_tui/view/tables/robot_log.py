@@ -1,11 +1,12 @@
 """The log of the robots, newest last, filtered by level and text."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Hashable, Iterable, Iterator
+from textwrap import wrap
 
 from fleet_tui.model.counters import snapshot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.ros_logs import LogLine, Severity
-from fleet_tui.text.sanitize import fit, sanitize
+from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.text.units import ago
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.links import Links, down
@@ -18,6 +19,10 @@ _LOOKS = {
     Severity.ERROR: ("✗ ERROR", StyleRole.ALARM),
     Severity.FATAL: ("✗ FATAL", StyleRole.ALARM),
 }
+
+NOTHING = "nothing received on /rosout (subscribed while this screen is open)"
+INDENT = 4
+"""Cells before the lines of a whole message."""
 
 
 def lines_of(links: Links) -> tuple[LogLine, ...]:
@@ -52,6 +57,30 @@ def _row(line: LogLine, nodes: int, time: str) -> Row:
     return Row(id(line), runs)
 
 
+def _wrapped(line: LogLine, width: int) -> Iterator[str]:
+    """Yield the whole message in lines of at most `width` cells."""
+    for part in line.text.splitlines():
+        text = sanitize(part)
+        letters = width if cell_width(text) == len(text) else width // 2
+        yield from wrap(text, max(1, letters - INDENT), break_on_hyphens=False)
+
+
+def _with_wholes(
+    lines: Iterable[LogLine], opened: Collection[Hashable], width: int
+) -> Iterator[tuple[Hashable, LogLine, str]]:
+    """Yield the key of each row, its line, and for those below an opened line their part of its message."""
+    for line in lines:
+        yield id(line), line, ""
+        if id(line) in opened:
+            for n, text in enumerate(_wrapped(line, width)):
+                yield (id(line), n), line, text
+
+
+def _filters(least: Severity, wanted: str) -> str:
+    worse = "" if least is Severity.FATAL else " and worse"
+    return f"{least.name}{worse}" + (f", matching {sanitize(wanted)}" if wanted else "")
+
+
 def robot_log_table(
     lines: tuple[LogLine, ...],
     links: Links,
@@ -59,21 +88,24 @@ def robot_log_table(
     clock: Callable[[float], str],
     least: Severity,
     wanted: str,
+    opened: Collection[Hashable] = (),
+    width: int = 0,
 ) -> Table:
-    """Return a row for each line. `clock` formats Unix seconds as the time of day: the line's own, or that of
-    its arrival."""
+    """Return a row for each line, and below those `opened` their whole messages, wrapped to `width` cells.
+    `clock` formats Unix seconds as the time of day: the line's own, or that of its arrival."""
     found = wanted_lines(lines, least, wanted)
     nodes = column((line.node for line in found), 4, 24)
     offset = state.wall - state.now
-    rows = LateRows(
-        [id(line) for line in found], lambda n: _row(found[n], nodes, clock(_wall(found[n], offset)))
-    )
-    note = f" /rosout  {len(found)} of {len(lines)} lines, {least.name}"
-    note += "" if least is Severity.FATAL else " and worse"
-    note += f", matching {sanitize(wanted)}" if wanted else ""
-    note += f", last {ago(_wall(lines[-1], offset), state.wall)}" if lines else ""
-    title = ("Robot log", StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
-    empty = (
-        "no matching line" if lines else "nothing received on /rosout (subscribed while this screen is open)"
-    )
-    return Table(title, rows, empty)
+    shown = list(_with_wholes(found, opened, width))
+
+    def row(place: int) -> Row:
+        key, line, text = shown[place]
+        if text:
+            return Row(key, ((" " * INDENT + text, StyleRole.TEXT),))
+        return _row(line, nodes, clock(_wall(line, offset)))
+
+    rows = LateRows([key for key, _, _ in shown], row)
+    note = _filters(least, wanted) + (f", last {ago(_wall(lines[-1], offset), state.wall)}" if lines else "")
+    counts = f" /rosout  {len(found)} of {len(lines)} lines, {note}"
+    title = ("Robot log", StyleRole.TITLE), (counts, StyleRole.DIM), *down(links)
+    return Table(title, rows, "no matching line" if lines else NOTHING)

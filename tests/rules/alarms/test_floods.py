@@ -137,3 +137,13 @@ def test_a_shelved_robot_is_not_taken_into_a_group() -> None:
     ]
     assert alarm(state, "many offline", LINK).text.startswith("9 robots offline")
     assert (state.unacknowledged, state.shelved) == (1, 1)
+
+
+def test_a_fleet_without_poses_is_one_alarm() -> None:
+    speak = [battery(T0 + second, robot=f"robot_{n}") for second in range(9) for n in range(6)]
+    state = fleet(6)
+    for second in range(9):
+        state = reduced(state, link_up(T0), *speak[second * 6 : second * 6 + 6], tick(T0 + second))
+    (one,) = state.alarms
+    assert one.key == (LINK, "many localisation")
+    assert one.text == "6 robots unsure of their position: robot_0, robot_1, robot_2, …"

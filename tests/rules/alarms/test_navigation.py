@@ -39,7 +39,7 @@ KEEPS = Kind("keeps", keeps_goals=True)
 
 
 def known(state: FleetState | None = None, **values: object) -> tuple[FleetState, Robot]:
-    state = state or reduced(fleet(), tick(T0))
+    state = state or reduced(fleet(), pose(T0), tick(T0))
     return state, replace(state.robots[R0], **values)
 
 
@@ -65,6 +65,20 @@ def test_a_localisation_between_the_limits_stays_what_it_was() -> None:
         assert (found is not None) is after
     lost = not_sure_where(*known(variance=Reading(1.0, T0)), {})
     assert lost is not None and lost.text == "localisation uncertain: within 2.0 m"
+
+
+def test_a_robot_that_speaks_and_never_had_a_pose_is_an_alarm_after_the_delay_of_an_offline_one() -> None:
+    begun = reduced(fleet(), link_up(T0), battery(T0), tick(T0))
+    assert not_sure_where(*known(begun), {}) is not None and not begun.alarms
+    late = T0 + begun.limits.offline_after
+    soon = reduced(begun, battery(late), tick(late - 0.1))
+    assert not [alarm for alarm in soon.alarms if alarm.key == (R0, "localisation")]
+    later = reduced(soon, battery(late + 1), tick(late + 1))
+    assert [alarm.text for alarm in later.alarms] == ["no pose received"]
+    found = reduced(later, pose(late + 2), tick(late + 2), battery(late + 6), pose(late + 6), tick(late + 6))
+    assert not found.alarms
+    none_promised = of_kinds(begun, Kind(reports=("battery",)))
+    assert not_sure_where(*known(none_promised), {}) is None
 
 
 def test_poses_that_cease_while_the_robot_speaks_are_an_alarm_until_they_come_again() -> None:

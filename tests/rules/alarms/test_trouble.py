@@ -1,9 +1,9 @@
 """Robots in trouble: with an alarm that still counts, wherever they are."""
 
-from fleet_tui.model.events import AlarmShelved
+from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.rules.alarms.trouble import in_trouble, shelved, trouble_elsewhere
-from tests.support.fleets import F0, R0, T0, battery, fleet, link_up, pose, reduced, tick
+from fleet_tui.rules.alarms.trouble import acknowledged, in_trouble, shelved, trouble_elsewhere
+from tests.support.fleets import F0, R0, T0, battery, fleet, link_lost, link_up, pose, reduced, tick
 
 F1 = F0.replace("0", "1")
 
@@ -35,3 +35,16 @@ def test_trouble_whose_alarm_is_shelved_is_known_until_it_ends() -> None:
     assert shelved(state) == {R0} and not in_trouble(state)
     assert shelved(reduced(state, battery(T0 + 1, 90.0), tick(T0 + 1))) == frozenset()
     assert shelved(low(R0)) == frozenset()
+
+
+def test_a_robot_is_acknowledged_once_all_its_alarms_are() -> None:
+    state = low(R0, "robot_1")
+    assert acknowledged(state) == frozenset()
+    assert acknowledged(reduced(state, AlarmAcknowledged(R0, "battery"))) == {R0}
+    assert acknowledged(reduced(state, AlarmAcknowledged())) == {R0, "robot_1"}
+
+
+def test_the_acknowledged_alarm_of_a_link_counts_for_its_robots() -> None:
+    lost = reduced(low(), link_lost(T0 + 1), tick(T0 + 9))
+    assert acknowledged(lost) == frozenset()
+    assert acknowledged(reduced(lost, AlarmAcknowledged())) == {R0, "robot_1"}

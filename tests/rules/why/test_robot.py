@@ -12,6 +12,8 @@ from fleet_tui.model.events import (
     Event,
     PausedReported,
 )
+from fleet_tui.model.kind import Kind
+from fleet_tui.rules.why.robot import stale_pose
 from fleet_tui.rules.why.why import reasons
 from tests.support.fleets import (
     R0,
@@ -20,6 +22,7 @@ from tests.support.fleets import (
     commanded,
     fleet,
     link_up,
+    of_kinds,
     pose,
     queue,
     reduced,
@@ -56,6 +59,16 @@ def test_poses_that_come_late_are_told_from_poses_that_stay_away() -> None:
     state = reduced(fleet(), link_up(T0), *fresh, *late, battery(T0 + 14), queue(T0 + 14), tick(T0 + 14))
     found = reasons(state, state.robots[R0])[0]
     assert (found.name, found.evidence) == ("pose 10 s old", "poses arrive late: their time stamps lag")
+
+
+def test_a_pose_that_never_came_is_named_with_its_topic() -> None:
+    state = reduced(fleet(), link_up(T0), queue(T0 + 4), tick(T0 + 4))
+    found = stale_pose(state, state.robots[R0])
+    assert found is not None and found.name == "no pose" and "no pose on /robot_0/pose:" in found.evidence
+    assert found.remedy
+    bare = of_kinds(state, Kind(reports=("pose",)))
+    found = stale_pose(bare, bare.robots[R0])
+    assert found is not None and found.evidence == "other reports received, no pose: position unknown"
 
 
 def test_one_correction_of_the_pose_is_no_jumping() -> None:

@@ -51,6 +51,25 @@ async def test_the_end_of_the_log_is_followed_unless_one_looks_back(server: Rosb
         await it.shows("later", "diagnostics-rows")
 
 
+async def test_enter_shows_the_whole_of_a_line_that_is_cut_and_hides_it_again(
+    server: RosbridgeServer,
+) -> None:
+    message = "no plan to the goal because " + "of this wall and " * 12 + "the end."
+    async with console(config_of(server.url, 2, 2), (80, 24)) as it:
+        await open_page(it, 4, "Robot log")
+        await listens(it, server)
+        say(server, 8, message)
+        await it.shows("no plan", "diagnostics-rows")
+        assert "the end." not in pane(it)
+        await it.press("enter")
+        await it.shows("the end.", "diagnostics-rows")
+        say(server, 2, "news")
+        await it.shows("news", "diagnostics-rows")
+        assert "the end." in pane(it)
+        await it.press("up", "enter")
+        await it.hides("the end.", "diagnostics-rows")
+
+
 async def test_copies_by_osc_52(server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch) -> None:
     async with console(config_of(server.url, 2, 2)) as it:
         sent: list[str] = []

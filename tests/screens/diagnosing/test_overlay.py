@@ -109,7 +109,7 @@ async def test_remapped_keys_work_and_show(server: RosbridgeServer) -> None:
     config = msgspec.structs.replace(config_of(server.url, 2), keys={"diagnostics": "D", "freeze": "ctrl+f"})
     async with console(config) as it:
         await it.press("D", "3")
-        await it.shows("ctrl+f freeze")
+        await it.shows("Ctrl-F freeze")
         await it.press("ctrl+f")
         await it.shows("frozen 0 s ago")
         await it.press("D")

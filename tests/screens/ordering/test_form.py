@@ -210,3 +210,24 @@ async def test_a_robot_without_a_graph_has_no_places_and_the_form_says_so(server
         await it.shows(f"robot_{last} has no route graph yet")
         await it.press("B", "enter")
         await it.shows(f"robot_{last} has no route graph yet")
+
+
+async def test_the_map_keeps_its_scale_while_the_form_covers_a_part_of_it(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2, floors=2), (80, 24)) as it:
+        view = it.app.main.rest.map
+
+        def scale() -> float:
+            assert view.picture.scene is not None
+            return view.picture.viewport.camera(view.picture.scene).scale
+
+        await it.shows("Base", "map")
+        before, height = scale(), view.size.height
+        await it.press("o")
+        await it.type("Disp")
+        await it.until(lambda _: view.size.height < height)
+        await it.shows("Dispatch", "map")
+        assert scale() == before
+        await it.press("escape")
+        await it.until(lambda _: view.size.height == height)
+        await it.shows("Base", "map")
+        assert scale() == before

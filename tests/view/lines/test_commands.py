@@ -21,6 +21,8 @@ from tests.support.fleets import (
     fleet,
     graph,
     labels,
+    link_lost,
+    link_up,
     place_order,
     reduced,
     text_of,
@@ -140,3 +142,14 @@ def test_an_order_to_one_place_is_said_as_the_kind_takes_it() -> None:
     assert command_text(received(BARE), place_order(R0, 1)) == "robot_0 go to Base"
     assert command_text(received(FULL), place_order(R0, 1)) == "robot_0 bring cargo -> Base"
     assert place_order(R0, 1).what(BARE) == "order"
+
+
+def test_the_return_of_a_link_is_said_for_a_while_with_its_outage() -> None:
+    lost = reduced(fleet(), link_up(T0), link_lost(T0 + 5))
+    back = reduced(lost, link_up(T0 + 27), tick(T0 + 28))
+    assert text_of(message_line(back, "", 0.0, WIDE)).strip() == "link restored after 22 s"
+    assert "link restored" in text_of(message_line(back, "saved", T0 + 28, WIDE))
+    assert message_line(reduced(back, tick(T0 + 60)), "", 0.0, WIDE) == ()
+    brief = reduced(lost, link_up(T0 + 6), tick(T0 + 7))
+    assert message_line(brief, "", 0.0, WIDE) == (), "too short for an alarm"
+    assert message_line(reduced(fleet(), link_up(T0), tick(T0)), "", 0.0, WIDE) == ()

@@ -1,12 +1,16 @@
 """The viewport: what follows, what stays, what a click means."""
 
+from collections.abc import Callable
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
+import pytest
 
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Role
 from fleet_tui.model.occupancy import build_grid
+from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.view.map.viewport import Viewport, pick, pointed
 
@@ -88,6 +92,43 @@ def test_zoomed_out_as_far_as_the_whole_floor_all_of_it_is_shown() -> None:
         if factor > 1.0:
             it.pan(hall, 4, 0)
     assert it.camera(hall) == whole
+
+
+FAR = SceneVertex("far", 39.0, 1.0)
+
+
+def held(scene: Scene, prepare: Callable[[Viewport, Scene], object]) -> tuple[Viewport, Camera, Camera]:
+    """A view whose lower half is covered: with its cameras before and while it is."""
+    it = view()
+    it.camera(scene)
+    prepare(it, scene)
+    before = it.camera(scene)
+    it.holds, it.height = True, 8
+    return it, before, it.camera(scene)
+
+
+def seen(camera: Camera, x: float, y: float) -> bool:
+    return camera.shows(*camera.to_cell(*FRAME.to_pixel(x, y)))
+
+
+@pytest.mark.parametrize("prepare", [lambda *_: None, lambda it, hall: it.zoom(hall, 1.5)])
+def test_a_covered_view_keeps_its_scale_and_shows_robot_and_picked_vertex(
+    prepare: Callable[[Viewport, Scene], object],
+) -> None:
+    hall = replace(mapped(0.0, 0.0, 40.0, 20.0), vertices=(*VERTICES, FAR), robots=(ROBOT,))
+    it, before, part = held(hall, prepare)
+    assert part.scale == before.scale and seen(part, 35.0, 5.0)
+    near = it.camera(replace(hall, picked="far"))
+    assert near.scale == before.scale and seen(near, 35.0, 5.0) and seen(near, 39.0, 1.0)
+    it.holds, it.height = False, 20
+    assert it.camera(hall) == before
+
+
+def test_without_space_for_both_a_covered_view_shows_the_picked_vertex() -> None:
+    top = SceneVertex("top", 2.0, 19.0)
+    hall = replace(mapped(0.0, 0.0, 40.0, 20.0), vertices=(top,), robots=(ROBOT,), picked="top")
+    _, before, part = held(hall, lambda *_: None)
+    assert part.scale == before.scale and seen(part, 2.0, 19.0) and not seen(part, 35.0, 5.0)
 
 
 def test_the_place_under_the_pointer_stays_where_it_is() -> None:

@@ -6,6 +6,7 @@ from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import alarm_table, unacknowledged
+from tests.support.alarms import without_poses
 from tests.support.fleets import (
     LINK,
     R0,
@@ -30,7 +31,7 @@ def texts(state: FleetState) -> list[str]:
 
 
 def low(at: float = T0, percent: float = 15.0) -> FleetState:
-    return reduced(fleet(), link_up(T0), battery(at, percent), tick(at))
+    return reduced(without_poses(fleet()), link_up(T0), battery(at, percent), tick(at))
 
 
 def test_all_clear() -> None:

@@ -16,6 +16,7 @@ from tests.support.fleets import (
     fleet,
     graph,
     labels,
+    link_lost,
     link_up,
     pose,
     queue,
@@ -265,6 +266,22 @@ def test_a_wide_pane_has_the_battery_as_a_bar(percent: float, bar: str) -> None:
 def test_an_idle_robot_with_a_low_battery_has_the_sign_and_a_calm_state() -> None:
     state = received(battery(T0 + 1, 5.0))
     assert row(state).startswith("▲") and role_of(state, "idle") is StyleRole.DIM
+
+
+def test_a_robot_whose_alarms_are_acknowledged_has_their_sign_and_no_red() -> None:
+    state = received(battery(T0 + 1, 5.0))
+    assert role_of(state, "▲") is StyleRole.ALARM and role_of(state, "5 %") is StyleRole.ALARM
+    seen = reduced(state, events.AlarmAcknowledged())
+    assert row(seen).startswith("△") and StyleRole.ALARM not in {role for _, role in runs(seen)}
+    worse = reduced(seen, events.ObstacleReported(R0, T0 + 1.2, 99.0), tick(T0 + 1.3))
+    assert row(worse).startswith("▲") and role_of(worse, "obstacle") is StyleRole.ALARM
+
+
+def test_robots_behind_a_lost_link_whose_alarm_is_acknowledged_are_not_red() -> None:
+    lost = reduced(received(), link_lost(T0 + 2), tick(T0 + 20))
+    assert role_of(lost, "○") is StyleRole.ALARM
+    seen = reduced(lost, events.AlarmAcknowledged())
+    assert row(seen).startswith("○") and role_of(seen, "offline") is StyleRole.TEXT
 
 
 def test_a_stuck_robot_says_so_in_the_colour_of_alarms() -> None:

@@ -46,3 +46,10 @@ def test_a_row_without_an_order_ends_with_its_state() -> None:
     for width in range(30, 54):
         shown = text_of(fleet_table(state, R0, width).rows[0].runs)
         assert shown.rstrip().endswith("never seen") and len(shown) - len(shown.rstrip()) <= 1
+
+
+@pytest.mark.parametrize("width", [30, 47, 60, 120])
+def test_numbers_that_are_keys_and_not_those_of_the_map_are_called_keys_at_every_width(width: int) -> None:
+    table = fleet_table(fleet(3), R0, width)
+    assert text_of(table.head).startswith("Key Robot"), "robot_0 has the key 1"
+    assert text_of(table.rows[0].runs)[2:].startswith("1 robot_0")

@@ -27,12 +27,12 @@ def rows(state: FleetState) -> list[str]:
 
 
 def test_a_fleet_that_reports_little_has_few_columns() -> None:
-    assert rows(received(BARE)) == ["●   1 robot_0 floor_0"]
+    assert rows(received(BARE)) == ["● 1 robot_0 floor_0"]
 
 
 def test_a_value_that_has_not_come_is_a_dash_and_one_that_never_does_is_nothing() -> None:
     bare, late, full = rows(received(BARE, LATE, FULL))
-    assert bare == "●   1 robot_0       floor_0"
+    assert bare == "● 1 robot_0       floor_0"
     assert late.split() == ["●", "2", "robot_1", "-", "%", "floor_0", "-"]
     assert full.split()[3:] == ["-", "%", "floor_0", "no", "queue", "yet"]
 

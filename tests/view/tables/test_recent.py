@@ -7,6 +7,7 @@ from fleet_tui.model.events import CommandAdvanced, CommandIssued, ObstacleRepor
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.recent import recent_table
+from tests.support.alarms import without_poses
 from tests.support.fleets import (
     R0,
     T0,
@@ -15,6 +16,7 @@ from tests.support.fleets import (
     fleet,
     graph,
     labels,
+    link_lost,
     link_up,
     queue,
     reduced,
@@ -85,6 +87,12 @@ def test_a_pause_of_several_robots_is_one_line() -> None:
 
 def test_an_alarm_reads_as_it_was_at_its_time() -> None:
     seen = [(ObstacleReported(R0, T0 + n, 40.0 + n), tick(T0 + n)) for n in range(90)]
-    state = reduced(fleet(), link_up(T0), *(event for both in seen for event in both))
+    state = reduced(without_poses(fleet()), link_up(T0), *(event for both in seen for event in both))
     assert [alarm.text for alarm in state.alarms] == ["obstacle 2 min"]
     assert lines(state) == ["0 robot_0 obstacle 40 s"]
+
+
+def test_the_return_of_a_link_stays_with_its_outage_after_its_alarm_is_gone() -> None:
+    back = reduced(fleet(), link_up(T0), link_lost(T0 + 5), tick(T0 + 9), link_up(T0 + 27), tick(T0 + 60))
+    assert not [alarm for alarm in back.alarms if alarm.condition.kind == "link"]
+    assert "27 rosbridge link restored after 22 s" in lines(back)

@@ -1,0 +1,26 @@
+"""Small maps of other floors on a large screen; none on a small one, none without other floors."""
+
+from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.console_pilot import console
+from tests.support.watched_store import config_of
+
+LARGE = (200, 60)
+
+
+async def test_a_large_screen_shows_the_other_floor_and_a_click_goes_there(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2, floors=2), LARGE) as it:
+        await it.shows("─ floor_1 ── robot_1 ─", "other-floors")
+        await it.shows("Laundry", "other-floors")
+        await it.shows("Movement", "page")
+        await it.pilot.click("#other-floors", offset=(5, 5))
+        await it.shows("─ floor_1 ", "map")
+        await it.shows("─ floor_0 ── robot_0 ─", "other-floors")
+
+
+async def test_neither_a_small_screen_nor_a_fleet_on_one_floor_has_small_maps(
+    server: RosbridgeServer,
+) -> None:
+    for floors, size in ((2, (80, 24)), (2, (120, 40)), (1, LARGE)):
+        async with console(config_of(server.url, 2, floors=floors), size) as it:
+            await it.shows("Fleet")
+            assert not it.app.main.panes.small_maps.display
