@@ -51,6 +51,20 @@ def frames(site: Site) -> list[tuple[float, float, float]]:
     return [(one["linear"]["x"], one["linear"]["y"], one["angular"]["z"]) for one in found]
 
 
+async def test_a_key_still_held_once_the_drive_has_ended_is_no_command(slow_site: Site) -> None:
+    async with driving(slow_site) as it:
+        await it.press("a")
+        await slow_site.server.stop()
+        while "no link" not in it.pane("alarms"):
+            await it.press("a")
+        await it.press("a", "s", "w", "d")
+        assert "DRIVE robot_0 ended: let go of the key" in it.pane("map")
+        assert not it.app.main.notices.text.startswith("acknowledged") and "Stop reasons" not in it.text
+        await it.hides("DRIVE", "map")
+        await it.press("a")
+        await it.shows("acknowledged", "message")
+
+
 def is_still(site: Site) -> bool:
     return frames(site)[-1] == (0.0, 0.0, 0.0)
 
@@ -135,15 +149,14 @@ async def test_an_order_from_elsewhere_ends_it_and_keeps_it_from_beginning(slow_
         await it.shows("robot_0 is not driven any more: robot_0 has 1 order: cancel or clear first")
         await it.press("T")
         await it.shows("robot_0 has 1 order: cancel or clear first", "message")
-        assert it.app.main.rest.drives.mode is None
+        await it.hides("DRIVE", "map")
 
 
 async def test_another_publisher_ends_it(slow_site: Site) -> None:
     play(slow_site.server, [("foreign-drive", R0)])
     async with driving(slow_site) as it:
-        while it.app.main.rest.drives.mode is not None:
+        while "someone else drives" not in it.pane("message"):
             await it.press("w")
-        await it.shows("someone else drives", "message")
 
 
 async def test_the_speed_changes_within_the_caps_and_goes_sideways_only_if_it_can(slow_site: Site) -> None:
@@ -163,7 +176,7 @@ async def test_a_bridge_without_a_listener_is_named(slow_site: Site) -> None:
     async with console(replace(slow_site.config, profile=named, drive=limits)) as it:
         await it.press("T")
         await it.shows("robot_0 is not driven any more: nobody listens on /robot_0/nowhere")
-        assert it.app.main.rest.drives.mode is None
+        await it.hides("DRIVE", "map")
 
 
 async def test_a_console_that_quits_stops_the_robot(slow_site: Site) -> None:

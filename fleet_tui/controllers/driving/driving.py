@@ -24,6 +24,9 @@ from fleet_tui.view.map.scene import Scene
 SIDEWAYS = ("q", "e")
 LATEST = 1.5
 """Seconds between two pictures after which a drive ends: the screen does not show where the robot is."""
+LET_GO = 1.0
+"""Seconds without a direction's key after which none is taken as held. A drive that ended keeps its keys
+until then: a held `a` would acknowledge an alarm."""
 
 
 class DriveControls:
@@ -51,7 +54,7 @@ class DriveControls:
         self._tell_releases = tell_releases
         self._drive: HandDrive | None = None
         self._hand, self._share, self._steered = Hand(), FIRST, False
-        self._looked, self._followed = 0.0, False
+        self._looked, self._pressed, self._followed = 0.0, 0.0, False
         self._clearance = ClearanceAhead()
 
     @property
@@ -114,6 +117,7 @@ class DriveControls:
 
     def press(self, key: str) -> None:
         """Take a press of a direction; nothing is kept for a drive that has not begun."""
+        self._pressed = self._clock()
         if self._drive is None or self._drive.state.phase is not DrivePhase.READY:
             return
         if key in SIDEWAYS and not self._limits.holonomic:
@@ -125,9 +129,10 @@ class DriveControls:
 
     def release(self, key: str) -> None:
         """Take the release of a direction, where the terminal tells it."""
-        if self._drive is not None:
-            self._hand = self._hand.released(key)
-            self._steer()
+        if self._drive is None:
+            self._leave_mode()
+        self._hand = self._hand.released(key)
+        self._steer()
 
     def change_speed(self, step: int) -> None:
         """Drive faster or slower from now on."""
@@ -136,6 +141,8 @@ class DriveControls:
 
     def stop(self) -> None:
         """Stop the robot, and go on driving."""
+        if self._drive is None:
+            self._leave_mode()
         self._hand = Hand()
         self._steer()
 
@@ -145,31 +152,42 @@ class DriveControls:
 
     def end(self, reason: str) -> None:
         """Stop and leave for a reason; do nothing if no robot is driven."""
-        if self._drive is None or self.mode is None:
+        self._end_drive(reason)
+        self._leave_mode()
+
+    def _end_drive(self, reason: str) -> None:
+        mode = self.mode
+        if self._drive is None or mode is None:
             return
-        drive, self._drive, name = self._drive, None, self.mode.robot
+        drive, self._drive = self._drive, None
         drive.end(reason)
-        self._picture.viewport.follow = self._followed
-        self._controls.leave_mode()
-        self._tell_releases(False)
+        mode.state = drive.state
         self._journal.end(drive.state.reason, self._clock())
-        self._parts.notices.note(sanitize(f"{name} is not driven any more: {drive.state.reason}"))
+        self._parts.notices.note(sanitize(f"{mode.robot} is not driven any more: {drive.state.reason}"))
+
+    def _leave_mode(self) -> None:
+        if self.mode is not None:
+            self._picture.viewport.follow = self._followed
+            self._controls.leave_mode()
+            self._tell_releases(False)
 
     def look(self, scene: Scene) -> None:
         """Follow the hand and look for reasons to end, with every picture."""
-        mode, drive = self.mode, self._drive
-        if mode is None or drive is None:
+        mode, drive, now = self.mode, self._drive, self._clock()
+        if mode is None:
             return
-        now, state = self._clock(), drive.state
         late, self._looked = now - self._looked > LATEST, now
-        if reason := self._reason_to_end(mode, scene) or ("the screen was late" if late else ""):
-            self.end(reason)
-        elif state.phase is DrivePhase.ENDED:
-            self.end(state.reason)
-        else:
-            self._steer()
-            mode.state = drive.state
-            self._journal.sent(drive.state.sent)
+        if drive is not None:
+            ended = drive.state.reason if drive.state.phase is DrivePhase.ENDED else ""
+            if reason := self._reason_to_end(mode, scene) or ("the screen was late" if late else ended):
+                self._end_drive(reason)
+                self._pressed = now
+            else:
+                self._steer()
+                mode.state = drive.state
+                self._journal.sent(drive.state.sent)
+        if self._drive is None and now - self._pressed > LET_GO:
+            self._leave_mode()
 
     def _reason_to_end(self, mode: DriveMode, scene: Scene) -> str:
         if self._parts.navigation.robot != mode.robot:

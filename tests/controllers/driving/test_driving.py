@@ -6,7 +6,7 @@ import pytest
 from msgspec.structs import replace
 
 from fleet_tui.adapters.profile import DriveConfig
-from fleet_tui.controllers.driving.driving import LATEST, DriveControls
+from fleet_tui.controllers.driving.driving import LATEST, LET_GO, DriveControls
 from fleet_tui.controllers.driving.journal import DriveJournal
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.map import MapControls
@@ -191,11 +191,26 @@ def test_it_ends_with_the_reason_in_words(change: Callable[[Bench], None], reaso
     it.drives.press("w")
     change(it)
     it.look()
-    assert it.drives.mode is None and it.drive.state.phase is DrivePhase.ENDED
+    assert it.drive.state.phase is DrivePhase.ENDED
     assert it.drive.state.reason.startswith(reason)
     assert it.desk.notices.text.startswith(f"{R0} is not driven any more: {reason}")
     it.drives.press("w")
-    assert len(it.drive.steered) == 1
+    it.look(LET_GO - 0.1)
+    assert it.drives.mode is not None and len(it.drive.steered) == 1, "a key may still be held"
+    it.look()
+    it.look()
+    assert it.drives.mode is None
+
+
+@pytest.mark.parametrize("end", [DriveControls.stop, DriveControls.leave, lambda drives: drives.release("w")])
+def test_a_hand_that_lets_go_has_its_keys_back(end: Callable[[DriveControls], None]) -> None:
+    it = Bench().began()
+    it.drives.press("w")
+    ended(it)
+    it.look()
+    assert it.drives.mode is not None
+    end(it.drives)
+    assert it.drives.mode is None
 
 
 def test_a_release_that_the_terminal_tells_stops_at_once() -> None:

@@ -47,6 +47,8 @@ class DriveMode(PlainMode):
         """Return robot and speed."""
         if self.state.phase is DrivePhase.STARTING:
             return f"DRIVE {sanitize(self.robot)}: starting"
+        if self.state.phase is DrivePhase.ENDED:
+            return f"DRIVE {sanitize(self.robot)} ended: let go of the key"
         return f"DRIVE {sanitize(self.robot)} {self.state.sent.linear:.2f} m/s"
 
     @property
@@ -71,7 +73,7 @@ class DriveMode(PlainMode):
 
     def _draw(self, cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
         """Write the gauges into the first row of the map, where the caption has no space."""
-        if scene.floor == self.floor and self.state.phase is not DrivePhase.STARTING:
+        if scene.floor == self.floor and self.state.phase not in (DrivePhase.STARTING, DrivePhase.ENDED):
             slow = self.clearance is not None and self.clearance < SLOW_WITHIN
             text = fit(f" {self.gauges} ", camera.width)
             cells.write(0, 0, text, StyleRole.WARN if slow else StyleRole.TEXT)
