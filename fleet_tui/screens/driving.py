@@ -36,6 +36,7 @@ def drive_controls(screen: "MainScreen", rest: "Rest", parts: SetUpParts) -> Dri
         DriveJournal(screen.files),
         rest.confirm.ask,
         focus,
+        lambda: rest.map.size.height > 0,
         frozenset(textual_key(key) for id_ in ids for key in keys[id_]),
         app.tell_releases,
     )

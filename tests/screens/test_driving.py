@@ -198,3 +198,27 @@ async def test_the_release_of_a_key_stops_the_robot(slow_site: Site, monkeypatch
         it.app.post_message(KeyReleased("w"))
         await it.until(lambda _: is_still(slow_site))
         assert it.app.main.rest.drives.mode is not None
+
+
+async def test_nothing_is_driven_without_the_map_that_tells_it(slow_site: Site) -> None:
+    async with driving(slow_site, (80, 24)) as it:
+        await it.press("escape", "V")
+        await it.shows("Camera robot_0", "camera")
+        began = len(frames(slow_site))
+        await it.press("T")
+        await it.shows("no map in view: close the camera (V)")
+        assert it.app.main.rest.drives.mode is None and len(frames(slow_site)) == began
+
+
+async def test_a_map_that_goes_out_of_view_ends_the_drive(slow_site: Site) -> None:
+    async with console(
+        replace(slow_site.config, drive=replace(slow_site.config.drive, robot_timeout=0.5))
+    ) as it:
+        await it.until(lambda state: state.robots[R0].pose)
+        await it.press("V")
+        await it.shows("Camera robot_0", "camera")
+        await it.press("T")
+        await it.shows("DRIVE robot_0 0.00 m/s", "map")
+        await it.pilot.resize_terminal(80, 24)
+        await it.shows("robot_0 is not driven any more: ")
+        assert is_still(slow_site)

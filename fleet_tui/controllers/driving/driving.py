@@ -31,8 +31,8 @@ until then: a held `a` would acknowledge an alarm."""
 
 class DriveControls:
     """The mode of the map in which the selected robot is driven. `limits` by robot; `focus` gives the map
-    the focus, `passes` are the keys that have a meaning in it, `tell_releases` asks the terminal for the
-    releases of keys."""
+    the focus, `is_shown` tells whether it is in view; `passes` are the keys that have a meaning in it,
+    `tell_releases` asks the terminal for the releases of keys."""
 
     def __init__(
         self,
@@ -44,13 +44,14 @@ class DriveControls:
         journal: DriveJournal,
         ask: Ask,
         focus: Callable[[], None],
+        is_shown: Callable[[], bool],
         passes: frozenset[str],
         tell_releases: Callable[[bool], None],
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self._parts, self._backend, self._by_robot = parts, backend, limits
         self._controls, self._picture, self._journal, self._ask = controls, picture, journal, ask
-        self._focus, self._passes, self._clock = focus, passes, clock
+        self._focus, self._is_shown, self._passes, self._clock = focus, is_shown, passes, clock
         self._tell_releases = tell_releases
         self._drive: HandDrive | None = None
         self._hand, self._share, self._steered = Hand(), FIRST, False
@@ -77,6 +78,8 @@ class DriveControls:
         return Caps(self._limits.max_linear, self._limits.max_angular)
 
     def _refusal(self) -> str:
+        if not self._is_shown():
+            return "no map in view: close the camera (V), or enlarge the terminal"
         return self._parts.dispatch.set_up_refusal() or drive_refusal(self._parts.store.state, self._robot)
 
     def start(self) -> None:

@@ -55,6 +55,7 @@ class Bench:
             DriveJournal(ConsoleFiles()),
             desk.ask,
             self._focus,
+            lambda: True,
             frozenset(),
             self.told.append,
             lambda: self.now,
