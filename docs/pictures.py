@@ -40,13 +40,15 @@ ARRIVED, SETTLED = 12.0, 0.8
 @dataclass(frozen=True)
 class Console:
     """A console, and the keys before each of its pictures: words of xdotool, `'text` is typed. `wait` and
-    `settled`: seconds before the first keys, and from keys to the picture."""
+    `settled`: seconds before the first keys, and from keys to the picture. `files`: those of a site, its
+    configuration without the bridge among them; without any it is a demo."""
 
     demo: list[str]
     states: dict[str, list[str]]
     environment: dict[str, str] = field(default_factory=dict)
     wait: float = ARRIVED
     settled: float = SETTLED
+    files: dict[str, str] = field(default_factory=dict)
 
 
 FRAME = 0.5
@@ -94,6 +96,35 @@ CONSOLES = {
 
 NAV2_ALONE = ["--robots", "1", "--floors", "1", "--kind", "nav2"]
 ORDER = ["o", "'Ba", "Return", "'Con", "Return"]
+SITE = """
+[[floors]]
+name = "floor_0"
+[[robots]]
+name = "robot_0"
+[[robots]]
+name = "robot_1"
+[[programs]]
+name = "bridge"
+start = ["true"]
+stop = ["true"]
+status = ["true"]
+[[programs]]
+name = "mapping"
+start = ["sh", "-c", "echo waits for the laser; sleep 2; echo no laser: /dev/ttyUSB0 is not there; exit 3"]
+needs = ["bridge"]
+"""
+MORNING = """every weekday 06:30
+for robot_0 robot_1
+  repeat 2
+    go Base
+    carry Base Consumidores
+    wait 30 s
+  end
+  on failure
+    go Base
+  end
+end
+"""
 DOCS = {
     "console": ((120, 32), Console(["--robots", "12"], {"ordered": ORDER, "edges": ["e"]})),
     "small": ((80, 24), Console(["--robots", "12"], {"form": ["o", "'Rec", "Return", "'Con"]})),
@@ -141,6 +172,24 @@ DOCS = {
             settled=0,
         ),
     ),
+    "programs": (
+        (100, 16),
+        Console(
+            [],
+            {"list": ["J"], "menu": ["Down", "Return"], "asked": ["1"], "failed": ["y"]},
+            settled=5,
+            files={"config.toml": SITE},
+        ),
+    ),
+    "routines": (
+        (100, 16),
+        Console(
+            [],
+            {"list": ["B"], "menu": ["Return"], "asked": ["1"], "led": ["y"]},
+            settled=5,
+            files={"config.toml": SITE, "routines/morning.routine": MORNING},
+        ),
+    ),
 }
 """The pictures of the documentation, by name: size, console, and the keys before them."""
 
@@ -176,15 +225,30 @@ def run(*command: str) -> str:
 
 
 @contextmanager
+def command_of(console: Console, home: Path) -> Iterator[list[str]]:
+    """Write the console's files, run the bridge that they need, and yield the console's command."""
+    if not console.files:
+        yield [CONSOLE, "demo", *console.demo]
+        return
+    with simulated(2, 1) as (url,):
+        for name, text in console.files.items():
+            (home / name).parent.mkdir(exist_ok=True)
+            (home / name).write_text(text)
+        config = home / "config.toml"
+        config.write_text(f'[rosbridge]\nurl = "{url}"\n{config.read_text()}')
+        yield [CONSOLE, "--config", str(config)]
+
+
+@contextmanager
 def terminal(console: Console, size: tuple[int, int]) -> Iterator[None]:
     """Run a console in a terminal of this size, in the corner of the screen."""
-    with TemporaryDirectory() as home:
+    with TemporaryDirectory() as home, command_of(console, Path(home)) as started:
         own = {"HOME": home, "XDG_STATE_HOME": home, "XDG_CONFIG_HOME": home, "LANG": "C.UTF-8"}
         environment = {**own, "PATH": os.environ["PATH"], "DISPLAY": os.environ["DISPLAY"]}
         geometry = f"{size[0]}x{size[1]}+0+0"
         # xterm drops COLORTERM from its own environment.
         variables = [f"{name}={value}" for name, value in console.environment.items()]
-        program = ["env", "COLORTERM=truecolor", *variables, CONSOLE, "demo", *console.demo]
+        program = ["env", "COLORTERM=truecolor", *variables, *started]
         command = [*TERMINAL, "-geometry", geometry, "-e", *program]
         process = subprocess.Popen(command, env=environment)
         try:
