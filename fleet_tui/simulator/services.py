@@ -31,6 +31,8 @@ class ServiceDesk:
 
     capacity: float | None = None
     """Messages a second that the bridge carries; further ones wait. None: no limit."""
+    lag = 0.0
+    """Seconds by which all messages are late."""
     master_alive = True
     """False: every call fails, topics continue."""
     rosapi_alive = True
@@ -100,14 +102,15 @@ class ServiceDesk:
         return call
 
     def in_turn(self, send: Callable[[], None], delay: float = 0.0) -> None:
-        """Send a message `delay` seconds after the bridge has reached it, which is at once unless it is
-        overloaded."""
+        """Send a message `delay` seconds after the bridge has reached it, which is at once unless it lags or
+        is overloaded."""
         if self.capacity is not None:
             now = time.monotonic()
             if self._busy_until - now > WAITING / self.capacity:
                 return
             self._busy_until = max(self._busy_until, now) + 1.0 / self.capacity
             delay += self._busy_until - now
+        delay += self.lag
         if delay:
             asyncio.get_running_loop().call_later(delay, send)
         else:

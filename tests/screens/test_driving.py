@@ -159,6 +159,14 @@ async def test_another_publisher_ends_it(slow_site: Site) -> None:
             await it.press("w")
 
 
+async def test_a_bridge_that_lags_ends_it(slow_site: Site) -> None:
+    play(slow_site.server, [("lag", R0)])
+    async with driving(slow_site) as it:
+        while "lag: no echo for 0.3 s" not in it.pane("message"):
+            await it.press("w")
+        await it.until(lambda _: is_still(slow_site))
+
+
 async def test_the_speed_changes_within_the_caps_and_goes_sideways_only_if_it_can(slow_site: Site) -> None:
     async with driving(slow_site, holonomic=True) as it:
         await it.press(*"+" * 9, "q")

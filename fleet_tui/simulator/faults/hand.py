@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 
 DRIVEN = 1.0  # seconds by hand after which another client drives as well
 EVERY = 0.2  # seconds between its twists
+LAG = 0.5  # seconds
 FOREIGN: dict[str, Any] = {
     "linear": {"x": 0.07, "y": 0.0, "z": 0.0},
     "angular": {"x": 0.0, "y": 0.0, "z": 0.9},
@@ -44,11 +45,23 @@ def foreign_drive(server: "RosbridgeServer", robot: str) -> None:
     server.bridge.services.fleet_of(robot).troubles.append(step)
 
 
+def lag(server: "RosbridgeServer", robot: str) -> None:
+    """Let the bridge lag once the robot is driven by hand."""
+    wheels, services = _wheels(server, robot), server.bridge.services
+
+    def step(_dt: float) -> None:
+        if wheels.driven >= DRIVEN:
+            services.lag = LAG
+
+    services.fleet_of(robot).troubles.append(step)
+
+
 FAULTS: dict[str, tuple[str, Play]] = {
     "no-timeout": (
         f"driven by hand it follows the last twist for ever, instead of {TIMEOUT:g} s",
         no_timeout,
     ),
     "foreign-drive": (f"another client drives, too, {DRIVEN:g} s after a hand", foreign_drive),
+    "lag": (f"{DRIVEN:g} s after a hand all that the bridge sends is {LAG:g} s late", lag),
 }
 """The same for robots of every kind."""
