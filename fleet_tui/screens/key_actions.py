@@ -130,7 +130,8 @@ def _next_trouble(screen: "MainScreen") -> None:
     if robot:
         screen.navigation.find_robot(robot)
     else:
-        screen.notices.say("no robot has an alarm, all have a pose")
+        links = [f"{one.condition.source} {one.text}" for one in screen.store.state.alarms if one.holds]
+        screen.notices.say(sanitize(links[0]) if links else "no robot has an alarm, all have a pose")
 
 
 def _place_actions(rest: "Rest") -> PlaceActions:

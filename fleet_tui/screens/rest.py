@@ -231,13 +231,13 @@ class Rest:
         return key.id in self._overruled[mode] or (key.pane.is_mode and key.pane is not mode)
 
     def draft(self) -> Drafted | None:
-        """Return the order that is being typed and its way, and show its length in the form."""
+        """Return the order that is being typed and its way, None without a place, and show its length."""
         draft, form = self.order_form.draft(), self.order_form
         route = None if draft is None else draft_route(self._screen.store.state.robots[draft.robot], draft)
         text = "" if route is None else route.text
         if text != form.route.content:  # an update lays out the whole screen
             form.route.update(text)
-        return None if draft is None else (draft, route)
+        return None if draft is None or not (draft.places or draft.marked) else (draft, route)
 
 
 def _run(screen: "MainScreen", key: Key[Any]) -> None:

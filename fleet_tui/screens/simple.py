@@ -97,6 +97,7 @@ class Simple(Vertical):
         self._button("robot").label = Content(f"Robot: {sanitize(robot.name)}")
         self._button("from").label = Content(f"From: {names.get('from', start)}")
         self._button("to").label = Content(to + names.get("to", "choose ..."))
+        self._button("send").variant = "default" if self._missing() else "primary"
         for field in ("robot", "from", "to", "send"):
             self._button(field).display = not self._choosing and (field != "from" or not only_to)
         self.query_one("#simple-missing").display = not self._choosing

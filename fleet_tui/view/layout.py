@@ -14,7 +14,7 @@ LEAST_PAGE = 6
 """Lines from which the robot's page and the last events are worth their place."""
 USUAL_SHAPE = 0.4
 """Lines of a floor per cell of its width, until one is known."""
-WHOLE_PAGE, LEAST_COLUMN = 14, 60
+WHOLE_PAGE, LEAST_COLUMN = 9, 60
 """Lines that the robot's page keeps beside small maps, and cells of its column from which there are some."""
 
 
@@ -41,7 +41,7 @@ def below_page(lines: int, page: int, width: int) -> int:
     and `width` cells (0 for none). In steps: they rarely change while other panes grow."""
     if width < LEAST_COLUMN:
         return 0
-    sizes = (lines // 2, lines // 3, lines // 4)
+    sizes = (lines // 2, lines // 3, lines // 4, lines // 5)
     return next((size for size in sizes if size >= LEAST_MAP and page - size >= WHOLE_PAGE), 0)
 
 

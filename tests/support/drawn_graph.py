@@ -31,6 +31,7 @@ class DrawnGraph:
 
     def __init__(self, pane: Pane, state: FleetState, folder: Path | None, may: Permissions | None) -> None:
         self.pane, self.desk, self.lines = pane, Desk(state, may), list[str]()
+        self.draft_files = list[DraftFile]()
         self.picture = pane.map.picture
         desk = self.desk
         parts = self.parts = SetUpParts(
@@ -40,7 +41,7 @@ class DrawnGraph:
             parts,
             pane.controls,
             self.picture,
-            lambda floor: None if folder is None else DraftFile(folder, "site", floor),
+            lambda floor: None if folder is None else self._draft_file(folder, floor),
         )
         self.checks = DraftChecks(parts, self.editor, lambda work, then: then(work()))
         self.graph_file: Path | None = None
@@ -53,6 +54,10 @@ class DrawnGraph:
         self.edge_values = EdgeValues(parts, self.editor)
         self.drawing = GraphDrawing(parts, self.editor, self.values, self.edge_values)
         pane.map.show(floor_scene(state, desk.navigation.selection))
+
+    def _draft_file(self, folder: Path, floor: str) -> DraftFile:
+        self.draft_files.append(DraftFile(folder, "site", floor))
+        return self.draft_files[-1]
 
     @property
     def mode(self) -> EditMode:
@@ -87,3 +92,5 @@ async def drawn_graph(
         graph = DrawnGraph(app, state or ready(), folder, may)
         await pilot.pause()
         yield graph
+        for file in graph.draft_files:
+            file.close()  # as the system does after a crash

@@ -34,15 +34,25 @@ def _robots(state: FleetState, alarms: Iterable[Alarm]) -> frozenset[str]:
     return frozenset(named & state.robots.keys())
 
 
+def urgency(alarm: Alarm) -> tuple[bool, bool, bool, int]:
+    """Return the sort key of an alarm. Equal ones stay in the order in which they were raised. Alarms that
+    are over are below all that hold, whatever their priority."""
+    is_over = alarm.stage is AlarmStage.RETURNED
+    is_shelved, priority = alarm.stage is AlarmStage.SHELVED, alarm.condition.priority.value
+    return is_shelved, is_over, not alarm.needs_acknowledgement, priority
+
+
 def next_in_trouble(state: FleetState, after: str) -> str:
-    """Return the next robot in trouble after this one, by the order of the config and around its end; if none
-    is, one whose alarm is shelved or whose pose is missing; empty without one."""
-    names, silenced = list(state.robots), shelved(state)
-    troubled = in_trouble(state) or {
-        name for name in names if name in silenced or is_missing(state, state.robots[name], "pose")
-    }
-    start = names.index(after) + 1
-    return next((name for name in (*names[start:], *names[:start]) if name in troubled), "")
+    """Return the next robot in trouble after this one, in the order of the alarms pane and around its end; if
+    none is, one whose alarm is shelved or whose pose is missing; empty without one."""
+    troubled, silenced = in_trouble(state), shelved(state)
+    alarms = sorted(state.alarms, key=urgency)
+    names = [name for one in alarms for name in (one.condition.source, *sorted(one.condition.parts))]
+    names = list(dict.fromkeys(name for name in names if name in troubled)) or [
+        name for name, robot in state.robots.items() if name in silenced or is_missing(state, robot, "pose")
+    ]
+    start = names.index(after) + 1 if after in names else 0
+    return next(iter((*names[start:], *names[:start])), "")
 
 
 def trouble_elsewhere(state: FleetState, floor: str) -> str:

@@ -18,6 +18,7 @@ JUMPS = 2
 """This many jumps within JUMPS_WITHIN seconds are more than corrections."""
 
 NO_POSE = "Check the robot's localisation: its node, its laser, the topic's name"
+DIAGNOSE = ("diagnostics",)
 FULL = 95.0
 """Per cent below which a robot at a charger may be charging."""
 
@@ -45,8 +46,8 @@ def no_link(state: FleetState, robot: Robot) -> Reason | None:
     if link.phase is Phase.UP:
         return None
     why = f": {link.reason}" if link.reason else ""
-    remedy = CLASSES["link"].action
-    return Reason("no link", f"no connection to {link.url}{why}", since=link.since, remedy=remedy)
+    evidence, remedy = f"no connection to {link.url}{why}", CLASSES["link"].action
+    return Reason("no link", evidence, since=link.since, keys=DIAGNOSE, remedy=remedy)
 
 
 def silent_robot(state: FleetState, robot: Robot) -> Reason | None:
@@ -55,9 +56,9 @@ def silent_robot(state: FleetState, robot: Robot) -> Reason | None:
         return None
     remedy = CLASSES["offline"].action
     if robot.last_received is None:
-        return Reason("never seen", "link up, no message received", remedy=remedy)
+        return Reason("never seen", "link up, no message received", keys=DIAGNOSE, remedy=remedy)
     name = f"offline {age(state.now - robot.last_received)}"
-    return Reason(name, "link up, no messages", since=robot.last_received, remedy=remedy)
+    return Reason(name, "link up, no messages", since=robot.last_received, keys=DIAGNOSE, remedy=remedy)
 
 
 def paused(state: FleetState, robot: Robot) -> Reason | None:
@@ -115,13 +116,13 @@ def stale_pose(state: FleetState, robot: Robot) -> Reason | None:
     if robot.pose is None:
         topic = robot.kind.pose_topic.replace("{robot}", robot.name)
         evidence = f"other reports received, no pose{topic and f' on {topic}'}: position unknown"
-        return Reason("no pose", evidence, keys=("diagnostics",), remedy=NO_POSE)
+        return Reason("no pose", evidence, keys=DIAGNOSE, remedy=NO_POSE)
     name, clock = f"pose {age(state.now - robot.pose.at)} old", robot.clock
     silence = robot.kind.silence_of("pose", state.limits.offline_after) + state.behind
     if clock is not None and state.now - clock.at <= silence:
         return Reason(name, "poses arrive late: their time stamps lag", seen=robot.pose.at)
     evidence = "other reports arrive: the robot may have moved since"
-    return Reason(name, evidence, since=robot.pose.at, keys=("diagnostics",), remedy=NO_POSE)
+    return Reason(name, evidence, since=robot.pose.at, keys=DIAGNOSE, remedy=NO_POSE)
 
 
 def jumps(state: FleetState, robot: Robot) -> Reason | None:

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import Phase
 from fleet_tui.model.request import Request, chain
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.lookup import Place, matches, places, recent_ends
@@ -66,6 +67,13 @@ def without_places(robot: Robot | None) -> str:
     if robot is None or places(robot):
         return ""
     return f"{robot.name} has no route graph yet: there are no places to choose"
+
+
+def hindrance(state: FleetState, robot: Robot | None) -> str:
+    """Return why no order can be given to a robot now, empty if one can."""
+    if robot is not None and state.links[robot.link].phase is not Phase.UP:
+        return "no link: an order is not sent now, and not later"
+    return without_places(robot)
 
 
 def line(choice: Place | str) -> str:

@@ -16,6 +16,7 @@ from fleet_tui.rules.routes.order_draft import Draft
 from fleet_tui.screens.ordering.choices import (
     Choices,
     choices,
+    hindrance,
     is_in_label,
     line,
     missing,
@@ -108,7 +109,7 @@ class OrderForm(Overlay):
             typed = self._fields[field].typed
             self._found = choices(self._state(), robot, field, typed, self._fields.chosen.get(field))
             self._matches.show(map(line, self._found), mark=bool(typed.strip()))
-            if notice := without_places(robot):
+            if notice := hindrance(self._state(), robot):
                 self._say(notice)
 
     @on(Input.Changed)

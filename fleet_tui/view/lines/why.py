@@ -1,6 +1,6 @@
 """The reasons why a robot stands still, as lines of text."""
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from fleet_tui.keys import BY_ID
@@ -23,6 +23,8 @@ if TYPE_CHECKING:  # numpy
 
 SHOWN = 5
 """Number of reasons that fit on a small terminal; the weakest are dropped."""
+ACTS = {"battery": ("order",), "data": ("diagnostics",)}
+"""The ids of keys for what a class of alarms asks to do."""
 
 
 def why_lines(
@@ -32,26 +34,27 @@ def why_lines(
     as for `reasons`."""
     found, hidden = reasons(state, robot, match), hidden_keys(state, robot.name)
     if found and moves(state, robot) == found[0]:
-        return [f"{sanitize(found[0].name)} ({found[0].evidence})", *_alarms(state, robot)]
+        alarms = _alarms(state, robot, keys, hidden)
+        return [f"{sanitize(found[0].name)} ({found[0].evidence})", *alarms]
     lines = [_standing(state, robot)]
     for number, reason in enumerate(found[:SHOWN], 1):
         mark = "▶" if number == 1 else " "
         strength = "" if reason.strength is Strength.NONE else f"  ({reason.strength.name.lower()})"
         lines += ["", f"{mark} {number}. {sanitize(reason.name)}{strength}"]
         told = (sanitize(reason.evidence), _age(state, robot, reason), reason.remedy)
-        lines += [f"    {line}" for line in (*told, *_helps(reason, keys, hidden)) if line]
+        lines += [f"    {line}" for line in (*told, *_help_lines(reason.keys, keys, hidden)) if line]
     return lines
 
 
-def _alarms(state: FleetState, robot: Robot) -> Iterator[str]:
+def _alarms(
+    state: FleetState, robot: Robot, keys: Mapping[str, tuple[str, ...]], hidden: Collection[str]
+) -> Iterator[str]:
     """Yield the alarms of a robot that moves, and what to do: they are no reasons to stand."""
     for alarm in state.alarms:
         if alarm.holds and alarm.condition.source == robot.name:
-            yield from (
-                "",
-                f"▲ {sanitize(alarm.text)}",
-                f"    {CLASSES[class_of(alarm.condition.kind)].action}",
-            )
+            class_ = class_of(alarm.condition.kind)
+            yield from ("", f"▲ {sanitize(alarm.text)}", f"    {CLASSES[class_].action}")
+            yield from (f"    {line}" for line in _help_lines(ACTS.get(class_, ()), keys, hidden))
 
 
 def _standing(state: FleetState, robot: Robot) -> str:
@@ -80,8 +83,10 @@ def _age(state: FleetState, robot: Robot, reason: Reason) -> str:
     return ", ".join(parts)
 
 
-def _helps(reason: Reason, keys: Mapping[str, tuple[str, ...]], hidden: Collection[str]) -> Iterator[str]:
-    for id_ in reason.keys:
+def _help_lines(
+    ids: Iterable[str], keys: Mapping[str, tuple[str, ...]], hidden: Collection[str]
+) -> Iterator[str]:
+    for id_ in ids:
         if id_ in hidden:
             continue
         name = " ".join(keys[id_][:1]) or "(palette)"

@@ -170,10 +170,12 @@ def _numbers(robots: list[SceneRobot], plain: bool) -> Iterator[list[tuple[str, 
     first, more = robots[0], len(robots) - 1
     role = robot_roles(first)[1]
     for text in (partial(robot_tag, plain=plain), robot_number):
-        tags = [(text(robot), robot_roles(robot)[1]) for robot in robots]
+        # Among several an age would read as a number of its own.
+        texts = [text(one) if one.online or not more else robot_number(one) for one in robots]
+        tags = [(tag, robot_roles(one)[1]) for tag, one in zip(texts, robots, strict=True)]
         yield [run for tag in tags for run in (tag, (",", StyleRole.ROBOT))][:-1]
         if more:
-            yield [(text(first), role), (f"+{more}", StyleRole.ROBOT)]
+            yield [tags[0], (f"+{more}", StyleRole.ROBOT)]
     yield [(robot_number(first), role)]
 
 

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key, Priority
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.alarms.floods import is_group
+from fleet_tui.rules.alarms.trouble import urgency
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
@@ -60,17 +61,9 @@ def _short(text: str, cells: int) -> str:
     return text.rpartition(" (")[0] if text.endswith(")") and cell_width(text) > cells else text
 
 
-def _place(alarm: Alarm) -> tuple[bool, bool, bool, int]:
-    """Return the sort key of a row. Equal rows stay in the order in which they were raised. Alarms that are
-    over are below all that hold, whatever their priority."""
-    is_over = alarm.stage is AlarmStage.RETURNED
-    shelved, priority = alarm.stage is AlarmStage.SHELVED, alarm.condition.priority.value
-    return shelved, is_over, not alarm.needs_acknowledgement, priority
-
-
 def unacknowledged(state: FleetState) -> list[Key]:
     """Return the unacknowledged alarms, in the order of the rows."""
-    return [alarm.key for alarm in sorted(state.alarms, key=_place) if alarm.needs_acknowledgement]
+    return [alarm.key for alarm in sorted(state.alarms, key=urgency) if alarm.needs_acknowledgement]
 
 
 def _suppressed(state: FleetState) -> int:
@@ -86,7 +79,7 @@ def alarm_table(state: FleetState, clock: Callable[[float], str], width: int = U
     """Return every alarm for a pane of `width` cells: those that hold, unacknowledged ones first, by
     priority; then those that are over; shelved ones last; oldest first. A row moves when it is acknowledged
     or shelved, and when it needs a person again. `clock` formats Unix seconds as a local time."""
-    alarms = sorted(state.alarms, key=_place)
+    alarms = sorted(state.alarms, key=urgency)
     sources = column((alarm.condition.source for alarm in alarms), 7, 14 if width >= WITH_PRIORITY else 9)
     keys = [alarm.key for alarm in alarms]
     rows = LateRows(keys, lambda place: _row(state, alarms[place], sources, clock, width))

@@ -66,12 +66,16 @@ def _leaving(state: FleetState, records: Iterable[CommandRecord]) -> Mapping[tup
 
 
 def _mission(mission: str, cells: int, order: Order, space: int) -> tuple[str, str]:
-    """Return an order's mission and its state: in columns, or close together if space is short."""
+    """Return an order's mission and its state: in columns, close together if space is short, or without
+    the state of one in the queue."""
     status = sanitize(order.state_text)
     if cells + len(GAP) + cell_width(status) <= space:
         return fit(mission, cells) + GAP, status
     short = SHORT.get(order.state, status) if order.state else status
-    return fit(mission, cells).rstrip() + ", ", short
+    shown = fit(mission, cells).rstrip()
+    if not order.is_over and cell_width(shown) + len(", ") + cell_width(short) > space:
+        return shown, ""  # its place in the queue says as much as two letters of it
+    return shown + ", ", short
 
 
 def _row(state: FleetState, entry: Listed, columns: tuple[int, int, int], width: int, leaving: str) -> Row:

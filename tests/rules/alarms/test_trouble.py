@@ -2,7 +2,13 @@
 
 from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.rules.alarms.trouble import acknowledged, in_trouble, shelved, trouble_elsewhere
+from fleet_tui.rules.alarms.trouble import (
+    acknowledged,
+    in_trouble,
+    next_in_trouble,
+    shelved,
+    trouble_elsewhere,
+)
 from tests.support.fleets import F0, R0, T0, battery, fleet, link_lost, link_up, pose, reduced, tick
 
 F1 = F0.replace("0", "1")
@@ -28,6 +34,13 @@ def test_who_is_in_trouble_is_named_where_the_floor_is_not_shown() -> None:
     assert trouble_elsewhere(state, "floor_0") == "! robot_1 on floor_1"
     assert trouble_elsewhere(state, "floor_2") == "! 2 on other floors"
     assert trouble_elsewhere(low(R0), "floor_0") == ""
+
+
+def test_the_next_one_in_trouble_is_the_next_row_of_the_alarms() -> None:
+    state = low("robot_1", R0)
+    assert next_in_trouble(state, R0) == "robot_1" and next_in_trouble(state, "robot_1") == R0
+    first = reduced(state, AlarmAcknowledged(R0, "battery"))
+    assert next_in_trouble(first, "robot_2") == "robot_1", "who needs a person is first"
 
 
 def test_trouble_whose_alarm_is_shelved_is_known_until_it_ends() -> None:

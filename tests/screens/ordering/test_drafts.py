@@ -4,6 +4,7 @@ import pytest
 
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import Console, console
+from tests.support.ordering import place
 from tests.support.watched_store import config_of
 
 
@@ -26,6 +27,17 @@ async def test_the_marked_place_stands_out_and_the_way_has_a_length(server: Rosb
         assert vertices[:2] == ("0", "19") and lines > 2
         await it.press("escape")
         await it.until(lambda _: scene_of(it) == ((), 0))
+
+
+async def test_the_way_of_the_current_order_stays_until_a_place_is_typed(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1), (120, 40)) as it:
+        await place(it)
+        await it.until(lambda _: scene_of(it)[1] > 2)
+        await it.press("o")
+        await it.shows("Enter  next")
+        await it.until(lambda _: scene_of(it)[1] > 2)
+        await it.type("Base")
+        await it.until(lambda _: scene_of(it) == (("0", "0"), 0))
 
 
 @pytest.mark.parametrize("size", [(120, 40), (80, 24)])

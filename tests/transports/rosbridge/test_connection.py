@@ -89,11 +89,13 @@ def test_the_pinned_version_is_the_one_that_was_studied() -> None:
 
 
 async def test_without_a_link_nothing_is_kept_for_later() -> None:
-    got: list[str | bytes] = []
+    got: list[list[str | bytes]] = []  # by connection: others of this machine may know the port
 
     async def attend(connection: ServerConnection) -> None:
+        frames: list[str | bytes] = []
+        got.append(frames)
         async for frame in connection:
-            got.append(frame)
+            frames.append(frame)
             await connection.send("{}")
 
     async with a_server(_keep_open) as url:
@@ -114,7 +116,7 @@ async def test_without_a_link_nothing_is_kept_for_later() -> None:
             await ear.next("open")
             await on_loop(connection.send, b"now")
             await ear.next("frame")
-    assert got == ["now"]
+    assert ["now"] in got and not any("late" in frames or b"late" in frames for frames in got)
 
 
 async def test_the_next_try_is_never_further_than_five_seconds() -> None:

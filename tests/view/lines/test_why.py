@@ -12,6 +12,7 @@ from tests.support.fleets import (
     fleet,
     graph,
     labels,
+    link_lost,
     link_up,
     pose,
     queue,
@@ -27,6 +28,11 @@ REMAPPED, _ = keymap({"resume": "f5", "clear": "ctrl+x"})
 
 def text(planted: Planted, keys: dict[str, tuple[str, ...]] = KEYS) -> str:
     return "\n".join(why_lines(planted.state, planted.robot, keys))
+
+
+def test_without_a_link_the_key_of_diagnostics_is_named() -> None:
+    state = reduced(fleet(1), link_up(T0), pose(T0), link_lost(T0 + 1), tick(T0 + 9))
+    assert "d  " in "\n".join(why_lines(state, state.robots[R0], KEYS))
 
 
 PAUSED_AND_BLOCKED = """\
@@ -52,7 +58,8 @@ def test_a_robot_that_moves_tells_its_alarms_all_the_same() -> None:
     state = reduced(received(FULL), battery(T0, 5.0), pose(T0 + 0.3, x=2.0), tick(T0 + 0.4))
     lines = why_lines(state, state.robots[R0], KEYS)
     assert lines[0].startswith("robot_0 is moving") and "▲ battery 5 %" in lines
-    assert lines[-1].strip() == "Send it to a charger"
+    assert lines[-2].strip() == "Send it to a charger"
+    assert lines[-1].strip() == "o  Open the order form for the selected robot"
 
 
 def test_paused_and_blocked() -> None:
@@ -71,6 +78,7 @@ Last pose 20 s old. Last seen at Base.
     link up, no messages
     for 20 s
     Check the robot: power, Wi-Fi, its nodes
+    d  Open diagnostics: links, topics, raw messages, logs
 
   2. no orders  (possible)
     queue empty: waiting for an order

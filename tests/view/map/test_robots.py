@@ -47,6 +47,13 @@ def test_robots_in_one_cell_are_listed_or_counted() -> None:
     assert "3→ 1+2→ →5" in drawn((robot(3, -5), robot(1, 0), robot(2, 0), robot(4, 0), robot(5, 2)))
 
 
+def test_ages_are_told_of_a_robot_alone_but_not_among_several() -> None:
+    one, other = (robot(number, 0)._replace(online=False, age=13.0) for number in (8, 10))
+    assert "8 13 s" in drawn((one,))
+    text = drawn((one, other))
+    assert "10,8→" in text and "13 s" not in text
+
+
 def test_the_number_of_a_robot_between_others_is_with_a_neighbours_in_the_sequence_of_the_arrows() -> None:
     robots = robot(1, 0), robot(2, 2), robot(3, 4)
     text = drawn(robots)

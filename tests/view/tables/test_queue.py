@@ -1,5 +1,7 @@
 """The queue pane: the current order first, each with a Cancel that can be hit."""
 
+import re
+
 import pytest
 
 from fleet_tui.model import events
@@ -106,6 +108,13 @@ def test_cancel_lies_where_it_stands_at_every_width(all_robots: bool) -> None:
             assert button.name == "cancel"
             assert under(row.runs, button) == CANCEL
             assert button.end <= width and width_of(row.runs) <= width
+
+
+def test_a_state_is_whole_or_not_there_beside_its_button() -> None:
+    for width in WIDTHS:
+        for line in lines(state(), width=width):
+            told = line.removesuffix(CANCEL).rstrip()
+            assert not re.search(r", ?(no?|qu?e?u?e?)…$|,$", told), (width, line)
 
 
 def test_clear_all_lies_where_it_stands_or_is_not_there() -> None:
