@@ -159,7 +159,7 @@ DOCS = {
                 "mapping": ["colon", "'mapping robot_0 on", "Return", "'y"],
                 "driving": ["colon", "'robot_0 Base > Consumidores", "Return", "'y"],
             },
-            settled=10,
+            settled=12,
         ),
     ),
     "camera": ((100, 30), Console(NAV2_ALONE, {"open": ["V"]}, settled=5)),
