@@ -47,6 +47,7 @@ async def test_what_is_not_read_is_on_its_way() -> None:
         connection.transport.pause_reading()
         is_deaf.set()
         await done.wait()
+        connection.transport.abort()  # deaf, it would not hear of a close either
 
     async with serve(deaf, "127.0.0.1", 0, max_size=None) as server:
         host, port = next(iter(server.sockets)).getsockname()
