@@ -130,8 +130,9 @@ def _next_trouble(screen: "MainScreen") -> None:
     if robot:
         screen.navigation.find_robot(robot)
     else:
-        links = [f"{one.condition.source} {one.text}" for one in screen.store.state.alarms if one.holds]
-        screen.notices.say(sanitize(links[0]) if links else "no robot has an alarm, all have a pose")
+        # Those of links: their robots have none of their own.
+        others = [f"{one.condition.source} {one.text}" for one in screen.store.state.alarms if one.holds]
+        screen.notices.say(sanitize(others[0]) if others else "no robot has an alarm, all have a pose")
 
 
 def _place_actions(rest: "Rest") -> PlaceActions:

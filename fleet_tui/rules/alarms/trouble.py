@@ -52,7 +52,7 @@ def next_in_trouble(state: FleetState, after: str) -> str:
         name for name, robot in state.robots.items() if name in silenced or is_missing(state, robot, "pose")
     ]
     start = names.index(after) + 1 if after in names else 0
-    return next(iter((*names[start:], *names[:start])), "")
+    return names[start % len(names)] if names else ""
 
 
 def trouble_elsewhere(state: FleetState, floor: str) -> str:
