@@ -9,7 +9,7 @@ TOGETHER := -q -n 6 --maxschedchunk 1
 # Compiled once, not by each of a few hundred processes.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test quick lint types compiled tested unit bench faults fuzz soak pictures docs lock format clean
+.PHONY: demo test quick lint types compiled tested unit bench faults fuzz soak pictures docs lock format dist dist-check clean
 
 demo: $(READY)
 	@$(BIN)/fleet-tui demo
@@ -25,9 +25,12 @@ lint: $(READY)
 types: $(READY)
 	@$(BIN)/mypy
 
-# Each of several pytest workers would compile all tests.
-compiled: $(READY)
+# Each of several pytest workers would compile all tests; once, for later changes are few.
+compiled: $(VENV)/.compiled
+
+$(VENV)/.compiled: $(READY)
 	@$(BIN)/pytest -q --collect-only -p no:xdist > /dev/null 2>&1 || true  # errors: the tests themselves say them
+	@touch $@
 
 # The developer's loop: no processes, no sockets.
 quick: $(READY)
@@ -60,13 +63,21 @@ format: $(READY)
 	@$(BIN)/ruff format .
 	@$(BIN)/ruff check --fix .
 
+# What pip does, on one line of a terminal.
+PROGRESS = while read -r did what _; do \
+  case $$did in Collecting) n=$$((n + 1)) ;; Installing) what="installing all ..." ;; *) continue ;; esac; \
+  if test -t 1; then printf '\r\033[K  %d of %d: %s' "$$n" "$$(grep -c == requirements.lock)" "$$what"; fi; \
+done; if test -t 1; then printf '\r\033[K'; fi
+
+$(READY): SHELL := bash
 $(READY): pyproject.toml requirements.lock
 	@echo "Setting up $(VENV) (once, about a minute) ..."
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "Python 3.11 or newer is needed; say which with: make PYTHON=python3.12 ..."; exit 1; }
 	@$(PYTHON) -m venv $(VENV)
-	@$(BIN)/pip install --quiet --disable-pip-version-check -r requirements.lock
+	@set -o pipefail; PYTHONUNBUFFERED=1 $(BIN)/pip install --disable-pip-version-check -r requirements.lock | { $(PROGRESS); }
 	@$(BIN)/pip install --quiet --disable-pip-version-check --no-deps -e .
 	@touch $@
+	@echo "Ready."
 
 # Needs Xvfb, xterm and xdotool: pictures of a real terminal.
 pictures: $(READY)
@@ -74,6 +85,13 @@ pictures: $(READY)
 
 docs: $(READY)
 	@$(BIN)/python docs/pictures.py docs
+
+# The versions that were tested, with the Python of .venv: needs a network.
+dist: $(READY)
+	@$(BIN)/python -m release.build
+
+dist-check: $(READY)
+	@$(BIN)/python -m release.check
 
 lock:
 	@rm -rf $(VENV)/lock && $(PYTHON) -m venv $(VENV)/lock

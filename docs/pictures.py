@@ -1,7 +1,7 @@
 """Makes pictures of the console in a real terminal on a virtual screen.
 
 Run: python docs/pictures.py states FOLDER [NAME ...]   every state at four sizes, to be looked at
-     python docs/pictures.py docs [NAME ...]            the pictures in docs/; by default all, and the film
+     python docs/pictures.py docs [NAME ...]            the pictures in docs/; by default all; `film` moves
 
 Needs Xvfb, xterm and xdotool, which are Debian packages of these names; without them `states` writes what
 the application exports itself.
@@ -18,6 +18,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import NamedTuple
 
 from PIL import Image, ImageGrab
 
@@ -41,7 +42,8 @@ ARRIVED, SETTLED = 12.0, 0.8
 class Console:
     """A console, and the keys before each of its pictures: words of xdotool, `'text` is typed. `wait` and
     `settled`: seconds before the first keys, and from keys to the picture. `files`: those of a site, its
-    configuration without the bridge among them; without any it is a demo."""
+    configuration without the bridge among them; without any it is a demo, or a shell's `script` with the
+    console as $0."""
 
     demo: list[str]
     states: dict[str, list[str]]
@@ -49,6 +51,7 @@ class Console:
     wait: float = ARRIVED
     settled: float = SETTLED
     files: dict[str, str] = field(default_factory=dict)
+    script: str = ""
 
 
 FRAME = 0.5
@@ -193,17 +196,38 @@ DOCS = {
 }
 """The pictures of the documentation, by name: size, console, and the keys before them."""
 
-FILM: list[tuple[list[str], float]] = [
-    ([], 2),
-    (["o", "'Ba", "Return", "'Con"], 2),
-    (["Return"], 3),
-    (["4"], 2),
-    (["w"], 3),
-    ([ESC, "plus", "plus", "plus"], 1),
-    (["f"], 4),
-    (["0"], 2),
+
+MOVING = "film"
+"""The name of the moving picture."""
+
+
+class Take(NamedTuple):
+    """Keys of the moving picture, then seconds that are not in it, then seconds that are."""
+
+    keys: list[str]
+    seconds: float
+    unseen: float = 0
+
+
+FILMED = Console(
+    [],
+    {},
+    # With this many robots, robot_6 meets an obstacle after 33 s, for 8 s.
+    wait=31.5,
+    script="""
+        "$0" demo --robots 7
+        "$0" replay "$(ls "$XDG_STATE_HOME"/fleet-tui/recent/demo/*.gz | tail -n 1)" --at +28s
+    """,
+)
+FILM = [
+    Take(["7"], 4.5),
+    Take(["w"], 2.5),
+    Take([ESC, "o", "'Ba", "Return", "'Con"], 0.5),
+    Take(["Return"], 2.5),
+    Take(["q"], 1, unseen=9),
+    Take(["7", "parenright"], 1.5),
+    Take(["less", "F", "F"], 2.5),
 ]
-"""Keys of the moving picture, and the seconds after them."""
 
 
 @contextmanager
@@ -227,6 +251,9 @@ def run(*command: str) -> str:
 @contextmanager
 def command_of(console: Console, home: Path) -> Iterator[list[str]]:
     """Write the console's files, run the bridge that they need, and yield the console's command."""
+    if console.script:
+        yield ["sh", "-c", console.script, CONSOLE]
+        return
     if not console.files:
         yield [CONSOLE, "demo", *console.demo]
         return
@@ -297,7 +324,10 @@ def states(folder: Path, names: list[str]) -> None:
 def pictures_of_docs(names: list[str]) -> None:
     """Make the named pictures that documentation pages show, or all."""
     folder = Path(__file__).parent
-    for name in names or DOCS:
+    for name in names or [*DOCS, MOVING]:
+        if name == MOVING:
+            film(folder / "console.gif")
+            continue
         size, console = DOCS[name]
         with terminal(console, size):
             time.sleep(console.wait)
@@ -307,24 +337,27 @@ def pictures_of_docs(names: list[str]) -> None:
             photograph().quantize(COLOURS, dither=Image.Dither.NONE).save(
                 folder / f"{name}.png", optimize=True
             )
-    if not names:
-        film(folder / "console.gif")
 
 
 def film(path: Path) -> None:
-    """Make the moving picture: an order is given, a robot is explained, the fleet drives on."""
-    console = CONSOLES["fleet"]
+    """Make the moving picture: an obstacle, its explanation, an order, and all that once more as a replay."""
     frames: list[Image.Image] = []
-    with terminal(console, (100, 30)):
-        time.sleep(console.wait)
-        for keys, seconds in FILM:
-            for key in keys:
+    with terminal(FILMED, (100, 30)):
+        time.sleep(FILMED.wait)
+        for take in FILM:
+            for key in take.keys:
                 press([key])
-                frames.append(photograph())
-            for _ in range(int(seconds / FRAME)):
+                if not take.unseen:
+                    frames.append(photograph())
+            time.sleep(take.unseen)
+            for _ in range(int(take.seconds / FRAME)):
                 time.sleep(FRAME)
                 frames.append(photograph())
-    palette = frames[len(frames) // 2].quantize(COLOURS, dither=Image.Dither.NONE)
+    width, height = frames[0].size
+    all_colours = Image.new("RGB", (width, height * len(frames)))
+    for number, frame in enumerate(frames):
+        all_colours.paste(frame, (0, number * height))
+    palette = all_colours.quantize(COLOURS, dither=Image.Dither.NONE)
     first, *more = (frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames)
     first.save(path, save_all=True, append_images=more, duration=int(FRAME * 1000), loop=0, optimize=True)
 

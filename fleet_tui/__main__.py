@@ -2,6 +2,7 @@
 
 import codecs
 import errno
+import gc
 import io
 import logging
 import os
@@ -48,7 +49,7 @@ def _run_command() -> None:
     from fleet_tui.cli.main import commands
 
     try:
-        commands.main(standalone_mode=False)
+        commands.main(prog_name="fleet-tui", standalone_mode=False)
     except click.exceptions.Abort:
         _end(130)
     except click.ClickException as problem:
@@ -120,6 +121,7 @@ def main() -> None:
     finally:
         signal.signal(signal.SIGINT, signal.SIG_IGN)  # a second Ctrl-C would only garble the end of the first
         end_within(PATIENCE, code if isinstance(code, int) else int(code is not None))
+        gc.freeze()  # Python would search all objects for garbage before it ends: half a second of a console
 
 
 if __name__ == "__main__":

@@ -46,6 +46,8 @@ def _types_nothing(key: str) -> bool:
 def _same_place(one: Key[Any], other: Key[Any]) -> bool:
     """Tell whether two panes' keys can be pressed at the same moment."""
     panes = {one.pane, other.pane}
+    if Pane.RECORDING in panes and (one.only_live or other.only_live):
+        return False
     if any(pane.is_mode for pane in panes):
         # While the map is in a mode its keys take precedence.
         return len(panes) == 1 or Pane.ANYWHERE in panes
@@ -78,13 +80,13 @@ def keymap(changes: Mapping[str, str]) -> tuple[dict[str, tuple[str, ...]], list
 
 
 def _yielded(chosen: Mapping[str, tuple[str, ...]], changes: Mapping[str, str]) -> dict[str, tuple[str, ...]]:
-    """Return the keys of recordings without those that the config assigns otherwise: the fleet's take
-    precedence."""
+    """Return the keys of recordings and tables, and second keys, without those that the config assigns
+    otherwise: these take precedence."""
     given = {key for id_ in changes if id_ in chosen for key in chosen[id_]}
     return {
         key.id: tuple(one for one in key.keys if one not in given)
         for key in KEYS
-        if key.pane is Pane.RECORDING and key.id not in changes
+        if (key.pane is Pane.RECORDING or key.of_rows or key.instead_of) and key.id not in changes
     }
 
 

@@ -15,6 +15,7 @@ from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.terminal import fault_guard
 from tests.support.cli import config_file
+from tests.support.parsed_styles import parse_styles_once
 
 # In the background of a shell SIGINT is ignored, under nohup SIGHUP: what a test starts would inherit that.
 signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -27,6 +28,8 @@ settings.register_profile(
 )
 settings.load_profile("fleet-tui")
 
+parse_styles_once()
+
 
 LONGEST = ("test_soak.py", "test_main_fuzz.py", "test_process.py")
 """They begin first: whoever ran one of them at the end would run alone."""
@@ -36,7 +39,12 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     items.sort(key=lambda item: item.path.name not in LONGEST)
 
 
+def pytest_collection() -> None:
+    gc.disable()  # what is collected stays: to search it for garbage takes a sixth of the time
+
+
 def pytest_collection_finish() -> None:
+    gc.enable()
     gc.freeze()  # going through all tests and modules for garbage takes a fifth of the run
 
 

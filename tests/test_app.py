@@ -55,7 +55,7 @@ async def test_no_screen_sends_a_colour(pilot: Pilot[None]) -> None:
 async def test_what_is_marked_stands_out(pilot: Pilot[None]) -> None:
     await pilot.press(":", *"next")
     await pilot.pause()
-    assert [line.split() for line in marked(pilot, "underline")] == [["Next", "robot", "]"]]
+    assert [line.split() for line in marked(pilot, "underline")] == [["Next", "robot", "."]]
     assert "" in marked(pilot, "reverse")  # the cursor after what was typed
     await pilot.press("escape", "o", *"robot")
     await pilot.pause()

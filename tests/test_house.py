@@ -1,6 +1,7 @@
 """The limits that keep the code readable, and the purity that an import checker cannot see."""
 
 import ast
+import re
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
@@ -58,6 +59,11 @@ def _classes() -> Iterator[tuple[str, ast.ClassDef]]:
                 yield f"{path.relative_to(PACKAGE)}::{part.name}", part
 
 
+def _class_names() -> list[str]:
+    """The names alone: what is found without parsing everything once more."""
+    return [name for path in FILES for name in re.findall(r"^ *class (\w+)", path.read_text(), re.MULTILINE)]
+
+
 def _lines(path: Path) -> int:
     return path.read_text().count("\n")
 
@@ -75,7 +81,8 @@ def test_folders_are_small() -> None:
 
 
 def test_no_two_classes_share_a_name() -> None:
-    names = Counter(part.name for _, part in _classes())
+    names = Counter(_class_names())
+    assert len(names) > 500
     assert [name for name, count in names.items() if count > 1] == []
 
 
@@ -110,7 +117,7 @@ def test_classes_are_small_with_their_own_bases() -> None:
 
 
 def test_no_vague_names() -> None:
-    assert [name for name, _ in _classes() if name.endswith(FORBIDDEN_NAMES)] == []
+    assert [name for name in _class_names() if name.endswith(FORBIDDEN_NAMES)] == []
 
 
 def _pure_files() -> Iterator[Path]:
@@ -150,7 +157,7 @@ def test_only_the_transport_knows_roslibpy() -> None:
             for name in ("roslibpy", "autobahn")
         )
     ]
-    assert knows == ["transports/rosbridge/connection.py"]
+    assert knows == ["transports/rosbridge/library.py"]
 
 
 def test_a_kind_of_robot_is_a_folder_of_adapters() -> None:
@@ -175,7 +182,8 @@ def test_matches_over_commands_and_events_are_complete() -> None:
     open_ended = [
         f"{path.name}:{part.lineno}"
         for path in FILES
-        for part in ast.walk(ast.parse(path.read_text()))
+        if re.search(r"^ *match ", text := path.read_text(), re.MULTILINE)
+        for part in ast.walk(ast.parse(text))
         if isinstance(part, ast.Match) and _classes_of(part) & names and not _ends_in_assert_never(part)
     ]
     assert open_ended == []
@@ -196,11 +204,9 @@ def test_tests_share_what_is_in_support() -> None:
     """No test imports from another one; the benchmarks and their short form are programs of their own."""
     shared = ("tests.support", "tests.bench")
     foreign = [
-        f"{path.relative_to(ROOT)}: {part.module}"
+        f"{path.relative_to(ROOT)}: {module}"
         for path in (ROOT / "tests").rglob("*.py")
-        for part in ast.walk(ast.parse(path.read_text()))
-        if isinstance(part, ast.ImportFrom)
-        and (part.module or "").startswith("tests.")
-        and not (part.module or "").startswith(shared)
+        for module in re.findall(r"^ *from (tests\.\S+) import", path.read_text(), re.MULTILINE)
+        if not module.startswith(shared)
     ]
     assert foreign == []

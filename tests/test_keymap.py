@@ -24,8 +24,12 @@ PROMISED = {
     "next_robot": ["]"],
     "previous_robot": ["["],
     **{f"robot_{n}": [str(n)] for n in range(1, 10)},
+    "next_robot_plain": ["."],
+    "previous_robot_plain": [","],
     "next_floor": ["}"],
     "previous_floor": ["{"],
+    "next_floor_plain": [">"],
+    "previous_floor_plain": ["<"],
     "order": ["o"],
     "simple": ["s"],
     "cancel": ["x"],
@@ -36,6 +40,7 @@ PROMISED = {
     "pause": ["p"],
     "resume": ["r"],
     "pause_all": ["P"],
+    "resume_all": ["R"],
     "pause_all_anywhere": ["f12"],
     "all_orders": ["*"],
     "why": ["w"],
@@ -85,7 +90,9 @@ def test_no_promised_key_of_the_console_does_something_else() -> None:
     others = [
         key
         for key in KEYS
-        if key.id not in PROMISED and not key.pane.is_mode and key.pane not in (Pane.ROWS, Pane.DIAGNOSTICS)
+        if key.id not in PROMISED
+        and not key.pane.is_mode
+        and key.pane not in (Pane.ROWS, Pane.DIAGNOSTICS, Pane.RECORDING)
     ]
     assert [key.id for key in others if promised & set(key.keys)] == []
 
@@ -107,7 +114,7 @@ def test_a_key_is_changed_and_only_that() -> None:
     assert problems == []
     assert (chosen["order"], chosen["palette"], chosen["help"]) == (("O",), ("ctrl+k", "f5"), (",",))
     before, _ = keymap({})
-    changed = {"order", "palette", "help", "step_back"}
+    changed = {"order", "palette", "help", "step_back", "previous_robot_plain"}
     assert {id_: keys for id_, keys in chosen.items() if id_ not in changed} == {
         id_: keys for id_, keys in before.items() if id_ not in changed
     }
@@ -116,9 +123,15 @@ def test_a_key_is_changed_and_only_that() -> None:
 def test_a_recording_leaves_a_key_to_what_the_config_gives_it_to() -> None:
     chosen, problems = keymap({"pause": "space", "order": "@,O"})
     assert problems == []
-    assert (chosen["play"], chosen["go_to_time"]) == ((), ())
+    assert (chosen["play"], chosen["go_to_time"]) == ((), ("ctrl+g",))
     assert chosen["skip_on"] == (">",)
     assert keymap({"pause": "space", "play": "space"})[1] != []
+
+
+def test_a_second_key_gives_way_to_what_the_config_assigns() -> None:
+    chosen, problems = keymap({"order": "."})
+    assert (problems, chosen["next_robot_plain"], chosen["next_robot"]) == ([], (), ("]",))
+    assert keymap({"order": ".", "next_robot_plain": "."})[1] != []
 
 
 def test_two_ids_may_change_places() -> None:

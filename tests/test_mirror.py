@@ -1,6 +1,7 @@
 """Tests lie as the package lies: `<package>/test_<module>.py`, beside it `test_<module>_<aspect>.py`."""
 
 import ast
+from collections import defaultdict
 from pathlib import Path
 
 ROOT = Path(__file__).parent.parent
@@ -17,6 +18,7 @@ ACROSS = {
     "test_house.py": "the rules of the house",
     "test_mirror.py": "the rules of the tests",
     "test_packaging.py": "the wheel",
+    "test_packaging_single_file.py": "what is released beside the wheel",
     "test_soak.py": "a short form of a benchmark",
     "test_terminal_injection.py": "everything that is shown, in a real terminal",
 }
@@ -44,11 +46,13 @@ def test_every_module_has_its_test_file() -> None:
 
 
 def test_every_test_file_is_called_as_the_module_it_tests() -> None:
-    lost = []
+    lost, in_folder = [], defaultdict[str, set[str]](set)
+    for module in map(Path, MODULES):
+        in_folder[module.parent.as_posix()].add(module.stem)
     for path in TESTS.rglob("test_*.py"):
         name = path.relative_to(TESTS).as_posix()
         folder, stem = path.relative_to(TESTS).parent.as_posix(), path.stem.removeprefix("test_")
-        modules = {Path(module).stem for module in MODULES if Path(module).parent.as_posix() == folder}
+        modules = in_folder[folder]
         is_of_module = stem in modules or any(stem.startswith(f"{module}_") for module in modules)
         if not is_of_module and not name.startswith(tuple(ACROSS)):
             lost.append(name)

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from fleet_tui import __version__
 from fleet_tui.config.load import shipped
 from fleet_tui.themes import load_themes
 
@@ -62,3 +63,7 @@ def test_check_and_help_do_not_load_the_screen(tmp_path: Path) -> None:
     )
     done = run("-c", code, site=ROOT, cwd=tmp_path)
     assert "loaded []" in done.stdout
+
+
+def test_the_changelog_has_a_section_for_the_version() -> None:
+    assert f"## [{__version__}]" in (ROOT / "CHANGELOG.md").read_text()

@@ -11,7 +11,9 @@ from fleet_tui.cli.config.commands import config
 from fleet_tui.cli.duration import DurationParam
 from fleet_tui.cli.graph.commands import graph
 from fleet_tui.cli.kinds import kinds as list_kinds
+from fleet_tui.cli.manual import man
 from fleet_tui.cli.map.commands import map_group
+from fleet_tui.cli.offers import robots
 from fleet_tui.cli.options import FileName, NumberRange, common, fleet, merged, timeout
 from fleet_tui.cli.orders.commands import orders
 from fleet_tui.cli.programs.commands import programs
@@ -26,7 +28,7 @@ def headless() -> None:
     """Group of the commands, which the command line lists as its own."""
 
 
-for command in (config, graph, map_group, programs, routine, *orders.commands.values()):
+for command in (config, graph, map_group, programs, routine, man, *orders.commands.values()):
     headless.add_command(command)
 
 
@@ -63,14 +65,18 @@ def status(
 @common
 @merged
 def kinds(config_file: str | None, debug: bool, as_json: bool) -> None:
-    """List the kinds of robots with what each reports and accepts."""
+    """List the kinds of robots, their reports and commands."""
     list_kinds(as_json, click.echo)
 
 
 @headless.command()
 @click.option("--json", "as_json", is_flag=True, help="Print JSON; schema in docs/doctor.md.")
 @click.option(
-    "--robot", metavar="ROBOT", default="", help="Check only this robot, its bridge and its floors."
+    "--robot",
+    metavar="ROBOT",
+    default="",
+    shell_complete=robots,
+    help="Check only this robot, its bridge and its floors.",
 )
 @click.option(
     "--bundle", is_flag=True, help="Also pack the report, recordings, log and audit log for a ticket."
@@ -87,8 +93,8 @@ def doctor(
     bundle: bool,
     timeout: float,
 ) -> None:
-    """Check the path to the robots step by step, with a remedy for each fault. Sends no commands. Exit
-    code 0: all well, 1: faults or checks not run, 3: no link."""
+    """Find what is wrong between you and the robots. Each fault comes with its remedy. Sends no
+    commands. Exit code 0: all well, 1: faults or checks not run, 3: no link."""
     from fleet_tui.cli.chosen import chosen_to_examine
     from fleet_tui.doctor.run import doctor as run
 
@@ -123,7 +129,12 @@ def _pack(config: Config, said: list[str], as_json: bool) -> None:
 @click.option(
     "--keep", type=click.IntRange(0), help="Keep only the newest N files; 0 keeps all.", metavar="N"
 )
-@click.option("--timeout", type=NumberRange(0.1), help="Stop if there is no link after this many seconds.")
+@click.option(
+    "--timeout",
+    type=NumberRange(0.1),
+    metavar="SECONDS",
+    help="Stop if there is no link after this many seconds.",
+)
 @fleet
 @merged
 def record(
@@ -157,7 +168,9 @@ def record(
 
 @headless.command()
 @click.argument("words", nargs=-1)
-@click.option("--robot", default="", help="Show only records of this robot.")
+@click.option(
+    "--robot", metavar="ROBOT", default="", shell_complete=robots, help="Show only records of this robot."
+)
 @click.option(
     "--since",
     default="",

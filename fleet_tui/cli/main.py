@@ -4,11 +4,13 @@ Screen and simulator are imported on use: `check` works without them.
 """
 
 import gc
+from collections.abc import Mapping, Sequence
 
 import click
 
 from fleet_tui import __version__
 from fleet_tui.arriving import open_with
+from fleet_tui.cli.completion import completion
 from fleet_tui.cli.options import FileName, NearestGroup, common, fleet, merged, screen, with_url
 from fleet_tui.config.access import access_problems, unsafe_places
 from fleet_tui.config.check import missing_files
@@ -17,6 +19,26 @@ from fleet_tui.config.schema import Config
 from fleet_tui.errors import ConfigError, did_you_mean
 from fleet_tui.maps.route_graphs import load_floor_graph
 from fleet_tui.text.sanitize import sanitize
+
+SECTIONS = {
+    "Most needed": ("demo", "config", "doctor", "status", "order"),
+    "Command robots": ("cancel", "clear", "pause", "resume", "goto", "run", "programs", "routine"),
+    "Set up a site": (
+        *("check", "kinds", "map", "graph", "mapping", "set-pose", "localise", "settle"),
+        *("store-map", "store-pose-graph"),
+    ),
+    "Logs and recordings": ("audit", "record", "replay"),
+    "Other ways to use it": ("serve", "sim", "completion", "man"),
+}
+"""The headings of the help with their commands."""
+
+READ_ON = """\b
+Read on:
+  fleet-tui COMMAND --help   options and exit codes of a command
+  fleet-tui man              all commands on one page
+  ? in the console           its keys and tasks
+  docs/tutorial.md           your first robot; docs/index.md lists all guides
+"""
 
 
 class Commands(NearestGroup):
@@ -34,6 +56,10 @@ class Commands(NearestGroup):
         """Return every command's name."""
         return sorted([*self.commands, *self._others()])
 
+    def sections(self, ctx: click.Context) -> Mapping[str, Sequence[str]]:
+        """Return the commands by purpose, those a newcomer needs first."""
+        return SECTIONS
+
     def _others(self) -> dict[str, click.Command]:
         from fleet_tui.cli.commands import headless
         from fleet_tui.cli.replay import replayed
@@ -44,7 +70,11 @@ class Commands(NearestGroup):
 
 
 @click.group(
-    cls=Commands, invoke_without_command=True, context_settings={"help_option_names": ["-h", "--help"]}
+    cls=Commands,
+    invoke_without_command=True,
+    subcommand_metavar="[URL | COMMAND [ARGS]...]",
+    epilog=READ_ON,
+    context_settings={"help_option_names": ["-h", "--help"]},
 )
 @click.version_option(__version__, prog_name="fleet-tui")
 @screen
@@ -60,8 +90,10 @@ def commands(
 ) -> None:
     """Watch and command robot fleets behind a rosbridge server.
 
-    Without a command it opens the console. `fleet-tui ws://HOST:9090` discovers the fleet at that
-    address, without a configuration. `fleet-tui demo` opens a simulated fleet.
+    \b
+    fleet-tui                   open the console on the configuration found
+    fleet-tui ws://HOST:9090    find the robots behind this rosbridge and open
+    fleet-tui demo              no robots at hand: open a simulated fleet
     """
     if ctx.invoked_subcommand is None:
         gc.disable()  # until the first paint: collecting while so much is imported takes 80 ms
@@ -85,6 +117,9 @@ def check(config_file: str | None, debug: bool, file: str | None) -> None:
     robots, floors = len(config.robots), len(config.floors)
     counts = f"{robots} robot{'s' * (robots != 1)}, {floors} floor{'s' * (floors != 1)}"
     click.echo(f"{sanitize(str(path))}: valid: {counts}")
+
+
+commands.add_command(completion)
 
 
 def _graph_problems(config: Config) -> list[str]:

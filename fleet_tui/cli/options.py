@@ -1,7 +1,7 @@
 """Options shared by all commands, before or after the command's name."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from functools import wraps
 from typing import Any, TypeVar
 
@@ -13,15 +13,35 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 
 class NearestGroup(click.Group):
-    """Suggests the nearest command for an unknown one."""
+    """Suggests the nearest command for an unknown one; its help lists the commands before the options."""
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """Return the command, or suggest one."""
-        if self.get_command(ctx, args[0]) is None and not args[0].startswith("-"):
+        is_unknown = self.get_command(ctx, args[0]) is None and not args[0].startswith("-")
+        if is_unknown and not ctx.resilient_parsing:
             ctx.fail(f"unknown command {args[0]!r}{did_you_mean(args[0], self.list_commands(ctx))}")
         return super().resolve_command(ctx, args)
+
+    def sections(self, ctx: click.Context) -> Mapping[str, Sequence[str]]:
+        """Return the names of the commands under the headings of the help."""
+        return {"Commands": self.list_commands(ctx)}
+
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write the commands, each with its whole summary, then the options."""
+        sections = self.sections(ctx)
+        width = max(len(name) for names in sections.values() for name in names)
+        for heading, names in sections.items():
+            rows = [(name.ljust(width), _summary(self.get_command(ctx, name))) for name in names]
+            with formatter.section(heading):
+                formatter.write_dl(rows)
+        click.Command.format_options(self, ctx, formatter)
+
+
+def _summary(command: click.Command | None) -> str:
+    """Return the first sentence of a command's help."""
+    return command.get_short_help_str(limit=200) if command else ""
 
 
 class FileName(click.Path):
@@ -36,6 +56,8 @@ class FileName(click.Path):
 
 class NumberRange(click.FloatRange):
     """A number within limits."""
+
+    name = "number"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         """Parse the typed text: `nan` is beyond no limit, and `inf` not beyond a missing one."""
@@ -99,8 +121,9 @@ def screen(command: F) -> F:
 def timeout(seconds: float) -> Callable[[F], F]:
     """Add the maximum duration of a command."""
     limits = NumberRange(0.1, 3600)
+    text = "Maximum seconds to wait."
     return click.option(
-        "--timeout", type=limits, default=seconds, show_default=True, help="Maximum seconds to wait."
+        "--timeout", type=limits, metavar="SECONDS", default=seconds, show_default=True, help=text
     )
 
 

@@ -29,6 +29,7 @@ def replayed() -> None:
 @click.option(
     "--speed",
     type=NumberRange(0.25, 64),
+    metavar="X",
     default=1.0,
     show_default=True,
     help="Play at this multiple of the recorded speed.",

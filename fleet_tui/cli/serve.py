@@ -19,11 +19,14 @@ def served() -> None:
 @click.option(
     "--port",
     type=click.IntRange(0, 65535),
+    metavar="PORT",
     default=8000,
     show_default=True,
     help="Listen on this port; 0 picks a free one.",
 )
-@click.option("--host", default="127.0.0.1", show_default=True, help="Listen on this address.")
+@click.option(
+    "--host", metavar="ADDRESS", default="127.0.0.1", show_default=True, help="Listen on this address."
+)
 @click.option("--allow-commands", is_flag=True, help="Allow commands; by default the console is read-only.")
 @click.option("--demo", is_flag=True, help="Serve a separate simulated fleet in each tab.")
 @drawing_mode
@@ -39,7 +42,7 @@ def serve(
     demo: bool,
     drawing: str | None,
 ) -> None:
-    """Serve the console to web browsers, by default read-only and only on this machine."""
+    """Serve the console to web browsers. By default read-only, and only on this machine."""
     command = [sys.executable, "-m", "fleet_tui", *(["demo"] if demo else [])]
     command += _address(url, config_file, demo, allow_commands, debug) if url else _file(config_file, demo)
     command += [] if allow_commands else ["--read-only"]

@@ -8,6 +8,8 @@ from typing import Any, TypeVar
 
 import click
 
+from fleet_tui.cli.fault_option import ALL_FAULTS, USUAL, fault_option
+from fleet_tui.cli.offers import one_of
 from fleet_tui.cli.options import NumberRange, common, merged, screen
 from fleet_tui.config.load import load_if_any
 from fleet_tui.demo import demo_config
@@ -19,28 +21,8 @@ from fleet_tui.simulator.site import MIXED, faults_of, needs_graph_files, site_o
 
 F = TypeVar("F", bound=Callable[..., Any])
 
-
-def _fault_list(kind: str) -> str:
-    return "\n".join(f"  {name:<16} {text}" for name, (text, _) in KINDS[kind].faults.items())
-
-
-USUAL = next(iter(KINDS))
-FAULT_LIST = "\b\nFaults:\n" + _fault_list(USUAL)
 WORDS = (*KINDS, MIXED)
 LAST_PORT = 65535
-ALL_FAULTS = FAULT_LIST + "".join(
-    f"\n\n\b\nFaults of --kind {kind}:\n{_fault_list(kind)}" for kind in KINDS if kind != USUAL
-)
-
-
-def _faults(command: F) -> F:
-    """Add `--fault`."""
-    return click.option(
-        "--fault",
-        default="",
-        metavar="NAME[:ROBOT],...",
-        help="Simulate these faults, of all robots or of one; see below.",
-    )(command)
 
 
 def _simulation(command: F) -> F:
@@ -48,11 +30,12 @@ def _simulation(command: F) -> F:
     speed = click.option(
         "--speed",
         type=NumberRange(0.1, 100.0),
+        metavar="X",
         default=1.0,
         show_default=True,
         help="Run the simulated time this many times as fast; message rates stay the same.",
     )
-    return speed(_faults(command))
+    return speed(fault_option(command))
 
 
 def _ros(command: F) -> F:
@@ -95,6 +78,7 @@ def _kind(command: F) -> F:
         default=USUAL,
         callback=_known_kind,
         metavar="|".join(WORDS),
+        shell_complete=one_of(WORDS),
         show_default=True,
         help=f"Simulate robots of this kind; {MIXED}: all kinds in turn, on two bridges.",
     )(command)
@@ -111,10 +95,24 @@ def _check(kind: str, robots: int, ros: str | None) -> None:
         raise click.UsageError(f"kind {kind} runs on ROS {' and '.join(KINDS[kind].ros)} only")
 
 
-@simulated.command(epilog=ALL_FAULTS)
+@simulated.command(epilog="`fleet-tui sim --help` lists the faults.")
 @_kind
-@click.option("--robots", type=click.IntRange(1, 500), default=3, show_default=True, help="Number of robots.")
-@click.option("--floors", type=click.IntRange(1, 20), default=2, show_default=True, help="Number of floors.")
+@click.option(
+    "--robots",
+    type=click.IntRange(1, 500),
+    metavar="N",
+    default=3,
+    show_default=True,
+    help="Number of robots.",
+)
+@click.option(
+    "--floors",
+    type=click.IntRange(1, 20),
+    metavar="N",
+    default=2,
+    show_default=True,
+    help="Number of floors.",
+)
 @_ros
 @_simulation
 @screen
@@ -149,11 +147,26 @@ def demo(
 
 @simulated.command(epilog=ALL_FAULTS)
 @_kind
-@click.option("--robots", type=click.IntRange(1, 500), default=3, show_default=True, help="Number of robots.")
-@click.option("--floors", type=click.IntRange(1, 20), default=2, show_default=True, help="Number of floors.")
+@click.option(
+    "--robots",
+    type=click.IntRange(1, 500),
+    metavar="N",
+    default=3,
+    show_default=True,
+    help="Number of robots.",
+)
+@click.option(
+    "--floors",
+    type=click.IntRange(1, 20),
+    metavar="N",
+    default=2,
+    show_default=True,
+    help="Number of floors.",
+)
 @click.option(
     "--port",
     type=click.IntRange(0, LAST_PORT),
+    metavar="PORT",
     default=9090,
     show_default=True,
     help=f"Listen on this port; 0 picks a free one. A {MIXED} fleet also takes the next port.",
@@ -161,15 +174,19 @@ def demo(
 @click.option(
     "--rate",
     type=NumberRange(0.1, 100),
+    metavar="HZ",
     default=10.0,
     show_default=True,
     help="Poses per second and robot.",
 )
-@click.option("--seed", type=int, default=1, show_default=True, help="Seed of the random numbers.")
+@click.option(
+    "--seed", type=int, metavar="N", default=1, show_default=True, help="Seed of the random numbers."
+)
 @click.option("--stop-with-stdin", is_flag=True, hidden=True)
 @click.option(
     "--first",
     type=click.IntRange(0, 9999),
+    metavar="N",
     default=0,
     show_default=True,
     help="Number in the first robot's name.",

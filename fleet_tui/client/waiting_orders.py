@@ -128,10 +128,12 @@ class WaitingOrders:
             if late:
                 self._stopped |= late
                 self._resend(pause.command)
+        # Until an order that leaves is sent, no other one may overtake it: it may be moved up just now.
+        busy = {record.command.robot for record in state.commands if record.id in self._leaving}
         for robot in state.robots.values():
-            if robot.kind.keeps_goals:
+            if robot.kind.keeps_goals and robot.name not in busy:
                 record = next_to_send(state, robot)
-                if record is not None and record.id not in self._leaving:
+                if record is not None:
                     self._leaving.add(record.id)
                     self._send(record.id, given_now(record.command, robot.kind, record.leg), now)
 

@@ -2,7 +2,7 @@
 
 import math
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from functools import partial
 
 from fleet_tui.backend import Backend
@@ -54,7 +54,11 @@ class AlarmResponses:
         return not problem
 
     def acknowledge(self) -> None:
-        """Acknowledge the alarm under the cursor, and go to the next: the row moves down."""
+        """Acknowledge the marked alarms, else the one under the cursor, and go to the next: the row moves
+        down."""
+        if marks := list(self._pane.listing.marks.values()):
+            self._acknowledge_marked(marks)
+            return
         key, fresh = self._pane.listing.cursor, unacknowledged(self._store.state)
         if not isinstance(key, tuple):
             return
@@ -65,6 +69,12 @@ class AlarmResponses:
         if key in fresh and len(fresh) > 1:
             following = [*fresh[fresh.index(key) + 1 :], *fresh]
             self._pane.listing.cursor = following[0]
+
+    def _acknowledge_marked(self, marks: Sequence[Hashable]) -> None:
+        self._pane.listing.marks.clear()
+        keys = [key for key in unacknowledged(self._store.state) if key in marks]
+        if all(self._post(AlarmAcknowledged(*key)) for key in keys):
+            self._notices.say(f"acknowledged: {len(keys)} alarm{'s' * (len(keys) != 1)}")
 
     def _acknowledge(self, key: Key) -> None:
         fresh = key in unacknowledged(self._store.state)

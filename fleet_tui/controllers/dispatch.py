@@ -10,6 +10,7 @@ from fleet_tui.backend import Backend
 from fleet_tui.controllers.notices import Notices
 from fleet_tui.controllers.startup_requests import StartupRequests
 from fleet_tui.model.commands import Command
+from fleet_tui.model.events import Event
 from fleet_tui.model.problem import Permissions, Problem
 from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.checks import SAME_WITHIN, acceptable, problems, repeated
@@ -49,20 +50,31 @@ class Dispatch:
             return "not here: this console is read-only"
         return self._refusal()
 
-    def _problems(self, request: Request) -> list[Problem]:
+    def objections(self, request: Request) -> list[Problem]:
+        """Return what speaks against a request, errors first."""
         found = problems(self._store.state, request, self.permissions)
         return [*repeated(request, self.given, time.monotonic()), *found]
 
+    def objection(self, request: Request) -> str:
+        """Return the reason not to send a request, warnings aside; empty if it may be sent."""
+        wrong = [problem.text for problem in self.objections(request) if problem.blocks]
+        return self._backend.refusal or (f"not sent: {sanitize(wrong[0])}" if wrong else "")
+
     def give(
-        self, request: Request, sent: Callable[[], None] = lambda: None, prepare: Prepare | None = None
+        self,
+        request: Request,
+        sent: Callable[[], None] = lambda: None,
+        prepare: Prepare | None = None,
+        asks: bool = False,
     ) -> str:
-        """Send a request, after a question if something is lost or has a warning; `sent` is called when it
-        was sent, or waits for the first connection, `prepare` just before: such a request never waits.
+        """Send a request, after a question if something is lost or has a warning, or always (`asks`); `sent`
+        is called when it was sent, or waits for the first connection, `prepare` just before. One with
+        `prepare` or `asks` never waits.
         Returns the reason not to send it, empty if it was sent or the question is open."""
         if self._backend.refusal:
             return self._backend.refusal
-        if prepare is not None:
-            return self._give_now(request, sent, prepare)
+        if prepare is not None or asks:
+            return self._give_now(request, sent, prepare, asks)
         request, left_out = acceptable(self._store.state, request)
         problem = self._give_able(request, sent)
         if left_out and not problem:
@@ -87,27 +99,35 @@ class Dispatch:
         """Send the requests that waited for the link, once it is up."""
         self._startup.release(self._store.state, time.monotonic())
 
-    def _give_now(self, request: Request, sent: Callable[[], None], prepare: Prepare | None = None) -> str:
-        found = self._problems(request)
-        for problem in found:
-            if problem.blocks:
-                return f"not sent: {sanitize(problem.text)}"
-        if found or any(losses(self._store.state, request)):
+    def _give_now(
+        self,
+        request: Request,
+        sent: Callable[[], None],
+        prepare: Prepare | None = None,
+        asks: bool = False,
+    ) -> str:
+        if problem := self.objection(request):
+            return problem
+        found = self.objections(request)
+        if asks or found or any(losses(self._store.state, request)):
             self._ask(
-                lambda: question(self._store.state, request, self._problems(request)),
+                lambda: question(self._store.state, request, self.objections(request)),
                 partial(self._send_after_all, request, sent, prepare),
             )
-        else:
-            self._send(request, sent, prepare)
+        elif problem := self._send(request, sent, prepare):
+            self._notices.say(problem)
         return ""
 
     def _send_after_all(self, request: Request, sent: Callable[[], None], prepare: Prepare | None) -> None:
-        """Send a confirmed request, checked again: the fleet may have changed during the question."""
-        wrong = [problem.text for problem in self._problems(request) if problem.blocks]
-        if wrong:
-            self._notices.say(f"not sent: {sanitize(wrong[0])}")
-        else:
-            self._send(request, sent, prepare)
+        if problem := self.send_confirmed(request, sent, prepare):
+            self._notices.say(problem)
+
+    def send_confirmed(
+        self, request: Request, sent: Callable[[], None] = lambda: None, prepare: Prepare | None = None
+    ) -> str:
+        """Send a confirmed request, checked again: the fleet may have changed during the question. Returns
+        the reason that it, or a part of it, was not sent."""
+        return self.objection(request) or self._send(request, sent, prepare)
 
     def _refusal(self) -> str:
         """Return the reason to send nothing now. Checked last, for each command: the checks let pauses
@@ -116,17 +136,17 @@ class Dispatch:
             return self._backend.refusal
         return "not sent: this console is not armed: use Arm in the palette (:)"
 
-    def _send(self, request: Request, sent: Callable[[], None], prepare: Prepare | None) -> None:
+    def _send(self, request: Request, sent: Callable[[], None], prepare: Prepare | None) -> str:
         if prepare is not None and (problem := self._refusal() or prepare()):
-            self._notices.say(problem)
-            return
+            return problem
+        problem = ""
         for command in request.commands:
-            if problem := self._refusal() or self._backend.submit(command):
-                self._notices.say(problem)
+            problem = self._refusal() or self._backend.submit(command) or problem
         now = time.monotonic()
         recent = {given: at for given, at in self.given.items() if now - at < SAME_WITHIN}
         self.given = {**recent, request.commands: now}
         sent()
+        return problem
 
     def give_unasked(self, request: Request) -> list[Problem]:
         """Send a request without a question. Returns the objections, warnings included, errors first; empty
@@ -138,7 +158,12 @@ class Dispatch:
         unsent = [reason for command in request.commands if (reason := self._backend.submit(command))]
         return [Problem("no link", reason) for reason in unsent]
 
-    def do(self, request: Request, prepare: Prepare | None = None) -> None:
+    def post(self, event: Event) -> None:
+        """Apply an operator's change of this console's own queue, or show the reason not to."""
+        if problem := self.set_up_refusal() or self._backend.post(event):
+            self._notices.say(problem)
+
+    def do(self, request: Request, prepare: Prepare | None = None, asks: bool = False) -> None:
         """Send a request, or show the reason not to."""
-        if problem := self.give(request, prepare=prepare):
+        if problem := self.give(request, prepare=prepare, asks=asks):
             self._notices.say(problem)

@@ -11,9 +11,8 @@ from fleet_tui.controllers.save import SaveCommand
 from fleet_tui.controllers.session import ConsoleSession
 from fleet_tui.controllers.settings import ConsoleSettings
 from fleet_tui.controllers.typed import Typed, typed
-from fleet_tui.keys import KEYS, Key, Pane
+from fleet_tui.keys import KEYS, Key, Pane, outdone
 from fleet_tui.keys.key import key_name
-from fleet_tui.rules.language.grammar import parse
 from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.hints import hidden_keys
@@ -48,16 +47,12 @@ class Offers:
         """Return every entry of the palette."""
         state, navigation = self._store.state, self._navigation
         hidden = hidden_keys(state, navigation.robot)
+        hidden |= {key.id for key in KEYS if not self._session.offers(key)}
+        hidden |= outdone(self._settings.keys, hidden)
         for key in KEYS:
             if key.in_palette and key.pane in (*self._session.panes, Pane.ANYWHERE) and key.id not in hidden:
                 shown = "".join(map(key_name, self._settings.keys[key.id][:1]))
                 yield Offer(key.text, partial(self._run, key), shown)
-        if "resume" not in hidden:
-            # It has no key of its own: it is rarely wanted in a hurry.
-            yield Offer(
-                "Resume all robots",
-                partial(self._dispatch.do, parse("resume all", state, navigation.robot)),
-            )
         for name in state.robots:
             yield Offer(f"Go to robot {name}", partial(navigation.find_robot, name), name=name)
         for floor in state.floors:

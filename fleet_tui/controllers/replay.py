@@ -4,7 +4,7 @@ import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from fleet_tui.actions import PlayerActions
+from fleet_tui.actions.panes import PlayerActions
 from fleet_tui.controllers.session import Headline, SessionParts
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.errors import FleetError

@@ -5,10 +5,12 @@ from functools import partial
 
 from fleet_tui.controllers.dispatch import Dispatch
 from fleet_tui.controllers.navigation import Navigation
-from fleet_tui.controllers.orders import OrderRequests
+from fleet_tui.controllers.notices import Notices
+from fleet_tui.controllers.ordering.orders import OrderRequests
+from fleet_tui.controllers.tables.marked import MarkedCommands
 from fleet_tui.controllers.typed import Entry, OpenMenu
 from fleet_tui.model import kind
-from fleet_tui.model.commands import PauseRobot, ResumeRobot
+from fleet_tui.model.commands import ClearOrders, PauseRobot, ResumeRobot
 from fleet_tui.model.request import Request
 from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
@@ -22,27 +24,41 @@ class RobotRequests:
         self,
         store: Store,
         dispatch: Dispatch,
+        notices: Notices,
         navigation: Navigation,
         orders: OrderRequests,
         open_menu: OpenMenu,
         why: Callable[[], None],
         alarm_menu: Callable[[str, str], None],
+        marked: MarkedCommands,
     ) -> None:
-        self._store, self._dispatch, self._navigation = store, dispatch, navigation
+        self._store, self._dispatch, self._notices = store, dispatch, notices
+        self._navigation = navigation
         self._orders, self._open_menu, self._why = orders, open_menu, why
-        self._alarm_menu = alarm_menu
+        self._alarm_menu, self._marked = alarm_menu, marked
 
     def pause(self) -> None:
-        """Pause the selected robot, at once."""
-        self._dispatch.do(Request((PauseRobot(self._navigation.robot),)))
+        """Pause the selected robot, or all marked ones, at once."""
+        self._marked.do(self._navigation.robot, PauseRobot)
 
     def resume(self) -> None:
-        """Resume the selected robot, at once."""
-        self._dispatch.do(Request((ResumeRobot(self._navigation.robot),)))
+        """Resume the selected robot at once, or all marked ones after asking."""
+        self._marked.do(self._navigation.robot, ResumeRobot)
 
     def pause_all(self) -> None:
         """Pause every robot, at once."""
         self._dispatch.do(Request(tuple(map(PauseRobot, self._store.state.robots))))
+
+    def resume_all(self) -> None:
+        """Resume every robot that is paused, after a question."""
+        state = self._store.state
+        heard = filter(state.is_online, state.robots.values())
+        able = [robot for robot in heard if robot.kind.can(kind.RESUME)]
+        paused = tuple(ResumeRobot(robot.name) for robot in able if state.is_paused(robot))
+        if paused:
+            self._dispatch.do(Request(paused), asks=True)
+        else:
+            self._notices.say("no robot is paused")
 
     def menu(self, robot: str) -> None:
         """List the actions for a robot."""
@@ -50,9 +66,9 @@ class RobotRequests:
         fault = known.last_fault
         asked = (
             ("Order", kind.ORDER, self._orders.start),
-            ("Pause", kind.PAUSE, self.pause),
-            ("Resume", kind.RESUME, self.resume),
-            ("Clear all orders", kind.CLEAR, self._orders.clear),
+            ("Pause", kind.PAUSE, partial(self._dispatch.do, Request((PauseRobot(robot),)))),
+            ("Resume", kind.RESUME, partial(self._dispatch.do, Request((ResumeRobot(robot),)))),
+            ("Clear all orders", kind.CLEAR, partial(self._dispatch.do, Request((ClearOrders(robot),)))),
         )
         self._open_menu(
             f"{robot}: {sanitize(fault)}" if fault else robot,

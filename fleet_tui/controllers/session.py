@@ -4,7 +4,7 @@ import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
-from fleet_tui.actions import PlayerActions
+from fleet_tui.actions.panes import PlayerActions
 from fleet_tui.controllers.dispatch import Dispatch
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.notices import Notices

@@ -1,6 +1,6 @@
 """Every key of the console in one table, the source of bindings, help, palette, footer and config check."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import Any
 
 from fleet_tui.keys.console import CONSOLE
@@ -12,10 +12,23 @@ from fleet_tui.keys.map import MAP
 from fleet_tui.keys.place import PLACE
 from fleet_tui.keys.recording import RECORDING
 from fleet_tui.keys.rows import ROWS
+from fleet_tui.keys.tables import TABLES
 
-__all__ = ["BY_ID", "DIAGNOSTICS", "KEYS", "LISTS", "PAGES", "ROWS", "Key", "Pane", "by_id", "overruled"]
+__all__ = [
+    "BY_ID",
+    "DIAGNOSTICS",
+    "KEYS",
+    "LISTS",
+    "PAGES",
+    "ROWS",
+    "Key",
+    "Pane",
+    "by_id",
+    "outdone",
+    "overruled",
+]
 
-KEYS: tuple[Key[Any], ...] = (*CONSOLE, *RECORDING, *MAP, *PLACE, *EDIT, *DRIVE, *DIAGNOSTICS, *ROWS)
+KEYS: tuple[Key[Any], ...] = (*CONSOLE, *TABLES, *RECORDING, *MAP, *PLACE, *EDIT, *DRIVE, *DIAGNOSTICS, *ROWS)
 BY_ID = {key.id: key for key in KEYS}
 
 
@@ -26,3 +39,10 @@ def overruled(chosen: Mapping[str, tuple[str, ...]], mode: Pane) -> frozenset[st
         return frozenset(one.id for one in KEYS if one.pane is not mode and one.id not in PASSES)
     taken = {key for one in KEYS if one.pane is mode for key in chosen[one.id]}
     return frozenset(one.id for one in KEYS if one.eager and taken & {*chosen[one.id]})
+
+
+def outdone(chosen: Mapping[str, tuple[str, ...]], hidden: Collection[str]) -> frozenset[str]:
+    """Return the ids of the keys that are not named, since another one that is offered has their action."""
+    return frozenset(
+        key.instead_of for key in KEYS if key.instead_of and chosen[key.id] and key.id not in hidden
+    )

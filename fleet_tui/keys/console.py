@@ -2,6 +2,7 @@
 
 from fleet_tui.actions import Actions
 from fleet_tui.keys.key import LISTS, Key, Pane
+from fleet_tui.keys.plain import PLAIN
 from fleet_tui.keys.tools import TOOLS
 
 
@@ -100,11 +101,23 @@ CONSOLE: tuple[Key[Actions], ...] = (
         in_palette=False,
     ),
     Key(
+        "resume_all",
+        ("R",),
+        lambda do: do.commands.resume_all(),
+        "Resume all paused robots (asks first)",
+        hint="resume all",
+        needs="resume",
+        commands=True,
+        of_any=True,
+        helps="stays",
+    ),
+    Key(
         "why",
         ("w",),
         lambda do: do.view.why(),
         "Explain why the selected robot is not moving",
         hint="why",
+        helps="leaves",
     ),
     Key(
         "next_trouble",
@@ -114,6 +127,13 @@ CONSOLE: tuple[Key[Actions], ...] = (
         hint="alarm",
         eager="selects",
         helps="stays",
+    ),
+    Key(
+        "acknowledge",
+        ("a",),
+        lambda do: do.alarms.acknowledge(),
+        "Acknowledge the alarm under the cursor",
+        hint="ack",
     ),
     Key(
         "cancel",
@@ -126,13 +146,6 @@ CONSOLE: tuple[Key[Actions], ...] = (
         helps="leaves",
     ),
     Key(
-        "acknowledge",
-        ("a",),
-        lambda do: do.alarms.acknowledge(),
-        "Acknowledge the alarm under the cursor",
-        hint="ack",
-    ),
-    Key(
         "clear",
         ("X",),
         lambda do: do.commands.clear(),
@@ -140,6 +153,15 @@ CONSOLE: tuple[Key[Actions], ...] = (
         hint="clear",
         needs="clear",
         commands=True,
+        helps="leaves",
+    ),
+    Key(
+        "robot_page",
+        ("i",),
+        lambda do: do.view.robot_page(),
+        "Open the robot's page: values and ages, battery curve, route, orders, alarms",
+        hint="page",
+        eager="opens",
         helps="leaves",
     ),
     Key(
@@ -168,6 +190,7 @@ CONSOLE: tuple[Key[Actions], ...] = (
         eager="selects",
         helps="stays",
     ),
+    *PLAIN,
     *map(_robot, range(1, 10)),
     Key("next_floor", ("}",), lambda do: do.view.step_floor(1), "Next floor", hint="floor", eager="selects"),
     Key("previous_floor", ("{",), lambda do: do.view.step_floor(-1), "Previous floor", eager="selects"),

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from msgspec import Struct
 
-from fleet_tui.actions import DiagnosticsActions
+from fleet_tui.actions.panes import DiagnosticsActions
 from fleet_tui.keys.key import Key, Pane
 
 

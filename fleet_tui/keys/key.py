@@ -65,6 +65,9 @@ class Key(Struct, Generic[Doer], frozen=True):
     the object for that."""
     helps: Literal["", "stays", "leaves"] = ""
     """Works while the reasons (`why`) are shown, which stay or are closed."""
+    instead_of: str = ""
+    """The id of a key with the same action, which needs AltGr on some keyboards: footer, help and palette
+    name this one. It gives way to a key that the config assigns."""
     always: bool = False
     """Shown at the right end of the footer."""
     in_palette: bool = True
@@ -72,11 +75,13 @@ class Key(Struct, Generic[Doer], frozen=True):
     """Disabled while a recording is played."""
     of_map: bool = False
     """A key of the map that works from every pane."""
+    of_rows: bool = False
+    """A key of the tables that works from every pane."""
 
     @property
     def section(self) -> Pane:
         """Return the section of help that lists it."""
-        return Pane.MAP if self.of_map else self.pane
+        return Pane.MAP if self.of_map else Pane.ROWS if self.of_rows else self.pane
 
 
 _NAMES = {"escape": "Esc", "pageup": "PgUp", "pagedown": "PgDn"}

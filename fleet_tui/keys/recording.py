@@ -2,7 +2,8 @@
 
 from collections.abc import Callable
 
-from fleet_tui.actions import Actions, PlayerActions
+from fleet_tui.actions import Actions
+from fleet_tui.actions.panes import PlayerActions
 from fleet_tui.keys.key import Key, Pane
 
 
@@ -27,7 +28,7 @@ RECORDING: tuple[Key[Actions], ...] = (
     _player("usual_speed", "backspace", lambda player: player.change_speed(0), "Play at original speed"),
     Key(
         "go_to_time",
-        ("@",),
+        ("@", "ctrl+g"),
         lambda do: do.view.go_to_time(),
         "Go to a time: 12:04:31, or +1m30s from the start",
         pane=Pane.RECORDING,

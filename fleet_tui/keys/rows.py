@@ -1,6 +1,6 @@
 """Keys of every pane of rows: fleet, alarms, queue, diagnostics."""
 
-from fleet_tui.actions import RowActions
+from fleet_tui.actions.panes import RowActions
 from fleet_tui.keys.key import Key, Pane
 
 ROWS: tuple[Key[RowActions], ...] = (

@@ -100,8 +100,8 @@ ORDER_ENDS = frozenset(
 
 NEXT: Mapping[Stage, frozenset[Stage]] = {
     Stage.CHECKED: frozenset({Stage.SENT, Stage.NOT_SENT, Stage.WAITING}),
-    # An order that this console keeps until the robot is free for it.
-    Stage.WAITING: frozenset({Stage.SENT, Stage.NOT_SENT, Stage.CANCELLED}),
+    # An order that this console keeps until the robot is free for it; it may be moved in its queue.
+    Stage.WAITING: frozenset({Stage.WAITING, Stage.SENT, Stage.NOT_SENT, Stage.CANCELLED}),
     Stage.SENT: frozenset({Stage.ACCEPTED, Stage.REFUSED, Stage.NO_ANSWER, Stage.UNKNOWN}),
     Stage.ACCEPTED: _SEEN,
     # An answer may be late; the link may go down meanwhile.
@@ -174,7 +174,7 @@ class CommandRecord(Struct, frozen=True):
     `order_serial` identify the order in the robot's queue that it placed; `name` is the name that this
     console gave it on the wire, empty if the robot names it. `leg` is the stop that it leads to now, for
     orders whose stops this console sends one by one. `answer`: the robot's answer to this console on the
-    end of a goal."""
+    end of a goal. `turn` sorts the orders that wait here, None: by `issued_at`."""
 
     id: int
     command: Command
@@ -187,6 +187,7 @@ class CommandRecord(Struct, frozen=True):
     answer: Step | None = None
     name: str = ""
     leg: int = 0
+    turn: float | None = None
 
     @property
     def stage(self) -> Stage:

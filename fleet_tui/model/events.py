@@ -9,7 +9,7 @@ from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.link import CommandPath, Phase
-from fleet_tui.model.navigation_events import GoalAnswered, Navigation, QueueHeld
+from fleet_tui.model.navigation_events import GoalAnswered, Navigation, QueueChange
 from fleet_tui.model.order import OrderQueue
 
 
@@ -242,7 +242,7 @@ Event = (
     | CommandIssued
     | CommandAdvanced
     | GoalAnswered
-    | QueueHeld
+    | QueueChange
     | AlarmAcknowledged
     | AlarmShelved
     | AlarmUnshelved

@@ -66,6 +66,22 @@ class RouteGraph(Struct, frozen=True, dict=True):
             return ()
         return shortest_path(self.neighbours, start, end)
 
+    def metres_to(self, ends: Iterable[str]) -> Mapping[str, float]:
+        """Return, for each vertex id from which a path leads to one of these, the metres to the nearest."""
+        back: dict[str, list[tuple[str, float]]] = {id_: [] for id_ in self.vertices}
+        for vertex, ways in self.neighbours.items():
+            for neighbour, length in ways:
+                back[neighbour].append((vertex, length))
+        metres = {end: 0.0 for end in ends if end in self.vertices}
+        queue = [(0.0, end) for end in metres]
+        while queue:
+            so_far, vertex = heapq.heappop(queue)
+            for neighbour, length in back[vertex]:
+                if so_far + length < metres.get(neighbour, math.inf):
+                    metres[neighbour] = so_far + length
+                    heapq.heappush(queue, (so_far + length, neighbour))
+        return metres
+
 
 def shortest_path(neighbours: Mapping[Id, Iterable[tuple[Id, float]]], start: Id, end: Id) -> tuple[Id, ...]:
     """Return the shortest path over `neighbours` (each with the metres to it), both ends included; empty if

@@ -127,6 +127,16 @@ class QueueHeld(Struct, frozen=True, tag=True):
     reason: str
 
 
+class OrderMoved(Struct, frozen=True, tag=True):
+    """The operator moved an order that waits here before another one, at the end if `before` is empty."""
+
+    robot: str
+    order_id: str
+    before: str
+    at: float
+
+
+QueueChange = QueueHeld | OrderMoved
 GoalFact = GoalsReported | GoalsUnknown | PlanReported | TargetReported
 Navigation = (
     OdometryReported

@@ -14,7 +14,7 @@ from fleet_tui.config.fleet import adapters_of
 from fleet_tui.config.schema import Config
 from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.navigation_events import GoalAnswered, Navigation, QueueHeld
+from fleet_tui.model.navigation_events import GoalAnswered, Navigation, QueueChange
 from fleet_tui.recording.gzip_members import Lines, open_plain
 from fleet_tui.recording.records import (
     EventRecord,
@@ -28,6 +28,10 @@ from fleet_tui.recording.records import (
     SentFrame,
     decode,
 )
+
+_OfRobot = (
+    events.Telemetry | Navigation | events.MapFactReceived | QueueChange
+)  # made once, not for every record
 
 LAST_SECOND = 253_402_300_799.0
 """Unix time at the end of the year 9999."""
@@ -166,7 +170,7 @@ class _Names(NamedTuple):
 
     def _has(self, event: events.Event) -> bool:
         """Tell whether all names of an event exist. Reports of other robots are skipped."""
-        if isinstance(event, events.Telemetry | Navigation | events.MapFactReceived):
+        if isinstance(event, _OfRobot):
             return True
         match event:
             case (
@@ -185,7 +189,6 @@ class _Names(NamedTuple):
                 events.MessageRejected()
                 | events.CommandAdvanced()
                 | GoalAnswered()
-                | QueueHeld()
                 | events.AlarmAcknowledged()
                 | events.AlarmShelved()
                 | events.AlarmUnshelved()

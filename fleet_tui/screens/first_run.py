@@ -63,7 +63,8 @@ class FirstRun(RowsScreen):
         self.action_ask()
 
     def rows(self, width: int, height: int) -> Rows:
-        """Return the searched paths, and the result at the address."""
+        """Return the searched paths, and the result at the address. Enter is offered if it does something."""
+        self._keys = KEYS if self._site is not None else KEYS[1:]
         return first_run_rows(self._places, self._asked, width, height)
 
     def action_ask(self) -> None:

@@ -18,6 +18,7 @@ from fleet_tui.actions import (
 )
 from fleet_tui.controllers.incident import Cancelled, IncidentPacking
 from fleet_tui.controllers.recording import RecordingSwitch
+from fleet_tui.keys import KEYS
 from fleet_tui.rules.alarms.trouble import next_in_trouble
 from fleet_tui.rules.marks import marks_of
 from fleet_tui.screens.driving import after_a_drive, drive_actions
@@ -42,9 +43,11 @@ def key_actions(screen: "MainScreen", rest: "Rest") -> Actions:
             pause=rest.robots.pause,
             resume=rest.robots.resume,
             pause_all=after_a_drive(rest, "pause all", rest.robots.pause_all),
+            resume_all=rest.robots.resume_all,
             arm=screen.dispatch.arm,
         ),
         view=_view_actions(screen, rest),
+        rows=rest.tables.actions,
         files=_file_actions(screen, rest),
         alarms=AlarmActions(rest.alarms.acknowledge, rest.alarms.acknowledge_all, rest.alarms.marked_menu),
         map=rest.map_controls,
@@ -69,8 +72,10 @@ def _app_actions(screen: "MainScreen", rest: "Rest") -> AppActions:
 
 
 def _back(screen: "MainScreen", rest: "Rest") -> None:
-    """Go one level back: give an enlarged pane its own place again, close the camera, end the map's mode,
-    focus the map. A draft is left on the map alone."""
+    """Go one level back: clear a filter or marks, give an enlarged pane its own place again, close the
+    camera, end the map's mode, focus the map. A draft is left on the map alone."""
+    if rest.tables.back():
+        return
     if screen.panes.is_enlarged:
         screen.panes.enlarge()
         return
@@ -90,7 +95,7 @@ def _view_actions(screen: "MainScreen", rest: "Rest") -> ViewActions:
         state, robot = screen.store.state, navigation.robot
         look = rest.map.picture.options
         kind, terminal = state.robots[robot].kind, screen.settings.terminal
-        hidden = hidden_keys(state, robot) | screen.idle_keys()
+        hidden = hidden_keys(state, robot) | _idle_keys(screen)
         pane = screen.focused_pane()
         rest.key_help.show(help_pages(screen.settings.keys, pane, kind, hidden, look, terminal))
 
@@ -99,7 +104,8 @@ def _view_actions(screen: "MainScreen", rest: "Rest") -> ViewActions:
         palette=rest.palette.show,
         simple=rest.simple.turn,
         why=lambda: rest.alarms.explain() if screen.alarms.has_focus else rest.why.show(),
-        all_orders=screen.all_orders,
+        robot_page=rest.robot_page.show,
+        all_orders=partial(_all_orders, screen),
         enlarge=screen.panes.enlarge,
         diagnostics=lambda: rest.diagnostics.show(navigation.robot),
         audit=rest.audit_log.show,
@@ -111,6 +117,18 @@ def _view_actions(screen: "MainScreen", rest: "Rest") -> ViewActions:
         step_floor=navigation.step_floor,
         next_trouble=partial(_next_trouble, screen),
     )
+
+
+def _idle_keys(screen: "MainScreen") -> set[str]:
+    """Return the ids of keys without a use in this session."""
+    read_only = screen.dispatch.permissions.read_only
+    return screen.unoffered | {key.id for key in KEYS if read_only and key.commands}
+
+
+def _all_orders(screen: "MainScreen") -> None:
+    """Show the selected robot's orders, or all robots'."""
+    screen.shows_all_orders = not screen.shows_all_orders
+    screen.tick()
 
 
 def _choose_robot(screen: "MainScreen", number: int) -> None:

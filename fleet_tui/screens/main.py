@@ -22,9 +22,9 @@ from fleet_tui.controllers.session import OpenSession, SessionParts
 from fleet_tui.controllers.settings import ConsoleSettings
 from fleet_tui.keys import BY_ID, KEYS, Pane
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.rules.commands.set_up.mode import mapping_text
 from fleet_tui.screens import picks
 from fleet_tui.screens.overlay import Overlay
+from fleet_tui.screens.robot.overlay import RobotOverlay
 from fleet_tui.state.store import Store
 from fleet_tui.view.lines.commands import message_line
 from fleet_tui.view.lines.hints import hidden_keys, idle_hints, other_alarmed
@@ -34,6 +34,7 @@ from fleet_tui.view.tables.fleet import fleet_table
 from fleet_tui.view.tables.queue import queue_table
 from fleet_tui.view.tables.recent import recent_table
 from fleet_tui.view.tables.robot_page import robot_page
+from fleet_tui.view.tables.table import Table
 from fleet_tui.widgets import messages
 from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.key_line import KeyLine
@@ -83,8 +84,8 @@ class MainScreen(Screen[None]):
         self.session = open_session(
             SessionParts(self.dispatch, self.notices, files, settings, self._forget_trails)
         )
-        self._all_orders = False
-        self._mapped: tuple[str, str] | None = None
+        self.unoffered = {key.id for key in KEYS if not self.session.offers(key)}
+        self.shows_all_orders = False
 
     def compose(self) -> ComposeResult:
         """Compose the panes in the order of Tab; the map and the overlays are mounted after the first
@@ -129,30 +130,36 @@ class MainScreen(Screen[None]):
             self._show_floor(state)
             self.rest.show()
         self._mark_alarm(state)
-        tables = [
-            fleet_table(state, robot, self.fleet.row_width),
-            alarm_table(state, clock, self.alarms.row_width),
-            queue_table(state, robot, self._all_orders, self.queue.row_width),
-        ]
         page, recent = partial(robot_page, state, clock=clock), partial(recent_table, state, clock)
-        self.panes.show(tables, robot, page, recent, self.rest.covered if self.is_complete else 0)
+        self.panes.show(self._tables(), robot, page, recent, self.rest.covered if self.is_complete else 0)
         self.status.show(*self.session.headline(state, robot, self.status.size.width))
         self.message.show(message_line(state, self.notices.text, self.notices.at, self.message.size.width))
         self._show_hints(state, robot)
         self.settings.announce(state)
 
+    def _tables(self) -> list[Table]:
+        """Return the rows of fleet, alarms and queue, as they are arranged."""
+        state, robot = self.store.state, self.navigation.robot
+        fleet, alarms, queue = ((pane.row_width, pane.arrangement) for pane in self.panes.tables)
+        return [
+            fleet_table(state, robot, *fleet),
+            alarm_table(state, self.settings.clock, *alarms),
+            queue_table(state, robot, self.shows_all_orders, *queue),
+        ]
+
+    def show_rows(self, pane: RowsPane) -> None:
+        """Show the newest rows of one pane."""
+        pane.show(self._tables()[self.panes.tables.index(pane)])
+
     def _show_hints(self, state: FleetState, robot: str) -> None:
         pane = Pane.ANYWHERE if self._in_overlay() else self.focused_pane()
         idle = idle_hints(state) | (self.rest.snap.idle_keys if self.is_complete else set())
-        hidden = hidden_keys(state, robot) | idle
+        about = self.focused.KEY if isinstance(self.focused, RobotOverlay) else ""
+        hidden = hidden_keys(state, robot) | idle | self.unoffered | {about}
         focused = (self.focused and self.focused.id) or ""
         alarmed = other_alarmed(self.alarms.listing.cursor, robot)
-        self.hints.offer(pane, not self.dispatch.permissions.read_only, hidden, focused, alarmed)
-
-    def idle_keys(self) -> set[str]:
-        """Return the ids of keys without a use in this session."""
-        read_only = self.dispatch.permissions.read_only
-        return {key.id for key in KEYS if not self.session.offers(key) or (read_only and key.commands)}
+        may_command = not self.dispatch.permissions.read_only
+        self.hints.offer(pane, may_command, hidden, focused, alarmed, bool(about))
 
     def _mark_robot(self, robot: str) -> None:
         """Put the cursors of fleet and alarms on a robot; they are drawn with the next rows."""
@@ -162,18 +169,14 @@ class MainScreen(Screen[None]):
             self.alarms.listing.cursor = key
 
     def _show_floor(self, state: FleetState) -> None:
-        from fleet_tui.view.map.floor_scene import floor_scene, map_owner
+        from fleet_tui.screens.ordering.route_line import show_route
+        from fleet_tui.view.map.floor_scene import floor_scene
 
         selection = self.navigation.settle(state, self.rest.map.picture.viewport.follow)
-        if (drafted := self.rest.draft()) is not None and drafted[0].marked is not None:
+        drafted = show_route(self.rest.order_form, state)
+        if drafted is not None and drafted[0].marked is not None:
             selection = replace(selection, floor=drafted[0].marked.floor)
-        owner = map_owner(state, selection)
-        # The live map of the shown floor, unless a file has it.
-        is_live = state.floors[selection.floor].grid is None or mapping_text(state.robots[selection.robot])
-        wanted = (owner.name, selection.floor if is_live else "") if owner else None
-        if wanted is not None and wanted != self._mapped:
-            self._mapped = wanted
-            self.backend.show_map(*wanted)
+        self.rest.live_map.show(state, selection, others=self.panes.small_maps.display)
         scene = self.rest.mapping.on(self.rest.streams.on(floor_scene(state, selection, drafted)))
         self.rest.show_scene(scene)
 
@@ -200,11 +203,6 @@ class MainScreen(Screen[None]):
             return Pane.DIAGNOSTICS
         return Pane.ROWS if isinstance(self.focused, RowsPane) else Pane.CONSOLE
 
-    def all_orders(self) -> None:
-        """Show the selected robot's orders, or all robots'."""
-        self._all_orders = not self._all_orders
-        self.tick()
-
     async def action_key(self, id_: str) -> None:
         """Run the action of a key."""
         done = BY_ID[id_].action(self.rest.actions)
@@ -221,7 +219,7 @@ class MainScreen(Screen[None]):
         if not key.eager:
             return True
         opened = [overlay for overlay in self.query(Overlay) if overlay.is_open]
-        return not opened or (key.eager == "selects" and opened == [self.rest.why])
+        return not opened or (key.eager == "selects" and all(isinstance(one, RobotOverlay) for one in opened))
 
     def _in_overlay(self) -> bool:
         """Tell whether the focus is in an overlay: most keys stay in there."""

@@ -15,11 +15,12 @@ from fleet_tui.controllers.editing.sending import DraftSending
 from fleet_tui.controllers.editing.values import VertexValues
 from fleet_tui.controllers.map import MapControls
 from fleet_tui.controllers.offers import Offers
-from fleet_tui.controllers.orders import OrderRequests
+from fleet_tui.controllers.ordering.orders import OrderRequests
 from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.robots import RobotRequests
 from fleet_tui.controllers.save import SaveCommand
 from fleet_tui.controllers.set_up.camera import CameraControls, PictureTerminal
+from fleet_tui.controllers.set_up.live_map import LiveMap
 from fleet_tui.controllers.set_up.mapping import MappingControls
 from fleet_tui.controllers.set_up.poses import PoseRequests
 from fleet_tui.controllers.set_up.snap import PoseSnap
@@ -27,7 +28,6 @@ from fleet_tui.controllers.set_up.streams import ShownStreams
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.keys import Key, Pane, overruled
 from fleet_tui.keys.key import key_name
-from fleet_tui.rules.routes.order_draft import Drafted, draft_route
 from fleet_tui.screens.audit import AuditLog
 from fleet_tui.screens.camera_switch import CameraSwitch
 from fleet_tui.screens.confirm import Confirm
@@ -37,12 +37,13 @@ from fleet_tui.screens.driving import drive_controls, release_key
 from fleet_tui.screens.help import Help
 from fleet_tui.screens.key_actions import key_actions
 from fleet_tui.screens.menu import Menu
-from fleet_tui.screens.ordering.form import OrderForm
+from fleet_tui.screens.ordering.opening import order_form
 from fleet_tui.screens.palette import Palette
 from fleet_tui.screens.programs import Programs, programs_overlay
+from fleet_tui.screens.robot.page import RobotPage, robot_page_overlay
 from fleet_tui.screens.routines import Routines, routines_overlay
-from fleet_tui.screens.simple import Simple
-from fleet_tui.screens.simple_switch import SimpleSwitch
+from fleet_tui.screens.simple_switch import simple_switch
+from fleet_tui.screens.tables.tools import TableTools
 from fleet_tui.screens.why import Why
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.view.map.drawing import Drawing
@@ -67,7 +68,7 @@ CURSORS = frozenset({"map_cursor", "next_vertex", "previous_vertex", "pose", "go
 class Rest:
     """Widgets and controllers with their dependencies, and the action of every key."""
 
-    styled: list[RunsView | Diagnostics | Programs | Routines]
+    styled: list[RunsView | Diagnostics | Programs | Routines | RobotPage]
     robots: RobotRequests
     alarms: AlarmResponses
     _covers = False
@@ -80,12 +81,15 @@ class Rest:
         self.map, self.small_maps = MapView(id="map"), SmallMapsView()
         self.map.picture.options = MapOptions(drawing=settings.drawing)
         to_next, menu = settings.keys["next_vertex"], lambda: self.robots.menu(navigation.robot)
+        self.live_map, self.key_help = LiveMap(screen.backend.show_map), Help()
         self.map_controls = MapControls(self.map, notices.say, to_next, menu)
         self.confirm, self.menu = Confirm(id="confirm"), Menu(id="menu")
-        self.order_form, self.key_help = OrderForm(lambda: store.state, dispatch.give), Help()
+        self.tables = TableTools(screen, self.confirm.ask)
+        self.order_form, self.anyone = order_form(screen, self.confirm.ask, self.tables.marked.give_order)
         self.streams = ShownStreams(store, screen.backend, navigation, notices, self.map.picture)
         self.why = Why(lambda: (store.state, navigation.robot), settings.keys, self.streams.match)
         self.audit_log = AuditLog(lambda: screen.files.audit)
+        self.robot_page = robot_page_overlay(screen, self)
         self._add_tools(screen)
         self._answer_menus(screen)
         self.save = SaveCommand(
@@ -96,7 +100,7 @@ class Rest:
         )
         self.palette = Palette(offers.entries, lambda line: self._typed_set_up(line) or offers.typed(line))
         self._set_up_with(SetUpParts(store, dispatch, navigation, notices, self.menu.show, self.palette.show))
-        self.simple = self._simple_switch(screen)
+        self.simple = simple_switch(screen, self)
         self._add_camera(screen)
         self.actions = key_actions(screen, self)
 
@@ -107,7 +111,7 @@ class Rest:
         pages = Pages(lambda: store.state, screen.backend, settings.clock)
         self.diagnostics = Diagnostics(pages, screen.backend, settings.keys)
         self.styled = [self.map, self.audit_log.rows, self.diagnostics, *self.key_help.views]
-        self.styled += [self.programs, self.routines, self.small_maps]
+        self.styled += [self.programs, self.routines, self.small_maps, self.robot_page]
 
     def _add_camera(self, screen: "MainScreen") -> None:
         view = CameraView()
@@ -126,10 +130,13 @@ class Rest:
     def _answer_menus(self, screen: "MainScreen") -> None:
         parts = screen.store, screen.dispatch, screen.notices, screen.navigation
         settings, opens, why = screen.settings, self.menu.show, self.why.show
-        self.orders = OrderRequests(*parts, screen.queue, self.order_form.start, opens, settings.clock)
+        marked = self.tables.marked
+        self.orders = OrderRequests(
+            *parts, screen.queue, self.order_form.start, opens, settings.clock, marked
+        )
         answering = screen.store, screen.backend, screen.notices, screen.navigation, screen.alarms
         self.robots = RobotRequests(
-            *parts[:2], screen.navigation, self.orders, opens, why, lambda *alarm: self.alarms.menu(*alarm)
+            *parts, self.orders, opens, why, lambda *one: self.alarms.menu(*one), marked
         )
         shown_by = settings.keys, settings.clock, lambda: screen.alarm_cleared_at
         self.alarms = AlarmResponses(*answering, opens, why, self.robots.menu, *shown_by)
@@ -144,8 +151,7 @@ class Rest:
         self.snap = PoseSnap(parts, streams, controls, picture, in_background)
         self.editor = GraphEditor(parts, controls, picture, self._screen.files.draft)
         self.checks = DraftChecks(parts, self.editor, in_background)
-        files = self._screen.files
-        old_files = OldFiles()
+        files, old_files = self._screen.files, OldFiles()
         self.draft_files = DraftFiles(parts, self.editor, self.checks, files, ask, old_files)
         route_files = RouteFiles(parts, self.editor, files, self._screen.backend.post, old_files)
         self.sending = DraftSending(parts, self.editor, self.checks, files, route_files)
@@ -158,7 +164,7 @@ class Rest:
 
     def _typed_set_up(self, line: str) -> Typed | None:
         """Parse a typed line that is about the draft or the map, None for any other."""
-        typed = self.values.typed(line) or self.edge_values.typed(line)
+        typed = self.anyone.typed(line) or self.values.typed(line) or self.edge_values.typed(line)
         return typed or self.draft_files.typed(line) or self.mapping.typed(line)
 
     async def mount(self, screen: "MainScreen") -> None:
@@ -169,9 +175,16 @@ class Rest:
             await screen.panes.floor.mount(self.camera_switch.view, self.map, before=0)
             if len(screen.store.state.floors) > 1:
                 await screen.panes.small_maps.mount(self.small_maps)
-            await screen.mount(*opens, self.audit_log, self.diagnostics, self.programs, self.routines)
-            time_line = screen.session.time_line()
-            if time_line is not None:
+            others = (
+                self.audit_log,
+                self.diagnostics,
+                self.programs,
+                self.routines,
+                *self.tables.widgets,
+                self.robot_page,
+            )
+            await screen.mount(*opens, *others)
+            if (time_line := screen.session.time_line()) is not None:
                 self.styled.append(time_line)
                 await screen.mount(time_line, before="#hints")
         has_few_colours = not screen.app.is_headless and screen.app.console.color_system == "standard"
@@ -180,15 +193,6 @@ class Rest:
         self.map.picture.hint = "".join(f"{key_name(key)} legend" for key in screen.settings.keys["help"][:1])
         screen.set_focus(self.map)
         screen.files.open()
-
-    def _simple_switch(self, screen: "MainScreen") -> SimpleSwitch:
-        def make() -> Simple:
-            navigation = self._navigation
-            return Simple(
-                lambda: screen.store.state, lambda: navigation.robot, navigation.select, screen.dispatch.give
-            )
-
-        return SimpleSwitch(screen.panes, self.map, make, self.orders.may_order)
 
     def show_scene(self, scene: Scene) -> None:
         """Show a scene on the map, at the same scale while a panel covers a part of it, and until it has its
@@ -205,6 +209,8 @@ class Rest:
         """Show the newest state in the place of the map."""
         self.simple.show()
         self.camera.look()
+        self.tables.outcomes.look()
+        self.robot_page.collect()
 
     @property
     def covered(self) -> int:
@@ -229,15 +235,6 @@ class Rest:
         if not mode.is_mode or self._screen.focused is not self.map:
             return key.pane.is_mode
         return key.id in self._overruled[mode] or (key.pane.is_mode and key.pane is not mode)
-
-    def draft(self) -> Drafted | None:
-        """Return the order that is being typed and its way, None without a place, and show its length."""
-        draft, form = self.order_form.draft(), self.order_form
-        route = None if draft is None else draft_route(self._screen.store.state.robots[draft.robot], draft)
-        text = "" if route is None else route.text
-        if text != form.route.content:  # an update lays out the whole screen
-            form.route.update(text)
-        return None if draft is None or not (draft.places or draft.marked) else (draft, route)
 
 
 def _run(screen: "MainScreen", key: Key[Any]) -> None:

@@ -12,8 +12,7 @@ from textual.widgets import Button, OptionList, Static
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.language.lookup import Place, destination_only, may_skip_start, places
-from fleet_tui.screens.ordering.choices import order
+from fleet_tui.rules.language.lookup import Place, destination_only, may_skip_start, order_of, places
 from fleet_tui.text.sanitize import sanitize
 
 
@@ -46,12 +45,12 @@ class Choices(OptionList):
 
 class Simple(Vertical):
     """One large button for each choice; a press replaces the buttons by the list of choices. The robot is the
-    console's `selected` one; `select` selects another."""
+    console's `selected` one; `select` selects another, `close` returns to the map."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         ("down,j", "step(1)", "Down"),
         ("up,k", "step(-1)", "Up"),
-        ("escape", "leave_list", "Back"),
+        ("escape", "back", "Back"),
     ]
 
     def __init__(
@@ -60,8 +59,10 @@ class Simple(Vertical):
         selected: Callable[[], str],
         select: Callable[[str], None],
         give: Callable[[Request, Callable[[], None]], str],
+        close: Callable[[], None],
     ) -> None:
         super().__init__(id="simple")
+        self._close = close
         self._state, self._selected, self._select, self._give = state, selected, select, give
         self._chosen: dict[str, Place] = {}
         self._whose = ""
@@ -117,7 +118,9 @@ class Simple(Vertical):
         return self._state().robots[self._selected()]
 
     def _say(self, text: str) -> None:
-        self.query_one("#simple-missing", Static).update(text)
+        note = self.query_one("#simple-missing", Static)
+        note.set_class(bool(text), "-missing")
+        note.update(text or "Esc: back to the map")
 
     def _leave(self) -> None:
         self._choosing = ""
@@ -138,9 +141,12 @@ class Simple(Vertical):
             at = buttons.index(self.screen.focused)
             self.screen.set_focus(buttons[max(0, min(at + step, len(buttons) - 1))])
 
-    def action_leave_list(self) -> None:
-        """Return to the buttons without a choice."""
-        field = self._choosing or "robot"
+    def action_back(self) -> None:
+        """Return to the buttons without a choice, from them to the map."""
+        field = self._choosing
+        if not field:
+            self._close()
+            return
         self._leave()
         self.show()
         self.screen.set_focus(self._button(field))
@@ -185,7 +191,7 @@ class Simple(Vertical):
             return
         only_to = destination_only(robot) or (may_skip_start(robot) and "from" not in self._chosen)
         visited = [self._chosen[field] for field in (("to",) if only_to else ("from", "to"))]
-        self._say(self._give(order(robot, visited, only_to), self._sent))
+        self._say(self._give(order_of(robot, visited, only_to), self._sent))
 
     def _sent(self) -> None:
         self._chosen.clear()

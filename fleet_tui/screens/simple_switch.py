@@ -1,18 +1,27 @@
 """Turns the simple interface on and off, above the map or in its place."""
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from textual.widget import Widget
 
 from fleet_tui.screens.simple import Simple
 from fleet_tui.widgets.panes import Panes
 
+if TYPE_CHECKING:
+    from fleet_tui.screens.main import MainScreen
+    from fleet_tui.screens.rest import Rest
+
 
 class SimpleSwitch:
     """Creates the simple interface on first use."""
 
     def __init__(
-        self, panes: Panes, map_view: Widget, make: Callable[[], Simple], may_order: Callable[[], bool]
+        self,
+        panes: Panes,
+        map_view: Widget,
+        make: Callable[[Callable[[], None]], Simple],
+        may_order: Callable[[], bool],
     ) -> None:
         self._panes, self._map, self._make, self._may_order = panes, map_view, make, may_order
         self._simple: Simple | None = None
@@ -23,17 +32,32 @@ class SimpleSwitch:
         if not panes.has_class("-simple") and not self._may_order():
             return
         if self._simple is None:
-            simple = self._make()
+            simple = self._make(self._leave)
             await panes.floor.mount(simple, before=0)
             self._simple = simple  # not before: ticks during the mounting would query missing widgets
-        panes.toggle_class("-simple")
-        panes.share_out()
         if panes.has_class("-simple"):
-            self._simple.start()
+            self._leave()
         else:
-            panes.screen.set_focus(self._map)
+            panes.add_class("-simple")
+            panes.share_out()
+            self._simple.start()
+
+    def _leave(self) -> None:
+        self._panes.remove_class("-simple")
+        self._panes.share_out()
+        self._panes.screen.set_focus(self._map)
 
     def show(self) -> None:
         """Show the newest state."""
         if self._simple is not None and self._simple.children:  # no screen while the console ends
             self._simple.show()
+
+
+def simple_switch(screen: "MainScreen", rest: "Rest") -> SimpleSwitch:
+    """Return the switch of the main screen."""
+
+    def make(close: Callable[[], None]) -> Simple:
+        state, navigation = lambda: screen.store.state, screen.navigation
+        return Simple(state, lambda: navigation.robot, navigation.select, screen.dispatch.give, close)
+
+    return SimpleSwitch(screen.panes, rest.map, make, rest.orders.may_order)

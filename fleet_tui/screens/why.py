@@ -5,20 +5,15 @@ from textwrap import wrap
 from typing import ClassVar
 
 from textual.app import ComposeResult
-from textual.binding import Binding, BindingType
+from textual.binding import BindingType
 from textual.content import Content
-from textual.timer import Timer
 from textual.widgets import Static
 
-from fleet_tui.keys import BY_ID, Pane
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.localisation.match import Match
-from fleet_tui.screens.overlay import Overlay
+from fleet_tui.screens.robot.overlay import RobotOverlay, robot_bindings
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.why import why_lines
-from fleet_tui.widgets.bindings import action_of, bindings
-
-EVERY = 0.1  # seconds between two updates, as in the panes
 
 
 def _wrapped(lines: list[str], width: int) -> list[str]:
@@ -33,21 +28,11 @@ def _wrapped(lines: list[str], width: int) -> list[str]:
     ]
 
 
-class Why(Overlay, can_focus=True):
+class Why(RobotOverlay):
     """The suggested keys work in here as they do outside."""
 
-    BINDINGS: ClassVar[list[BindingType]] = [
-        *(
-            Binding(binding.key, f"help_it('{binding.id}')", show=False, id=binding.id)
-            for binding in bindings(Pane.CONSOLE)
-            if isinstance(binding, Binding) and binding.id and BY_ID[binding.id].helps
-        ),
-        *(
-            Binding(binding.key, "close", show=False, id=binding.id)
-            for binding in bindings(Pane.CONSOLE)
-            if isinstance(binding, Binding) and binding.id in ("why", "back", "quit")
-        ),
-    ]
+    KEY, EVERY = "why", 0.1  # as in the panes
+    BINDINGS: ClassVar[list[BindingType]] = robot_bindings("why")
 
     def __init__(
         self,
@@ -59,7 +44,6 @@ class Why(Overlay, can_focus=True):
         super().__init__(id="why")
         self._looked_at, self._keys, self._match = looked_at, keys, match
         self._shown: list[str] = []
-        self._timer: Timer | None = None
 
     def compose(self) -> ComposeResult:
         """Compose only text."""
@@ -69,16 +53,7 @@ class Why(Overlay, can_focus=True):
         """Open on the selected robot."""
         self._shown = []
         self.look()
-        self.open(self)
-        if self._timer is None:
-            self._timer = self.set_interval(EVERY, self._tick)
-
-    def _tick(self) -> None:
-        if self.is_open:
-            self.look()
-        elif self._timer is not None:
-            self._timer.stop()
-            self._timer = None
+        self.begin()
 
     def look(self) -> None:
         """Show the current reasons."""
@@ -89,10 +64,3 @@ class Why(Overlay, can_focus=True):
         if lines != self._shown:
             self._shown = lines
             text.update("\n".join(lines))
-
-    async def action_help_it(self, id_: str) -> None:
-        """Run the key's usual action."""
-        if BY_ID[id_].helps == "leaves":
-            self.action_close()
-        await self.screen.run_action(action_of(BY_ID[id_]))
-        self.look()

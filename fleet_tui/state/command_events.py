@@ -21,6 +21,7 @@ from fleet_tui.model.set_up.commands import SetMapping, SetUpCommand
 from fleet_tui.rules.commands.confirmation import before, confirm
 from fleet_tui.rules.commands.follow_up import follow_up
 from fleet_tui.rules.commands.local_queue import next_id
+from fleet_tui.rules.commands.queue_moves import moved
 from fleet_tui.state.goal_reports import know_stops
 from fleet_tui.text.limits import truncate
 
@@ -82,7 +83,7 @@ def advance_command(state: FleetState, event: events.CommandAdvanced) -> FleetSt
     if record is found:
         return state
     robot = state.robots.get(record.command.robot)
-    if record.stage is Stage.WAITING and robot is not None:
+    if record.stage is Stage.WAITING and found.stage is not Stage.WAITING and robot is not None:
         record = replace(record, order_id=next_id(state, robot))
     elif found.stage is Stage.WAITING and robot is not None and record.stage is Stage.SENT:
         record = replace(
@@ -141,7 +142,17 @@ def issue_command(state: FleetState, event: events.CommandIssued) -> FleetState:
     return replace(state, commands=commands)
 
 
-def hold_queue(state: FleetState, event: navigation_events.QueueHeld) -> FleetState:
-    """Hold the orders that wait here."""
+def change_queue(state: FleetState, event: navigation_events.QueueChange) -> FleetState:
+    """Hold the orders that wait here, or move one of them."""
     robot = state.robots.get(event.robot)
-    return state if robot is None else with_robot(state, replace(robot, held=truncate(event.reason)))
+    if robot is None:
+        return state
+    match event:
+        case navigation_events.QueueHeld():
+            return with_robot(state, replace(robot, held=truncate(event.reason)))
+        case navigation_events.OrderMoved():
+            for record in moved(state, robot, event.order_id, event.before, event.at):
+                state = _with_record(state, record)
+            return state
+        case _:
+            assert_never(event)

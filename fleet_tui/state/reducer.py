@@ -1,5 +1,6 @@
 """The reducer: each event turns the state into the next one."""
 
+from collections.abc import Sequence
 from typing import assert_never
 
 from msgspec.structs import replace
@@ -7,6 +8,7 @@ from msgspec.structs import replace
 from fleet_tui.model import events, navigation_events
 from fleet_tui.model.alarm import Alarm, acknowledge, advance, shelve, unshelve
 from fleet_tui.model.fleet import FleetState, with_robot
+from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.link import Phase
 from fleet_tui.model.navigation_events import Navigation
 from fleet_tui.model.robot import Robot, with_fault
@@ -16,8 +18,8 @@ from fleet_tui.rules.commands.local_queue import with_held_queues
 from fleet_tui.rules.lag import with_lags
 from fleet_tui.state.command_events import (
     advance_command,
+    change_queue,
     confirm_commands,
-    hold_queue,
     issue_command,
     take_answer,
 )
@@ -26,6 +28,9 @@ from fleet_tui.state.goal_reports import without_ended, without_unlisted
 from fleet_tui.state.link_events import apply_to_link
 from fleet_tui.state.navigation_reports import apply_navigation
 from fleet_tui.state.reports import apply_map_fact, apply_report
+
+# Made once: putting the types together for every event would take as long as finding one among them.
+_OfRobot = events.Telemetry | Navigation | events.MapFactReceived | events.MessageRejected
 
 RELISTED_WITHIN = 10.0, 15.0
 """Seconds after a link came up within which an active robot has listed its goals."""
@@ -64,12 +69,17 @@ def _left(state: FleetState, robot: Robot) -> Robot:
     return without_ended(robot, state.now)
 
 
+def _may_keep(new: OccupancyGrid, grids: Sequence[OccupancyGrid]) -> bool:
+    """Tell whether live maps are small and few enough to be kept beside a new one."""
+    cells = sum(grid.frame.width * grid.frame.height for grid in [new, *grids])
+    return cells <= LIVE_CELLS_KEPT and len(grids) < LIVE_MAPS_KEPT
+
+
 def _forget_grids(state: FleetState, event: events.GridReceived) -> FleetState:
     """Drop all other live maps if they would be too large together."""
     maps = [one for robot in state.robots.values() for one in robot.maps.values()]
     grids = [one.grid for one in maps if one.grid]
-    cells = sum(grid.frame.width * grid.frame.height for grid in [event.grid, *grids])
-    if cells <= LIVE_CELLS_KEPT and len(grids) < LIVE_MAPS_KEPT:
+    if _may_keep(event.grid, grids):
         return state
     robots = {
         name: replace(
@@ -86,16 +96,16 @@ def _with_robots_map(state: FleetState, event: events.GridReceived) -> FleetStat
 
 
 def _with_live_map(state: FleetState, event: events.GridReceived) -> FleetState:
-    """Store a floor's live map, shared by its robots. That of another floor is requested again when it is
-    shown."""
+    """Store a floor's live map, shared by its robots, and drop those of other floors if they would be too
+    large together."""
     if event.robot or event.floor not in state.floors:
         return state
-    floors = {
-        name: replace(floor, live=event.grid, live_at=event.at)
-        if name == event.floor
-        else replace(floor, live=None, live_at=None)
-        for name, floor in state.floors.items()
-    }
+    others = {name: floor for name, floor in state.floors.items() if name != event.floor}
+    grids = [floor.live for floor in others.values() if floor.live]
+    if not _may_keep(event.grid, grids):
+        others = {name: replace(floor, live=None, live_at=None) for name, floor in others.items()}
+    shown = replace(state.floors[event.floor], live=event.grid, live_at=event.at)
+    floors = {name: others.get(name, shown) for name in state.floors}
     return replace(state, floors=floors)
 
 
@@ -111,7 +121,7 @@ def _shared(state: FleetState, event: events.GraphReceived) -> events.GraphRecei
 
 def _apply_to_robot(
     state: FleetState,
-    event: events.Telemetry | Navigation | events.MapFactReceived | events.MessageRejected,
+    event: _OfRobot,
 ) -> FleetState:
     if (robot := state.robots.get(event.robot)) is None:
         return _with_live_map(state, event) if isinstance(event, events.GridReceived) else state
@@ -170,11 +180,11 @@ def _after_operator(
 
 def apply(state: FleetState, event: events.Event) -> FleetState:
     """Return the state after one event."""
-    if isinstance(event, events.Telemetry | Navigation | events.MapFactReceived | events.MessageRejected):
+    if isinstance(event, events.TimePassed):
+        return _pass_time(state, event)
+    if isinstance(event, _OfRobot):
         return _apply_to_robot(state, event)
     match event:
-        case events.TimePassed():
-            return _pass_time(state, event)
         case (
             events.LinkChanged()
             | events.MessageArrived()
@@ -189,8 +199,8 @@ def apply(state: FleetState, event: events.Event) -> FleetState:
             return advance_command(state, event)
         case navigation_events.GoalAnswered():
             return take_answer(state, event)
-        case navigation_events.QueueHeld():
-            return hold_queue(state, event)
+        case navigation_events.QueueHeld() | navigation_events.OrderMoved():
+            return change_queue(state, event)
         case events.AlarmAcknowledged() | events.AlarmShelved() | events.AlarmUnshelved():
             return replace(state, alarms=_after_operator(state.alarms, event))
         case events.FloorMapLoaded() | events.FloorGraphLoaded():

@@ -12,10 +12,14 @@ LEAST_BESIDE, MAP_SHARE = 78, 10 / 21
 `fleet.tcss`."""
 LEAST_PAGE = 6
 """Lines from which the robot's page and the last events are worth their place."""
+WIDE_SHARE, LEAST_TABLES, WIDE_TABLES = 0.6, 77, 92
+"""The map's share of a wide screen's cells, those that the tables keep if the map can use more, and those of
+tables with all their columns, which a large screen has beside its map."""
 USUAL_SHAPE = 0.4
 """Lines of a floor per cell of its width, until one is known."""
-WHOLE_PAGE, LEAST_COLUMN = 9, 60
-"""Lines that the robot's page keeps beside small maps, and cells of its column from which there are some."""
+WHOLE_PAGES, LEAST_COLUMN = (9, 7), 60
+"""Lines that the robot's page keeps beside small maps, if need be fewer, and cells of its column from which
+there are some."""
 
 
 class Wanted(NamedTuple):
@@ -36,13 +40,24 @@ def beside_map(lines: int, wanted: Wanted) -> tuple[int, int, int, int]:
     return fleet, alarms, queue + left - page, page
 
 
+def width_of_map(width: int, lines: int, shape: float, tables: int = LEAST_TABLES) -> int:
+    """Return the cells of a wide screen's map: more than its share where its floor is then drawn larger, less
+    where that leaves the `tables` their cells. `shape`: lines of the floor per cell of its width."""
+    share = round(width * WIDE_SHARE)
+    if tables > LEAST_TABLES:
+        return min(share, max(width // 2, width - tables))
+    wanted = round((lines - 2) / shape) + 2 if shape > 0 else share
+    return max(share, min(wanted, width - tables))
+
+
 def below_page(lines: int, page: int, width: int) -> int:
     """Return the lines for small maps of other floors in the place of a robot's page, `page` of `lines` lines
     and `width` cells (0 for none). In steps: they rarely change while other panes grow."""
     if width < LEAST_COLUMN:
         return 0
     sizes = (lines // 2, lines // 3, lines // 4, lines // 5)
-    return next((size for size in sizes if size >= LEAST_MAP and page - size >= WHOLE_PAGE), 0)
+    fitting = (size for kept in WHOLE_PAGES for size in sizes if size >= LEAST_MAP and page - size >= kept)
+    return next(fitting, 0)
 
 
 def below_floor(lines: int, floor: int) -> int:

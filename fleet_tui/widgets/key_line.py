@@ -15,12 +15,22 @@ class KeyLine(LineView):
         self._keys = keys
         self._offered: object = None
 
-    def offer(self, pane: Pane, can_command: bool, hidden: set[str], focused: str, alarmed: str) -> None:
+    def offer(
+        self,
+        pane: Pane,
+        can_command: bool,
+        hidden: set[str],
+        focused: str,
+        alarmed: str,
+        about_robot: bool = False,
+    ) -> None:
         """Show the keys for these, as `hints` takes them."""
-        offered = pane, can_command, hidden, focused, alarmed, self.size.width
+        offered = pane, can_command, hidden, focused, alarmed, about_robot, self.size.width
         if offered != self._offered:
             self._offered = offered
             runs, buttons = footer(
-                *hints(self._keys, pane, can_command, hidden, focused, alarmed), self._keys, self.size.width
+                *hints(self._keys, pane, can_command, hidden, focused, alarmed, about_robot),
+                self._keys,
+                self.size.width,
             )
             self.show(runs, buttons=buttons)

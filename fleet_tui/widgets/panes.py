@@ -9,7 +9,9 @@ from textual.containers import Container
 from textual.widget import Widget
 
 from fleet_tui.view.layout import (
+    LEAST_TABLES,
     USUAL_SHAPE,
+    WIDE_TABLES,
     Wanted,
     below_buttons,
     below_floor,
@@ -19,6 +21,7 @@ from fleet_tui.view.layout import (
     beside_map,
     is_better_beside,
     simple_alone,
+    width_of_map,
     without_map,
 )
 from fleet_tui.view.tables.table import Table
@@ -28,6 +31,7 @@ if TYPE_CHECKING:  # numpy
     from fleet_tui.view.map.scene import Scene
     from fleet_tui.widgets.map_view import MapView
 
+PRECISE = 1000
 OTHERS = 3
 """Lines of the screen that are no panes: status, message, footer. Before the first layout."""
 BELOW = 2
@@ -51,8 +55,11 @@ class Pace:
 
 
 def lines_below(overlay: Widget) -> int:
-    """Return the lines of panes at the bottom of the screen that an overlay covers."""
-    return overlay.outer_size.height + overlay.styles.margin.bottom - BELOW if overlay.display else 0
+    """Return the lines of panes at the bottom of the screen that an overlay covers: 1 of one beside the map,
+    for which no pane may take its place."""
+    if overlay.display and overlay.styles.dock == "bottom":
+        return overlay.outer_size.height + overlay.styles.margin.bottom - BELOW
+    return int(overlay.display)
 
 
 class Panes(Container):
@@ -79,12 +86,17 @@ class Panes(Container):
         self._recent_lines = 0
         self._shape = USUAL_SHAPE
         self._wanted = Wanted(0, 0, 0), 0
-        self._shared_out: tuple[str, str, bool] | None = None
+        self._shared_out: tuple[str, str, int] | None = None
+
+    @property
+    def tables(self) -> tuple[RowsPane, ...]:
+        """Return the panes of rows that can be filtered, sorted and marked."""
+        return self.fleet, self.alarms, self.queue
 
     @property
     def views(self) -> list[RowsPane]:
         """Return the panes of rows."""
-        return [self.fleet, self.alarms, self.queue, self.page, self.recent]
+        return [*self.tables, self.page, self.recent]
 
     def show(
         self,
@@ -113,6 +125,9 @@ class Panes(Container):
     def show_map(self, view: "MapView", scene: "Scene") -> None:
         """Show a scene on the map, which is drawn once its height is that for its floor."""
         view.picture.show(scene)
+        # Of a width at which a line more or less changes nothing: the columns must hold.
+        if lines := view.picture.lines_of_floor(PRECISE):
+            self._shape = lines / PRECISE
         if not self._show_floor(view.picture.lines_of_floor(self.floor.size.width)):
             view.draw()
 
@@ -121,9 +136,6 @@ class Panes(Container):
         `lines`: those of the floor as a whole. Tell whether the map gets another height, and so a resize."""
         if not self.is_attached:
             return False  # the console ends
-        width = self.floor.size.width
-        if lines and width > 2:
-            self._shape = (lines - 2) / (width - 2)
         is_free = self.screen.has_class("-wide") and not self._is_small and not self._alone
         above = [part for part in self.floor.children if part.id in ("simple", "camera") and part.display]
         space = self.floor.size.height - sum(part.outer_size.height for part in above)
@@ -160,11 +172,15 @@ class Panes(Container):
         heights = (lines, *[0] * 3)[: 4 if is_wide else 1] if alone else self._heights(lines, wanted, covered)
         self._share_aside(lines, heights[-1] if len(heights) == 4 and not alone else 0)
         rows = " ".join(map(str, heights))
-        if (rows, alone, is_wide) == self._shared_out:
+        # An enlarged table has all its columns.
+        kept = WIDE_TABLES if alone not in ("", "floor") else LEAST_TABLES
+        map_width = width_of_map(self.size.width, lines, self._shape, kept) if is_wide else 0
+        if (rows, alone, map_width) == self._shared_out:
             return
-        self._shared_out = rows, alone, is_wide
-        self.set_class(len(heights) == 2 and not self._is_small, "-beside")
+        self._shared_out = rows, alone, map_width
+        self.screen.set_class(len(heights) == 2 and not self._is_small, "-beside")
         self.styles.grid_rows = rows
+        self.styles.grid_columns = f"{map_width} 1fr" if is_wide else None
         for pane in self.children:
             keeps = is_wide and pane.id == "floor"
             spans = (not is_wide and not self._is_small) or alone == "floor"

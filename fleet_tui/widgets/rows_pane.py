@@ -5,6 +5,7 @@ from collections.abc import Callable, Hashable
 from textual import events, on
 
 from fleet_tui.keys import ROWS, Pane, by_id
+from fleet_tui.view.tables.arrangement import RowArrangement
 from fleet_tui.view.tables.listing import Listing
 from fleet_tui.view.tables.table import Table
 from fleet_tui.widgets.bindings import bindings
@@ -25,6 +26,7 @@ class RowsPane(RunsView, can_focus=True):
         super().__init__(id=id)
         self._choose = choose or (lambda key: self.post_message(RowChosen(id, key)))
         self.listing = Listing()
+        self.arrangement = RowArrangement()
 
     @property
     def row_width(self) -> int:
@@ -49,8 +51,13 @@ class RowsPane(RunsView, can_focus=True):
     def move(self, step: int) -> None:
         """Move the cursor up or down, and report it."""
         if self.listing.move(step):
-            self.post_message(RowPicked(self.id or "", self.listing.cursor))
+            self.pick()
             self.draw()
+
+    def pick(self) -> None:
+        """Report the row of the cursor, if there is one."""
+        if self.listing.cursor is not None:
+            self.post_message(RowPicked(self.id or "", self.listing.cursor))
 
     def slide(self, step: int) -> None:
         """Slide long rows to the left or right."""

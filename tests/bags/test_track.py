@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from fleet_tui.bags import track
 from tests.support.bag_replay import made_of, night, played, pose, ticks
 from tests.support.bags import WALL, bag_config, written
 from tests.support.fleets import R0
@@ -39,12 +40,14 @@ def test_an_hour_without_a_message_is_lived_through(tmp_path: Path) -> None:
     assert recording.end.at == 3601.0
 
 
-def test_a_year_without_a_message_is_leapt_over(tmp_path: Path) -> None:
+def test_a_year_without_a_message_is_leapt_over(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert track.LONGEST_SILENCE == 7200.0
+    monkeypatch.setattr(track, "LONGEST_SILENCE", 720.0)  # as many ticks take seconds
     year = 365 * 86400
     bag = written(tmp_path, "ros1", [pose(0), pose(year), pose(year + 1)])
     _, recording = made_of(bag, bag_config("ros1"), tmp_path / "r.jsonl.gz")
     times = ticks(recording)
-    assert len(times) == pytest.approx(72_000 + 12, abs=3)
-    assert max(after - before for before, after in pairwise(times)) > year - 7300
+    assert len(times) == pytest.approx(7_200 + 12, abs=3)
+    assert max(after - before for before, after in pairwise(times)) > year - 730
     assert recording.end.wall == WALL + year + 1
     assert played(recording).now == pytest.approx(year + 2, abs=0.11)

@@ -20,6 +20,7 @@ from fleet_tui.app import FleetApp
 from fleet_tui.controllers.map import MapControls
 from fleet_tui.model.events import Event, PoseReported
 from fleet_tui.screens.main import MainScreen
+from fleet_tui.screens.tables.filter_line import FilterLine
 from fleet_tui.state.store import Store
 from fleet_tui.terminal.lean_app import LeanApp
 
@@ -33,6 +34,7 @@ noted: dict[str, list[Any]] = {
     "map": [],
     "task": [],
     "count": [],
+    "filter": [],
 }
 
 
@@ -70,6 +72,15 @@ def keys() -> None:
     before(MapControls, "zoom_in", "handler")
     before(MapControls, "zoom_out", "handler")
     writes()
+
+
+def filters() -> None:
+    """Every filter, and when its rows were made."""
+
+    def applied(line: FilterLine, typed: str) -> None:
+        noted["filter"].append((time.monotonic(), typed))
+
+    after(FilterLine, "_apply", applied)
 
 
 def writes() -> None:
@@ -142,7 +153,15 @@ def counts() -> None:
     after(FleetLink, "close", closed)
 
 
-KINDS = {"stock": stock, "keys": keys, "poses": poses, "beats": beats, "tasks": tasks, "counts": counts}
+KINDS = {
+    "stock": stock,
+    "filters": filters,
+    "keys": keys,
+    "poses": poses,
+    "beats": beats,
+    "tasks": tasks,
+    "counts": counts,
+}
 
 
 def main() -> None:

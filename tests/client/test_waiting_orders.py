@@ -7,7 +7,7 @@ import pytest
 
 from fleet_tui.client import waiting_orders
 from fleet_tui.client.queue_file import FILE, WaitingOrder
-from fleet_tui.client.waiting_orders import RESTARTED
+from fleet_tui.client.waiting_orders import RESTARTED, WaitingOrders
 from fleet_tui.model.commands import (
     CancelOrder,
     ClearOrders,
@@ -15,15 +15,20 @@ from fleet_tui.model.commands import (
     ResumeRobot,
     Stage,
 )
+from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
+from fleet_tui.model.navigation_events import OrderMoved
 from fleet_tui.model.order import OrderState, at_vertices
 from fleet_tui.rules.commands.local_queue import ANOTHER_CLIENT, waiting, waiting_orders_of
 from fleet_tui.simulator.nav2.navigation import TO_POSE
 from fleet_tui.simulator.ros.goals import CANCELED
+from fleet_tui.state.store import Store
 from fleet_tui.transports.rosbridge import connection
+from tests.support.fleets import T0, commanded, fleet, link_up, of_kinds, place_order, pose, reduced, tick
+from tests.support.kinds import KEEPING
 from tests.support.links import finished, linked, phase
-from tests.support.nav2_site import Holds, Site, keeping, nav2_ready, reached, record_of
+from tests.support.nav2_site import SPEED, Holds, Site, keeping, nav2_ready, reached, record_of
 from tests.support.queue_files import kept
 
 R0 = "robot_0"
@@ -61,6 +66,48 @@ async def test_a_second_order_waits_here_and_leaves_when_the_first_is_done(
         assert ended.stage is Stage.DONE and record_of(store.state, second).stage is Stage.DONE
         assert not store.state.robots[R0].held
         await store.until(lambda _: not kept(tmp_path))
+
+
+async def test_an_order_moved_to_the_front_is_the_next_one_sent_also_after_a_restart(
+    site: Site, tmp_path: Path
+) -> None:
+    site.server.speed = 1.0
+    async with linked(site.config, queue=keeping(tmp_path)) as (link, store):
+        await store.until(nav2_ready)
+        await finished(link, store, site.to("Consumidores"))
+        orders = [
+            link.submit(site.to(*labels)) for labels in (["Base"], ["Receiving"], ["Receiving", "Base"])
+        ]
+        await reached(store, orders[-1], Stage.WAITING)
+        link.post(OrderMoved(R0, "k3", "k1", store.state.now))
+        moved = await store.until(lambda state: record_of(state, orders[-1]).turn)
+        assert [one.id for one in waiting_orders_of(moved, moved.robots[R0])] == ["k3", "k1", "k2"]
+        await store.until(lambda _: len(kept(tmp_path)[:1]) and len(kept(tmp_path)[0].stops) == 2)
+    site.server.speed = SPEED
+    async with linked(site.config, queue=keeping(tmp_path)) as (link, store):
+        state = await store.until(lambda state: len(waiting(state, state.robots[R0])) == 3)
+        stops = [len(order.stops) for order in waiting_orders_of(state, state.robots[R0])]
+        assert stops == [2, 1, 1]
+        link.post(OrderMoved(R0, "k3", "k1", state.now))
+        await store.until(lambda state: nav2_ready(state) and not state.robots[R0].orders.open)
+        await finished(link, store, ResumeRobot(R0))
+        before = len(site.navigation().received)
+        await store.until(lambda _: len(site.navigation().received) > before)
+        assert site.navigation().received[before]["pose"]["pose"]["position"]["y"] == 7.0, "Receiving"
+
+
+def test_an_order_that_is_moved_up_does_not_overtake_the_one_that_is_leaving() -> None:
+    known: list[Event] = [link_up(T0), pose(T0), tick(T0)]
+    waits = [fact for n in (1, 2) for fact in commanded(n, place_order(R0, n), Stage.WAITING, at=T0 + n / 10)]
+    store = Store(reduced(of_kinds(fleet(), KEEPING), *known, *waits))
+    left: list[int] = []
+    orders = WaitingOrders(
+        *(None, store, store.apply, lambda id_, _order, _at: left.append(id_), lambda _: None, lambda: 9)
+    )
+    orders.tick(T0 + 0.3)
+    store.apply(OrderMoved(R0, "k2", "k1", T0 + 0.3))
+    orders.tick(T0 + 0.4)
+    assert left == [1]
 
 
 async def test_only_so_many_orders_wait_for_a_robot(site: Site, monkeypatch: pytest.MonkeyPatch) -> None:

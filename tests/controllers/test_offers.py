@@ -9,9 +9,8 @@ from fleet_tui.controllers.save import SaveCommand
 from fleet_tui.controllers.session import ConsoleSession
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.keys import Key, Pane
-from fleet_tui.model.commands import ResumeRobot
 from tests.support.desk import Desk, ready
-from tests.support.fleets import R0, labels, reduced
+from tests.support.fleets import labels, reduced
 
 
 class Answers:
@@ -21,6 +20,9 @@ class Answers:
 
     def __init__(self, prefix: str) -> None:
         self._prefix = prefix
+
+    def offers(self, key: Key[Any]) -> bool:
+        return key.pane in self.panes
 
     def typed(self, line: str) -> Typed | None:
         return Typed(problem=f"a {self._prefix}") if line.startswith(self._prefix) else None
@@ -64,16 +66,15 @@ def test_actions_are_those_of_the_table_that_work_here() -> None:
     texts = [offer.text for offer in palette.offers.entries()]
     assert not any("Play or pause" in text for text in texts), "there is no recording"
     keys = {offer.text: offer.key for offer in palette.offers.entries()}
-    assert keys["Pause the selected robot immediately"] == "p" and keys["Resume all robots"] == ""
+    assert keys["Pause the selected robot immediately"] == "p" and keys["Next robot"] == "."
     palette.choose("Pause the selected robot")
     assert palette.run == ["pause"]
 
 
-def test_all_robots_can_be_resumed_without_a_key_for_it() -> None:
+def test_all_robots_can_be_resumed() -> None:
     palette = Palette()
-    palette.choose("Resume all robots")
-    palette.desk.say_yes()
-    assert palette.desk.backend.submitted == [ResumeRobot(R0)]
+    palette.choose("Resume all paused robots")
+    assert palette.run == ["resume_all"]
 
 
 def test_a_line_is_a_time_or_a_file_and_else_a_command() -> None:

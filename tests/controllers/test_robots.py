@@ -1,13 +1,17 @@
 """Requests to robots beside orders: pauses of one or all, and the menu of a robot."""
 
-from fleet_tui.controllers.orders import OrderRequests
+from fleet_tui.controllers.ordering.orders import OrderRequests
 from fleet_tui.controllers.robots import RobotRequests
 from fleet_tui.model.commands import PauseRobot, ResumeRobot
+from fleet_tui.model.events import CommandPathChanged, PausedReported
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import CommandPath
 from fleet_tui.widgets.rows_pane import RowsPane
 from tests.support.desk import Desk, ready
-from tests.support.fleets import R0, T0, battery, reduced, tick
+from tests.support.fleets import LINK, R0, T0, battery, fleet, link_up, reduced, tick
 from tests.support.kinds import FULL, MUTE, moved
+
+ALIVE = CommandPathChanged(LINK, CommandPath.ALIVE, connected=True)
 
 
 def requests(state: FleetState) -> tuple[Desk, list[str], RobotRequests]:
@@ -17,14 +21,16 @@ def requests(state: FleetState) -> tuple[Desk, list[str], RobotRequests]:
         lambda _robot, _place: None,
         desk.open_menu,
         lambda _wall: "12:00",
+        desk.marked,
     )
     return (
         desk,
         asked,
         RobotRequests(
-            *(desk.store, desk.dispatch, desk.navigation, orders, desk.open_menu),
+            *(desk.store, desk.dispatch, desk.notices, desk.navigation, orders, desk.open_menu),
             lambda: asked.append(desk.navigation.robot),
             lambda source, kind: asked.append(f"{kind} of {source}"),
+            desk.marked,
         ),
     )
 
@@ -36,6 +42,23 @@ def test_a_pause_leaves_at_once() -> None:
     robots.pause_all()
     assert desk.backend.submitted == [PauseRobot(R0), ResumeRobot(R0), PauseRobot(R0)]
     assert desk.answers == []
+
+
+def test_resume_all_asks_once_and_reaches_whom_a_pause_holds() -> None:
+    other = "robot_1"
+    heard = (PausedReported(R0, T0, True), PausedReported(other, T0, False), tick(T0))
+    desk, _, robots = requests(reduced(fleet(2), link_up(T0), ALIVE, *heard))
+    robots.resume_all()
+    assert (len(desk.answers), desk.backend.submitted) == (1, [])
+    desk.say_yes()
+    assert desk.backend.submitted == [ResumeRobot(R0)]
+
+
+def test_resume_all_says_so_where_no_robot_is_paused() -> None:
+    desk, _, robots = requests(ready())
+    robots.resume_all()
+    assert (desk.answers, desk.backend.submitted) == ([], [])
+    assert desk.notices.text == "no robot is paused"
 
 
 def test_the_menu_leads_to_the_alarms_of_the_robot() -> None:

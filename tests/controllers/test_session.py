@@ -29,7 +29,7 @@ def test_the_way_back_from_all_paused_is_shown_where_it_fits_and_may_be_gone() -
         return text_of(LiveSession(Desk(paused, permissions).parts).headline(paused, R0, width)[0])
 
     fitting = headline(300)
-    assert "ALL PAUSED, :resume all  " in fitting
+    assert "ALL PAUSED, R resumes all  " in fitting
     assert headline(len(fitting)) == fitting
     assert "ALL PAUSED  " in headline(len(fitting) - 1)
     assert "resume" not in headline(300, Permissions(read_only=True)) + headline(

@@ -10,10 +10,12 @@ def test_keys_that_work_everywhere_are_those_without_a_pane_of_their_own() -> No
     assert {pane for pane in Pane if pane.is_everywhere} == {Pane.CONSOLE, Pane.ANYWHERE, Pane.RECORDING}
 
 
-def test_a_key_of_the_map_is_in_its_section_wherever_it_works() -> None:
+def test_a_key_of_the_map_or_the_tables_is_in_its_section_wherever_it_works() -> None:
     of_map = [key for key in KEYS if key.of_map]
+    of_rows = [key for key in KEYS if key.of_rows]
     assert of_map and all(key.section is Pane.MAP for key in of_map)
-    assert all(key.section is key.pane for key in KEYS if not key.of_map)
+    assert of_rows and all(key.section is Pane.ROWS for key in of_rows)
+    assert all(key.section is key.pane for key in KEYS if not (key.of_map or key.of_rows))
 
 
 def test_every_row_is_found_by_its_id() -> None:

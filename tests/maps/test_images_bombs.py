@@ -38,15 +38,11 @@ def png(width: int, height: int, data: bytes, *more: bytes, depth: int = 8, kind
     return b"\x89PNG\r\n\x1a\n" + b"".join(parts)
 
 
-LONG = zlib.compress(bytes(200_000_000))
 IMAGES = {
     "vast.png": (png(60_000, 60_000, b""), "exceeds 100,000,000 px"),
     "endless.png": (png(2**31 - 1, 2**31 - 1, b""), "100,000,000 px"),
     "nothing.png": (png(0, 0, b""), "map nothing.png: "),
     "lies.png": (png(9_000, 9_000, b"\0\0"), "unreadable"),
-    "text.png": (png(1, 1, b"\0\0", chunk(b"zTXt", b"a\0\0" + LONG)), ""),
-    "unicode.png": (png(1, 1, b"\0\0", chunk(b"iTXt", b"a\0\1\0\0\0" + LONG)), ""),
-    "profile.png": (png(1, 1, b"\0\0", chunk(b"iCCP", b"a\0\0" + LONG)), ""),
     "vast.gif": (b"GIF89a" + struct.pack("<HHBBB", 65_535, 65_535, 0, 0, 0), "is not a supported image"),
     "vast.pgm": (b"P5\n999999999999 999999999999\n255\n", "unreadable"),
     "digits.pgm": (b"P5\n" + b"9" * 100_000, "unreadable"),
@@ -69,6 +65,16 @@ def test_an_image_that_is_a_bomb(tmp_path: Path, name: str, recwarn: pytest.Warn
     (tmp_path / name).write_bytes(content)
     said = problem(tmp_path / name)
     assert says in said and len(said) < 300
+    assert not recwarn.list
+
+
+@pytest.mark.parametrize("start", [b"zTXta\0\0", b"iTXta\0\1\0\0\0", b"iCCPa\0\0"])
+def test_a_text_in_an_image_that_is_a_bomb(
+    tmp_path: Path, start: bytes, recwarn: pytest.WarningsRecorder
+) -> None:
+    long = zlib.compress(bytes(200_000_000), 1)
+    (tmp_path / "m.png").write_bytes(png(1, 1, b"\0\0", chunk(start[:4], start[4:] + long)))
+    assert len(problem(tmp_path / "m.png")) < 300
     assert not recwarn.list
 
 
@@ -122,7 +128,7 @@ print(next(line.split()[1] for line in open("/proc/self/status") if line.startsw
 
 def test_the_largest_image_there_may_be_takes_so_much_memory(tmp_path: Path) -> None:
     """In colour, with alpha: 400 MB of pixels in a file of 400 kB."""
-    row = zlib.compressobj()
+    row = zlib.compressobj(1)
     data = b"".join(row.compress(bytes(40_001)) for _ in range(10_000)) + row.flush()
     head = struct.pack(">IIBBBBB", 10_000, 10_000, 8, 6, 0, 0, 0)
     parts = (chunk(b"IHDR", head), chunk(b"IDAT", data), chunk(b"IEND", b""))

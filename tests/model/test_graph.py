@@ -76,3 +76,10 @@ def test_unknown_vertices_have_no_way() -> None:
 def test_a_large_graph_makes_no_search_for_garbage_longer() -> None:
     """Each robot may have 20,000 vertices, and the network loop looks for garbage every minute."""
     assert not any(map(gc.is_tracked, (Vertex("1", 0.0, 0.0), Edge("1", "2", "3"))))
+
+
+def test_metres_to_places_are_those_of_the_shortest_path_to_the_nearest() -> None:
+    vertices = {id_: Vertex(id_, x, 0.0) for id_, x in (("a", 0.0), ("b", 1.0), ("c", 3.0), ("d", 9.0))}
+    edges = (Edge("0", "a", "b"), Edge("1", "b", "c"), Edge("2", "c", "d"))
+    assert RouteGraph(vertices, edges).metres_to(["a", "d"]) == {"a": 0.0, "b": 1.0, "c": 3.0, "d": 0.0}
+    assert RouteGraph(vertices, edges, directed=True).metres_to(["b", "gone"]) == {"b": 0.0, "a": 1.0}

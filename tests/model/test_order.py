@@ -191,7 +191,7 @@ def test_no_queue_current_and_an_empty_id_is_none() -> None:
 
 def test_waiting_here_is_open_but_telemetry_does_not_decide_it() -> None:
     assert Stage.WAITING in OPEN and Stage.WAITING not in WAITS
-    assert NEXT[Stage.WAITING] == {Stage.SENT, Stage.NOT_SENT, Stage.CANCELLED}
+    assert NEXT[Stage.WAITING] == {Stage.WAITING, Stage.SENT, Stage.NOT_SENT, Stage.CANCELLED}
     waiting = reduced(fleet(), link_up(T0), *commanded(1, ORDER, Stage.WAITING), tick(T0 + 900))
     assert only(waiting).stage is Stage.WAITING and not only(waiting).is_decided
     cancelled = only(reduced(waiting, CommandAdvanced(1, Stage.CANCELLED, T0 + 901)))

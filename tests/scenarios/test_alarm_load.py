@@ -3,9 +3,9 @@
 from collections import Counter
 from pathlib import Path
 
+import msgspec
 import pytest
 
-from fleet_tui.adapters.ros import operations
 from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.schema import DEFAULT_LINK, Config
 from fleet_tui.config.start import initial_state
@@ -14,7 +14,6 @@ from fleet_tui.model.alarm import AlarmStage, Key, transitions
 from fleet_tui.model.events import LinkChanged, MessageArrived, TimePassed
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
-from fleet_tui.simulator.frames import OutgoingFrame
 from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros1 import ROS1
@@ -31,7 +30,10 @@ def raised(world: World, minutes: float, folder: Path) -> tuple[Counter[Key], St
     config = demo_config(Config(), "ws://nowhere:1", len(world.robots), floors, folder=folder)
     adapters, topics = adapters_of(config), {topic.name: topic for topic in fleet.topics(0.0, ROS1)}
     feeds = [
-        feed for feed in feeds_of(config, adapters, DEFAULT_LINK) if not feed.large and not feed.on_demand
+        (topics[feed.address], robot, feed._replace(robots=(robot,)))
+        for feed in feeds_of(config, adapters, DEFAULT_LINK)
+        for robot in feed.robots
+        if not feed.large and not feed.on_demand
     ]
     store, found = Store(initial_state(config, 0.0)), Counter[Key]()
 
@@ -44,17 +46,12 @@ def raised(world: World, minutes: float, folder: Path) -> tuple[Counter[Key], St
     for n in range(round(minutes * 60 / TICK)):
         now = n * TICK
         fleet.step(TICK)
-        for feed in feeds:
-            topic = topics[feed.address]
+        for topic, robot, feed in feeds:
             if (topic.latched and n) or (topic.robot is not None and topic.robot.silence > 0.0):
                 continue
-            frame = OutgoingFrame(feed.address, topic.payload(now)).frame("none")
-            assert isinstance(frame, str)
-            said = operations.decode(frame.encode())
-            assert isinstance(said, operations.Publish)
-            for robot in feed.robots:
-                for event in adapters[robot].read(feed._replace(robots=(robot,)), said.msg, now):
-                    store.apply(event)
+            said = msgspec.Raw(topic.payload(now).json.encode())
+            for event in adapters[robot].read(feed, said, now):
+                store.apply(event)
         store.apply(MessageArrived(DEFAULT_LINK, now))
         store.apply(TimePassed(now, now))
     return found, store

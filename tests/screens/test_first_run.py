@@ -30,7 +30,14 @@ async def test_it_names_the_places_the_robots_and_the_keys(
 @pytest.mark.parametrize("size", SIZES)
 async def test_it_says_why_nothing_is_there_and_opens_nothing(size: tuple[int, int]) -> None:
     async with entry(address="ws://127.0.0.1:9", size=size) as it:
-        await it.shows("ws://127.0.0.1:9", "connection refused", "correct the address", "fleet-tui demo")
+        await it.shows(
+            "ws://127.0.0.1:9",
+            "connection refused",
+            "correct the address",
+            "fleet-tui demo",
+            "a other address",
+        )
+        assert "enter open" not in it.text
         await it.pilot.press("enter")
         assert it.app.is_running
         await it.pilot.press("q")

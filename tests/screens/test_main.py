@@ -158,9 +158,9 @@ async def test_enter_on_free_ground_tells_the_key_of_the_next_place(server: Rosb
 async def test_all_paused_shows_the_way_back_at_80_columns_too(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2, 2), (80, 24)) as it:
         await it.press("P")
-        await it.shows("ALL PAUSED, :resume all")
+        await it.shows("ALL PAUSED, R resumes all")
         assert server.url in it.text.splitlines()[0]
-        await it.press("colon")
-        await it.type("resume all")
-        await it.press("enter")
+        await it.press("R")
+        await it.shows("robot_0, robot_1")
+        await it.press("y")
         await it.hides("ALL PAUSED")

@@ -9,7 +9,7 @@ import pytest
 
 from fleet_tui.audit import reader
 from fleet_tui.audit.log import auditing
-from fleet_tui.screens import main
+from fleet_tui.screens import key_actions, main
 from fleet_tui.screens.main import MainScreen
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.view.tables.fleet import fleet_table
@@ -44,7 +44,7 @@ def logged(caplog: pytest.LogCaptureFixture) -> list[str]:
 async def test_a_key_that_fails_costs_nothing_else(
     server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
-    monkeypatch.setattr(MainScreen, "all_orders", broken([None], MainScreen.all_orders))
+    monkeypatch.setattr(key_actions, "_all_orders", broken([None], key_actions._all_orders))
     async with console(config_of(server.url, 2, 2)) as it:
         await it.press("*")
         await it.shows(SAID)
@@ -88,7 +88,7 @@ async def test_the_words_of_a_fault_are_shown_as_text(
     def fails(_self: MainScreen) -> None:
         raise error
 
-    monkeypatch.setattr(MainScreen, "all_orders", fails)
+    monkeypatch.setattr(key_actions, "_all_orders", fails)
     async with console(config_of(server.url, 2, 2)) as it:
         await it.press("*")
         await it.until(lambda _state: said in it.app.main.notices.text)

@@ -92,9 +92,9 @@ async def test_every_robot_reads_as_in_a_fleet_of_its_own_and_tells_what_its_kin
             assert told == report(by_itself)["robots"][0]
         told = {one["name"]: one for one in report(state)["robots"]}
         assert "cargo" not in told[NAV2] or told[NAV2]["cargo"] is None
-        for name, start in ((OH, ""), (MOVE_BASE, "Queue of this console"), (NAV2, "Queue of this console")):
+        for name in KINDS:
             title = "".join(text for text, _ in queue_table(state, name, False, WIDE).title)
-            assert title.startswith(start or "Queue robot_0")
+            assert title.startswith(f"Queue {name}") and (" from here" in title) is (name != OH)
         rows = {name: " ".join(words(fleet_table(state, name, WIDE), name)[0]) for name in KINDS}
         for name in (OH, MOVE_BASE):
             assert "stop 1 of" not in rows[name] and "m, " not in rows[name]

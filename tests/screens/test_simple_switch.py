@@ -26,6 +26,11 @@ async def test_it_comes_and_goes_and_pausing_works_within(
         await it.press("s")
         await it.shows_a_label()
         assert it.app.main.focused is it.app.main.rest.map
+        await it.press("s")
+        await it.shows("Esc: back to the map")
+        await it.press("escape")
+        await it.shows_a_label()
+        assert it.app.main.focused is it.app.main.rest.map
 
 
 async def test_a_tick_while_it_is_being_made(

@@ -209,10 +209,13 @@ def test_robots_that_know_the_same_graph_share_one() -> None:
     assert changed.robots["robot_1"].maps[F0].graph is second
 
 
-def test_a_map_that_all_robots_share_is_their_floors() -> None:
+def test_a_map_that_all_robots_share_is_their_floors(monkeypatch: pytest.MonkeyPatch) -> None:
     grid = grid_from_ros(MapFrame(1.0, 2, 1), b"\0d")
     state = reduced(fleet(2, 2), events.GridReceived("", F0, grid))
     assert state.floors[F0].live is grid and state.robots[R0].maps[F0].grid is None
     other = grid_from_ros(MapFrame(1.0, 1, 1), b"\0")
     state = reduced(state, events.GridReceived("", "floor_1", other), events.GridReceived("", "attic", grid))
-    assert (state.floors[F0].live, state.floors["floor_1"].live) == (None, other)
+    assert (state.floors[F0].live, state.floors["floor_1"].live) == (grid, other)
+    monkeypatch.setattr("fleet_tui.state.reducer.LIVE_CELLS_KEPT", 1)
+    state = reduced(state, events.GridReceived("", "floor_1", other))
+    assert (state.floors[F0].live, state.floors["floor_1"].live) == (None, other), "too large together"

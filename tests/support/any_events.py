@@ -125,6 +125,9 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
     ),
     navigation_events.FloorReported: st.builds(navigation_events.FloorReported, ROBOTS, AT, FLOORS),
     navigation_events.QueueHeld: st.builds(navigation_events.QueueHeld, ROBOTS, st.text(max_size=4)),
+    navigation_events.OrderMoved: st.builds(
+        navigation_events.OrderMoved, ROBOTS, *2 * [st.sampled_from(["k1", "k2", ""])], AT
+    ),
     navigation_events.GoalAnswered: st.builds(
         navigation_events.GoalAnswered,
         COMMAND_IDS,

@@ -76,7 +76,7 @@ class Console:
         """
         ends = time.monotonic() + 30
         idle = 0
-        while idle < 3 and not self.app._exception:
+        while idle < 3 and not self.app._exception and self.app.is_running:
             assert time.monotonic() < ends, "a widget never comes to rest"
             await asyncio.sleep(0 if idle else 0.0005)
             idle = idle + 1 if self._is_idle() else 0

@@ -9,6 +9,7 @@ from fleet_tui.controllers.navigation import Navigation
 from fleet_tui.controllers.notices import Notices
 from fleet_tui.controllers.session import SessionParts
 from fleet_tui.controllers.settings import ConsoleSettings
+from fleet_tui.controllers.tables.marked import MarkedCommands
 from fleet_tui.controllers.typed import Entry
 from fleet_tui.model.commands import Command
 from fleet_tui.model.counters import LinkCounter
@@ -131,6 +132,17 @@ class Desk:
         allowed = permissions or Permissions()
         self.dispatch = Dispatch(self.store, self.backend, allowed, self.notices, self.ask)
         self.navigation = Navigation(self.store, self.selected.append, lambda: self.camera, lambda: None)
+        self.marks: list[str] = []
+        self.outcomes: list[tuple[Command, str]] = []
+        self.asked: list[str] = []
+        self.marked = MarkedCommands(
+            self.store,
+            self.dispatch,
+            self.ask,
+            lambda: self.marks,
+            self.outcomes.extend,
+            self.marks.clear,
+        )
 
     @property
     def parts(self) -> SessionParts:
@@ -147,7 +159,8 @@ class Desk:
         return SessionParts(self.dispatch, self.notices, ConsoleFiles(), settings, lambda: False)
 
     def ask(self, question: Callable[[], str], then: Callable[[], None]) -> None:
-        assert question()
+        self.asked.append(question())
+        assert self.asked[-1]
         self.answers.append(then)
 
     def open_menu(self, title: str, entries: Sequence[Entry]) -> None:

@@ -2,7 +2,7 @@
 
 from fleet_tui.model.counters import LinkCounter, TopicCounter
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.view.tables.links import Links
+from fleet_tui.view.tables.diagnostics.links import Links
 from fleet_tui.view.tables.table import Table
 from tests.support.fleets import LINK, R0, T0, fleet, link_up, reduced, tick
 

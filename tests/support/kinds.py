@@ -4,7 +4,7 @@ import math
 
 from fleet_tui.keymap import keymap
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, Kind
+from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, PAUSE, RESUME, Kind
 from tests.support.fleets import (
     R0,
     T0,
@@ -24,6 +24,15 @@ GOALS = Kind("goals", ("pose", "battery", "queue", "graph", "labels"), (ORDER, O
 FULL = fleet().robots[R0].kind
 BARE = Kind("bare", ("pose",), (ORDER_TO,))
 LATE = Kind("late", ("pose", "battery", "queue"), (ORDER, CANCEL), {"queue": math.inf})
+KEEPING = Kind(
+    "goals",
+    ("pose", "queue"),
+    (ORDER, ORDER_TO, CANCEL, CLEAR, PAUSE, RESUME),
+    reports_ends=True,
+    keeps_goals=True,
+    holds=True,
+)
+"""Drives one goal at a time: this console keeps its queue."""
 KEYS, _ = keymap({})
 
 

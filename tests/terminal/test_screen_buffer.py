@@ -13,8 +13,9 @@ from rich.color import ColorSystem
 from rich.segment import Segment
 from rich.style import Style
 
+from fleet_tui.terminal import screen_buffer
 from fleet_tui.terminal.cell_strip import CellStrip
-from fleet_tui.terminal.screen_buffer import ONE_CELL_EACH, REMEMBERED, ScreenBuffer
+from fleet_tui.terminal.screen_buffer import ONE_CELL_EACH, ScreenBuffer
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.roles import StyleRole
 
@@ -144,17 +145,18 @@ def test_full_blocks_of_a_picture_have_their_own_colour_as_ground() -> None:
     assert shown == [("█", "white", "white"), ("▀", "white", "blue")]
 
 
-def test_looks_and_odd_characters_that_are_out_of_view_are_forgotten() -> None:
+def test_looks_and_odd_characters_that_are_out_of_view_are_forgotten(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(screen_buffer, "REMEMBERED", 1024)
     onto, terminal = glass(8, 2, ColorSystem.TRUECOLOR), pyte.Screen(8, 2)
     stream = pyte.Stream(terminal)
     marks = [chr(code) for code in range(0x300, 0x340)]
-    for n in range(12_000):
+    for n in range(3_000):
         cluster = f"{chr(ord('a') + n % 26)}{marks[n // 26 % 64]}{marks[n // 1664]}"
         style = Style(color=f"#{n % 256:02x}{n // 256:02x}80")
         onto.put(0, n % 2, 8, [Segment(f"{n:06d}", style), Segment(cluster, Style(bold=True)), Segment(" ")])
         stream.feed(onto.take())
-        assert max(len(onto._looks), len(onto._clusters)) <= REMEMBERED + 2 * 16
-    assert [line[:6] for line in terminal.display] == ["011998", "011999"]
+        assert max(len(onto._looks), len(onto._clusters)) <= 1024 + 2 * 16
+    assert [line[:6] for line in terminal.display] == ["002998", "002999"]
     assert terminal.buffer[1][6].data == normalize("NFC", cluster)
-    assert (terminal.buffer[0][0].fg, terminal.buffer[1][0].fg) == ("de2e80", "df2e80")
+    assert (terminal.buffer[0][0].fg, terminal.buffer[1][0].fg) == ("b60b80", "b70b80")
     assert onto.take() == ""

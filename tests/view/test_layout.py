@@ -7,6 +7,7 @@ from fleet_tui.view.layout import (
     BUTTONS,
     LEAST_LIST,
     LEAST_MAP,
+    LEAST_TABLES,
     Wanted,
     below_buttons,
     below_map,
@@ -14,6 +15,7 @@ from fleet_tui.view.layout import (
     beside_fleet,
     beside_map,
     is_better_beside,
+    width_of_map,
     without_map,
 )
 
@@ -53,6 +55,23 @@ def test_a_floor_is_beside_the_fleet_where_that_shows_it_larger() -> None:
     assert not is_better_beside(70, 21, wanted, 0.4), "no space for the fleet"
 
 
+@given(st.integers(120, 300), st.integers(13, 100), st.floats(0.01, 10.0))
+def test_a_map_takes_more_than_its_share_only_for_a_larger_floor_and_leaves_the_tables_theirs(
+    width: int, lines: int, shape: float
+) -> None:
+    cells, share = width_of_map(width, lines, shape), round(width * 0.6)
+    assert share <= cells <= max(share, width - LEAST_TABLES)
+    assert cells == share or (cells - 2) * shape <= lines
+
+
+def test_a_usual_floor_fills_a_large_screen() -> None:
+    assert width_of_map(120, 37, 0.33) == 72
+    assert width_of_map(200, 57, 0.33) == 123
+    assert width_of_map(200, 57, 1.0) == 120
+    assert width_of_map(200, 57, 0.33, 92) == 108, "an enlarged table has all its columns"
+    assert width_of_map(120, 37, 0.33, 92) == 60
+
+
 def test_thirty_robots_have_twenty_four_rows_at_120_by_40() -> None:
     assert beside_map(37, Wanted(32, 3, 3))[0] >= 24 + 2
     assert beside_map(37, Wanted(32, 12, 9))[0] >= 16
@@ -66,7 +85,8 @@ def test_small_maps_have_what_the_robots_page_can_spare() -> None:
     assert below_page(57, 44, 80) == 28
     assert below_page(57, 35, 80) == 19 and below_page(57, 23, 80) == 14
     assert below_page(57, 20, 80) == 11, "30 robots beside a whole page"
-    assert below_page(57, 19, 80) == 0, "the page is not cut"
+    assert below_page(57, 18, 80) == 11, "fewer values"
+    assert below_page(57, 17, 80) == 0, "the page is not cut"
     assert below_page(37, 25, 48) == 0, "a column too narrow for a floor"
 
 

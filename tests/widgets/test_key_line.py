@@ -15,4 +15,5 @@ async def test_keys_follow_what_is_offered_and_the_width() -> None:
         assert text(line)[0].startswith(" a ack robot_7 ") and "o order" not in text(line)[0]
         await pilot.resize_terminal(30, 3)
         line.offer(Pane.MAP, False, set(), "alarms", "robot_7")
-        assert len(text(line)[0]) == 30 and "command" in text(line)[0]
+        assert len(text(line)[0]) == 30 and " a ack" in text(line)[0], "before the palette"
+        assert " ? help" in text(line)[0]

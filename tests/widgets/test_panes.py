@@ -88,6 +88,6 @@ async def test_an_enlarged_pane_gives_way_to_the_order_form_and_its_map(server: 
         await it.until(lambda _: heights(it) == {"fleet": 21})
         await it.press("o")
         shown, form = (it.app.main.query_one(name) for name in ("#map", "#order-form"))
-        await it.until(lambda _: heights(it).get("map", 0) >= 9 and shown.region.bottom <= form.region.y)
+        await it.until(lambda _: heights(it).get("map", 0) >= 9 and shown.region.right <= form.region.x)
         await it.press("escape")
         await it.until(lambda _: heights(it) == {"fleet": 21})

@@ -4,6 +4,7 @@ import os
 
 import click
 
+from fleet_tui.cli.offers import files
 from fleet_tui.cli.options import NearestGroup, common, merged, screen, timeout
 from fleet_tui.config.load import find, load, user_folder
 from fleet_tui.config.schema import Config
@@ -20,20 +21,28 @@ def config() -> None:
 @click.option(
     "--from-live", "url", metavar="URL", default="", help="Discover robots and floors on this bridge."
 )
-@click.option("--output", metavar="FILE", default="", help="Write to this file instead of standard output.")
+@click.option(
+    "--output",
+    metavar="FILE",
+    default="",
+    shell_complete=files,
+    help="Write to this file instead of standard output.",
+)
 @click.option("--force", is_flag=True, help="Overwrite an existing file.")
 @timeout(20.0)
 @common
 @merged
 def init(config_file: str | None, debug: bool, url: str, output: str, force: bool, timeout: float) -> None:
-    """Write a commented configuration to edit: an example, or one discovered on a bridge. --config FILE
+    """Write a configuration to edit, with comments. An example, or one discovered on a bridge. --config FILE
     supplies the certificates and authorization for the connection, from its [rosbridge]."""
-    from fleet_tui.cli.config.init import example, from_live, write
+    from fleet_tui.cli.config.init import example, from_live, next_steps, write
 
     log_to_file(debug)
     known = load(find(config_file)) if config_file else Config()
-    text = from_live(known, url, timeout) if url else example()
-    write(text, output, force, click.echo)
+    site = from_live(known, url, timeout) if url else None
+    write(site.text if site else example(), output, force, click.echo)
+    for line in next_steps(site, output):
+        click.echo(sanitize(line), err=True)
 
 
 @config.command()

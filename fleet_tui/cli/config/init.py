@@ -1,12 +1,13 @@
 """The `config init` command: a configuration to start from, from the robots of a bridge."""
 
-from collections.abc import Callable
+import shlex
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from fleet_tui.config.load import shipped
 from fleet_tui.config.schema import Config
 from fleet_tui.discovery.address import bridge_at
-from fleet_tui.discovery.site import start_discovery
+from fleet_tui.discovery.site import DiscoveredSite, start_discovery
 from fleet_tui.errors import FleetError
 
 
@@ -15,13 +16,13 @@ def example() -> str:
     return shipped().read_text(encoding="utf-8")
 
 
-def from_live(known: Config, url: str, timeout: float) -> str:
-    """Return a configuration for the robots behind the bridge at `url`, reached with the settings of `known`.
+def from_live(known: Config, url: str, timeout: float) -> DiscoveredSite:
+    """Return the site behind the bridge at `url`, reached with the settings of `known`.
 
     Raises ConfigError for an invalid address, LinkError if it can't be reached, FleetError if rosapi fails.
     """
     bridge = bridge_at(url, known.whole().rosbridge)
-    return start_discovery(bridge, timeout).result().text
+    return start_discovery(bridge, timeout).result()
 
 
 def write(text: str, output: str, force: bool, say: Callable[[str], None]) -> None:
@@ -36,3 +37,19 @@ def write(text: str, output: str, force: bool, say: Callable[[str], None]) -> No
         raise FleetError(f"{output} exists: overwrite with --force") from None
     except OSError as problem:
         raise FleetError(f"{output}: {problem.strerror}") from None
+
+
+def next_steps(site: DiscoveredSite | None, output: str) -> Iterator[str]:
+    """Return the findings, with every uncertain setting, and what to do next."""
+    if site is None:
+        edit = "set the address of your rosbridge and your robots, then "
+    else:
+        yield f"{site.bridge.shown}: {site.summary}"
+        yield from (f"warning: {line}" for line in site.warnings)
+        edit = "correct what is uncertain, then " if site.warnings else ""
+    if not output:
+        yield f"Next: write it with --output config.toml, {edit}type: fleet-tui check && fleet-tui"
+        return
+    file = shlex.quote(output)
+    check, config = ("", "") if output == "config.toml" else (f" {file}", f" --config {file}")
+    yield f"wrote {output}. Next: {edit}type: fleet-tui check{check} && fleet-tui{config}"

@@ -33,7 +33,7 @@ _READING = (
 
 @click.group(cls=NearestGroup)
 def graph() -> None:
-    """Check, compare, convert and show graph files of several formats."""
+    """Check, compare, convert and show route graphs. Recognises seven formats of files."""
 
 
 def reading(command: Callable[..., int]) -> Callable[..., None]:
@@ -107,7 +107,7 @@ def diff(**options: Any) -> int:
 @from_format
 @reading
 def convert(**options: Any) -> int:
-    """Write a graph file in another format; its losses are listed on stderr first. An existing OUT is kept as
+    """Write a graph file in another format. Its losses are listed on stderr first. An existing OUT is kept as
     OUT.bak. Exit code 0: written, 1: the format refuses the graph, 2: unreadable."""
     from fleet_tui.cli.graph.convert import convert as run
 

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from fleet_tui.cli.options import NumberRange, common, merged, timeout
+from fleet_tui.cli.offers import files
+from fleet_tui.cli.options import NearestGroup, NumberRange, common, merged, timeout
 from fleet_tui.log_file import log_to_file
 from fleet_tui.text.sanitize import sanitize
 
@@ -19,16 +20,18 @@ VERSION = 1
 WITHIN = 10.0
 
 
-@click.group("map")
+@click.group("map", cls=NearestGroup)
 def map_group() -> None:
-    """Show or save maps: of a file (map_server YAML, PGM, PNG), or live behind a bridge."""
+    """Show, save or make maps. Of a file (map_server YAML, PGM, PNG), or live behind a bridge."""
 
 
 def _source(command: Callable[..., None]) -> Callable[..., None]:
     """Add `FILE|URL` and its options."""
     text = "Floor of the live map, if the bridge has several."
     command = click.option("--floor", default="", metavar="NAME", help=text)(command)
-    return click.argument("source", metavar="FILE|URL")(timeout(WITHIN)(common(merged(command))))
+    return click.argument("source", metavar="FILE|URL", shell_complete=files)(
+        timeout(WITHIN)(common(merged(command)))
+    )
 
 
 @map_group.command()
@@ -71,7 +74,7 @@ def show(
     config_file: str | None,
     debug: bool,
 ) -> None:
-    """Print a map in braille, in ASCII where the output has no UTF-8; 80x24 without a terminal."""
+    """Print a map in braille. In ASCII where the output has no UTF-8; 80x24 without a terminal."""
     from fleet_tui.cli.map.picture import map_text, numbered_text, output_drawing, output_size
     from fleet_tui.cli.map.source import is_picture, map_file, map_from
     from fleet_tui.model.set_up.survey import survey
@@ -99,7 +102,7 @@ def show(
 def save(
     source: str, out: Path, floor: str, yes: bool, timeout: float, config_file: str | None, debug: bool
 ) -> None:
-    """Save a map as OUT.yaml and OUT.pgm, at full precision, and compare the files with it."""
+    """Save a map as OUT.yaml and OUT.pgm. At full precision; the files are read back and compared."""
     from fleet_tui.cli.map.source import map_from
 
     log_to_file(debug)
@@ -138,7 +141,7 @@ def place(
     config_file: str | None,
     debug: bool,
 ) -> None:
-    """Make a map of a picture by two points that are a known distance apart.
+    """Make a map of a picture by two points of known distance.
 
     Without --at its lower left corner is at (0, 0), without --heading it is not turned.
     """

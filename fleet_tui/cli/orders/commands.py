@@ -8,6 +8,7 @@ from typing import Any, NamedTuple, TypeVar
 
 import click
 
+from fleet_tui.cli.offers import robots
 from fleet_tui.cli.options import FileName, NumberRange, fleet, merged
 from fleet_tui.config.schema import Config
 from fleet_tui.log_file import log_to_file
@@ -59,7 +60,7 @@ def _options(command: F) -> F:
     limits = NumberRange(0.1, 86400)
     text = "Maximum seconds to wait: 15 by default, 3600 for order --until-done."
     schema = "Print JSON; schema in docs/commands.md."
-    command = click.option("--timeout", type=limits, help=text)(command)
+    command = click.option("--timeout", type=limits, metavar="SECONDS", help=text)(command)
     command = click.option("--yes", is_flag=True, help="Send in spite of warnings.")(command)
     return click.option("--json", "as_json", is_flag=True, help=schema)(command)
 
@@ -75,7 +76,7 @@ def _give(words: Sequence[str], options: OrderOptions, until_done: bool = False)
 
 
 @orders.command()
-@click.argument("robot")
+@click.argument("robot", shell_complete=robots)
 @click.argument("places", nargs=-1, required=True, metavar="FROM TO [TO ...]")
 @click.option("--until-done", is_flag=True, help="Wait until the order is done, not only queued.")
 @_takes_options
@@ -87,16 +88,16 @@ def order(robot: str, places: tuple[str, ...], until_done: bool, options: OrderO
 
 
 @orders.command()
-@click.argument("robot")
+@click.argument("robot", shell_complete=robots)
 @click.argument("id", metavar="ID")
 @_takes_options
 def cancel(robot: str, id: str, options: OrderOptions) -> None:
-    """Cancel one order of a robot; `goal` as the ID cancels a goal beside its queue."""
+    """Cancel one order of a robot. `goal` as the ID cancels a goal beside its queue."""
     _give(["cancel", robot, id], options)
 
 
 @orders.command()
-@click.argument("robot")
+@click.argument("robot", shell_complete=robots)
 @_takes_options
 def clear(robot: str, options: OrderOptions) -> None:
     """Clear all orders of a robot."""
@@ -104,29 +105,29 @@ def clear(robot: str, options: OrderOptions) -> None:
 
 
 @orders.command(context_settings=NEGATIVE)
-@click.argument("robot")
+@click.argument("robot", shell_complete=robots)
 @click.argument("place", nargs=-1, required=True, metavar="PLACE | X Y [YAW]")
 @_takes_options
 def goto(robot: str, place: tuple[str, ...], options: OrderOptions) -> None:
-    """Send a robot without orders to a label or vertex id, or to a pose: metres, and degrees
-    counter-clockwise. Refused on occupied and unknown ground."""
+    """Send a robot without orders to a place or a pose. A place is a label or a vertex id; a pose is in
+    metres and degrees counter-clockwise. Refused on occupied and unknown ground."""
     _give(["goto", robot, *place], options)
 
 
 @orders.command("set-pose", context_settings=NEGATIVE)
-@click.argument("robot")
+@click.argument("robot", shell_complete=robots)
 @click.argument("x")
 @click.argument("y")
 @click.argument("yaw")
 @_takes_options
 def set_pose(robot: str, x: str, y: str, yaw: str, options: OrderOptions) -> None:
-    """Tell a standing robot its pose on the map: metres, and degrees counter-clockwise. Sent with --yes, or
-    after a question."""
+    """Tell a standing robot its pose on the map. X and Y in metres, YAW in degrees counter-clockwise. Sent
+    with --yes, or after a question."""
     _give(["set-pose", robot, x, y, yaw], options)
 
 
 @orders.command()
-@click.argument("robot")
+@click.argument("robot", shell_complete=robots)
 @_takes_options
 def localise(robot: str, options: OrderOptions) -> None:
     """Let a standing robot search its pose on the whole map. Sent with --yes, or after a question."""
@@ -134,16 +135,16 @@ def localise(robot: str, options: OrderOptions) -> None:
 
 
 @orders.command()
-@click.argument("robot")
+@click.argument("robot", shell_complete=robots)
 @click.argument("calls", type=click.IntRange(1, MOST_SETTLES), default=MOST_SETTLES)
 @_takes_options
 def settle(robot: str, calls: int, options: OrderOptions) -> None:
-    """Let a robot refine its pose without moving: up to 5 CALLS, until it no longer changes."""
+    """Let a robot refine its pose without moving. Up to 5 CALLS, until it no longer changes."""
     _give(["settle", robot, str(calls)], options)
 
 
 @orders.command()
-@click.argument("robot")
+@click.argument("robot", shell_complete=robots)
 @click.argument("mode", type=click.Choice(["on", "off"]))
 @_takes_options
 def mapping(robot: str, mode: str, options: OrderOptions) -> None:
@@ -152,7 +153,7 @@ def mapping(robot: str, mode: str, options: OrderOptions) -> None:
 
 
 @orders.command("store-map")
-@click.argument("robot")
+@click.argument("robot", shell_complete=robots)
 @click.argument("name")
 @_takes_options
 def store_map(robot: str, name: str, options: OrderOptions) -> None:
@@ -161,7 +162,7 @@ def store_map(robot: str, name: str, options: OrderOptions) -> None:
 
 
 @orders.command("store-pose-graph")
-@click.argument("robot")
+@click.argument("robot", shell_complete=robots)
 @click.argument("name")
 @_takes_options
 def store_pose_graph(robot: str, name: str, options: OrderOptions) -> None:
@@ -179,7 +180,7 @@ def _which(robot: str | None, every: bool) -> str:
 def _fleet(command: F) -> F:
     """Add `ROBOT` and `--all`."""
     command = click.option("--all", "every", is_flag=True, help="Address all robots.")(command)
-    return click.argument("robot", required=False)(command)
+    return click.argument("robot", required=False, shell_complete=robots)(command)
 
 
 @orders.command()
@@ -215,9 +216,9 @@ def run(
     keep_going: bool,
     options: OrderOptions,
 ) -> None:
-    """Send the commands in FILE one after the other: one per line, as typed in the console's palette (robot_0
-    Base > Store, cancel robot_0 12, pause all). If FILE is -, read standard input. A line that begins with #
-    is a comment. If a line is invalid, nothing is sent."""
+    """Send the commands of a file, one after the other. One per line, as typed in the console's palette
+    (robot_0 Base > Store, cancel robot_0 12, pause all). If FILE is -, read standard input. A line that
+    begins with # is a comment. If a line is invalid, nothing is sent."""
     from fleet_tui.cli.orders.batch import lines_of, run_batch
     from fleet_tui.cli.orders.giving import how
 

@@ -6,6 +6,7 @@ import sys
 
 import click
 
+from fleet_tui.cli import offers
 from fleet_tui.cli.options import NearestGroup, common, merged, timeout
 from fleet_tui.config.load import find, load
 from fleet_tui.config.programs import ProgramEntry
@@ -23,7 +24,8 @@ WITHIN = 30.0
 @common
 @click.pass_context
 def programs(ctx: click.Context, as_json: bool, config_file: str | None, debug: bool) -> None:
-    """List the programs of the robot servers with their states. Exit code 1: one has failed or is unknown."""
+    """Show and control the programs of the robot servers. Without a command it lists them. Exit code
+    1: one has failed or is unknown."""
     if ctx.invoked_subcommand is None:
         _list(as_json=as_json, config_file=config_file, debug=debug)
     elif as_json or config_file or debug:
@@ -42,7 +44,7 @@ def _changing(verb: str) -> None:
     """Add the command of a verb."""
 
     @programs.command(verb, help=f"{verb.capitalize()} a program, and wait until its state shows it.")
-    @click.argument("name", metavar="NAME")
+    @click.argument("name", metavar="NAME", shell_complete=offers.programs)
     @click.option("--yes", is_flag=True, help="Don't ask.")
     @timeout(WITHIN)
     @common
@@ -59,7 +61,7 @@ for _verb in ("start", "stop", "restart"):
 
 
 @programs.command()
-@click.argument("name", metavar="NAME")
+@click.argument("name", metavar="NAME", shell_complete=offers.programs)
 @click.option("--follow", is_flag=True, help="Keep running and print new lines, until Ctrl-C.")
 @common
 @merged

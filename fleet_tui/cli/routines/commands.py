@@ -5,6 +5,7 @@ import sys
 
 import click
 
+from fleet_tui.cli.offers import routines
 from fleet_tui.cli.options import NearestGroup, NumberRange, common, fleet, merged, timeout
 from fleet_tui.log_file import log_to_file
 
@@ -14,11 +15,11 @@ HELD_FOR = 300.0
 
 @click.group(cls=NearestGroup)
 def routine() -> None:
-    """Check, run, list and install routines: files of instructions for robots."""
+    """Check, run, list and install routines. A routine is a file of instructions for robots."""
 
 
 @routine.command("check")
-@click.argument("name")
+@click.argument("name", shell_complete=routines)
 @click.option("--json", "as_json", is_flag=True, help="Print JSON; schema in docs/routines.md.")
 @timeout(5.0)
 @fleet
@@ -26,7 +27,7 @@ def routine() -> None:
 def check_command(
     name: str, as_json: bool, timeout: float, config_file: str | None, url: str | None, debug: bool
 ) -> None:
-    """Check a routine against the robots and their graphs, and print its timeline. Sends nothing."""
+    """Check a routine against the robots and graphs. Prints its timeline, sends nothing."""
     from fleet_tui.cli.chosen import chosen
     from fleet_tui.cli.routines.checking import check
 
@@ -35,7 +36,7 @@ def check_command(
 
 
 @routine.command("run")
-@click.argument("name")
+@click.argument("name", shell_complete=routines)
 @click.option("--resume", is_flag=True, help="Go on from where it was held or ended.")
 @click.option("--skip", is_flag=True, help="With --resume: go on after an instruction of unknown outcome.")
 @click.option("--yes", is_flag=True, help="Send orders in spite of warnings.")
@@ -43,6 +44,7 @@ def check_command(
 @click.option(
     "--timeout",
     type=NumberRange(0.1, 86400),
+    metavar="SECONDS",
     default=HELD_FOR,
     show_default=True,
     help="Without a terminal: maximum seconds to wait while it is held.",
@@ -86,7 +88,7 @@ def list_command(as_json: bool, config_file: str | None, debug: bool) -> None:
 
 
 @routine.command("install")
-@click.argument("name")
+@click.argument("name", shell_complete=routines)
 @click.option("--print", "only_print", is_flag=True, help="Print the units without writing them.")
 @common
 @merged

@@ -56,8 +56,8 @@ def next_in_trouble(state: FleetState, after: str) -> str:
 
 
 def trouble_elsewhere(state: FleetState, floor: str) -> str:
-    """Return who is in trouble on other floors than this one, empty if nobody."""
-    away = [state.robots[name] for name in sorted(in_trouble(state))]
+    """Return who is in trouble on other floors than this one, empty if nobody of whom nobody knows."""
+    away = [state.robots[name] for name in sorted(in_trouble(state) - acknowledged(state))]
     away = [robot for robot in away if robot.floor not in (None, floor)]
     if len(away) == 1:
         return f"! {away[0].name} on {away[0].floor}"

@@ -32,7 +32,12 @@ def orders_of(state: FleetState, robot: Robot) -> list[CommandRecord]:
         for one in state.commands
         if one.command.robot == robot.name and isinstance(one.command, PlaceOrder)
     ]
-    return sorted(found, key=lambda one: one.issued_at)
+    return sorted(found, key=turn_of)
+
+
+def turn_of(record: CommandRecord) -> float:
+    """Return the sort key of an order that this console gave: that of its issue, unless it was moved."""
+    return record.issued_at if record.turn is None else record.turn
 
 
 def waiting(state: FleetState, robot: Robot) -> list[CommandRecord]:

@@ -7,6 +7,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import GOAL_CANCEL
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.local_queue import all_orders
+from fleet_tui.rules.language.anyone import ANYONE, any_matches, is_anyone
 from fleet_tui.rules.language.grammar import ALL, GOAL, USAGE
 from fleet_tui.rules.language.lookup import places, recent_ends
 from fleet_tui.rules.language.set_up import USAGE as SET_UP
@@ -35,9 +36,13 @@ def complete(line: str, state: FleetState, selected: str = "") -> list[str]:
     if not done:
         verbs = [verb for verb in USAGE if _able(state, verb)]
         everybody = [f"{verb} {ALL}" for verb in ("pause", "resume") if verb in verbs]
-        return _lines(line, start, [*verbs, *everybody, *state.robots]) if line else []
+        anyone = [ANYONE] if "order" in verbs else []
+        return _lines(line, start, [*verbs, *everybody, *anyone, *state.robots]) if line else []
     verb = done[0].text.casefold() if done[0].text.casefold() in USAGE else ""
     named = done[1:] if verb else done
+    if named and is_anyone(named[0].text, state) and verb in ("", "order"):
+        names = dict.fromkeys(place.name for place in any_matches(state, ""))
+        return _lines(line, start, [_quoted(name) if " " in name else name for name in names])
     if verb in ("", "order"):
         return _order(line, named, start, verb, state)
     if verb == "cancel":

@@ -4,6 +4,7 @@
     robot_0 Base to Consumidores         the same, in words
     robot_0 > B                          the cargo on board to B; it alone if it reports no cargo
     order robot_0 Base Consumidores      the same without `>`; labels with spaces in quotes
+    anyone Base Consumidores             for the nearest idle robot (`rules/language/anyone.py`)
     cancel 12, cancel robot_0 12         clear robot_0; cancel robot_0 goal
     pause robot_0, pause all             resume robot_0, resume all
     goto robot_0 Base, goto robot_0 3.5 2 90   to a place, or metres and degrees counter-clockwise
@@ -46,11 +47,26 @@ def parse(line: str, state: FleetState, selected: str = "") -> Request:
     """Return the request of a line; `selected` is the robot if `cancel` names none. CommandError names the
     wrong word, and the nearest right one."""
     found = tokens(line)
-    if not any(token.separates for token in found) and found and found[0].text.casefold() not in USAGE:
-        found = [replace(token, separates=line[token.start : token.end] in TO) for token in found]
+    if found and found[0].text.casefold() not in USAGE:
+        found = _with_words(line, found)
     if any(token.separates for token in found):
         return _route(line, found, state)
     return parse_words([token.text for token in found], state, selected)
+
+
+def _with_words(line: str, found: list[Token]) -> list[Token]:
+    """Return the words of a line, `to` as `>` in one without that sign."""
+    if any(token.separates for token in found):
+        return found
+    return [replace(token, separates=line[token.start : token.end] in TO) for token in found]
+
+
+def place_words(line: str, found: list[Token]) -> list[str]:
+    """Return the labels after a robot: between two `>` with their spaces, without it word by word."""
+    found = _with_words(line, found)
+    if any(token.separates for token in found):
+        return [_label(line, leg) for leg in _legs(found)]
+    return [token.text for token in found]
 
 
 def parse_words(words: Sequence[str], state: FleetState, selected: str = "") -> Request:
@@ -116,7 +132,7 @@ def _route(line: str, found: list[Token], state: FleetState) -> Request:
     if not found or found[0].separates:
         raise CommandError(f"missing robot before >: {USAGE['order']}")
     robot = find_robot(found[0].text, state)
-    legs = [_label(line, leg) for leg in _legs(found[1:])]
+    legs = place_words(line, found[1:])
     only_to = not legs[0]
     if only_to:
         legs = legs[1:]

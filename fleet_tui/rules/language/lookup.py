@@ -9,6 +9,7 @@ from fleet_tui.model.commands import PlaceOrder
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import ORDER, ORDER_TO, Kind
 from fleet_tui.model.order import vertices_of
+from fleet_tui.model.request import Request, chain
 from fleet_tui.model.robot import Robot
 
 NUMBER = re.compile(r"-?[0-9]{1,10}", re.ASCII)
@@ -103,3 +104,10 @@ def may_skip_start(robot: Robot | None) -> bool:
     there."""
     kind = robot.kind if robot else Kind()
     return ORDER in kind.accepts and ORDER_TO in kind.accepts and "cargo" not in kind.reports
+
+
+def order_of(robot: Robot, visited: Sequence[Place], only_to: bool = False) -> Request:
+    """Return orders that visit the places in sequence; `only_to`: without a start."""
+    floors = {place.vertex: place.floor for place in visited}
+    vertices = [place.vertex for place in visited]
+    return Request(chain(robot.name, vertices, only_to, robot.kind.takes_stops), floors)

@@ -15,7 +15,7 @@ from fleet_tui.text.durations import age
 SPEED = 0.5
 """Metres per second of the guess, a usual speed of indoor robots."""
 
-Stop = tuple[str, tuple[Spot, ...]]
+GraphStop = tuple[str, tuple[Spot, ...]]
 """A floor, and the vertices of it that count as one place."""
 
 
@@ -46,10 +46,10 @@ class DraftRoute(Struct, frozen=True):
         if self.metres is None:
             return "no way on the graph"
         lift = ", by lift" if self.by_lift else ""
-        to_start = f" and {self.approach:.0f} m to its start" if self.approach >= 1.0 else ""
+        to_start = f"{self.approach:.0f} m to the start, then " if self.approach >= 1.0 else ""
         seconds = (self.metres + self.approach) / SPEED
-        after = f" after {self.before} order{'s' * (self.before > 1)}" if self.before else ""
-        return f"{self.metres:.0f} m{to_start}{lift}, about {age(seconds)} at {SPEED} m/s{after}"
+        after = f", after {self.before} order{'s' * (self.before > 1)}" if self.before else ""
+        return f"{to_start}{self.metres:.0f} m{lift}, about {age(seconds)} at {SPEED} m/s{after}"
 
 
 Drafted = tuple[Draft, DraftRoute | None]
@@ -58,18 +58,20 @@ Drafted = tuple[Draft, DraftRoute | None]
 
 def draft_route(robot: Robot, draft: Draft) -> DraftRoute | None:
     """Return the way along the graphs from place to place, None before there are two."""
-    here, places = _here(robot), [(place.floor, ((place.vertex, 0.0),)) for place in draft.places]
+    here, places = place_of(robot), [(place.floor, ((place.vertex, 0.0),)) for place in draft.places]
     orders = () if draft.starts_here else robot.orders.open
-    stops: list[Stop] = [*here, *places] if draft.starts_here else [*places]
+    stops: list[GraphStop] = [*here, *places] if draft.starts_here else [*places]
     if len(stops) < 2:
         return None
     before = _end(robot, orders[-1]) if orders else here
-    approach = 0.0 if draft.starts_here else _way(robot, [*before, stops[0]])[1] or 0.0
-    lines, metres = _way(robot, stops)
+    approach = 0.0 if draft.starts_here else way_between(robot, [*before, stops[0]])[1] or 0.0
+    lines, metres = way_between(robot, stops)
     return DraftRoute(lines, metres, len({floor for floor, _ in stops}) > 1, approach, len(orders))
 
 
-def _way(robot: Robot, stops: Sequence[Stop]) -> tuple[Mapping[str, tuple[Line, ...]], float | None]:
+def way_between(
+    robot: Robot, stops: Sequence[GraphStop]
+) -> tuple[Mapping[str, tuple[Line, ...]], float | None]:
     """Return the lines of a way by floor, and its metres, None if some of it has no way."""
     lines: dict[str, tuple[Line, ...]] = {}
     metres: float | None = 0.0
@@ -86,14 +88,19 @@ def _way(robot: Robot, stops: Sequence[Stop]) -> tuple[Mapping[str, tuple[Line, 
     return lines, metres
 
 
-def _end(robot: Robot, order: Order) -> list[Stop]:
+def _end(robot: Robot, order: Order) -> list[GraphStop]:
     """Return the last place of an order, if it is on a graph."""
-    vertex = order.end.vertex if order.end is not None else ""
-    floors = [name for name, one in robot.maps.items() if one.graph and vertex in one.graph.vertices]
+    return stop_at(robot, order.end.vertex if order.end is not None else "")
+
+
+def stop_at(robot: Robot, vertex: str) -> list[GraphStop]:
+    """Return a vertex with its floor, if it is on a graph; if ids repeat, on the robot's own."""
+    known = [name for name, one in robot.maps.items() if one.graph and vertex in one.graph.vertices]
+    floors = sorted(known, key=lambda name: name != robot.floor)
     return [(floors[0], ((vertex, 0.0),))] if floors else []
 
 
-def _here(robot: Robot) -> list[Stop]:
+def place_of(robot: Robot) -> list[GraphStop]:
     """Return the place of the robot on the graph of its floor, if both are known."""
     floor = robot.floor
     routes = routes_of(robot.maps[floor]) if floor is not None and floor in robot.maps else None
@@ -103,7 +110,7 @@ def _here(robot: Robot) -> list[Stop]:
 
 
 def _on_each_floor(
-    robot: Robot, one: Stop, other: Stop
+    robot: Robot, one: GraphStop, other: GraphStop
 ) -> Iterator[tuple[str, tuple[Spot, ...], tuple[Spot, ...]]]:
     """Yield the parts of a way on each floor: from one place to the other, or by the lifts."""
     (floor, starts), (to_floor, ends) = one, other

@@ -1,20 +1,14 @@
 """Actions of the diagnostics screen: pages, freezing and copying."""
 
-import base64
-import os
 from collections.abc import Hashable
 from functools import partial
 from typing import TYPE_CHECKING
 
 from fleet_tui.screens.diagnosing.pages import Page, Pages, line_of
+from fleet_tui.terminal.clipboard import clipboard, copied_text
 
 if TYPE_CHECKING:
     from fleet_tui.screens.diagnosing.overlay import Diagnostics
-
-
-def clipboard(text: str) -> str:
-    """Return the bytes that put a text into the terminal's clipboard (OSC 52)."""
-    return f"\x1b]52;c;{base64.b64encode(text.encode(errors='replace')).decode()}\x07"
 
 
 class DiagnosticsControls:
@@ -63,8 +57,7 @@ class DiagnosticsControls:
         if not text:
             self.notice = "nothing to copy"
         elif output.call(clipboard(text)):
-            tmux = " (tmux: set -s set-clipboard on)" if "TMUX" in os.environ else ""
-            self.notice = f"copied to the clipboard: {what}{tmux}"
+            self.notice = copied_text(what)
         elif tries > 1:
             self._view.set_timer(0.1, partial(self.copy, tries - 1))
             return

@@ -12,13 +12,13 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.ros_logs import LogLine, Severity
 from fleet_tui.terminal.budget import Budget, memory
 from fleet_tui.text.durations import age
-from fleet_tui.view.tables.console import OwnFacts, console_table
-from fleet_tui.view.tables.health import health_table
-from fleet_tui.view.tables.links import Links, link_table
-from fleet_tui.view.tables.raw_message import copied, raw_table
-from fleet_tui.view.tables.robot_log import lines_of, robot_log_table
+from fleet_tui.view.tables.diagnostics.console import OwnFacts, console_table
+from fleet_tui.view.tables.diagnostics.health import health_table
+from fleet_tui.view.tables.diagnostics.links import Links, link_table
+from fleet_tui.view.tables.diagnostics.raw_message import copied, raw_table
+from fleet_tui.view.tables.diagnostics.robot_log import lines_of, robot_log_table
+from fleet_tui.view.tables.diagnostics.topics import topic_table
 from fleet_tui.view.tables.table import Table
-from fleet_tui.view.tables.topics import topic_table
 
 
 class Page(IntEnum):

@@ -1,33 +1,52 @@
 """Meanings of a field of the order form, and their texts."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
-from fleet_tui.model.request import Request, chain
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.language.anyone import ANYONE, any_matches
+from fleet_tui.rules.language.favourites import Favourite, Given, favourites
 from fleet_tui.rules.language.lookup import Place, matches, places, recent_ends
 from fleet_tui.text.sanitize import sanitize
 
 SHOWN = 8
 
-Choices = list[Place] | list[str]
+Choice = Place | str | Favourite
+"""A place, the name of a robot, or a whole order to give again."""
+Choices = Sequence[Choice]
 
 
 def choices(
-    state: FleetState, robot: Robot | None, field: str, typed: str, chosen: Place | None = None
+    state: FleetState,
+    robot: Robot | None,
+    field: str,
+    typed: str,
+    chosen: Place | None = None,
+    given: Callable[[], Sequence[Given]] = tuple,
 ) -> Choices:
-    """Return the choices, best first; in `to` the robot's last destination leads."""
+    """Return the choices, best first; in `to` the robot's last destination leads, in an empty `from` the
+    favourites of the orders `given`. Without a robot they are those of any."""
     if field == "robot":
-        wanted = typed.strip().casefold()
-        return [name for name in state.robots if wanted in name.casefold()][:SHOWN]
+        return _robots(state, typed.strip().casefold())
     if robot is None:
-        return []
-    found = matches(robot, typed, recent_ends(state, robot) if field == "to" else ())[:SHOWN]
+        found = any_matches(state, typed)
+    else:
+        found = matches(robot, typed, recent_ends(state, robot) if field == "to" else ())
+    if field == "from" and not typed.strip():
+        listed: list[Choice] = [*favourites(found, given()), *found]
+        return listed[:SHOWN]
     if chosen is None or sanitize(chosen.name) != typed:
-        return found
+        return found[:SHOWN]
     # Floors may share labels: Enter takes the chosen one again.
-    return [chosen, *(place for place in found if place != chosen)]
+    return [chosen, *(place for place in found[:SHOWN] if place != chosen)]
+
+
+def _robots(state: FleetState, wanted: str) -> list[str]:
+    found = [name for name in state.robots if wanted in name.casefold()][: SHOWN - 1]
+    if not wanted:
+        return [ANYONE, *found]
+    return [*found, ANYONE] if ANYONE.startswith(wanted) else found
 
 
 def is_in_label(robot: Robot | None, typed: str) -> bool:
@@ -35,17 +54,11 @@ def is_in_label(robot: Robot | None, typed: str) -> bool:
     return robot is not None and any(typed.casefold() in place.name.casefold() for place in places(robot))
 
 
-def order(robot: Robot, visited: Sequence[Place], only_to: bool) -> Request:
-    """Return orders that visit the places in sequence; `only_to`: without a start."""
-    floors = {place.vertex: place.floor for place in visited}
-    vertices = [place.vertex for place in visited]
-    return Request(chain(robot.name, vertices, only_to, robot.kind.takes_stops), floors)
-
-
 def title(robot: Robot | None, has_start: bool) -> str:
-    """Return the title of the form."""
-    loaded = robot is not None and robot.has_cargo
-    return "Destination of the cargo on board" if loaded and not has_start else "Order"
+    """Return the title of the form; without a robot the order is for anyone."""
+    if robot is None:
+        return "Order for the nearest idle robot"
+    return "Destination of the cargo on board" if robot.has_cargo and not has_start else "Order"
 
 
 def wanted_now(robot: Robot, only_to: bool) -> str:
@@ -76,10 +89,10 @@ def hindrance(state: FleetState, robot: Robot | None) -> str:
     return without_places(robot)
 
 
-def line(choice: Place | str) -> str:
+def line(choice: Choice) -> str:
     """Return the line of a choice."""
-    return (
-        choice
-        if isinstance(choice, str)
-        else f"{sanitize(choice.name)}  ({sanitize(choice.vertex)}, {choice.floor})"
-    )
+    if isinstance(choice, Favourite):
+        return f"{sanitize(choice.start.name)} -> {sanitize(choice.end.name)}  ({choice.reason})"
+    if isinstance(choice, str):
+        return f"{ANYONE}: the nearest idle robot" if choice == ANYONE else choice
+    return f"{sanitize(choice.name)}  ({sanitize(choice.vertex)}, {choice.floor})"

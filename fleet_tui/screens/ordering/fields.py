@@ -1,10 +1,13 @@
 """The three fields of the order form, one below the other."""
 
+from collections.abc import Sequence
+
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
 from textual.widget import Widget
 from textual.widgets import Static
 
+from fleet_tui.rules.language.favourites import Favourite
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.screens.ordering.legs import LegField, Legs
 from fleet_tui.text.sanitize import sanitize
@@ -45,6 +48,15 @@ class OrderFields(Vertical):
         return focused.id if isinstance(focused, LegField) and focused.id in NAMES else "to"
 
     @property
+    def typed(self) -> str:
+        """Return the text typed in the current field, after its legs."""
+        return self._boxes[self.current].typed.strip()
+
+    def missing(self, names: Sequence[str]) -> str:
+        """Return the first of these fields without a place, empty if all have one."""
+        return next((name for name in names if name not in self.chosen), "")
+
+    @property
     def first_empty(self) -> LegField:
         """Return the first field to fill: the robot is chosen."""
         return self._boxes["from" if self._boxes["from"].display and not self.chosen else "to"]
@@ -67,6 +79,13 @@ class OrderFields(Vertical):
         """Fill a field with a place."""
         self._boxes[name].put(sanitize(place.name))
         self.chosen[name] = place
+
+    def take_both(self, favourite: Favourite) -> None:
+        """Fill From and To with an order to give again, the cursor in To: the next Enter sends it."""
+        self._boxes["to"].put("", Legs())
+        self.take("from", favourite.start)
+        self.take("to", favourite.end)
+        self.screen.set_focus(self._boxes["to"])
 
     def visited(self, only_to: bool) -> list[Place]:
         """Return the places of a complete order; `only_to`: without a start."""

@@ -2,54 +2,43 @@
 after a label adds a leg: A > B > C. Its way and length: `rules/routes/order_draft.py`."""
 
 from collections.abc import Callable
-from functools import partial
 
 from textual import events, on
 from textual.app import ComposeResult
 from textual.widgets import Button, Input, Static
 
+from fleet_tui.controllers.ordering.past_orders import PastOrders
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.language.anyone import ANYONE
+from fleet_tui.rules.language.favourites import Favourite
 from fleet_tui.rules.language.lookup import Place, destination_only, may_skip_start
 from fleet_tui.rules.routes.order_draft import Draft
-from fleet_tui.screens.ordering.choices import (
-    Choices,
-    choices,
-    hindrance,
-    is_in_label,
-    line,
-    missing,
-    order,
-    title,
-    wanted_now,
-    without_places,
-)
-from fleet_tui.screens.ordering.drafts import draft_of
+from fleet_tui.screens.ordering.choice_list import ChoiceList
+from fleet_tui.screens.ordering.choices import Choice, hindrance, is_in_label, missing, title, without_places
 from fleet_tui.screens.ordering.fields import OrderFields
 from fleet_tui.screens.ordering.legs import SIGN, Legs
+from fleet_tui.screens.ordering.proposal import Proposal
+from fleet_tui.screens.ordering.sending import Give, GiveAnyone, OrderSending
 from fleet_tui.screens.overlay import MouseButton, Overlay
-from fleet_tui.widgets.matches import Matches
 
 NEXT, SEND = "Enter  next", "Enter  send"
 """Labels of the button for Enter: before the last field, and in it."""
 
 
 class OrderForm(Overlay):
-    """`start` opens it for a robot. A complete request goes to `give`, which returns its problems, and calls
-    back when it was sent."""
+    """`start` opens it for a robot. A complete request goes to `give`, the places of one without a robot to
+    `give_anyone`; `past` are the orders to give again."""
 
     def __init__(
-        self, state: Callable[[], FleetState], give: Callable[[Request, Callable[[], None]], str]
+        self, state: Callable[[], FleetState], give: Give, give_anyone: GiveAnyone, past: PastOrders
     ) -> None:
         super().__init__(id="order-form")
-        self._state = state
-        self._give = give
-        self._found: Choices = []
+        self._state, self._past = state, past
         self._picked: Place | None = None
         self._said_of: list[str] = []
         self.route = Static(id="route", markup=False)
-        self._matches, self._send = Matches(id="matches"), MouseButton(NEXT, id="send", compact=True)
+        self._send = MouseButton(NEXT, id="send", compact=True)
         self._fields = OrderFields(
             {
                 "enter": self._enter,
@@ -57,19 +46,22 @@ class OrderForm(Overlay):
                 "escape": self.action_close,
                 "tab": lambda: self._fields.step(1),
                 "shift+tab": lambda: self._fields.step(-1),
-                "up": partial(self._matches.step, -1),
-                "down": partial(self._matches.step, 1),
+                "up": lambda: self._choices.step(-1),
+                "down": lambda: self._choices.step(1),
             }
         )
+        self._choices = ChoiceList(state, self._fields, past.newest_first)
+        self._proposal = Proposal(state)
+        self._sending = OrderSending(state, self._fields, give, give_anyone)
 
     def compose(self) -> ComposeResult:
         """Compose three fields, the matches of the current one, and a note on missing input."""
-        yield from (self._fields, self._matches, self.route, Static(id="missing", markup=False), self._send)
+        yield from (self._fields, self._choices, self._proposal, self.route)
+        yield from (Static(id="missing", markup=False), self._send)
 
     def draft(self) -> Draft | None:
         """Return the order as far as it is typed, None while the form is closed."""
-        robot = self._robot() if self.is_open else None
-        return draft_of(robot, self._fields, self._found, self._matches.highlighted) if robot else None
+        return self._proposal.on(self._choices.draft(self._robot())) if self.is_open else None
 
     def _robot(self) -> Robot | None:
         return self._state().robots.get(self._fields["robot"].value.strip())
@@ -82,6 +74,7 @@ class OrderForm(Overlay):
         self._arrange()
         self.open(self._fields.first_empty)
         self._list()
+        self._past.read(lambda: self._choices.is_untouched and self._list())
 
     def _arrange(self) -> None:
         """Hide the start if there is cargo on board without an order."""
@@ -104,11 +97,9 @@ class OrderForm(Overlay):
     def _list(self) -> None:
         """List the matches of the field with the cursor, the first one marked."""
         if self.is_open:
-            field, robot = self._fields.current, self._robot()
-            self._send.label = SEND if field == "to" else NEXT
-            typed = self._fields[field].typed
-            self._found = choices(self._state(), robot, field, typed, self._fields.chosen.get(field))
-            self._matches.show(map(line, self._found), mark=bool(typed.strip()))
+            robot = self._robot()
+            self._send.label = SEND if self._fields.current == "to" else NEXT
+            self._choices.refill(robot)
             if notice := hindrance(self._state(), robot):
                 self._say(notice)
 
@@ -126,12 +117,12 @@ class OrderForm(Overlay):
             self._say("")
         self._list()
 
-    @on(Matches.OptionSelected, "#matches")
-    def click_match(self, event: Matches.OptionSelected) -> None:
+    @on(ChoiceList.OptionSelected, "#matches")
+    def click_match(self, event: ChoiceList.OptionSelected) -> None:
         """Take a match by mouse."""
         event.stop()
-        if self.is_open and event.option_index < len(self._found):
-            self._take(self._fields.current, self._found[event.option_index])
+        if self.is_open and (choice := self._choices.at(event.option_index)) is not None:
+            self._take(self._fields.current, choice)
 
     @on(Button.Pressed, "#send")
     def _enter(self) -> None:
@@ -150,25 +141,25 @@ class OrderForm(Overlay):
             box.put("", Legs((*box.legs.places, choice)))
             self._list()
 
-    def _choice(self) -> Place | str | None:
+    def _choice(self) -> Choice | None:
         """Return the choice for Enter, None after showing an error if no choice fits."""
-        # The last letters may not have been listed yet: update before choosing.
-        field = self._fields.current
-        typed = self._fields[field].typed
-        found = choices(self._state(), self._robot(), field, typed, self._fields.chosen.get(field))
-        marked = self._matches.highlighted if found == self._found else None
-        self._found, typed = found, typed.strip()
-        if found and (typed or marked is not None):
-            return found[marked or 0]
-        if field == "from" and not typed and may_skip_start(self._robot()):
+        robot, field, typed = self._robot(), self._fields.current, self._fields.typed
+        if (choice := self._choices.choice(robot)) is not None:
+            return choice
+        if field == "robot" and not typed:
+            return ANYONE
+        if field == "from" and not typed and may_skip_start(robot):
             self._fields.step(1)
         else:
             problem = f"{field.capitalize()}: no match for {typed!r}" if typed else missing(field)
-            self._say(without_places(self._robot()) or problem)
+            self._say(without_places(robot) or problem)
         return None
 
-    def _take(self, field: str, choice: Place | str) -> None:
+    def _take(self, field: str, choice: Choice) -> None:
         """Fill the field and go on to the next one; after the last one send."""
+        if isinstance(choice, Favourite):
+            self._fields.take_both(choice)
+            return
         if isinstance(choice, str):
             self._fields[field].put(choice)
             self._arrange()
@@ -181,20 +172,7 @@ class OrderForm(Overlay):
 
     def _finish(self) -> None:
         """Send a complete request; name missing input."""
-        robot = self._robot()
-        if robot is None:
-            self._say(f"Robot: no match for {self._fields['robot'].value.strip()!r}", "robot")
-            return
-        self._fields.choose_for(robot.name)
-        only_to = destination_only(robot)
-        if only_to == self._fields["from"].display:
+        problem, field = self._sending.finish(self._robot(), self.action_close)
+        if problem:
             self._arrange()
-            self._say(wanted_now(robot, only_to), "to" if only_to else "from")
-            return
-        only_to = only_to or (may_skip_start(robot) and not self._fields["from"].value.strip())
-        for field in ("to",) if only_to else ("from", "to"):
-            if field not in self._fields.chosen:
-                self._say(missing(field, self._fields[field].typed), field)
-                return
-        if problem := self._give(order(robot, self._fields.visited(only_to), only_to), self.action_close):
-            self._say(problem, "to")
+            self._say(problem, field)

@@ -1,4 +1,4 @@
-"""Connections to a rosbridge: opened, pinged, and opened again after a loss. The only module that imports
+"""Connections to a rosbridge: opened, pinged, and opened again after a loss. The only module that uses
 roslibpy; pinned to 2.1.0.
 
 By itself that sends queued messages on reconnect, backs off to an hour, never detects a frozen server, can't
@@ -11,14 +11,12 @@ import random
 import ssl
 from typing import Any
 
-import roslibpy
-from roslibpy.comm import comm_asyncio
-
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import FleetError, LinkError
 from fleet_tui.transports.listener import Listener
 from fleet_tui.transports.loop import network_loop
 from fleet_tui.transports.rosbridge.credentials import Credentials
+from fleet_tui.transports.rosbridge.library import comm_asyncio, roslibpy
 from fleet_tui.transports.rosbridge.reasons import ended, failed_handshake, refusal
 from fleet_tui.transports.rosbridge.tls import tls_context
 

@@ -20,7 +20,7 @@ from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import SIGNS
 from fleet_tui.view.tables.fleet import CARGO
-from fleet_tui.view.tables.listing import MARK
+from fleet_tui.view.tables.listing import CURSOR
 from fleet_tui.view.tables.table import Run
 
 CELLS = 10
@@ -96,7 +96,7 @@ _LINES = (
 def _tables() -> tuple[HelpRow, ...]:
     alarm, text = StyleRole.ALARM, StyleRole.TEXT
     marks = {
-        MARK: (StyleRole.ACCENT, "cursor of the table"),
+        CURSOR: (StyleRole.ACCENT, "cursor of the table"),
         "●": (StyleRole.GOOD, "online; in the status line: the link is up"),
         "○": (alarm, "offline, or no link"),
         CARGO: (text, "cargo on board"),

@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Mapping, Sequence
 
-from fleet_tui.keys import KEYS, Pane
+from fleet_tui.keys import KEYS, Pane, outdone
 from fleet_tui.model.kind import Kind
 from fleet_tui.view.help.legend import legend
 from fleet_tui.view.help.section import HelpRow, HelpSection, key_row
@@ -31,6 +31,7 @@ TYPED = {
         ("robot_0 Base > Store", "an order"),
         ("robot_0 A > B > C", "an order with legs"),
         ("robot_0 > B", "{alone} to B"),
+        ("anyone Base > Store", "nearest idle robot"),
         ('order robot_0 Base "Dock 7"', "labels with spaces"),
     ),
     "cancel": (("cancel 12, cancel robot_0 12", "one order"),),
@@ -75,13 +76,14 @@ def help_pages(
 def _section(pane: Pane, keys: Mapping[str, tuple[str, ...]], hidden: Collection[str]) -> HelpSection:
     """Return every key of a pane; those that select a robot by number are one row."""
     rows = []
+    away = {*hidden, *ROBOTS[1:], *outdone(keys, hidden)}
     for key in KEYS:
-        if key.section is not pane or key.id in hidden or key.id in ROBOTS[1:]:
+        if key.section is not pane or key.id in away:
             continue
         if key.id == ROBOTS[0]:
             rows.append(key_row(ROBOTS, "Select a robot by its number in the configuration", keys, 9))
         else:
-            rows.append(key_row([key.id], key.text, keys, 9))
+            rows.append(key_row([key.id, *filter(None, [key.instead_of])], key.text, keys, 9))
     return HelpSection(pane.value, tuple(rows))
 
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Collection, Mapping
 
+from fleet_tui.keys import outdone
 from fleet_tui.view.help.section import HelpSection, key_row
 
 Step = tuple[tuple[str, ...], str]
@@ -9,8 +10,9 @@ Step = tuple[tuple[str, ...], str]
 
 ROBOTS = tuple(f"robot_{number}" for number in range(1, 10))
 """The ids of the keys that select a robot by its number."""
+ROBOT_STEPS = ("next_robot_plain", "previous_robot_plain", "next_robot", "previous_robot")
+FLOOR_STEPS = ("next_floor_plain", "previous_floor_plain", "next_floor", "previous_floor")
 ORDERING = "Send an order"
-RESUMING = "Resume it (all: type resume all)"
 TASKS: dict[str, tuple[Step, ...]] = {
     ORDERING: (
         (("order",), "Order form: From, Enter, To, Enter"),
@@ -20,13 +22,13 @@ TASKS: dict[str, tuple[Step, ...]] = {
     ),
     "Stop a robot": (
         (("pause",), "Pause the selected robot"),
-        (("resume",), RESUMING),
+        (("resume", "resume_all"), "Resume it; resume all (asks)"),
         (("pause_all", "pause_all_anywhere"), "Pause all robots (no safety device)"),
         (("cancel",), "Cancel order at the queue cursor"),
         (("clear",), "Clear all orders of the robot"),
     ),
     "See what is wrong": (
-        (("why",), "Why the robot is stuck, not moving"),
+        (("why", "robot_page"), "Why it is stuck, not moving; its page"),
         (("acknowledge", "acknowledge_all"), "Acknowledge the alarm; all alarms"),
         (("all_orders",), "Orders of the robot, or of all"),
         (("diagnostics",), "Diagnostics: links, topics, logs"),
@@ -40,8 +42,8 @@ TASKS: dict[str, tuple[Step, ...]] = {
         (("next_vertex", "previous_vertex"), "Next, previous labelled vertex"),
     ),
     "Choose a robot or a floor": (
-        (("next_robot", "previous_robot", *ROBOTS), "Next, previous robot; by number"),
-        (("next_trouble", "next_floor", "previous_floor"), "Robot of the next alarm; floors"),
+        ((*ROBOT_STEPS, *ROBOTS), "Next, previous robot; by number"),
+        (("next_trouble", *FLOOR_STEPS), "Robot of the next alarm; floors"),
     ),
     "Look back in time": (
         (("audit",), "Audit log: all commands and alarms"),
@@ -49,8 +51,8 @@ TASKS: dict[str, tuple[Step, ...]] = {
     ),
     "Get around": (
         (("next_pane", "enlarge"), "Next pane; enlarge it"),
-        (("menu",), "Row menu; an alarm's: also shelve"),
-        (("palette",), "Find any action, robot, place"),
+        (("menu", "mark_row"), "Row menu (shelve); mark the row"),
+        (("palette", "filter_rows"), "Find anything; filter rows"),
         (("back", "quit"), "One level back; quit"),
     ),
 }
@@ -60,14 +62,11 @@ def tasks(keys: Mapping[str, tuple[str, ...]], hidden: Collection[str]) -> list[
     """Return the tasks with their keys as configured, the first of each id, without the `hidden` ones. Where
     no order can be sent, no way to do so is offered."""
     sections = []
+    away = {*hidden, *outdone(keys, hidden)}
     for title, steps in TASKS.items():
         if title == ORDERING and "order" in hidden:
             continue
-        offered = [
-            ([id_ for id_ in ids if id_ not in hidden], text)
-            for ids, text in steps
-            if text != RESUMING or "resume" not in hidden
-        ]
+        offered = [([id_ for id_ in ids if id_ not in away], text) for ids, text in steps]
         rows = tuple(key_row(ids, text, keys, 1) for ids, text in offered if ids)
         if rows:
             sections.append(HelpSection(title, rows))

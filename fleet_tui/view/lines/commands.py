@@ -12,7 +12,7 @@ from fleet_tui.text.details import detail_text
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.fleet import way
+from fleet_tui.view.tables.missions import way
 from fleet_tui.view.tables.table import Run, cut, width_of
 
 # Number of commands that fit in a line one by one.

@@ -5,7 +5,7 @@ from typing import Any
 
 from msgspec.structs import replace
 
-from fleet_tui.keys import BY_ID, KEYS, LISTS, Key, Pane
+from fleet_tui.keys import BY_ID, KEYS, LISTS, Key, Pane, outdone
 from fleet_tui.keys.drive import PASSES
 from fleet_tui.keys.key import key_name
 from fleet_tui.model.fleet import FleetState
@@ -34,6 +34,8 @@ def hidden_keys(state: FleetState, selected: str) -> set[str]:
 def idle_hints(state: FleetState) -> set[str]:
     """Return the ids of keys that the footer need not name now."""
     idle = set() if in_trouble(state) else {"next_trouble"}
+    if not any(map(state.is_paused, state.robots.values())):
+        idle.add("resume_all")
     return idle if unacknowledged(state) else {*idle, "acknowledge"}
 
 
@@ -55,18 +57,20 @@ def hints(
     hidden: Collection[str] = (),
     focused: str = "",
     alarmed: str = "",
+    about_robot: bool = False,
 ) -> tuple[list[Key[Any]], list[Key[Any]]]:
     """Return the keys to hint at the left, the pane's own first, and the permanent ones at the right. In an
     overlay only global keys reach the console. `hidden`: ids of keys without a use here; `focused` is the id
-    of the widget, which may have a key for its rows; `alarmed` is who has the marked alarm."""
+    of the widget, which may have a key for its rows; `alarmed` is who has the marked alarm; `about_robot`:
+    the overlay is about the robot, and the keys that help with it work there."""
     away = {*hidden, *(key.id for key in KEYS if key.commands and not can_command)}
+    away |= outdone(keys, away)
     offered = [key for key in KEYS if key.hint and keys[key.id] and key.id not in away]
     if pane is Pane.DRIVE:
         # Any other key stops the robot and does nothing else.
         offered = [key for key in offered if key.pane is pane or key.id in PASSES]
     if pane is Pane.ANYWHERE:
-        close = replace(BY_ID["back"], hint="close")
-        return [close, *(key for key in offered if key.pane is pane)], []
+        return _of_overlay(offered, about_robot), []
     offered = [
         replace(key, hint=f"{key.hint} {sanitize(alarmed)}") if key.id == "acknowledge" and alarmed else key
         for key in offered
@@ -74,6 +78,14 @@ def hints(
     offered.sort(key=lambda key: (OF_ROWS.get(focused) != key.id, key.pane is not pane))
     left = [key for key in offered if key.pane in (pane, Pane.CONSOLE) and not key.always]
     return left, [key for key in offered if key.always]
+
+
+def _of_overlay(offered: Collection[Key[Any]], about_robot: bool) -> list[Key[Any]]:
+    """Return the keys that work in an overlay."""
+    close = replace(BY_ID["back"], hint="close")
+    helping = [key for key in offered if key.helps and about_robot]
+    helping.sort(key=lambda key: key.eager != "selects")
+    return [close, *helping, *(key for key in offered if key.pane is Pane.ANYWHERE)]
 
 
 def footer(
@@ -86,6 +98,11 @@ def footer(
     key. The permanent ones are placed first, then the others up to the first that does not fit."""
     at_right = _whole(right, keys, width)
     at_left = _whole(left, keys, width - sum(size for _, _, size in at_right))
+    if "acknowledge" in {key.id for key in left} - {key.id for key, *_ in at_left}:
+        # An alarm to acknowledge is rarer than the palette, and known by its row.
+        at_right = at_right[:1]
+        left = [BY_ID[key.id] if key.id == "acknowledge" else key for key in left]
+        at_left = _whole(left, keys, width - sum(size for _, _, size in at_right))
     gap = width - sum(size for _, _, size in (*at_left, *at_right))
     runs: list[Run] = []
     buttons = []

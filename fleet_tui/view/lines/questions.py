@@ -13,7 +13,7 @@ from fleet_tui.rules.commands.local_queue import all_orders, clearable
 from fleet_tui.rules.commands.set_up.losses import set_up_losses
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import command_text
-from fleet_tui.view.tables.fleet import mission
+from fleet_tui.view.tables.missions import mission
 
 SHOWN = 6
 
@@ -58,4 +58,7 @@ def question(state: FleetState, request: Request, found: Sequence[Problem]) -> s
     if lost:
         return "\n".join([*lost, *against])
     ask = [f"{', '.join(against)}: send anyway?"] if against else ["Send?"]
-    return "\n".join([*ask, request_text(state, request)])
+    robots = list(dict.fromkeys(command.robot for command in request.commands))
+    more = f" and {len(robots) - SHOWN} more" if len(robots) > SHOWN else ""
+    named = [", ".join(map(sanitize, robots[:SHOWN])) + more] if len(robots) > 1 else []
+    return "\n".join([*ask, request_text(state, request), *named])

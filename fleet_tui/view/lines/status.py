@@ -43,7 +43,9 @@ def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: f
 
 
 def resume_all(keys: Mapping[str, tuple[str, ...]]) -> str:
-    """Return the way to resume all robots: typed in the palette."""
+    """Return the way to resume all robots: a key, or typed in the palette."""
+    if keys["resume_all"]:
+        return f"{key_name(keys['resume_all'][0])} resumes all"
     key = "".join(map(key_name, keys["palette"][:1]))
     return f"{key}{' ' * (len(key) > 1)}resume all"
 

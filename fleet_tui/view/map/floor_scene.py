@@ -10,6 +10,7 @@ from functools import lru_cache
 from fleet_tui.model.fleet import FleetState, Floor
 from fleet_tui.model.geometry import Line, MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
+from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.robot import Robot, RobotMap
 from fleet_tui.rules.alarms.trouble import in_trouble, trouble_elsewhere
 from fleet_tui.rules.commands.set_up.mode import mapping_text
@@ -77,9 +78,15 @@ def _ground(state: FleetState, floor: str, vertices: tuple[SceneVertex, ...]) ->
     return MapFrame(EMPTY_RESOLUTION, *pixels, Pose(left, low))
 
 
-def _with_map(floor: Floor, robot_map: RobotMap, scene: Scene, is_mapping: bool) -> Scene:
-    """Return the floor's configured file first, then the live map, then empty ground with a note on the
-    missing map."""
+def _same_map(state: FleetState, floor: str, robot_map: RobotMap) -> OccupancyGrid | None:
+    """Return the live map of another robot that has the same one."""
+    maps = (robot.maps.get(floor) for robot in state.robots.values() if robot_map.frame is not None)
+    return next((one.grid for one in maps if one and one.grid and one.frame == robot_map.frame), None)
+
+
+def _with_map(state: FleetState, floor: Floor, robot_map: RobotMap, scene: Scene, is_mapping: bool) -> Scene:
+    """Return the floor's configured file first, then the live map, then another robot's, then empty ground
+    with a note on the missing map."""
     grid, frame = floor.grid, robot_map.frame
     if is_mapping and (robot_map.grid or floor.live) is not None:
         grid = None  # the map that grows, not the file
@@ -97,7 +104,7 @@ def _with_map(floor: Floor, robot_map: RobotMap, scene: Scene, is_mapping: bool)
         return replace(scene, note=floor.problem)
     if grid is not None:
         return replace(scene, note="map image waiting for map_metadata")
-    live = robot_map.grid or floor.live
+    live = robot_map.grid or floor.live or _same_map(state, floor.name, robot_map)
     if live is not None:
         return replace(scene, grid=live, frame=live.frame)
     missing = "no map yet" if robot_map.graph is not None else "no map and no graph yet"
@@ -183,7 +190,7 @@ def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None
     floor = state.floors[selection.floor]
     ground = _ground(state, floor.name, vertices)
     scene = Scene(floor.name, ground, vertices=vertices, edges=edges, one_way=one_way, at=state.now)
-    scene = _with_map(floor, robot_map, scene, bool(mapping_text(state.robots[selection.robot])))
+    scene = _with_map(state, floor, robot_map, scene, bool(mapping_text(state.robots[selection.robot])))
     tied = floor.grid is not None and floor.tied
     troubled = in_trouble(state)
     robots = (

@@ -1,6 +1,9 @@
 """The alarm pane: conditions that need a person, and unacknowledged alarms."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from textwrap import wrap
+
+from msgspec.structs import replace
 
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key, Priority
 from fleet_tui.model.fleet import FleetState
@@ -8,6 +11,7 @@ from fleet_tui.rules.alarms.floods import is_group
 from fleet_tui.rules.alarms.trouble import urgency
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.arrangement import NO_MATCH, RowArrangement, Value, natural
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
 
 SIGNS = {
@@ -22,6 +26,8 @@ _PRIORITIES = {Priority.HIGH: "high", Priority.MEDIUM: "med ", Priority.LOW: "lo
 WITH_PRIORITY = 44
 """Cells of a pane from which alarms have words for stage and priority, seconds, and robots long names."""
 HOURS_MINUTES = 5
+REST_AT, LEAST_REST = 2, 10
+"""Cells before the rest of a long text, and those that each of its lines has at least."""
 UNBOUNDED = 10_000
 
 
@@ -56,6 +62,19 @@ def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float],
     return Row(alarm.key, tuple(runs))
 
 
+def _in_two_lines(row: Row, alarm: Alarm, width: int) -> list[Row]:
+    """Return the row of a single alarm; if it would be cut, the rest of its text below: there is a line for
+    it."""
+    text, role = sanitize(alarm.text), row.runs[-2][1]
+    head = row.runs[:-2]
+    left = width - sum(cell_width(part) for part, _ in head)
+    if cell_width(text) <= left:
+        return [row]
+    first, *others = wrap(text, max(LEAST_REST, left))
+    rest = " " * REST_AT + " ".join(others)
+    return [replace(row, runs=(*head, (first, role))), Row(None, ((rest, role),))]
+
+
 def _short(text: str, cells: int) -> str:
     """Return a text without the detail at its end, in brackets, if it is too long with it."""
     return text.rpartition(" (")[0] if text.endswith(")") and cell_width(text) > cells else text
@@ -75,14 +94,32 @@ def _suppressed(state: FleetState) -> int:
     return grouped + sum(robot.link in down for robot in state.robots.values())
 
 
-def alarm_table(state: FleetState, clock: Callable[[float], str], width: int = UNBOUNDED) -> Table:
-    """Return every alarm for a pane of `width` cells: those that hold, unacknowledged ones first, by
-    priority; then those that are over; shelved ones last; oldest first. A row moves when it is acknowledged
-    or shelved, and when it needs a person again. `clock` formats Unix seconds as a local time."""
-    alarms = sorted(state.alarms, key=urgency)
+_VALUES: tuple[Value[Alarm], ...] = (
+    Value("robot", lambda alarm: alarm.condition.source, lambda alarm: natural(alarm.condition.source)),
+    Value("alarm", lambda alarm: alarm.text, lambda alarm: alarm.condition.kind),
+    Value("priority", lambda alarm: _PRIORITIES[alarm.condition.priority].strip()),
+    Value("stage", lambda alarm: SIGNS[alarm.stage][2:].strip()),
+    Value("time", lambda _: "", lambda alarm: -alarm.last_wall),
+)
+
+
+def alarm_table(
+    state: FleetState,
+    clock: Callable[[float], str],
+    width: int = UNBOUNDED,
+    arrangement: RowArrangement | None = None,
+) -> Table:
+    """Return every alarm for a pane of `width` cells, as arranged: those that hold, unacknowledged ones
+    first, by priority; then those that are over; shelved ones last; oldest first. A row moves when it is
+    acknowledged or shelved, and when it needs a person again. `clock` formats Unix seconds as a local
+    time."""
+    arrangement = arrangement or RowArrangement()
+    alarms = arrangement.arranged(sorted(state.alarms, key=urgency), _VALUES)
     sources = column((alarm.condition.source for alarm in alarms), 7, 14 if width >= WITH_PRIORITY else 9)
     keys = [alarm.key for alarm in alarms]
-    rows = LateRows(keys, lambda place: _row(state, alarms[place], sources, clock, width))
+    rows: Sequence[Row] = LateRows(keys, lambda place: _row(state, alarms[place], sources, clock, width))
+    if len(alarms) == 1:
+        rows = _in_two_lines(rows[0], alarms[0], width)
     title: list[Run] = [("Alarms", StyleRole.TITLE)]
     if state.unacknowledged:
         title.append((f" {state.unacknowledged} new", StyleRole.ALARM))
@@ -90,4 +127,5 @@ def alarm_table(state: FleetState, clock: Callable[[float], str], width: int = U
         title.append((f" {state.shelved} shelved", StyleRole.DIM))
     if suppressed := _suppressed(state):
         title.append((f" {suppressed} suppressed", StyleRole.DIM))
-    return Table(tuple(title), rows, "all clear")
+    empty = NO_MATCH if state.alarms else "all clear"
+    return Table((*title, *arrangement.notes(len(rows))), rows, empty, unfiltered=len(state.alarms))

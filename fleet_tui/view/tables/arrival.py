@@ -11,12 +11,13 @@ from fleet_tui.view.tables.table import Run, column, cut
 Rows = list[tuple[Run, ...]]
 
 COMMANDS = (
-    ("fleet-tui demo", "open a simulated fleet"),
-    ("fleet-tui config init", "write an example config"),
-    ("fleet-tui doctor --url URL", "check the connection"),
+    ("fleet-tui demo", "try it on simulated robots"),
+    ("fleet-tui config init", "print an example to edit"),
+    ("fleet-tui doctor --url URL", "find what is wrong on the way"),
 )
 
 _COUNT = 11  # cells
+_ROOMY = 18  # rows
 
 
 class Asked(NamedTuple):
@@ -40,11 +41,15 @@ class Line(NamedTuple):
 
 def first_run_rows(places: Sequence[tuple[str, str]], asked: Asked, width: int, height: int) -> Rows:
     """Return the searched paths, the findings at an address, and the possible actions."""
-    rows: Rows = [
-        ((" fleet-tui", StyleRole.TITLE_FOCUSED), ("  no configuration found. Searched:", StyleRole.TEXT))
-    ]
+    is_roomy = height >= _ROOMY
+    about = "watch and command robots over rosbridge" if is_roomy else "no configuration found"
+    rows: Rows = [((" fleet-tui", StyleRole.TITLE_FOCUSED), (f"  {about}", StyleRole.TEXT))]
+    if is_roomy:
+        rows += [(), ((" There is no fleet to open yet: no configuration found", StyleRole.TEXT),)]
     rows += _pairs(places, StyleRole.TEXT)
     rows += [(), *_asked(asked, width), ()]
+    if is_roomy:
+        rows.append(((" Or leave with q and type one of these:", StyleRole.TEXT),))
     rows += _pairs(COMMANDS, StyleRole.KEY)
     return _fitted(rows, width, height)
 
@@ -57,7 +62,7 @@ def _pairs(pairs: Sequence[tuple[str, str]], role: StyleRole) -> Iterator[tuple[
 
 def _asked(asked: Asked, width: int) -> Iterator[tuple[Run, ...]]:
     role = StyleRole.GOOD if asked.is_found else StyleRole.WARN if asked.is_over else StyleRole.DIM
-    yield ((f" {sanitize(asked.address)}", StyleRole.ACCENT),)
+    yield (" Robots at ", StyleRole.TEXT), (sanitize(asked.address), StyleRole.ACCENT)
     for n, words in enumerate((asked.words, *asked.more)):
         for line in textwrap.wrap(sanitize(words), max(20, width - 4), break_on_hyphens=False):
             yield ((f"   {line}", role if n == 0 else StyleRole.TEXT),)

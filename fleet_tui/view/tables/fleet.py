@@ -4,19 +4,20 @@ import math
 from functools import partial
 
 from fleet_tui.model.fleet import FleetState, is_missing, missing_text
-from fleet_tui.model.order import Order, Stop, pose_text, route_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.trouble import acknowledged, in_trouble, shelved
-from fleet_tui.rules.commands.local_queue import all_orders, foreign
+from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.text.durations import age
-from fleet_tui.text.sanitize import cell_width, fit, sanitize
+from fleet_tui.text.sanitize import cell_width, fit
 from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.arrangement import NO_MATCH, RowArrangement, Value, natural
 from fleet_tui.view.tables.fleet_columns import BAR, Columns, floor_text
+from fleet_tui.view.tables.missions import NOT_OURS, destinations, mission, whose_mission
 from fleet_tui.view.tables.news import failed_command, news, shortened_news
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, width_of
 
-CARGO = "▪"
+CARGO, IDLE = "▪", "idle"
 STILL_FROM = 5.0
 """Seconds from which a robot stands still."""
 LONG_STILL = 30.0
@@ -25,34 +26,6 @@ WHOLE_ROUTES = 26
 """Cells of the last column from which orders without a column of their own have their start, too."""
 SEEN_FROM = 2.0
 """Seconds from which the age of a robot's last message is shown."""
-
-
-def place(robot: Robot, vertex: str) -> str:
-    """Return a vertex as an operator reads it; one missing from every graph of the robot is marked."""
-    name = robot.name_of(vertex)
-    return sanitize(name) if name is not None else f"{sanitize(vertex)}?"
-
-
-def mission(robot: Robot, order: Order) -> str:
-    """Return `A -> B` by labels."""
-    return sanitize(order.label) if order.label and not order.stops else way(robot, order.stops)
-
-
-def _destinations(robot: Robot, order: Order) -> str:
-    """Return an order without its start, `-> B`, empty for one without two stops."""
-    names = [place(robot, stop.vertex) if stop.pose is None else pose_text(stop.pose) for stop in order.stops]
-    return "".join(f"-> {name} " for name in names[1:]).rstrip()
-
-
-def whose_mission(state: FleetState, robot: Robot, order: Order) -> str:
-    """Return the mission, marked if another client gave it, for robots without a queue."""
-    ours = not robot.kind.keeps_goals or order.is_over or order not in foreign(state, robot)
-    return mission(robot, order) + ("" if ours else " (not ours)")
-
-
-def way(robot: Robot, stops: tuple[Stop, ...]) -> str:
-    """Return stops by their labels."""
-    return route_text(stops, partial(place, robot))
 
 
 def _battery(state: FleetState, robot: Robot) -> Run:
@@ -153,18 +126,19 @@ def _without_order(state: FleetState, robot: Robot) -> str:
     waiting = sum(not order.is_over for order in all_orders(state, robot))
     if robot.queue is None and not waiting:
         return missing_text(state, robot, "queue")
-    return f"{waiting} waiting" if waiting else "idle"
+    return f"{waiting} waiting" if waiting else IDLE
 
 
 def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Columns) -> Row:
     role = StyleRole.TEXT if state.is_online(robot) else StyleRole.DIM
-    found = [run for text, colour in news(state, robot) for run in ((text, colour), (" ", role))]
-    runs = shortened_news(found, columns.state)
-    movement = _movement_role(state, robot)
-    current, order = robot.orders.current, ""
+    failed = list(failed_command(state, robot))
+    found = [run for text, colour in (*failed, *news(state, robot)) for run in ((text, colour), (" ", role))]
+    movement, current, order = _movement_role(state, robot), robot.orders.current, ""
+    runs = shortened_news(found, columns.state + (columns.order if current is None else 0))
     if current is None:
-        runs = runs or [(_without_order(state, robot), StyleRole.DIM), (" ", role)]
-    runs = [run for failed in failed_command(state, robot) for run in (failed, (" ", role))] + runs
+        waiting = _without_order(state, robot)
+        if not runs or (len(runs) == 2 * len(failed) and waiting != IDLE):  # "lost idle" would read as one
+            runs = [*runs, (waiting, StyleRole.DIM), (" ", role)]
     is_odd = movement is StyleRole.WARN or any(colour is StyleRole.WARN for _, colour in runs)
     if sign[1] is StyleRole.GOOD and is_odd:
         sign = sign[0], StyleRole.WARN
@@ -176,28 +150,77 @@ def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Co
         if current is not None and not runs and _movement(state, robot) and robot.still_for >= LONG_STILL:
             runs = [(_movement(state, robot), movement), (" ", role)]
         if shown is not None and columns.state < WHOLE_ROUTES:
-            order = _destinations(robot, shown) or order
-        mission = "  ".join(part for part in (order, progress) if part)
-        if runs and cell_width(mission) > columns.state - width_of(runs):
-            mission = ""  # a letter of it tells nothing
-        return Row(robot.name, (*_head(state, robot, sign, selected, columns), *runs, (mission, role)))
+            order = destinations(robot, shown) or order
+        # Beside a refused order the current one would read as that.
+        told = "" if failed else _after_news(order, progress, columns.state - width_of(runs), bool(runs))
+        return Row(robot.name, (*_head(state, robot, sign, selected, columns), *runs, (told, role)))
     if current is not None and not runs:
         runs = [(progress or _movement(state, robot), movement)]
-    placed = fit(order, columns.order - 1) + " ", role if shown is current else StyleRole.DIM
+    placed = _placed(order, runs, columns), role if shown is current else StyleRole.DIM
     return Row(robot.name, (*_head(state, robot, sign, selected, columns), placed, *runs))
 
 
-def fleet_table(state: FleetState, selected: str, width: int) -> Table:
-    """The whole fleet for a pane of `width` cells: robots with an alarm first, then those in shelved trouble
-    or without a pose, else in the order of the config."""
+def _placed(order: str, runs: list[Run], columns: Columns) -> str:
+    """Return an order in its column, of which a long state takes what the order leaves free."""
+    over = max(0, width_of(runs) - 1 - columns.state)
+    cells = columns.order - min(over, max(0, columns.order - 2 - cell_width(order)))
+    return fit(order, cells - 1) + " "
+
+
+def _after_news(order: str, progress: str, cells: int, is_news: bool) -> str:
+    """Return an order and its progress where there is no column for them: without whose it is, or not at all,
+    if there is no space."""
+    for text in (order, order.removesuffix(NOT_OURS)):
+        told = "  ".join(part for part in (text, progress) if part)
+        if cell_width(told) <= cells:
+            return told
+    return "" if is_news else told  # beside news a letter of it tells nothing
+
+
+def _state_text(state: FleetState, robot: Robot) -> str:
+    """Return what filters find of a robot's state: its news, or whether it has an order."""
+    texts = [text for text, _ in (*failed_command(state, robot), *news(state, robot))]
+    if robot.orders.current is None:
+        return " ".join(texts or [_without_order(state, robot)])
+    return " ".join([*texts, progress_text(state, robot, robot.orders.current) or _movement(state, robot)])
+
+
+def _order_text(state: FleetState, robot: Robot) -> str:
+    return " ".join(mission(robot, order) for order in all_orders(state, robot) if not order.is_over)
+
+
+def _values(state: FleetState) -> tuple[Value[Robot], ...]:
+    return (
+        Value("robot", lambda robot: robot.name, lambda robot: natural(robot.name)),
+        Value("floor", partial(floor_text, state), lambda robot: natural(floor_text(state, robot))),
+        Value("battery", lambda robot: _battery(state, robot)[0].strip(), _battery_order, is_apart=True),
+        Value("order", partial(_order_text, state), lambda robot: not robot.orders.current),
+        Value("state", partial(_state_text, state), partial(_state_text, state)),
+        Value("kind", lambda robot: robot.kind.name),
+        Value("link", lambda robot: robot.link),
+    )
+
+
+def _battery_order(robot: Robot) -> float:
+    """Return what sorts by battery: the emptiest first, unknown ones last."""
+    return robot.battery.value if robot.battery and math.isfinite(robot.battery.value) else math.inf
+
+
+def fleet_table(
+    state: FleetState, selected: str, width: int, arrangement: RowArrangement | None = None
+) -> Table:
+    """The fleet for a pane of `width` cells, as arranged: robots with an alarm first, then those in shelved
+    trouble or without a pose, else in the order of the config."""
+    arrangement = arrangement or RowArrangement()
     troubled, silenced, seen = in_trouble(state), shelved(state), acknowledged(state)
 
     def calm(robot: Robot) -> int:
         is_odd = robot.name in silenced or is_missing(state, robot, "pose")
         return 0 if robot.name in troubled else 1 if is_odd else 2
 
-    robots = sorted(state.robots.values(), key=calm)
-    online = sum(state.is_online(robot) for robot in robots)
+    everyone = sorted(state.robots.values(), key=calm)
+    robots = arrangement.arranged(everyone, _values(state), lambda robot: robot.name, state.now)
+    online = sum(map(state.is_online, state.robots.values()))
     columns = Columns.of(state, width)
 
     def row(place: int) -> Row:
@@ -207,5 +230,7 @@ def fleet_table(state: FleetState, selected: str, width: int) -> Table:
         return _seen_row(made) if robot.name in seen else made
 
     rows = LateRows([robot.name for robot in robots], row)
-    title = ("Fleet", StyleRole.TITLE), (f" {online} of {len(rows)} online", StyleRole.DIM)
-    return Table(title, rows, head=columns.head)
+    total = len(state.robots)
+    title = ("Fleet", StyleRole.TITLE), (f" {online} of {total} online", StyleRole.DIM)
+    told = (*title, *arrangement.notes(len(rows)))
+    return Table(told, rows, NO_MATCH, head=columns.head, unfiltered=total)

@@ -12,8 +12,9 @@ from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, column
 
 DOT = 2
-STATE, ORDER_LEAST, ORDER_MOST = 16, 14, 30
-"""Cells that states must have, and those of the column of orders before them."""
+STATE, WITH_ORDER, ORDER_MOST = 15, 30, 30
+"""Cells of usual states (longer ones take some of a short order's), of both from which orders have a column
+before them, and of that at most."""
 WHOLE_FLOORS, WITH_BAR, WITH_WAITING, WITH_SEEN = 54, 70, 84, 90
 """Cells of a pane from which floors have their whole names, and from which it has further columns."""
 FLOOR = 2
@@ -80,7 +81,7 @@ class Columns(NamedTuple):
             number_head="#" if by_place else "Key",
         )
         left = width - DOT - sum(fixed[:-4])
-        order = min(left - STATE, ORDER_MOST) if left >= STATE + ORDER_LEAST else 0
+        order = min(left - STATE, ORDER_MOST) if left >= WITH_ORDER else 0
         return fixed._replace(order=order, state=left - order)
 
     def number_of(self, robot: Robot) -> str:

@@ -1,11 +1,12 @@
 """The visible part of a table: a cursor that stays with its row, scrolling in both directions."""
 
+import re
 from collections.abc import Hashable, Sequence
 
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Button, Run, Table, cut, width_of
 
-MARK = "▸"
+CURSOR, MARK, BOTH = "▸", "*", "◆"
 NO_MARK = (" ", StyleRole.TEXT)
 SLIDE = 8
 """Cells that long rows slide at once."""
@@ -14,10 +15,13 @@ HEAD_FROM = 5
 
 
 class Listing:
-    """`cursor` is the key of the row for keys and menus; rows of the key None have no cursor."""
+    """`cursor` is the key of the row for keys and menus; rows of the key None have no cursor. `marks` are
+    those of the rows for the next command."""
 
     def __init__(self) -> None:
         self.cursor: Hashable | None = None
+        self.marks: dict[Hashable, Hashable] = {}
+        """Keys of the marked rows, by what identifies them while rows move."""
         self._table = Table((), ())
         self._top = 0
         self._slid = 0
@@ -29,6 +33,8 @@ class Listing:
         """Show the newest rows. If the cursor's row is gone, it moves to the one now in its place."""
         self._table = table
         keys = table.keys
+        if self.marks:
+            self.marks = {identity(key): key for key in keys if identity(key) in self.marks}
         if self.cursor in keys:
             self._place = keys.index(self.cursor)
         else:
@@ -43,6 +49,29 @@ class Listing:
             self.cursor = rows[self._place].key
         return bool(rows)
 
+    def toggle_mark(self) -> None:
+        """Mark the cursor's row, or no longer."""
+        if self.cursor is not None and self.marks.pop(identity(self.cursor), None) is None:
+            self.marks[identity(self.cursor)] = self.cursor
+
+    def go_to_best(self, typed: str) -> None:
+        """Put the cursor on the row whose name or number is typed, else on the first one."""
+        keys, wanted = self._table.keys, typed.casefold().split()[-1:]
+        exact = (key for key in keys if wanted and wanted[0] in _names(key))
+        self.cursor = next(exact, keys[0] if keys else None)
+        self._place = keys.index(self.cursor) if self.cursor is not None else 0
+
+    def marked(self, key: Hashable) -> list[Hashable]:
+        """Return the keys that a command for the row `key` is for: all marked ones, without marks this
+        one."""
+        return list(self.marks.values()) or [key]
+
+    @property
+    def line(self) -> str:
+        """Return the text of the cursor's row, empty without one."""
+        row = self._table.rows[self._place] if self._place < len(self._table.rows) else None
+        return "".join(text for text, _ in row.runs).strip() if row is not None else ""
+
     def slide(self, step: int) -> None:
         """Slide long rows to the left or right."""
         self._slid = max(0, self._slid + step * SLIDE)
@@ -56,18 +85,21 @@ class Listing:
         # The cursor's row stays visible, and no line is wasted at the end.
         self._top = max(0, min(self._top, self._place, len(self._table.rows) - rows))
         self._top = max(self._top, self._place - rows + 1, 0)
-        mark = MARK, StyleRole.ACCENT if focused else StyleRole.DIM
         shown = [
-            (
-                mark if row.key is not None and row.key == self.cursor else NO_MARK,
-                *_slide(row.runs, self._slid, max(0, width - 1)),
-            )
+            (self._sign(row.key, focused), *_slide(row.runs, self._slid, max(0, width - 1)))
             for row in self._table.rows[self._top : self._top + rows]
         ]
         if not shown:
             shown = [cut([NO_MARK, (self._table.empty, StyleRole.DIM)], width)]
         blank = [((" " * width, StyleRole.TEXT),)] * (rows - len(shown))
         return [self._title(width, rows, focused), *head, *shown, *blank][:height]
+
+    def _sign(self, key: Hashable, focused: bool) -> Run:
+        """Return the first cell of a row: with the cursor, marked, both or neither."""
+        is_marked = identity(key) in self.marks
+        if key is None or key != self.cursor:
+            return (MARK, StyleRole.KEY) if is_marked else NO_MARK
+        return BOTH if is_marked else CURSOR, StyleRole.ACCENT if focused else StyleRole.DIM
 
     def _head(self, width: int) -> tuple[Run, ...]:
         return (NO_MARK, *_slide(self._table.head, self._slid, max(0, width - 1)))
@@ -77,6 +109,8 @@ class Listing:
             (text, StyleRole.TITLE_FOCUSED if role is StyleRole.TITLE and focused else role)
             for text, role in self._table.title
         ]
+        if self.marks:
+            title.insert(1, (f" {len(self.marks)} marked", StyleRole.KEY))
         if len(self._table.rows) > rows and self.cursor is not None and not self._table.title_buttons:
             seen = f"{self._top + 1}-{self._top + rows} of {len(self._table.rows)}"
             title.append((f"  {seen}", StyleRole.DIM))
@@ -98,6 +132,17 @@ class Listing:
         if y == 0:
             return _pressed(self._table.title_buttons, x - 2)
         return _pressed(self._table.rows[self._place].buttons, x - 1)
+
+
+def identity(key: Hashable) -> Hashable:
+    """Return the part of a row's key that stays while rows move: without its place."""
+    return key[:2] if isinstance(key, tuple) else key
+
+
+def _names(key: Hashable) -> list[str]:
+    """Return what an operator may call a row: the name of its robot, and the number at its end."""
+    name = str(key[0] if isinstance(key, tuple) else key).casefold()
+    return [name, *re.findall("[0-9]+$", name)]
 
 
 def _pressed(buttons: tuple[Button, ...], x: int) -> str:

@@ -69,9 +69,17 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
         yield f"bad data x{robot.faults}", StyleRole.WARN
 
 
+def _short(text: str) -> str:
+    """Return `refused: order` of `refused: order A -> B`."""
+    what, colon, rest = text.partition(": ")
+    return f"{what}{colon}{rest.partition(' ')[0]}"
+
+
 def shortened_news(runs: list[Run], cells: int) -> list[Run]:
-    """Return the news of a robot with one word for a pause, and beside others its sign, if more would be
-    cut."""
+    """Return the news of a robot, if more would be cut, with the command that failed without what it was (the
+    alarm has it), then one word for a pause, and beside others its sign."""
+    if width_of(runs) - 1 > cells:
+        runs = [(_short(text) if role is StyleRole.ALARM else text, role) for text, role in runs]
     for short in ("paused", "‖")[: len(runs) // 2]:
         if width_of(runs) - 1 <= cells:
             break

@@ -1,6 +1,7 @@
 """The origin of an order in a queue, as far as this console knows."""
 
 from collections.abc import Callable
+from itertools import groupby
 
 from fleet_tui.model.commands import CommandRecord, PlaceOrder, Stage
 from fleet_tui.model.fleet import FleetState
@@ -13,7 +14,8 @@ NEVER_THERE = frozenset({Stage.CHECKED, Stage.WAITING, Stage.NOT_SENT, Stage.REF
 def _outcome(record: CommandRecord) -> str:
     """Return the stages of a command."""
     stages = [step.stage.value for step in record.steps if step.stage not in (Stage.CHECKED, Stage.SENT)]
-    return ", ".join(stages or ["sent"])
+    # A waiting order that was moved waits on.
+    return ", ".join([stage for stage, _ in groupby(stages)] or ["sent"])
 
 
 def _may_be(record: CommandRecord, order: Order) -> bool:

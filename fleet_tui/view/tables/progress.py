@@ -7,14 +7,14 @@ from fleet_tui.text.durations import age
 
 
 def progress_text(state: FleetState, robot: Robot, order: Order) -> str:
-    """Return the progress of the current order: `12.5 m, 31 s, stop 1 of 2, 2 recoveries`; empty without
+    """Return the progress of the current order: `12.5 m left, 31 s, stop 1 of 2, 2 recoveries`; empty without
     fresh data."""
     if robot.progress is None or not robot.orders.is_current(order) or not state.is_fresh(robot, "progress"):
         return ""
     reported = robot.progress.value
     parts = []
     if reported.metres is not None:
-        parts.append(f"{reported.metres:.1f} m" if reported.metres < 100 else f"{reported.metres:.0f} m")
+        parts.append(f"{reported.metres:.{int(reported.metres < 100)}f} m left")
     if reported.seconds is not None:
         parts.append(age(reported.seconds))
     if reported.stop is not None and len(order.stops) > 1:

@@ -13,7 +13,9 @@ from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.view.lines.commands import stage_text
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.fleet import CARGO, whose_mission
+from fleet_tui.view.tables.arrangement import NO_MATCH, RowArrangement, Value, natural
+from fleet_tui.view.tables.fleet import CARGO
+from fleet_tui.view.tables.missions import mission, whose_mission
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import Button, LateRows, Row, Run, Table, column, cut, width_of
 
@@ -108,10 +110,12 @@ def _title(
     robot: Robot, state: FleetState, count: int, placed: int, all_robots: bool, width: int
 ) -> list[Run]:
     ours = not all_robots and robot.kind.keeps_goals
-    runs: list[Run] = [("Queue of this console " if ours else "Queue ", StyleRole.TITLE)]
-    runs.append(("all robots" if all_robots else robot.name, StyleRole.TITLE))
-    if all_robots or robot.kind.lists_orders:
-        runs.append((f" {count} order{'s' * (count != 1)}", StyleRole.DIM))
+    runs: list[Run] = [("Queue all robots" if all_robots else f"Queue {robot.name}", StyleRole.TITLE)]
+    if all_robots or (robot.kind.lists_orders and (count or not ours)):
+        left = width - width_of(runs) - len(CLEAR) - 2
+        counted = f" {count} order{'s' * (count != 1)}"
+        whose = " from here" if ours and len(counted + " from here") <= left else ""
+        runs.append((counted + whose, StyleRole.DIM))
     if ours and robot.held:
         runs.append((f" held: {robot.held}", StyleRole.WARN))
     if placed:
@@ -147,13 +151,27 @@ def _rows(
     return LateRows([(robot.name, order.id, position) for robot, position, order in entries], row)
 
 
-def queue_table(state: FleetState, selected: str, all_robots: bool, width: int) -> Table:
-    """Return the orders in a pane of `width` cells."""
-    entries = listed(state, selected, all_robots)
+def _values(state: FleetState) -> tuple[Value[Listed], ...]:
+    return (
+        Value("robot", lambda entry: entry[0].name, lambda entry: natural(entry[0].name)),
+        Value("id", lambda entry: entry[2].id),
+        Value("order", lambda entry: mission(entry[0], entry[2]), lambda entry: mission(entry[0], entry[2])),
+        Value("state", lambda entry: entry[2].state_text, lambda entry: entry[2].state_text),
+    )
+
+
+def queue_table(
+    state: FleetState, selected: str, all_robots: bool, width: int, arrangement: RowArrangement | None = None
+) -> Table:
+    """Return the orders in a pane of `width` cells, as arranged."""
+    arrangement = arrangement or RowArrangement()
+    known = listed(state, selected, all_robots)
+    entries = arrangement.arranged(known, _values(state))
     under_way = _under_way(state, selected, all_robots)
     robot = state.robots[selected]
     rows = _rows(state, entries, under_way, width, all_robots)
-    title = _title(robot, state, len(entries), _awaited(state, under_way), all_robots, width)
+    title = _title(robot, state, len(known), _awaited(state, under_way), all_robots, width)
+    title[1:1] = arrangement.notes(len(entries))
     listing = any(one.kind.lists_orders for one in state.robots.values())
     buttons: tuple[Button, ...] = ()
     if not all_robots and rows and robot.kind.can(kind.CLEAR):
@@ -163,7 +181,8 @@ def queue_table(state: FleetState, selected: str, all_robots: bool, width: int) 
         if start > LEAST_TITLE:
             title = [*cut(title, start - 1), (" " + CLEAR, StyleRole.KEY)]
             buttons = (Button(start, start + len(CLEAR), "clear"),)
-    return Table(tuple(title), rows, "no orders" if all_robots and listing else _empty(robot), buttons)
+    empty = "no orders" if all_robots and listing else _empty(robot)
+    return Table(tuple(title), rows, NO_MATCH if known else empty, buttons, unfiltered=len(known))
 
 
 def _empty(robot: Robot) -> str:

@@ -16,7 +16,7 @@ from fleet_tui.rules.commands.follow_up import seen_end
 from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.view.lines.commands import TROUBLE, command_text, stage_text
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.fleet import whose_mission
+from fleet_tui.view.tables.missions import whose_mission
 from fleet_tui.view.tables.table import Row, Run, Table, column
 
 Event = tuple[float, str, Callable[[], tuple[Run, ...]]]

@@ -15,13 +15,13 @@ from fleet_tui.text.durations import age, duration
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import command_text, stage_text
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.fleet import whose_mission
 from fleet_tui.view.tables.fleet_columns import floor_text
+from fleet_tui.view.tables.missions import whose_mission
 from fleet_tui.view.tables.news import news
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import Row, Run, Table
 
-NAME, VALUE = 10, 29
+NAME, VALUE = 10, 27
 """Cells of the columns of names and values."""
 LAST = 5
 """Commands and ended orders that are listed."""
@@ -33,11 +33,11 @@ def robot_page(state: FleetState, name: str, width: int, clock: Callable[[float]
     """Return the page of a robot for a pane of `width` cells; `clock` formats Unix seconds as local time."""
     robot = state.robots[name]
     rows = [
-        _named("State", *news(state, robot)),
+        named("State", *news(state, robot)),
         *_alarms(state, robot, width - NAME),
-        *_values(state, robot),
+        *value_rows(state, robot),
     ]
-    rows += [*_orders(state, robot), *_commands(state, robot, clock)]
+    rows += [*_orders(state, robot), *command_rows(state, robot, clock)]
     listed = tuple(Row(None, runs) for runs in rows if runs)
     title = (
         (sanitize(name), StyleRole.TITLE),
@@ -46,7 +46,7 @@ def robot_page(state: FleetState, name: str, width: int, clock: Callable[[float]
     return Table(title, listed)
 
 
-def _named(name: str, *runs: Run) -> tuple[Run, ...]:
+def named(name: str, *runs: Run) -> tuple[Run, ...]:
     """Return a line with its name, empty without runs."""
     if not runs:
         return ()
@@ -59,11 +59,11 @@ def _alarms(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Run, 
     for alarm in state.alarms:
         if alarm.holds and alarm.condition.source == robot.name:
             for n, line in enumerate(wrap(sanitize(alarm.text), max(20, width))):
-                yield _named("" if n else "Alarm", (line, StyleRole.TEXT))
-            yield _named("", (CLASSES[class_of(alarm.condition.kind)].action, StyleRole.DIM))
+                yield named("" if n else "Alarm", (line, StyleRole.TEXT))
+            yield named("", (CLASSES[class_of(alarm.condition.kind)].action, StyleRole.DIM))
 
 
-def _values(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
+def value_rows(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
     """Yield each value that this kind of robot reports, with its age."""
     texts: dict[str, tuple[str, Reading[Any] | None]] = {
         "pose": (_pose_text(state, robot), robot.pose),
@@ -76,10 +76,10 @@ def _values(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
         if value not in robot.kind.reports:
             continue
         if reading is None:
-            yield _named(value.capitalize(), ("not received", StyleRole.DIM))
+            yield named(value.capitalize(), ("not received", StyleRole.DIM))
             continue
         is_old = not state.is_fresh(robot, value)
-        yield _named(
+        yield named(
             value.capitalize(),
             (f"{text:<{VALUE}}", StyleRole.DIM if is_old else StyleRole.TEXT),
             # In whole seconds: tenths would never be at rest.
@@ -91,9 +91,9 @@ def _values(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
 def _movement(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
     """Yield the place it is at, the last jump of its pose, and whether it stands."""
     if place := place_text(robot):
-        yield _named("Place", (sanitize(place), StyleRole.TEXT))
+        yield named("Place", (sanitize(place), StyleRole.TEXT))
     if robot.relocated is not None:
-        yield _named(
+        yield named(
             "Jumped",
             (f"{sanitize(robot.relocated.value):<{VALUE}}", StyleRole.TEXT),
             (f"{age(state.now - robot.relocated.at)} ago", StyleRole.DIM),
@@ -101,7 +101,7 @@ def _movement(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
     if robot.standing is not None and state.is_fresh(robot, "pose"):
         still = robot.still_for
         text = f"standing for {age(still)}" if still >= STANDS_FROM else "moving"
-        yield _named("Movement", (text, StyleRole.TEXT))
+        yield named("Movement", (text, StyleRole.TEXT))
 
 
 def _pose_text(state: FleetState, robot: Robot) -> str:
@@ -130,21 +130,27 @@ def _orders(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
     if current is not None:
         progress = progress_text(state, robot, current)
         text = whose_mission(state, robot, current) + (f", {progress}" if progress else "")
-        yield _named("Order", (text, StyleRole.TEXT))
+        yield named("Order", (text, StyleRole.TEXT))
+    yield from ended_rows(state, robot)
+
+
+def ended_rows(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
+    """Yield the last orders that left the queue, each with its end."""
     for gone in reversed(robot.gone[-LAST:]):
         text = whose_mission(state, robot, gone.order)
-        yield _named(
+        yield named(
             "Ended",
             (f"{text}: {seen_end(state, robot.name, gone).value}", StyleRole.TEXT),
             (f"{age(state.now - gone.at)} ago", StyleRole.DIM),
         )
 
 
-def _commands(state: FleetState, robot: Robot, clock: Callable[[float], str]) -> Iterator[tuple[Run, ...]]:
+def command_rows(state: FleetState, robot: Robot, clock: Callable[[float], str]) -> Iterator[tuple[Run, ...]]:
+    """Yield the last commands of this console, each with its outcome."""
     own = [record for record in state.commands if record.command.robot == robot.name]
     for record in reversed(own[-LAST:]):
         text = command_text(state, record.command).removeprefix(f"{robot.name} ")
-        yield _named(
+        yield named(
             clock(record.wall),
             (f"{text}: {stage_text(record, state.now)}", StyleRole.TEXT),
         )

@@ -47,18 +47,20 @@ class LateRows(Sequence[Row]):
 
 
 class Table(Struct, frozen=True):
-    """A pane at one moment. `head` names the columns; `empty` is shown if there are no rows."""
+    """A pane at one moment. `head` names the columns; `empty` is shown if there are no rows; `unfiltered` is
+    the number of rows without a filter, whose lines it keeps."""
 
     title: tuple[Run, ...]
     rows: Sequence[Row]
     empty: str = ""
     title_buttons: tuple[Button, ...] = ()
     head: tuple[Run, ...] = ()
+    unfiltered: int = 0
 
     @property
     def lines(self) -> int:
         """Return the lines that all of it takes, with its title."""
-        return 1 + bool(self.head) + max(1, len(self.rows))
+        return 1 + bool(self.head) + max(1, len(self.rows), self.unfiltered)
 
     @property
     def keys(self) -> Sequence[Hashable]:

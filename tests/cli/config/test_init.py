@@ -26,7 +26,9 @@ def site_of(topics: Mapping[str, str], services: Mapping[str, str]) -> Discovery
 async def made(server: RosbridgeServer, folder: Path) -> Ended:
     """The config of what the server has, written, and checked by the program itself."""
     done = await run(folder, "config", "init", "--from-live", server.url, "--output", "config.toml")
-    assert (done.code, done.out, done.err) == (0, "", "")
+    assert (done.code, done.out) == (0, ""), done.err
+    assert done.err.startswith(f"{server.url}: 2 robots")
+    assert "wrote config.toml. Next: " in done.err and done.err.endswith("fleet-tui check && fleet-tui\n")
     checked = await run(folder, "check")
     assert checked.code == 0, checked.err
     return await run(folder, "status", "--json")
@@ -72,9 +74,12 @@ async def test_without_a_bridge_it_is_an_example_that_is_never_written_over(tmp_
     printed = await run(tmp_path, "config", "init")
     (tmp_path / "printed.toml").write_text(printed.out)
     assert (await run(tmp_path, "check", "printed.toml")).code == 0
+    assert "set the address of your rosbridge" in printed.err and "--output config.toml" in printed.err
     kept = await run(tmp_path, "config", "init", "--output", "printed.toml")
     assert kept.code == 1 and "overwrite with --force" in kept.err
-    assert (await run(tmp_path, "config", "init", "--output", "printed.toml", "--force")).code == 0
+    written = await run(tmp_path, "config", "init", "--output", "printed.toml", "--force")
+    assert (written.code, written.out) == (0, "")
+    assert "then type: fleet-tui check printed.toml && fleet-tui --config printed.toml" in written.err
     assert (await run(tmp_path, "config", "init", "--output", "no/such/folder.toml")).code == 1
 
 

@@ -48,7 +48,7 @@ async def two_floors() -> AsyncIterator[RosbridgeServer]:
 async def init(server: RosbridgeServer, folder: Path) -> dict[str, Any]:
     """The config of what the server has, which the program itself checks."""
     done = await run(folder, "config", "init", "--from-live", server.url, "--output", "config.toml")
-    assert (done.code, done.out, done.err) == (0, "", "")
+    assert (done.code, done.out) == (0, ""), done.err
     checked = await run(folder, "check")
     assert checked.code == 0, checked.err
     return tomllib.loads((folder / "config.toml").read_text())

@@ -16,7 +16,6 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.model.events import CommandAdvanced, Event
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, PAUSE, RESUME, Kind
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.navigation_events import FloorReported, GoalsReported
 from fleet_tui.model.order import OrderState
@@ -42,15 +41,8 @@ from tests.support.fleets import (
     tick,
 )
 from tests.support.fleets import reduced as after
+from tests.support.kinds import KEEPING
 
-KIND = Kind(
-    "goals",
-    ("pose", "queue"),
-    (ORDER, ORDER_TO, CANCEL, CLEAR, PAUSE, RESUME),
-    reports_ends=True,
-    keeps_goals=True,
-    holds=True,
-)
 ORDER_1, ORDER_2 = place_order(R0, "2"), place_order(R0, "1")
 KNOWN = (graph(1, 2), labels({1: "Base", 2: "Store"}))
 
@@ -64,7 +56,7 @@ def ours(*facts: Event) -> FleetState:
     begun: list[Event] = [*KNOWN, link_up(T0), pose(T0), tick(T0), *commanded(1, ORDER_1, Stage.SENT)]
     driving: list[Event] = [goals(T0 + 0.1, OrderState.IN_PROCESS), pose(T0 + 0.2), tick(T0 + 0.2)]
     waits = commanded(2, ORDER_2, Stage.WAITING, at=T0 + 0.2)
-    return after(of_kinds(fleet(), KIND), *begun, *driving, *waits, *facts)
+    return after(of_kinds(fleet(), KEEPING), *begun, *driving, *waits, *facts)
 
 
 def record(state: FleetState, id_: int) -> CommandRecord:
@@ -85,7 +77,7 @@ def test_the_next_one_leaves_when_the_one_before_is_done() -> None:
 def test_nothing_leaves_between_a_failure_and_the_tick_that_holds_the_queue(end: Stage) -> None:
     begun: list[Event] = [*KNOWN, link_up(T0), pose(T0), tick(T0)]
     first = commanded(1, ORDER_1, *([Stage.SENT] if end is Stage.REFUSED else []))
-    state = after(of_kinds(fleet(), KIND), *begun, *first, *commanded(2, ORDER_2, Stage.WAITING))
+    state = after(of_kinds(fleet(), KEEPING), *begun, *first, *commanded(2, ORDER_2, Stage.WAITING))
     assert leaving(state) is None
     state = after(state, CommandAdvanced(1, end, T0 + 0.05))
     assert leaving(state) is None and not state.robots[R0].held
@@ -123,7 +115,7 @@ def test_one_of_several_stops_is_done_without_its_answer_and_says_what_is_not_kn
     driving = GoalsReported(R0, T0 + 0.1, several.action, (several,))
     done = Goal("3f2a", "3f2a-77", "follow_waypoints", OrderState.DONE, leads=True)
     ended: list[Event] = [GoalsReported(R0, T0 + 1, several.action, (done,)), pose(T0 + 3), tick(T0 + 3)]
-    state = after(of_kinds(fleet(), KIND), *begun, driving, pose(T0 + 0.2), tick(T0 + 0.2), *ended)
+    state = after(of_kinds(fleet(), KEEPING), *begun, driving, pose(T0 + 0.2), tick(T0 + 0.2), *ended)
     assert record(state, 1).stage is Stage.DONE
     assert "stops may have been missed" in record(state, 1).detail
 
@@ -140,7 +132,7 @@ def test_a_clear_takes_back_no_order_of_others() -> None:
     foreign = GoalsReported(
         R0, T0, "navigate_to_pose", (Goal("77", "77-1", "navigate_to_pose", OrderState.IN_PROCESS),)
     )
-    state = after(of_kinds(fleet(), KIND), *KNOWN, link_up(T0), pose(T0), foreign, tick(T0 + 0.1))
+    state = after(of_kinds(fleet(), KEEPING), *KNOWN, link_up(T0), pose(T0), foreign, tick(T0 + 0.1))
     (problem,) = problems(state, Request((ClearOrders(R0),)), Permissions())
     assert (problem.text, problem.blocks) == ("robot_0 has no orders of this console", True)
     waits = after(state, *commanded(2, ORDER_2, Stage.WAITING, at=T0 + 0.2))
@@ -160,7 +152,7 @@ def test_orders_that_wait_here_are_orders_and_a_resume_says_whether_there_are_an
 def test_orders_that_wait_for_a_robot_that_left_its_floor_are_held() -> None:
     there = fleet(floors=2)
     known = [graph(1, 2), graph(1, 2, floor="floor_1")]
-    kind = replace(KIND, frames_are_floors=False)
+    kind = replace(KEEPING, frames_are_floors=False)
     first: list[Event] = [*known, link_up(T0), FloorReported(R0, T0, "floor_0"), pose(T0), tick(T0)]
     state = after(of_kinds(there, kind), *first, *commanded(1, ORDER_1, Stage.WAITING))
     assert leaving(state) is not None
@@ -181,7 +173,7 @@ def test_a_queue_in_which_nothing_waits_any_more_is_not_held() -> None:
 
 def test_a_robot_that_is_not_heard_is_not_said_to_have_stopped() -> None:
     pause = commanded(1, PauseRobot(R0), Stage.SENT, Stage.ACCEPTED, detail="no action server")
-    offline = after(of_kinds(fleet(), KIND), *KNOWN, link_up(T0), *pause)
+    offline = after(of_kinds(fleet(), KEEPING), *KNOWN, link_up(T0), *pause)
     assert record(after(offline, tick(T0 + 0.1)), 1).stage is Stage.ACCEPTED
     ended = record(after(offline, *map(tick, (T0 + 0.1, T0 + 60))), 1)
     assert (ended.stage, ended.detail) == (Stage.NOT_CONFIRMED, "accepted; the robot is offline")

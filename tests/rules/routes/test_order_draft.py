@@ -49,7 +49,7 @@ def test_the_length_is_along_the_graph_and_the_time_is_a_guess_at_a_usual_speed(
 
 def test_the_way_to_its_start_is_told_and_takes_time_too() -> None:
     route = draft_route(state().robots[R0], draft(place(3), place(4)))
-    assert route is not None and route.text == f"1 m and 1 m to its start, about 4 s at {SPEED} m/s"
+    assert route is not None and route.text == f"1 m to the start, then 1 m, about 4 s at {SPEED} m/s"
     by_lift = draft_route(state().robots[R0], draft(place(12, F1), place(13, F1)))
     assert by_lift is not None and by_lift.approach >= 2.0
     unplaced = reduced(fleet(1, 2), with_lift(F0, 1, 2, 3, 4)).robots[R0]
@@ -61,7 +61,7 @@ def test_the_way_to_its_start_begins_where_the_last_open_order_ends() -> None:
     ordered = reduced(state(), queue(T0, (7, 1, 2, "W"), (8, 2, 4, "Q"), current=7)).robots[R0]
     route = draft_route(ordered, draft(place(2), place(3)))
     assert route is not None
-    assert route.text == f"1 m and 2 m to its start, about 6 s at {SPEED} m/s after 2 orders"
+    assert route.text == f"2 m to the start, then 1 m, about 6 s at {SPEED} m/s, after 2 orders"
 
 
 def test_over_floors_it_goes_by_the_lifts() -> None:

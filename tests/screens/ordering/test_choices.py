@@ -6,7 +6,7 @@ from textual.widgets import Input
 from fleet_tui.screens.ordering.form import OrderForm
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console
-from tests.support.ordering import sent, vertex
+from tests.support.ordering import place, sent, vertex
 from tests.support.watched_store import config_of
 
 
@@ -54,3 +54,32 @@ async def test_a_vertex_that_the_robot_does_not_know_opens_no_form(server: Rosbr
         await it.press("}", "n", "n", "enter")
         await it.shows("has no vertex")
         assert not it.app.main.query_one(OrderForm).is_open
+
+
+async def test_an_order_is_given_again_by_an_arrow_and_two_enters(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2, 2)) as it:
+        await place(it)
+        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
+        server.bridge.services.calls.clear()
+        await it.press("2", "o")
+        await it.shows("Base -> Consumidores  (last)", "matches")
+        await it.press("down")
+        await it.shows(" m, about ")
+        await it.press("enter")
+        await it.shows("Enter  send")
+        assert it.app.main.query_one("#to", Input).value == "Consumidores"
+        assert sent(server) == []
+        await it.press("enter")
+        await it.until(lambda _: sent(server))
+        start, end = vertex(it, "Base"), vertex(it, "Consumidores")
+        assert sent(server) == [("Execute_order", {"initial_point": start, "end_point": end})]
+
+
+async def test_favourites_leave_when_a_label_is_typed(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await place(it)
+        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
+        await it.press("o")
+        await it.shows("(last)", "matches")
+        await it.type("Ba")
+        await it.hides("(last)", "matches")

@@ -165,21 +165,6 @@ async def test_a_console_that_is_not_armed_sends_nothing_until_it_is(server: Ros
         await it.until(lambda _: sent(server) == [("Pause", {})])
 
 
-async def test_an_order_by_mouse_alone(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
-        it.app.main.rest.orders.start()
-        await it.shows("Receiving  (", "matches")
-        for field in ("from", "to"):
-            rows = it.app.main.query_one("#matches")
-            labels = [rows.render_line(y).text for y in range(rows.size.height)]
-            wanted = "Base" if field == "from" else "Store"
-            row = next(y for y, text in enumerate(labels) if text.startswith(wanted))
-            await it.pilot.click("#matches", offset=(3, row))
-        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
-        ids = {"initial_point": vertex(it, "Base"), "end_point": vertex(it, "Store")}
-        assert sent(server) == [("Execute_order", ids)]
-
-
 async def test_the_send_button_does_what_enter_does(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         await it.press("o")
@@ -212,14 +197,27 @@ async def test_a_robot_without_a_graph_has_no_places_and_the_form_says_so(server
     last = len(server.world.robots)  # one more than there are
     async with console(config_of(server.url, last + 1), wait=False) as it:
         await it.until(lambda _: it.app.main.is_complete)
+        await it.until(lambda state: state.links["rosbridge"].phase is Phase.UP)
         await it.press("[", "o")
         await it.shows(f"robot_{last} has no route graph yet")
         await it.press("B", "enter")
         await it.shows(f"robot_{last} has no route graph yet")
 
 
-async def test_the_map_keeps_its_scale_while_the_form_covers_a_part_of_it(server: RosbridgeServer) -> None:
+async def test_the_form_is_beside_the_map_where_the_fleet_is(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2, floors=2), (80, 24)) as it:
+        view, form = it.app.main.rest.map, it.app.main.rest.order_form
+        await it.shows("Base", "map")
+        before = view.region
+        await it.press("o")
+        await it.type("Disp")
+        await it.until(lambda _: form.region.area > 0)
+        assert view.region == before and not view.region.overlaps(form.region)
+        assert form.region.bottom == 22, "message and keys stay"
+
+
+async def test_the_map_keeps_its_scale_while_the_form_covers_a_part_of_it(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2, floors=2), (70, 24)) as it:
         view = it.app.main.rest.map
 
         def scale() -> float:

@@ -189,3 +189,10 @@ def test_the_ends_of_the_current_order_are_its_targets() -> None:
     assert scene(state).target_vertices == ("1", "3")
     assert scene(reduced(state, queue(T0 + 1, (5, 2, 1, "Q")))).target_vertices == ("2", "1")
     assert scene(reduced(state, queue(T0 + 1))).target_vertices == ()
+
+
+def test_the_live_map_of_another_robot_serves_if_it_is_the_same() -> None:
+    mine = events.FrameReceived("robot_1", F0, FRAME)
+    assert scene(reduced(fleet(2), *LIVE, mine), "robot_1").grid is GRID
+    other = events.FrameReceived("robot_1", F0, MapFrame(0.5, 4, 2, Pose(5.0, 5.0)))
+    assert scene(reduced(fleet(2), *LIVE, other), "robot_1").grid is None

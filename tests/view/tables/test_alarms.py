@@ -127,3 +127,13 @@ def test_in_a_narrow_pane_the_reason_stays() -> None:
     state = low()
     (row,) = alarm_table(state, lambda _wall: "12:04:31", 38).rows
     assert text_of(row.runs) == "▲ robot_0 battery 15 % 12:04"
+
+
+def test_a_single_alarm_that_is_cut_goes_on_in_a_second_line() -> None:
+    reason = "no route to host 10.11.12.13, asked again and again"
+    state = reduced(without_poses(fleet()), link_up(T0), link_lost(T0 + 1, reason), tick(T0 + 60))
+    first, second = alarm_table(state, clock, 38).rows
+    assert second.key is None and "again and again" in text_of(second.runs)
+    assert reason not in text_of(first.runs)
+    assert len(alarm_table(state, clock, 120).rows) == 1
+    assert len(alarm_table(low(), clock, 38).rows) == 1

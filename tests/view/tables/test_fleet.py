@@ -6,7 +6,8 @@ from fleet_tui.model import events
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.fleet import CARGO, fleet_table, mission
+from fleet_tui.view.tables.arrangement import NO_MATCH, RowArrangement
+from fleet_tui.view.tables.fleet import CARGO, fleet_table
 from fleet_tui.view.tables.table import Run
 from tests.support.fleets import (
     R0,
@@ -18,6 +19,7 @@ from tests.support.fleets import (
     labels,
     link_lost,
     link_up,
+    place_order,
     pose,
     queue,
     reduced,
@@ -137,7 +139,7 @@ def test_a_robot_that_speaks_without_a_pose_is_not_well() -> None:
 
 @pytest.mark.parametrize(
     ("width", "said"),
-    [(60, "obstacle 4.2 s ‖"), (44, "obstacle 4.2 s paused "), (150, "obstacle 4.2 s paused (elsewhere)")],
+    [(40, "obstacle 4.2 s ‖"), (44, "obstacle 4.2 s paused "), (150, "obstacle 4.2 s paused (elsewhere)")],
 )
 def test_a_pause_is_a_sign_where_its_words_would_be_cut(width: int, said: str) -> None:
     facts = events.ObstacleReported(R0, T0 + 1, 4.2), events.PausedReported(R0, T0 + 1, True)
@@ -157,12 +159,6 @@ def test_what_it_does() -> None:
     waits = received(*named, queue(T0 + 1, (4, 2, 1, "Q")))
     assert "1 waiting -> Base" in text_of(fleet_table(waits, R0, 42).rows[0].runs)
     assert CARGO in row(received(events.CargoReported(R0, T0 + 1, True)))
-
-
-def test_a_mission_marks_a_vertex_that_no_graph_has() -> None:
-    state = reduced(fleet(), graph(1, 2), labels({1: "Base"}), queue(T0, (4, 1, 77, "W")))
-    robot = state.robots[R0]
-    assert mission(robot, robot.orders.orders[0]) == "Base -> 77?"
 
 
 def test_every_robot_has_its_row_in_the_order_of_the_config() -> None:
@@ -297,3 +293,45 @@ def test_a_passing_obstacle_is_no_alarm_yet() -> None:
     assert role_of(state, "obstacle") is StyleRole.WARN
     lasting = received(events.ObstacleReported(R0, T0 + 1, 31.0))
     assert role_of(lasting, "obstacle") is StyleRole.ALARM
+
+
+def shown(state: FleetState, typed: str, column: str = "") -> list[object]:
+    chosen = RowArrangement()
+    chosen.typed, chosen.column = typed, column
+    return list(fleet_table(state, R0, WIDTH, chosen).keys)
+
+
+def test_a_filter_finds_robots_by_what_their_rows_say() -> None:
+    named = (graph(1, 2), labels({1: "Base", 2: "Store"}))
+    state = reduced(fleet(3, 2), link_up(T0), *named, queue(T0, (4, 1, 2, "W"), current=4))
+    state = reduced(state, battery(T0, 55.0), battery(T0, 90.0, robot="robot_1"), tick(T0))
+    assert shown(state, "") == [R0, "robot_1", "robot_2"]
+    assert shown(state, "store") == [R0] == shown(state, "order:base")
+    assert shown(state, "2") == ["robot_2"]
+    assert shown(state, "55") == [], "a number is rather a robot than its battery"
+    assert shown(state, "never") == ["robot_2"] == shown(state, "battery:-")
+    assert shown(state, "kind:oh !robot_1") == [R0, "robot_2"]
+    assert shown(state, "", "battery") == [R0, "robot_1", "robot_2"]
+    nothing = RowArrangement()
+    nothing.typed = "nobody"
+    table = fleet_table(state, R0, WIDTH, nothing)
+    assert text_of(table.title) == "Fleet 2 of 3 online /nobody: 0" and table.empty == NO_MATCH
+
+
+def test_any_robot_of_500_is_found_by_its_number() -> None:
+    state = fleet(500)
+    assert all(f"robot_{n}" in shown(state, str(n)) for n in (7, 137, 499))
+    assert shown(state, "137") == ["robot_137"]
+
+
+def test_a_refused_order_is_not_told_beside_the_one_that_is_driven() -> None:
+    refused = commanded(1, place_order(R0, 1, 2), Stage.SENT, Stage.REFUSED)
+    state = received(queue(T0 + 1, (4, 3, 4, "W"), current=4), *refused, tick(T0 + 2))
+    narrow = text_of(fleet_table(state, R0, 46).rows[0].runs)
+    assert "refused: order" in narrow and "-> 4" not in narrow
+
+
+def test_a_long_state_takes_the_cells_that_its_order_leaves() -> None:
+    facts = events.PausedReported(R0, T0 + 1, True), tick(T0 + 2)
+    line = text_of(fleet_table(received(*facts), R0, 72).rows[0].runs)
+    assert "paused (elsewhere)" in line and len(line.rstrip()) <= 72

@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.listing import MARK, Listing
+from fleet_tui.view.tables.listing import CURSOR, Listing
 from fleet_tui.view.tables.table import Button, Row, Table, width_of
 from tests.support.fleets import text_of
 
@@ -50,11 +50,11 @@ def test_long_rows_slide_and_never_beyond_their_end() -> None:
     listing = Listing()
     listing.show(table("a"))
     listing.slide(1)
-    assert lines(listing, 2)[1] == f"{MARK}{('row a ' * 8)[8:26]}…"
+    assert lines(listing, 2)[1] == f"{CURSOR}{('row a ' * 8)[8:26]}…"
     listing.slide(99)
     assert lines(listing, 2)[1].endswith("row a")
     listing.slide(-200)
-    assert lines(listing, 2)[1].startswith(f"{MARK}row a")
+    assert lines(listing, 2)[1].startswith(f"{CURSOR}row a")
 
 
 @given(st.integers(0, 12), st.lists(st.integers(-14, 14), max_size=6), st.integers(2, 9))
@@ -65,7 +65,7 @@ def test_the_cursors_row_is_always_in_view(count: int, steps: list[int], height:
         listing.move(step)
         shown = listing.lines(30, height, True)
         assert len(shown) == height and all(width_of(runs) == 30 for runs in shown)
-        assert sum(text_of(runs).startswith(MARK) for runs in shown) == min(count, 1)
+        assert sum(text_of(runs).startswith(CURSOR) for runs in shown) == min(count, 1)
 
 
 def test_a_row_is_pointed_at_by_its_line_and_a_button_by_its_cells() -> None:

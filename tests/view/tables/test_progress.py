@@ -20,8 +20,8 @@ def text(progress: Progress, at: float = T0) -> str:
 
 
 def test_what_is_told_stands_there_in_its_order() -> None:
-    assert text(Progress("1", metres=12.5, seconds=31.0, recoveries=2)) == "12.5 m, 31 s, 2 recoveries"
-    assert text(Progress("1", metres=250.4, recoveries=1)) == "250 m, 1 recovery"
+    assert text(Progress("1", metres=12.5, seconds=31.0, recoveries=2)) == "12.5 m left, 31 s, 2 recoveries"
+    assert text(Progress("1", metres=250.4, recoveries=1)) == "250 m left, 1 recovery"
 
 
 def test_of_several_stops_it_says_which() -> None:

@@ -8,13 +8,13 @@ from hypothesis import strategies as st
 from fleet_tui.model.counters import Raw, TopicCounter
 from fleet_tui.model.ros_logs import LogLine, PartDiagnosis, Severity
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.console import OwnFacts, console_table
-from fleet_tui.view.tables.health import health_table
-from fleet_tui.view.tables.links import link_table
-from fleet_tui.view.tables.raw_message import raw_table
-from fleet_tui.view.tables.robot_log import lines_of, robot_log_table
+from fleet_tui.view.tables.diagnostics.console import OwnFacts, console_table
+from fleet_tui.view.tables.diagnostics.health import health_table
+from fleet_tui.view.tables.diagnostics.links import link_table
+from fleet_tui.view.tables.diagnostics.raw_message import raw_table
+from fleet_tui.view.tables.diagnostics.robot_log import lines_of, robot_log_table
+from fleet_tui.view.tables.diagnostics.topics import topic_table
 from fleet_tui.view.tables.table import Run, Table, column, cut, width_of
-from fleet_tui.view.tables.topics import topic_table
 from tests.support.diagnostics import NOW, counter, seen
 from tests.support.fleets import (
     LINK,

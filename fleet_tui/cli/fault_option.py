@@ -1,0 +1,43 @@
+"""The option `--fault` of simulated fleets, and the list of faults in its help."""
+
+from collections.abc import Callable, Iterable
+from textwrap import fill
+from typing import Any, TypeVar
+
+import click
+
+from fleet_tui.cli.offers import listed
+from fleet_tui.simulator.kinds import KINDS
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+def _fault_list(kind: str) -> str:
+    """Return one entry for each fault; continued lines are indented."""
+    entries = [f"{name:<16} {text}" for name, (text, _) in KINDS[kind].faults.items()]
+    return "\n".join(fill(entry, 78, initial_indent="  ", subsequent_indent=" " * 19) for entry in entries)
+
+
+USUAL = next(iter(KINDS))
+FAULT_LIST = "\b\nFaults:\n" + _fault_list(USUAL)
+ALL_FAULTS = FAULT_LIST + "".join(
+    f"\n\n\b\nFaults of --kind {kind}:\n{_fault_list(kind)}" for kind in KINDS if kind != USUAL
+)
+
+
+def _faults_of_kind(context: click.Context) -> Iterable[str]:
+    """Return the names of faults of the kind that is typed, of all kinds for a mixed fleet."""
+    kind = str(context.params.get("kind"))
+    chosen = [KINDS[kind]] if kind in KINDS else KINDS.values()
+    return dict.fromkeys(name for one in chosen for name in one.faults)
+
+
+def fault_option(command: F) -> F:
+    """Add `--fault`."""
+    return click.option(
+        "--fault",
+        default="",
+        metavar="NAME[:ROBOT],...",
+        shell_complete=listed(_faults_of_kind),
+        help="Simulate these faults, of all robots or of one.",
+    )(command)

@@ -1,0 +1,1 @@
+"""Orders: from a key, a row or a line to a request."""

@@ -1,0 +1,77 @@
+"""Orders for the nearest idle robot: proposed, confirmed by the operator, checked again, sent."""
+
+from collections.abc import Callable, Sequence
+from functools import partial
+
+from fleet_tui.controllers.dispatch import Ask, Dispatch
+from fleet_tui.controllers.notices import Notices
+from fleet_tui.controllers.typed import Typed
+from fleet_tui.errors import CommandError
+from fleet_tui.model.request import Request
+from fleet_tui.rules.language.anyone import parse_anyone
+from fleet_tui.rules.language.completion import complete
+from fleet_tui.rules.language.lookup import Place, order_of
+from fleet_tui.rules.routes.nearest import Nearest, nearest, why_none, why_not
+from fleet_tui.state.store import Store
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.lines.questions import request_text
+
+
+class AnyoneOrders:
+    """Finds a robot for the places of an order. Nothing is sent without a yes to that robot."""
+
+    def __init__(self, store: Store, dispatch: Dispatch, notices: Notices, ask: Ask) -> None:
+        self._store, self._dispatch, self._notices, self._ask = store, dispatch, notices, ask
+
+    def give(self, places: Sequence[Place], sent: Callable[[], None] = lambda: None) -> str:
+        """Ask whether the nearest idle robot shall visit the places; `sent` is called when it was sent.
+        Returns the reason not to, empty while the question is open."""
+        return self._propose(places, sent, "")
+
+    def _propose(self, places: Sequence[Place], sent: Callable[[], None], before: str) -> str:
+        """Ask about the nearest robot; `before` is the reason why that is a second question."""
+        found = nearest(self._store.state, places)
+        if found is None:
+            problem = sanitize(why_none(self._store.state, places))
+        else:
+            problem = self._dispatch.objection(self._request(found))
+        if problem or found is None:
+            return "; ".join(filter(None, (before, problem)))
+        self._ask(partial(self._question, found, before), partial(self._send, found, places, sent))
+        return ""
+
+    def _request(self, found: Nearest) -> Request:
+        return order_of(self._store.state.robots[found.robot], found.places)
+
+    def _question(self, found: Nearest, before: str) -> str:
+        state = self._store.state
+        text = f"{request_text(state, self._request(found))}?\nNearest idle, {found.metres:.0f} m away"
+        reason = why_not(state, state.robots[found.robot])
+        now = f"It is now {reason}: Yes proposes the next one" if reason else ""
+        return "\n".join(filter(None, (before, text, now)))
+
+    def _send(self, found: Nearest, places: Sequence[Place], sent: Callable[[], None]) -> None:
+        """Send the confirmed order; propose another robot if this one is not idle any more."""
+        state = self._store.state
+        if reason := why_not(state, state.robots[found.robot]):
+            problem = self._propose(places, sent, f"{found.robot} is now {reason}")
+        else:
+            problem = self._dispatch.give(self._request(found), sent)
+        if problem:
+            self._notices.say(problem)
+
+    def typed(self, line: str) -> Typed | None:
+        """Parse `anyone FROM TO`, None for any other line."""
+        state = self._store.state
+        try:
+            places = parse_anyone(line, state)
+        except CommandError as problem:
+            return Typed(completed=complete(line, state), problem=sanitize(str(problem)))
+        if places is None:
+            return None
+        names = " -> ".join(sanitize(place.name) for place in places)
+        return Typed([(f"nearest idle robot: {names}", partial(self._do, places))], complete(line, state))
+
+    def _do(self, places: Sequence[Place]) -> None:
+        if problem := self.give(places):
+            self._notices.say(problem)

@@ -1,0 +1,146 @@
+"""Orders of a robot: place, cancel, clear, again, the way back."""
+
+import time
+from collections.abc import Callable, Hashable, Iterator
+from functools import partial
+
+from fleet_tui.controllers.dispatch import Dispatch
+from fleet_tui.controllers.navigation import Navigation
+from fleet_tui.controllers.notices import Notices
+from fleet_tui.controllers.tables.marked import MarkedCommands
+from fleet_tui.controllers.typed import Entry, OpenMenu
+from fleet_tui.model import kind
+from fleet_tui.model.commands import CancelOrder, ClearOrders, PlaceOrder
+from fleet_tui.model.navigation_events import OrderMoved
+from fleet_tui.model.order import Order
+from fleet_tui.model.request import Request
+from fleet_tui.model.robot import Robot
+from fleet_tui.model.set_up.commands import CancelGoal
+from fleet_tui.rules.commands.local_queue import all_orders
+from fleet_tui.rules.commands.queue_moves import moves
+from fleet_tui.rules.language.lookup import Place
+from fleet_tui.state.store import Store
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.tables.missions import mission, way
+from fleet_tui.view.tables.order_story import origin
+from fleet_tui.widgets.rows_pane import RowsPane
+
+
+class OrderRequests:
+    """From a key or a row of the queue to a request; `open_form` opens the order form for a robot."""
+
+    def __init__(
+        self,
+        store: Store,
+        dispatch: Dispatch,
+        notices: Notices,
+        navigation: Navigation,
+        queue: RowsPane,
+        open_form: Callable[[str, Place | None], None],
+        open_menu: OpenMenu,
+        clock: Callable[[float], str],
+        marked: MarkedCommands,
+    ) -> None:
+        self._store, self._dispatch, self._notices, self._navigation = store, dispatch, notices, navigation
+        self._queue, self._open_form, self._open_menu, self._clock = queue, open_form, open_menu, clock
+        self._marked = marked
+
+    @property
+    def _robot(self) -> Robot:
+        return self._store.state.robots[self._navigation.robot]
+
+    def start(self) -> None:
+        """Open the order form for the selected robot."""
+        if self.may_order():
+            self._open_form(self._navigation.robot, None)
+
+    def may_order(self) -> bool:
+        """Tell whether the selected robot takes orders; show a notice if not."""
+        robot = self._robot
+        if not robot.kind.can(kind.ORDER):
+            self._notices.say(f"{robot.name}: {robot.kind.lack(kind.ORDER)}")
+        return robot.kind.can(kind.ORDER)
+
+    def start_at(self, vertex: str, floor: str) -> None:
+        """Open the order form for a vertex chosen on the map, if it is one of the robot's own graph."""
+        if not self.may_order():
+            return
+        robot = self._robot
+        robot_map = robot.maps.get(floor)
+        name = robot_map.name_of(vertex) if robot_map else None
+        if name is None:
+            self._notices.say(f"{robot.name} has no vertex {sanitize(vertex)} on {floor}")
+        else:
+            self._open_form(robot.name, Place(vertex, name, floor))
+
+    def cancel(self) -> None:
+        """Cancel the marked orders, else the one under the queue's cursor, without one the robot's goal
+        beside it, after asking."""
+        if marks := list(self._queue.listing.marks):
+            self._marked.give([Request((CancelOrder(robot, id_),)) for robot, id_ in map(_order_of, marks)])
+            return
+        match self._queue.listing.cursor:
+            case (str(robot), str(order_id), _):
+                self.ask_cancel(robot, order_id)
+            case _ if self._robot.kind.can(kind.GOAL_CANCEL):
+                self._dispatch.do(Request((CancelGoal(self._robot.name),)))
+            case _:
+                asked = self._robot
+                lacks = not asked.kind.can(kind.CANCEL)
+                lack = f"{asked.name}: {asked.kind.lack(kind.CANCEL)}"
+                self._notices.say(lack if lacks else "no order to cancel")
+
+    def ask_cancel(self, robot: str, order_id: str) -> None:
+        """Cancel one order, after asking."""
+        self._dispatch.do(Request((CancelOrder(robot, order_id),)))
+
+    def clear(self) -> None:
+        """Clear all orders of the selected robot, or of all marked ones, after asking."""
+        self._marked.do(self._navigation.robot, ClearOrders)
+
+    def menu(self, name: str, order_id: str) -> None:
+        """List the actions for an order, below its origin."""
+        state = self._store.state
+        robot = state.robots[name]
+        order = next((order for order in all_orders(state, robot) if order.id == order_id), None)
+        if order is None:
+            self._notices.say(f"order {sanitize(order_id)} is no longer in the queue")
+            return
+        source = origin(state, name, order, self._clock)
+        title = f"Order {sanitize(order_id)} of {name}: {mission(robot, order)}\n{source}"
+        self._open_menu(title, list(self._entries(robot, order)))
+
+    def _entries(self, robot: Robot, order: Order) -> Iterator[Entry]:
+        name, back = robot.name, order.stops[::-1]
+        if robot.kind.can(kind.CANCEL):
+            yield "Cancel order", partial(self.ask_cancel, name, order.id)
+        for move, _ in moves(self._store.state, robot, order.id):
+            yield move, partial(self._move, name, order.id, move)
+        if order.stops and robot.kind.can(kind.ORDER):
+            again = Request((PlaceOrder(name, order.stops),))
+            yield f"Repeat: {way(robot, order.stops)}", partial(self._dispatch.do, again)
+        if len(back) > 1 and kind.ORDER in robot.kind.accepts:
+            returning = Request((PlaceOrder(name, back),))
+            yield f"Return trip: {way(robot, back)}", partial(self._dispatch.do, returning)
+        if robot.kind.can(kind.CLEAR):
+            clearing = Request((ClearOrders(name),))
+            yield f"Clear all orders of {name}", partial(self._dispatch.do, clearing)
+
+    def _move(self, name: str, order_id: str, move: str) -> None:
+        """Move an order in the queue of this console, as it is now: others may have left it meanwhile. The
+        cursor goes with it."""
+        state, robot = self._store.state, self._store.state.robots[name]
+        before = dict(moves(state, robot, order_id)).get(move)
+        if before is None:
+            self._notices.say(f"order {sanitize(order_id)} is there already, or does not wait here any more")
+            return
+        self._dispatch.post(OrderMoved(name, order_id, before, time.monotonic()))
+        others = [order.id for order in all_orders(state, robot) if order.id != order_id]
+        place = others.index(before) if before else len(others)
+        self._queue.listing.cursor = (name, order_id, place)
+
+
+def _order_of(mark: Hashable) -> tuple[str, str]:
+    """Return the robot and the order of a marked row of the queue."""
+    assert isinstance(mark, tuple)
+    return str(mark[0]), str(mark[1])

@@ -1,0 +1,39 @@
+"""Keys of the tables that work from every pane: without a focused table they are the fleet's."""
+
+from fleet_tui.actions import Actions
+from fleet_tui.keys.key import Key
+
+TABLES: tuple[Key[Actions], ...] = (
+    Key(
+        "filter_rows",
+        ("/",),
+        lambda do: do.rows.filter(),
+        "Filter the table: words, !word, key:value",
+        hint="filter",
+        eager="opens",
+        of_rows=True,
+    ),
+    Key(
+        "sort_rows",
+        ("S",),
+        lambda do: do.rows.sort(),
+        "Sort the table by its next column",
+        only_live=True,
+        of_rows=True,
+    ),
+    Key(
+        "mark_row",
+        ("space",),
+        lambda do: do.rows.mark(),
+        "Mark the row: the next command goes to all marked ones",
+        only_live=True,
+        of_rows=True,
+    ),
+    Key(
+        "copy_row",
+        ("y",),
+        lambda do: do.rows.copy(),
+        "Copy the row to the clipboard (OSC 52)",
+        of_rows=True,
+    ),
+)

@@ -1,0 +1,1 @@
+"""Battery levels as this console saw them, and what they lead to."""

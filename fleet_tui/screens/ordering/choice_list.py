@@ -1,0 +1,62 @@
+"""The choices of the order form's current field, below the fields, one of them marked."""
+
+from collections.abc import Callable, Sequence
+
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.robot import Robot
+from fleet_tui.rules.language.anyone import is_anyone
+from fleet_tui.rules.language.favourites import Given
+from fleet_tui.rules.routes.order_draft import Draft
+from fleet_tui.screens.ordering.choices import Choice, Choices, choices, line
+from fleet_tui.screens.ordering.drafts import draft_of
+from fleet_tui.screens.ordering.fields import OrderFields
+from fleet_tui.widgets.matches import Matches
+
+
+class ChoiceList(Matches):
+    """Lists the choices of the field with the cursor, for a robot if it is known."""
+
+    def __init__(
+        self, state: Callable[[], FleetState], fields: OrderFields, given: Callable[[], Sequence[Given]]
+    ) -> None:
+        super().__init__(id="matches")
+        self._state, self._fields, self._given = state, fields, given
+        self._found: Choices = []
+
+    def refill(self, robot: Robot | None) -> None:
+        """List the choices, the first one marked if something is typed."""
+        self._found = self._choices(robot)
+        self.show(map(line, self._found), mark=bool(self._fields.typed))
+
+    @property
+    def is_untouched(self) -> bool:
+        """Tell whether nothing is typed or marked, so that other choices may take the place of these."""
+        return not self._fields.typed and self.highlighted is None
+
+    def _choices(self, robot: Robot | None) -> Choices:
+        fields, field = self._fields, self._fields.current
+        if field != "robot" and self._is_for_nobody(robot):
+            return []
+        return choices(
+            self._state(), robot, field, fields[field].typed, fields.chosen.get(field), self._given
+        )
+
+    def at(self, index: int) -> Choice | None:
+        """Return the choice of a line, None beyond the last one."""
+        return self._found[index] if index < len(self._found) else None
+
+    def choice(self, robot: Robot | None) -> Choice | None:
+        """Return the choice for Enter, None if none fits or none is marked."""
+        # The last letters may not have been listed yet: update before choosing.
+        found = self._choices(robot)
+        marked = self.highlighted if found == self._found else None
+        self._found = found
+        return found[marked or 0] if found and (self._fields.typed or marked is not None) else None
+
+    def draft(self, robot: Robot | None) -> Draft:
+        """Return the draft of an order, as if Enter took the marked choice."""
+        draft = draft_of(robot, self._fields, self._found, self.highlighted)
+        return Draft("") if self._is_for_nobody(robot) else draft
+
+    def _is_for_nobody(self, robot: Robot | None) -> bool:
+        return robot is None and not is_anyone(self._fields["robot"].value, self._state())

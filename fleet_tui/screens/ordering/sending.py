@@ -1,0 +1,50 @@
+"""From the fields of the order form to a request: the robot's own, or one for the nearest idle robot."""
+
+from collections.abc import Callable, Sequence
+
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.request import Request
+from fleet_tui.model.robot import Robot
+from fleet_tui.rules.language.anyone import is_anyone
+from fleet_tui.rules.language.lookup import Place, destination_only, may_skip_start, order_of
+from fleet_tui.screens.ordering.choices import missing, wanted_now
+from fleet_tui.screens.ordering.fields import OrderFields
+
+Give = Callable[[Request, Callable[[], None]], str]
+"""Sends a request, and calls back when it was sent. Returns its problem."""
+GiveAnyone = Callable[[Sequence[Place], Callable[[], None]], str]
+"""Does so with the places of an order without a robot."""
+
+
+class OrderSending:
+    """Gives the order of the fields, if it is complete."""
+
+    def __init__(
+        self, state: Callable[[], FleetState], fields: OrderFields, give: Give, give_anyone: GiveAnyone
+    ) -> None:
+        self._state, self._fields, self._give, self._give_anyone = state, fields, give, give_anyone
+
+    def finish(self, robot: Robot | None, sent: Callable[[], None]) -> tuple[str, str]:
+        """Give a complete order, to any robot if the field for it is empty. Returns the problem, empty for
+        none, and the field to correct."""
+        if robot is not None:
+            return self._for(robot, sent)
+        if not is_anyone(typed := self._fields["robot"].value.strip(), self._state()):
+            return f"Robot: no match for {typed!r}", "robot"
+        return self._without(("from", "to")) or (self._give_anyone(self._fields.visited(False), sent), "to")
+
+    def _for(self, robot: Robot, sent: Callable[[], None]) -> tuple[str, str]:
+        fields = self._fields
+        fields.choose_for(robot.name)
+        only_to = destination_only(robot)
+        if only_to == fields["from"].display:
+            return wanted_now(robot, only_to), "to" if only_to else "from"
+        only_to = only_to or (may_skip_start(robot) and not fields["from"].value.strip())
+        if problem := self._without(("to",) if only_to else ("from", "to")):
+            return problem
+        return self._give(order_of(robot, fields.visited(only_to), only_to), sent), "to"
+
+    def _without(self, names: Sequence[str]) -> tuple[str, str] | None:
+        """Return the first field that lacks a place, None without one."""
+        field = self._fields.missing(names)
+        return (missing(field, self._fields[field].typed), field) if field else None

@@ -1,0 +1,1 @@
+"""Overlays about the selected robot."""

@@ -1,0 +1,133 @@
+"""The page of the selected robot: values with their ages, battery curve, route, orders, alarms, commands."""
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, ClassVar
+
+from rich.style import Style
+from textual.app import ComposeResult
+from textual.binding import BindingType
+from textual.worker import get_current_worker
+
+from fleet_tui.keys import ROWS, Pane, by_id
+from fleet_tui.screens.overlay import ReturningOverlay
+from fleet_tui.screens.robot.overlay import RobotOverlay, robot_bindings
+from fleet_tui.screens.robot.source import PageSource
+from fleet_tui.view.robot.page import page_title
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.widgets.bindings import bindings
+from fleet_tui.widgets.line_view import LineView
+from fleet_tui.widgets.panes import Pace
+from fleet_tui.widgets.text_view import TextView
+
+if TYPE_CHECKING:
+    from fleet_tui.screens.main import MainScreen
+    from fleet_tui.screens.rest import Rest
+
+SCROLLING = by_id(ROWS)
+READ_EVERY = 5.0
+"""Seconds after which the audit log is read again."""
+
+
+def robot_page_overlay(screen: "MainScreen", rest: "Rest") -> "RobotPage":
+    """Return the page over a screen."""
+    source = PageSource(
+        lambda: (screen.store.state, screen.navigation.robot),
+        lambda: screen.files.audit,
+        screen.settings.clock,
+        lambda: rest.map.picture.options.drawing,
+    )
+    return RobotPage(source, lambda robot: rest.robots.menu(robot))
+
+
+class PageScrolling:
+    """The actions of the keys of tables, on the text of the page; `menu` opens that of the robot."""
+
+    def __init__(self, text: TextView, menu: Callable[[], None]) -> None:
+        self._text, self._menu = text, menu
+
+    def move(self, step: int) -> None:
+        """Scroll up or down."""
+        self._text.scroll_lines(step)
+
+    def slide(self, step: int) -> None:
+        """Do nothing: lines have the width of the screen."""
+
+    def open_menu(self) -> None:
+        """Open the menu of the robot."""
+        self._menu()
+
+
+# Textual's queries follow the first base alone.
+class RobotPage(ReturningOverlay, RobotOverlay, can_focus=True):
+    """Collects battery levels all the time, and shows them with the rest while it is open."""
+
+    KEY, EVERY = "robot_page", 0.5
+    BINDINGS: ClassVar[list[BindingType]] = [
+        *bindings(Pane.RECORDING),  # first: in one, `.` and `,` are its keys
+        *robot_bindings("robot_page"),
+        *bindings(Pane.ROWS),
+    ]
+
+    def __init__(self, source: PageSource, menu: Callable[[str], None]) -> None:
+        """`menu` opens that of a robot."""
+        super().__init__(id="robot-page")
+        self._source = source
+        self._pace = Pace(READ_EVERY)
+        self._name, self._second = "", 0
+        self._title = LineView(id="robot-page-title", keep_right=True)
+        self._text = TextView(id="robot-page-text", moved=self._show_title)
+        self._scrolling = PageScrolling(self._text, lambda: menu(source.looked_at()[1]))
+
+    def compose(self) -> ComposeResult:
+        """Compose a title above the text."""
+        yield self._title
+        yield self._text
+
+    def set_role_styles(self, styles: Mapping[StyleRole, Style]) -> None:
+        """Change every colour."""
+        for view in (self._title, self._text):
+            view.set_role_styles(styles)
+
+    def collect(self) -> None:
+        """Keep the battery levels of the newest state, whether it is open or not. A recording that jumps
+        shows its new time at once."""
+        state, _ = self._source.looked_at()
+        self._source.collect(state)
+        if self.is_open and int(state.now) != self._second:
+            self.look()
+
+    def show(self) -> None:
+        """Open on the selected robot."""
+        self._name = ""
+        self.begin()
+        self.look()
+
+    def look(self) -> None:
+        """Show the newest state, of another robot from the top."""
+        state, name = self._source.looked_at()
+        self._second = int(state.now)
+        if self._pace.is_due(name):
+            self.run_worker(lambda: self._read(name), thread=True, exclusive=True, group="robot page")
+        if name != self._name:
+            self._name = name
+            self._text.show(lambda width: self._source.lines(width, self._text.size.height))
+        else:
+            self._text.draw()
+
+    def _show_title(self, position: str) -> None:
+        title = page_title(*self._source.looked_at())
+        self._title.show(title, [(f"{position} ", StyleRole.DIM)] if position else ())
+
+    def _read(self, name: str) -> None:
+        self._source.read(name)
+        if not get_current_worker().is_cancelled:
+            self.app.call_from_thread(self.look)
+
+    def on_resize(self) -> None:
+        """Fill it at its new size."""
+        if self.is_open:
+            self.look()
+
+    def action_key(self, id_: str) -> None:
+        """Run the action of a key of tables."""
+        SCROLLING[id_].action(self._scrolling)

@@ -1,0 +1,15 @@
+"""The clipboard of the terminal, also over ssh (OSC 52)."""
+
+import base64
+import os
+
+
+def clipboard(text: str) -> str:
+    """Return the bytes that put a text into the terminal's clipboard."""
+    return f"\x1b]52;c;{base64.b64encode(text.encode(errors='replace')).decode()}\x07"
+
+
+def copied_text(what: str) -> str:
+    """Return the notice of a copy, with what tmux needs for it."""
+    tmux = " (tmux: set -s set-clipboard on)" if "TMUX" in os.environ else ""
+    return f"copied to the clipboard: {what}{tmux}"

@@ -1,0 +1,115 @@
+"""A robot's page: its sections in one or two columns, beside the battery curve."""
+
+from collections.abc import Callable, Iterator, Sequence
+from itertools import zip_longest
+
+from msgspec import Struct
+
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.robot import Robot
+from fleet_tui.rules.battery.forecast import BatteryForecast
+from fleet_tui.text.durations import age
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.robot.sections import (
+    STATE,
+    Clock,
+    Line,
+    PageSection,
+    PastAlarm,
+    alarms_section,
+    commands_section,
+    orders_section,
+    route_section,
+    state_section,
+)
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.table import Run, cut, width_of
+
+COLUMNS_FROM = 110
+"""Cells from which all sections are in two columns."""
+BESIDE_FROM = 74
+"""Cells from which the curve is beside the state."""
+BETWEEN = 1
+LOW_CURVE, HIGH_CURVE = 8, 18
+HOURS_MINUTES = 5
+
+Curve = Callable[[int, int], Sequence[Line]]
+"""Draws the battery curve in lines of a width and a height; no lines without a level."""
+
+
+class PageContent(Struct, frozen=True):
+    """The contents of a page: `curve` is None while its drawing is loaded; `past` are the alarms that are
+    over, `note` is said about them."""
+
+    state: FleetState
+    robot: Robot
+    clock: Clock
+    curve: Curve | None
+    forecast: BatteryForecast | None
+    past: Sequence[PastAlarm] = ()
+    note: str = ""
+
+
+def page_title(state: FleetState, name: str) -> tuple[Run, ...]:
+    """Return the robot, its kind and link, and its place in the configuration."""
+    robot, names = state.robots[name], list(state.robots)
+    about = f"  {robot.kind.name} on {sanitize(robot.link)}, {names.index(name) + 1} of {len(names)}"
+    return (f" {sanitize(name)}", StyleRole.TITLE_FOCUSED), (about, StyleRole.DIM)
+
+
+def page_lines(content: PageContent, width: int, height: int) -> list[Line]:
+    """Return the page in lines of `width` cells; `height` are the lines that are visible at once."""
+    parts = content.state, content.robot
+    state, route, orders = state_section(*parts), route_section(*parts), orders_section(*parts)
+    alarms = alarms_section(*parts, content.past, content.clock, content.note)
+    commands = commands_section(*parts, content.clock)
+    if width >= COLUMNS_FROM:
+        left = max(STATE, width * 2 // 5)
+        right = width - left - BETWEEN
+        curve = _battery(content, right, max(LOW_CURVE, min(HIGH_CURVE, height // 3)))
+        return _beside(
+            _drawn((state, route, orders), left), _drawn((curve, alarms, commands), right), left, right
+        )
+    rest = _drawn((route, orders, alarms, commands), width)
+    if width < BESIDE_FROM:
+        return [*_drawn((state, _battery(content, width, LOW_CURVE)), width), *rest]
+    right = width - STATE - BETWEEN
+    above = _battery(content, right, max(LOW_CURVE, len(state.lines)))
+    return [*_beside(state.drawn(STATE), above.drawn(right), STATE, right), *rest]
+
+
+def _drawn(sections: Sequence[PageSection], width: int) -> list[Line]:
+    return [line for section in sections for line in section.drawn(width)]
+
+
+def _beside(one: Sequence[Line], other: Sequence[Line], left: int, right: int) -> list[Line]:
+    between = (" " * BETWEEN, StyleRole.TEXT)
+    return [(*cut(a, left), between, *cut(b, right)) for a, b in zip_longest(one, other, fillvalue=())]
+
+
+def _battery(content: PageContent, width: int, height: int) -> PageSection:
+    """Return the curve of the levels that this console saw, and in its title the guess that fits."""
+    title: tuple[Run, ...] = (("Battery", StyleRole.TITLE),)
+    for guess in _guesses(content):
+        told = (*title, (f" {guess}", StyleRole.TEXT))
+        if width_of(told) + 4 <= width:
+            title = told
+            break
+    if "battery" not in content.robot.kind.reports:
+        return PageSection(title, (), "this kind of robot reports none")
+    lines = content.curve(width, height) if content.curve is not None else ()
+    return PageSection(title, lines, "none seen yet" if content.curve is not None else "...")
+
+
+def _guesses(content: PageContent) -> Iterator[str]:
+    """Yield the forecast in words, the longest first."""
+    guess = content.forecast
+    if guess is None:
+        return
+    left = f"{age(guess.empty_in)} left"
+    if guess.low_in is not None:
+        low = f"low at {content.clock(content.state.wall + guess.low_in)[:HOURS_MINUTES]}"
+        yield f"a guess: {low}, about {left}"
+        yield f"maybe {low}"
+    yield f"a guess: about {left}"
+    yield f"maybe {left}"

@@ -1,0 +1,155 @@
+"""The sections of a robot's page: state, route, orders, alarms, commands."""
+
+from collections.abc import Callable, Iterator, Sequence
+
+from msgspec import Struct
+
+from fleet_tui.model.alarm import AlarmStage, class_of
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.robot import Robot
+from fleet_tui.rules.alarms.classes import CLASSES
+from fleet_tui.rules.routes.remaining import metres_left
+from fleet_tui.rules.why.traffic import stops_left
+from fleet_tui.text.durations import age
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.alarms import SIGNS
+from fleet_tui.view.tables.missions import way, whose_mission
+from fleet_tui.view.tables.news import news
+from fleet_tui.view.tables.progress import progress_text
+from fleet_tui.view.tables.robot_page import NAME, command_rows, ended_rows, named, value_rows
+from fleet_tui.view.tables.table import Run, cut, width_of
+
+STATE = 47
+"""Cells of a value with its age."""
+LAST = 5
+"""Waiting orders and alarms that are listed."""
+
+Line = tuple[Run, ...]
+Clock = Callable[[float], str]
+"""Formats Unix seconds as a local time."""
+
+
+class PastAlarm(Struct, frozen=True):
+    """An alarm of this session that is over, with the local times of its begin and end."""
+
+    kind: str
+    text: str
+    began: str
+    ended: str
+
+
+class PageSection(Struct, frozen=True):
+    """Lines under a title, or the text that is shown without one."""
+
+    title: tuple[Run, ...]
+    lines: Sequence[Line]
+    empty: str = ""
+
+    def drawn(self, width: int) -> list[Line]:
+        """Return the title in a rule and the lines, each `width` cells wide."""
+        title = (("─ ", StyleRole.RULE), *self.title, (" ", StyleRole.RULE))
+        rule = ("─" * max(0, width - width_of(title)), StyleRole.RULE)
+        lines = self.lines or [((self.empty, StyleRole.DIM),)]
+        return [cut(line, width) for line in ((*title, rule), *lines)]
+
+
+def _titled(title: str, lines: Iterator[Line], empty: str) -> PageSection:
+    return PageSection(((title, StyleRole.TITLE),), [line for line in lines if line], empty)
+
+
+def state_section(state: FleetState, robot: Robot) -> PageSection:
+    """Return the news, and each value with its age."""
+    return _titled("State", _state(state, robot), "")
+
+
+def _state(state: FleetState, robot: Robot) -> Iterator[Line]:
+    holding = [one for one in state.alarms if one.holds and one.condition.source == robot.name]
+    alarms = [(sanitize(one.text), StyleRole.ALARM) for one in holding]
+    said = list(news(state, robot)) or alarms or [("nothing unusual", StyleRole.TEXT)]
+    for n, runs in enumerate(_packed(said, STATE - NAME)):
+        yield named("" if n else "State", *runs)
+    yield from value_rows(state, robot)
+
+
+def _packed(runs: Sequence[Run], cells: int) -> list[list[Run]]:
+    """Return runs in lines of at most `cells` cells, with a space between two."""
+    lines: list[list[Run]] = [[]]
+    for run in runs:
+        if lines[-1] and width_of([*lines[-1], run]) + len(lines[-1]) > cells:
+            lines.append([])
+        lines[-1].append(run)
+    return lines
+
+
+def route_section(state: FleetState, robot: Robot) -> PageSection:
+    """Return the current order, its stops that are left, and the metres."""
+    return _titled("Route", _route(state, robot), "no order is driven")
+
+
+def _route(state: FleetState, robot: Robot) -> Iterator[Line]:
+    order = robot.orders.current
+    if order is None:
+        return
+    yield named("Order", (whose_mission(state, robot, order), StyleRole.TEXT))
+    yield named("Stops", (way(robot, stops_left(robot, order)), StyleRole.TEXT))
+    if progress := progress_text(state, robot, order):
+        yield named("Left", (progress, StyleRole.TEXT))
+        return
+    metres = metres_left(robot, order)
+    if metres is None or robot.pose is None:
+        yield named("Left", ("no way on the graph is known", StyleRole.DIM))
+    elif state.is_old(robot, "pose"):
+        seen = f"{metres:.0f} m from its pose {age(state.now - robot.pose.at)} ago"
+        yield named("Left", (seen, StyleRole.WARN))
+    else:
+        yield named("Left", (f"{metres:.0f} m on the graph", StyleRole.TEXT))
+
+
+def orders_section(state: FleetState, robot: Robot) -> PageSection:
+    """Return the orders that wait, and how the last ones ended."""
+    return _titled("Orders", _orders(state, robot), "no orders")
+
+
+def _orders(state: FleetState, robot: Robot) -> Iterator[Line]:
+    if robot.queue is not None and state.is_old(robot, "queue"):
+        yield named("Queue", (f"{age(state.now - robot.queue.at)} old", StyleRole.WARN))
+    waiting = [order for order in robot.orders.open if not robot.orders.is_current(order)]
+    for order in waiting[:LAST]:
+        yield named("Waiting", (whose_mission(state, robot, order), StyleRole.TEXT))
+    if len(waiting) > LAST:
+        yield named("", (f"and {len(waiting) - LAST} more", StyleRole.DIM))
+    yield from ended_rows(state, robot)
+
+
+def alarms_section(
+    state: FleetState, robot: Robot, past: Sequence[PastAlarm], clock: Clock, note: str
+) -> PageSection:
+    """Return the alarms that are listed, and those of this session that are over; `note` is said about
+    these."""
+    section = _titled("Alarms", _alarms(state, robot, past, clock), "none in this session")
+    title = (*section.title, (f" {sanitize(note)}", StyleRole.DIM)) if note else section.title
+    return PageSection(title, section.lines, "none now" if note else section.empty)
+
+
+def _alarms(state: FleetState, robot: Robot, past: Sequence[PastAlarm], clock: Clock) -> Iterator[Line]:
+    own = [alarm for alarm in state.alarms if alarm.condition.source == robot.name]
+    for alarm in own:
+        role = StyleRole.ALARM if alarm.holds and alarm.needs_acknowledgement else StyleRole.TEXT
+        since = f" since {clock(alarm.first_wall)}"
+        yield ((f"{SIGNS[alarm.stage]} {sanitize(alarm.text)}", role), (since, StyleRole.DIM))
+        if alarm.holds:
+            action = CLASSES[class_of(alarm.condition.kind)].action
+            yield ((f"      {action}", StyleRole.DIM),)
+    listed = {alarm.condition.kind for alarm in own if alarm.stage is AlarmStage.RETURNED}
+    for over in past[:LAST]:
+        if over.kind in listed:  # listed above, not acknowledged yet
+            listed.remove(over.kind)
+            continue
+        times = f"{sanitize(over.began)} to {sanitize(over.ended)}"
+        yield ((f"  over {times}  {sanitize(over.text)}", StyleRole.DIM),)
+
+
+def commands_section(state: FleetState, robot: Robot, clock: Clock) -> PageSection:
+    """Return the last commands of this console and their outcomes."""
+    return _titled("Commands", command_rows(state, robot, clock), "none from this console")

@@ -1,0 +1,90 @@
+"""The rows of a table as the operator wants them: filtered, sorted, and told so in the title."""
+
+import math
+import re
+from collections.abc import Callable, Iterable, Sequence
+from functools import partial
+from typing import Any, Generic, TypeVar
+
+from msgspec import Struct
+
+from fleet_tui.text.row_filter import filter_terms, is_wanted
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.table import Run
+
+Item = TypeVar("Item")
+NO_MATCH = "nothing matches the filter: Esc clears it"
+"""In the place of rows."""
+
+
+class Value(Struct, Generic[Item], frozen=True):
+    """A value of the items of a table: its name in a filter and in the title, its text, what sorts by it,
+    None for a value that does not; one `is_apart` is found only by its name."""
+
+    name: str
+    text: Callable[[Item], str]
+    order: Callable[[Item], Any] | None = None
+    is_apart: bool = False
+
+
+def natural(text: str) -> tuple[tuple[str, int], ...]:
+    """Return a key by which `robot_2` comes before `robot_10`."""
+    parts = re.findall(r"([^0-9]*)([0-9]{0,18})", text)
+    return tuple((word.casefold(), int(digits or -1)) for word, digits in parts)
+
+
+class RowArrangement:
+    """The filter as `typed`, and the value that sorts, empty for the table's own order."""
+
+    def __init__(self) -> None:
+        self.typed = ""
+        self.column = ""
+        self._columns: Sequence[str] = ()
+        self._known: dict[str, tuple[float, dict[str, str]]] = {}
+        """By row, its texts and when they were made (monotonic)."""
+
+    def next_column(self) -> None:
+        """Sort by the next value, after the last one in the table's own order again."""
+        names = ["", *self._columns]
+        self.column = names[(names.index(self.column) + 1) % len(names)] if self.column in names else ""
+
+    def arranged(
+        self,
+        items: Iterable[Item],
+        values: Sequence[Value[Item]],
+        named: Callable[[Item], str] | None = None,
+        at: float = 0.0,
+    ) -> list[Item]:
+        """Return the wanted items in order; equal ones keep theirs. With the names of items and the time
+        (monotonic), what a filter finds in them may be old by up to two seconds: texts of 500 robots take
+        longer than a key may."""
+        self._columns = [value.name for value in values if value.order is not None]
+        terms = filter_terms(self.typed, [value.name for value in values])
+        apart = [value.name for value in values if value.is_apart]
+
+        def wants(item: Item) -> bool:
+            known = self._texts_of(named(item), at) if named is not None else {}
+            return is_wanted(terms, {one.name: partial(_text, known, one, item) for one in values}, apart)
+
+        found = [item for item in items if not terms or wants(item)]
+        order = next((value.order for value in values if value.name == self.column), None)
+        return sorted(found, key=order) if order is not None else found
+
+    def _texts_of(self, name: str, at: float) -> dict[str, str]:
+        """Return the texts of a row as far as they were made a short while ago. Not all get old at once."""
+        made, known = self._known.get(name, (-math.inf, {}))
+        if not 0.0 <= at - made < 1.0 + hash(name) % 8 / 8:
+            known = {}
+            self._known[name] = at, known
+        return known
+
+    def notes(self, shown: int) -> list[Run]:
+        """Return what the title says of it; `shown` rows are left."""
+        runs = [(f" /{self.typed}: {shown}", StyleRole.ACCENT)] if self.typed else []
+        return runs + [(f" by {self.column}", StyleRole.ACCENT)] * bool(self.column)
+
+
+def _text(known: dict[str, str], value: Value[Item], item: Item) -> str:
+    if value.name not in known:
+        known[value.name] = value.text(item)
+    return known[value.name]

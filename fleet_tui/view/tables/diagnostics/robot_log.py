@@ -1,0 +1,111 @@
+"""The log of the robots, newest last, filtered by level and text."""
+
+from collections.abc import Callable, Collection, Hashable, Iterable, Iterator
+from textwrap import wrap
+
+from fleet_tui.model.counters import snapshot
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.ros_logs import LogLine, Severity
+from fleet_tui.text.sanitize import cell_width, fit, sanitize
+from fleet_tui.text.units import ago
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.diagnostics.links import Links, down
+from fleet_tui.view.tables.table import LateRows, Row, Table, column
+
+_LOOKS = {
+    Severity.DEBUG: ("· DEBUG", StyleRole.DIM),
+    Severity.INFO: ("  INFO ", StyleRole.TEXT),
+    Severity.WARN: ("▲ WARN ", StyleRole.WARN),
+    Severity.ERROR: ("✗ ERROR", StyleRole.ALARM),
+    Severity.FATAL: ("✗ FATAL", StyleRole.ALARM),
+}
+
+NOTHING = "nothing received on /rosout (subscribed while this screen is open)"
+INDENT = 4
+"""Cells before the lines of a whole message."""
+
+
+def lines_of(links: Links) -> tuple[LogLine, ...]:
+    """Return the log lines of all robots, in the order of arrival."""
+    return tuple(
+        sorted((line for _, counter in links for line in snapshot(counter.log)), key=lambda one: one.at)
+    )
+
+
+def wanted_lines(lines: tuple[LogLine, ...], least: Severity, wanted: str) -> list[LogLine]:
+    """Return those of a level, and worse, that contain `wanted`. An unknown level passes."""
+    sought = wanted.casefold()
+    return [
+        line
+        for line in lines
+        if (line.severity or Severity.FATAL) >= least and sought in f"{line.node} {line.text}".casefold()
+    ]
+
+
+def _wall(line: LogLine, offset: float) -> float:
+    return line.stamp if line.stamp is not None else line.at + offset
+
+
+def _row(line: LogLine, nodes: int, time: str) -> Row:
+    word, role = _LOOKS[line.severity] if line.severity else (f"level {line.level}", StyleRole.WARN)
+    runs = (
+        (f"{time} ", StyleRole.DIM),
+        (f"{word:<8}", role),
+        (fit(line.node, nodes) + " ", StyleRole.DIM),
+        (sanitize(line.text), StyleRole.ALARM if role is StyleRole.ALARM else StyleRole.TEXT),
+    )
+    return Row(id(line), runs)
+
+
+def _wrapped(line: LogLine, width: int) -> Iterator[str]:
+    """Yield the whole message in lines of at most `width` cells."""
+    for part in line.text.splitlines():
+        text = sanitize(part)
+        letters = width if cell_width(text) == len(text) else width // 2
+        yield from wrap(text, max(1, letters - INDENT), break_on_hyphens=False)
+
+
+def _with_wholes(
+    lines: Iterable[LogLine], opened: Collection[Hashable], width: int
+) -> Iterator[tuple[Hashable, LogLine, str]]:
+    """Yield the key of each row, its line, and for those below an opened line their part of its message."""
+    for line in lines:
+        yield id(line), line, ""
+        if id(line) in opened:
+            for n, text in enumerate(_wrapped(line, width)):
+                yield (id(line), n), line, text
+
+
+def _filters(least: Severity, wanted: str) -> str:
+    worse = "" if least is Severity.FATAL else " and worse"
+    return f"{least.name}{worse}" + (f", matching {sanitize(wanted)}" if wanted else "")
+
+
+def robot_log_table(
+    lines: tuple[LogLine, ...],
+    links: Links,
+    state: FleetState,
+    clock: Callable[[float], str],
+    least: Severity,
+    wanted: str,
+    opened: Collection[Hashable] = (),
+    width: int = 0,
+) -> Table:
+    """Return a row for each line, and below those `opened` their whole messages, wrapped to `width` cells.
+    `clock` formats Unix seconds as the time of day: the line's own, or that of its arrival."""
+    found = wanted_lines(lines, least, wanted)
+    nodes = column((line.node for line in found), 4, 24)
+    offset = state.wall - state.now
+    shown = list(_with_wholes(found, opened, width))
+
+    def row(place: int) -> Row:
+        key, line, text = shown[place]
+        if text:
+            return Row(key, ((" " * INDENT + text, StyleRole.TEXT),))
+        return _row(line, nodes, clock(_wall(line, offset)))
+
+    rows = LateRows([key for key, _, _ in shown], row)
+    note = _filters(least, wanted) + (f", last {ago(_wall(lines[-1], offset), state.wall)}" if lines else "")
+    counts = f" /rosout  {len(found)} of {len(lines)} lines, {note}"
+    title = ("Robot log", StyleRole.TITLE), (counts, StyleRole.DIM), *down(links)
+    return Table(title, rows, "no matching line" if lines else NOTHING)

@@ -1,0 +1,103 @@
+"""Every requested topic: its state, rate and age, and unreadable messages."""
+
+from collections.abc import Mapping, Sequence
+
+from fleet_tui.model.counters import TopicCounter
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import LinkState, Phase
+from fleet_tui.text.sanitize import fit, sanitize
+from fleet_tui.text.units import ago, size_text
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.diagnostics.links import Links, down
+from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
+
+BAD_FOR = 10.0
+"""Seconds for which a bad message marks its topic."""
+
+NAMES = 34
+"""Cells of the longest topic."""
+_FIRST = {StyleRole.ALARM: 0, StyleRole.WARN: 1}
+
+Entry = tuple[LinkState, TopicCounter]
+
+
+def topic_state(link: LinkState, topic: TopicCounter, now: float, silent_after: float) -> Run:
+    """Return the state of a topic, as a sign and words."""
+    if topic.not_subscribed:
+        return "✗ not subscribed", StyleRole.ALARM
+    if link.phase is not Phase.UP:
+        return "○ no link", StyleRole.WARN
+    if topic.bad is not None and now - topic.bad.raw.at < BAD_FOR:
+        return "▲ bad data", StyleRole.ALARM
+    if topic.at is None:
+        if topic.on_change:
+            return "· on change", StyleRole.DIM
+        waits = topic.on_demand or not topic.robot
+        return ("· on demand", StyleRole.DIM) if waits else ("○ none yet", StyleRole.WARN)
+    if topic.once or topic.on_demand or topic.on_change or not topic.robot:
+        return "● received", StyleRole.TEXT
+    return ("○ silent", StyleRole.WARN) if now - topic.at > silent_after else ("● live", StyleRole.GOOD)
+
+
+def entries(state: FleetState, links: Links, wanted: str) -> list[Entry]:
+    """Return the topics that contain `wanted`, robot by robot in the order of the config, then the others."""
+    places: Mapping[str, int] = {robot: n for n, robot in enumerate(state.robots)}
+    found = [
+        (link, topic)
+        for link, counter in links
+        for topic in counter.topics.values()
+        if wanted.casefold() in topic.topic.casefold()
+    ]
+    return sorted(found, key=lambda one: places.get(one[1].robot, len(places)))
+
+
+def topic_table(state: FleetState, links: Links, wanted: str, now: float) -> Table:
+    """Return a row for each, those with problems first; its key is link and topic."""
+    looked = [
+        (topic_state(link, topic, now, _silent_after(state, topic)), (link, topic))
+        for link, topic in entries(state, links, wanted)
+    ]
+    looked.sort(key=lambda one: _FIRST.get(one[0][1], len(_FIRST)))
+    states, found = [one for one, _ in looked], [entry for _, entry in looked]
+    names = column((topic.topic for _, topic in found), 10, NAMES)
+    keys = [(link.name, topic.topic) for link, topic in found]
+    rows = LateRows(keys, lambda n: Row(keys[n], (*_runs(states[n], found[n][1], names, now),)))
+    trouble = sum(role in (StyleRole.WARN, StyleRole.ALARM) for _, role in states)
+    note = f" {len(found)}, {trouble} with problems" + (f", matching {sanitize(wanted)}" if wanted else "")
+    title = ("Topics", StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
+    empty = "no matching topic" if wanted else "console starting"
+    return Table(title, rows, empty, head=_head(names))
+
+
+def _head(names: int) -> tuple[Run, ...]:
+    heads = f"{'State':<17}{'Topic':<{names}} {'Rate':>8} {'Last':>10} {'':>7} {'Bytes':>9} {'Messages':>8}"
+    return ((heads, StyleRole.DIM),)
+
+
+def _shortened(name: str, cells: int) -> str:
+    """Return a name of at most so many letters: topics of a robot differ at their ends."""
+    kept = cells - 1
+    return name if len(name) <= cells else f"{name[: kept // 3]}…{name[len(name) - kept + kept // 3 :]}"
+
+
+def _silent_after(state: FleetState, topic: TopicCounter) -> float:
+    robot, usual = state.robots.get(topic.robot), state.limits.offline_after
+    return robot.kind.silence_of(topic.kind, usual) if robot else usual
+
+
+def _runs(state: Run, topic: TopicCounter, names: int, now: float) -> Sequence[Run]:
+    word, role = state
+    rates = topic.rates(now)
+    rate = "" if rates is None else f"{rates[0]:.1f} Hz"
+    size = "" if rates is None else f"{size_text(rates[1])}/s"
+    bad = f"{topic.errors:,} bad" if topic.errors else ""
+    runs = [
+        (f"{word:<17}", role),
+        (fit(_shortened(sanitize(topic.topic), names), names) + " ", StyleRole.TEXT),
+        (f"{rate:>8} ", StyleRole.TEXT),
+        (f"{ago(topic.at, now):>10} ", StyleRole.WARN if role is StyleRole.WARN else StyleRole.TEXT),
+        (f"{bad:>7} ", StyleRole.WARN),
+        (f"{size:>9} {topic.count:>8,}  ", StyleRole.DIM),
+    ]
+    why = topic.not_subscribed or (topic.bad.text if topic.bad is not None else "")
+    return [*runs, (sanitize(why), StyleRole.DIM)]

@@ -1,0 +1,68 @@
+"""What shell completion offers, asked as the script asks."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.support.command_line import run
+
+CONFIG = """
+[[floors]]
+name = "floor_0"
+[[robots]]
+name = "robot_0"
+[[robots]]
+name = "carrier"
+[[programs]]
+name = "laser"
+start = ["true"]
+"""
+
+
+def offered(place: Path, *words: str) -> list[str]:
+    """The offers behind these words; the last one is being typed."""
+    line = " ".join(["fleet-tui", *words])
+    asked = {"_FLEET_TUI_COMPLETE": "bash_complete", "COMP_WORDS": line, "COMP_CWORD": str(len(words))}
+    done = run(cwd=place, **asked)
+    assert done.stderr == ""
+    return done.stdout.split()
+
+
+@pytest.fixture
+def place(tmp_path: Path) -> Path:
+    (tmp_path / "config.toml").write_text(CONFIG)
+    (tmp_path / "routines").mkdir()
+    (tmp_path / "routines" / "morning.routine").touch()
+    return tmp_path
+
+
+@pytest.mark.parametrize(
+    ("words", "names"),
+    [
+        (("pause", ""), ["plain,robot_0", "plain,carrier"]),
+        (("order", "rob"), ["plain,robot_0"]),
+        (("doctor", "--robot", "c"), ["plain,carrier"]),
+        (("programs", "start", ""), ["plain,laser"]),
+        (("routine", "run", ""), ["plain,morning"]),
+        (("map", "info", "hall"), ["file,hall"]),
+        (("config", "init", "--output", ""), ["file,"]),
+        (("--config", "other.toml", "pause", ""), []),
+        (("demo", "--kind", "nav2", "--fault", "lost,foreign-g"), ["plain,lost,foreign-goal"]),
+    ],
+)
+def test_names_of_the_configuration_and_of_the_simulator(
+    place: Path, words: tuple[str, ...], names: list[str]
+) -> None:
+    assert offered(place, *words) == names
+
+
+def test_an_invalid_configuration_offers_what_can_be_read(place: Path) -> None:
+    (place / "config.toml").write_text(CONFIG + "[ui]\nspeed = 3\n")
+    assert offered(place, "pause", "c") == ["plain,carrier"]
+    (place / "config.toml").write_text("[[robots\n")
+    assert offered(place, "pause", "") == []
+
+
+def test_a_name_with_control_characters_reaches_no_shell(place: Path) -> None:
+    (place / "config.toml").write_text('[[robots]]\nname = "a\\u001b]2;x\\u0007"\n[[robots]]\nname = "b c"\n')
+    assert offered(place, "pause", "") == []

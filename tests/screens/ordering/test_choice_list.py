@@ -1,0 +1,35 @@
+"""The list of choices below the fields: by mouse, by arrows, by what was typed last."""
+
+from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.console_pilot import console
+from tests.support.ordering import sent, vertex
+from tests.support.watched_store import config_of
+
+
+async def test_an_order_by_mouse_alone(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        it.app.main.rest.orders.start()
+        await it.shows("Charger  (", "matches")
+        for field in ("from", "to"):
+            rows = it.app.main.query_one("#matches")
+            labels = [rows.render_line(y).text for y in range(rows.size.height)]
+            wanted = "Base" if field == "from" else "Charger"
+            row = next(y for y, text in enumerate(labels) if text.startswith(wanted))
+            await it.pilot.click("#matches", offset=(3, row))
+        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
+        ids = {"initial_point": vertex(it, "Base"), "end_point": vertex(it, "Charger")}
+        assert sent(server) == [("Execute_order", ids)]
+
+
+async def test_an_arrow_marks_a_choice_where_nothing_is_typed(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("o", "down")
+        await it.shows("Base  (", "matches")
+        rows = it.app.main.query_one("#matches")
+        first = rows.render_line(0).text.partition("  (")[0]
+        await it.press("enter")
+        await it.type("Consumidores")
+        await it.press("enter")
+        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
+        ids = {"initial_point": vertex(it, first), "end_point": vertex(it, "Consumidores")}
+        assert sent(server) == [("Execute_order", ids)]

@@ -1,0 +1,30 @@
+"""The form of a console reads the audit log of earlier sessions when it opens first."""
+
+from pathlib import Path
+
+from fleet_tui.audit.entries import Origin
+from fleet_tui.audit.file import FILE_NAME, AuditFile
+from fleet_tui.audit.log import Audit, encode
+from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.model.commands import Stage
+from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.console_pilot import console
+from tests.support.watched_store import config_of
+
+
+async def test_orders_of_earlier_sessions_are_offered(server: RosbridgeServer, tmp_path: Path) -> None:
+    earlier = Origin("ana", "host:1", "earlier")
+    ends = {"start": "0", "start_label": "Base", "end": "9", "end_label": "Store"}
+    records = [
+        earlier.record(1.0 + n, kind="command", what="order", change=Stage.SENT.value, id=n, **ends)
+        for n in range(14)
+    ]
+    (tmp_path / FILE_NAME).write_bytes(b"".join(map(encode, records)))
+    audit = Audit(AuditFile(tmp_path / FILE_NAME), Origin("ana", "host:1", "now"))
+    files = ConsoleFiles()
+    files.audit = audit
+    async with console(config_of(server.url, 1), files=files) as it:
+        await it.press("o")
+        await it.shows("Base -> Store  (last)", "matches")
+        await it.press("escape")
+    audit.close(it.store.state)

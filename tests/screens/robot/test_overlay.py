@@ -1,0 +1,41 @@
+"""Overlays about the selected robot: its keys work in them, and one leads to the other."""
+
+from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.console_pilot import console
+from tests.support.watched_store import config_of
+
+
+async def test_reasons_and_page_lead_to_each_other_and_back_to_the_focus(
+    server: RosbridgeServer,
+) -> None:
+    async with console(config_of(server.url, 2)) as it:
+        rest = it.app.main.rest
+        await it.press("tab")
+        before = it.app.main.focused
+        for key, opened, closed in (("w", rest.why, rest.robot_page), ("i", rest.robot_page, rest.why)) * 2:
+            await it.press(key)
+            assert opened.is_open and not closed.is_open
+        await it.press("escape")
+        assert not rest.why.is_open and not rest.robot_page.is_open
+        assert it.app.main.focused is before
+
+
+async def test_its_own_key_and_q_close_it(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        for opener, overlay in (("w", it.app.main.rest.why), ("i", it.app.main.rest.robot_page)):
+            for closer in (opener, "q", "escape"):
+                await it.press(opener)
+                assert overlay.is_open
+                await it.press(closer)
+                assert not overlay.is_open
+
+
+async def test_the_footer_names_what_works_in_there_but_not_its_own_key(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2), (200, 40)) as it:
+        await it.press("i")
+        await it.shows(" Esc close  . robot ", "hints")
+        assert " o order " in it.pane("hints") and " w why " in it.pane("hints")
+        assert " i page " not in it.pane("hints") and " F12 pause all" in it.pane("hints")
+        await it.press("w")
+        await it.shows(" i page ", "hints")
+        assert " w why " not in it.pane("hints")

@@ -1,0 +1,51 @@
+"""A filter typed over a table, from the first key to the last."""
+
+from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.console_pilot import Console, console
+from tests.support.watched_store import config_of
+
+
+def rows(it: Console) -> list[str]:
+    return [line for line in it.pane("fleet").splitlines()[1:] if "robot_" in line]
+
+
+async def test_the_table_follows_each_letter_and_enter_goes_to_what_it_found(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 12, floors=2), wait=False) as it:
+        await it.until(lambda _: it.app.main.is_complete)
+        await it.press("/")
+        await it.shows(" Fleet /")
+        await it.type("1")
+        assert len(rows(it)) == 3, "robot_1, robot_10, robot_11"
+        await it.type("1")
+        assert len(rows(it)) == 1 and "/11: 1" in it.text
+        await it.press("enter")
+        await it.until(lambda _: it.app.main.navigation.robot == "robot_11")
+        assert it.app.main.focused is it.app.main.fleet and len(rows(it)) == 1
+        await it.press("escape")
+        assert len(rows(it)) == 12 and it.app.main.navigation.robot == "robot_11"
+
+
+async def test_typed_and_entered_in_one_packet_it_goes_to_the_exact_number(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 12), wait=False) as it:
+        await it.until(lambda _: it.app.main.is_complete)
+        for key in ("/", "1", "enter"):
+            it._send(key)
+        await it.until(lambda _: it.app.main.navigation.robot == "robot_1")
+
+
+async def test_escape_clears_it_and_returns_to_where_one_was(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 3), wait=False) as it:
+        await it.until(lambda _: it.app.main.is_complete)
+        await it.press("/")
+        await it.type("nobody")
+        await it.shows("nothing matches the filter")
+        await it.press("escape")
+        assert len(rows(it)) == 3 and it.app.main.focused is it.app.main.rest.map
+
+
+async def test_the_focused_table_is_filtered(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2)) as it:
+        await it.press("tab", "tab", "tab", "/")
+        await it.shows(" Queue /")
+        await it.type("x")
+        assert it.app.main.queue.arrangement.typed == "x" and it.app.main.fleet.arrangement.typed == ""

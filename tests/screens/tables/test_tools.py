@@ -1,0 +1,79 @@
+"""Sort, marks and copies, by the keys on the screen."""
+
+import base64
+
+import pytest
+
+from fleet_tui.model.commands import PauseRobot, ResumeRobot
+from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.console_pilot import Console, console
+from tests.support.ordering import sent
+from tests.support.watched_store import config_of
+
+
+def names(it: Console) -> list[str]:
+    return [line.split("robot_")[1].split()[0] for line in it.pane("fleet").splitlines() if "robot_" in line]
+
+
+async def test_sorting_goes_through_the_columns_and_back(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 3, floors=2)) as it:
+        await it.until(lambda state: all(robot.battery for robot in state.robots.values()))
+        await it.press("tab", "S")
+        await it.shows("by robot")
+        await it.press("S", "S")
+        await it.shows("by battery")
+        percent = {name[-1]: robot.battery for name, robot in it.store.state.robots.items()}
+        wanted = sorted(percent, key=lambda name: percent[name].value if percent[name] else 0.0)  # type: ignore[union-attr]  # waited for
+        assert names(it) == wanted
+        while "by " in it.pane("fleet").splitlines()[0]:
+            await it.press("S")
+        assert names(it) == ["0", "1", "2"]
+
+
+async def test_a_marked_row_is_told_and_commands_go_to_all_of_them(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 3, floors=2)) as it:
+        await it.press("tab", "space", "down", "down", "space")
+        await it.shows("2 marked", "fleet")
+        await it.press("p")
+        await it.shows("robot_2 pause: confirmed", "outcomes")
+        given = [record.command for record in it.store.state.commands]
+        assert given == [PauseRobot("robot_0"), PauseRobot("robot_2")]
+        assert "marked" not in it.pane("fleet")
+        await it.press("space", "up", "up", "space", "r")
+        await it.shows("Send to 2 robots?")
+        await it.press("y")
+        await it.until(lambda state: len(state.commands) == 4)
+        given = [record.command for record in it.store.state.commands]
+        assert given[2:] == [ResumeRobot("robot_0"), ResumeRobot("robot_2")]
+        assert len(sent(server)) == 4
+
+
+async def test_escape_closes_the_outcomes_and_clears_marks(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2)) as it:
+        await it.press("tab", "space", "down", "space", "p")
+        await it.shows("Outcomes")
+        await it.press("space")
+        await it.shows("1 marked", "fleet")
+        await it.press("escape")
+        assert "Outcomes" not in it.text and "1 marked" in it.pane("fleet")
+        await it.press("escape")
+        assert "marked" not in it.pane("fleet")
+        assert it.app.main.focused is it.app.main.fleet
+
+
+async def test_the_row_is_copied_as_it_reads(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with console(config_of(server.url, 2)) as it:
+        written = list[str]()
+
+        def call(text: str) -> bool:
+            written.append(text)
+            return True
+
+        monkeypatch.setattr(it.app.output, "call", call)
+        await it.press("tab", "down", "y")
+        await it.shows("copied to the clipboard: ")
+        (sequence,) = written
+        copied = base64.b64decode(sequence.removeprefix("\x1b]52;c;").removesuffix("\x07")).decode()
+        assert "robot_1" in copied and copied.strip() == copied

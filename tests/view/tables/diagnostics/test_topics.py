@@ -1,0 +1,89 @@
+"""Topics on the diagnostics screen: which are live, silent, bad, or only asked for on demand."""
+
+from fleet_tui.model.counters import LinkCounter, TopicCounter
+from fleet_tui.model.kind import Kind
+from fleet_tui.view.tables.diagnostics.topics import topic_table
+from tests.support.diagnostics import BATTERY, GRAPH, MAP, NOW, POSE, counter, row, seen, steady, text
+from tests.support.fleets import LINK, R0, T0, fleet, link_lost, link_up, of_kinds, reduced, text_of
+
+
+def test_topics_with_problems_first_then_in_the_order_of_the_config_each_with_how_it_is() -> None:
+    link = counter()
+    steady(link.topics[POSE])
+    steady(link.topics["/robot_1/pose"], until=NOW - 6.0)
+    link.topics[GRAPH].count_frame(b"{}", False, T0)
+    link.topics[BATTERY].not_subscribed = "has type std_msgs/Float64"
+    state, links = seen(link)
+    table = topic_table(state, links, "", NOW)
+    assert [key[1] for key in table.keys if isinstance(key, tuple)] == [
+        BATTERY,
+        "/robot_1/pose",
+        POSE,
+        GRAPH,
+        MAP,
+        "/rosout",
+    ]
+    assert text(table)[0] == "Topics 6, 2 with problems"
+    assert row(table, BATTERY).startswith("✗ not subscribed") and "std_msgs/Float64" in row(table, BATTERY)
+    assert row(table, POSE).split()[:7] == ["●", "live", POSE, "10.0", "Hz", "0.0", "s"]
+    assert row(table, "robot_1/pose").startswith("○ silent") and "6.0 s ago" in row(table, "robot_1/pose")
+    assert row(table, GRAPH).startswith("● received") and "Hz" not in row(table, GRAPH)
+    assert row(table, MAP).startswith("· on demand") and "never" in row(table, MAP)
+    assert row(table, "/rosout").startswith("· on demand")
+
+
+def test_long_names_keep_both_ends_and_the_columns_have_heads() -> None:
+    long = "/robot_0/follow_waypoints/_action/feedback"
+    link = LinkCounter(LINK, [TopicCounter(long, R0, "pose"), TopicCounter(POSE, R0, "pose")])
+    state, links = seen(link)
+    table = topic_table(state, links, "", NOW)
+    assert row(table, POSE).split()[3:4] == [POSE]
+    assert "/robot_0/fo…oints/_action/feedback" in row(table, "feedback")
+    assert text_of(table.head).split() == ["State", "Topic", "Rate", "Last", "Bytes", "Messages"]
+
+
+def test_bad_data_marks_its_topic_for_a_while_and_its_words_stay() -> None:
+    link = counter()
+    pose = link.topics[POSE]
+    steady(pose)
+    pose.failed("Object missing required field `pose`")
+    state, links = seen(link)
+    shown = row(topic_table(state, links, "", NOW), POSE)
+    assert shown.startswith("▲ bad data") and "1 bad" in shown and "missing required field" in shown
+    steady(pose, until=NOW + 15.0)
+    later = row(topic_table(state, links, "", NOW + 15.0), POSE)
+    assert later.startswith("● live") and "1 bad" in later and "missing required field" in later
+
+
+def test_without_a_link_no_topic_looks_live() -> None:
+    link = counter()
+    steady(link.topics[POSE])
+    state, links = seen(link, reduced(fleet(2), link_up(T0), link_lost(NOW)))
+    lines = text(topic_table(state, links, "", NOW))
+    assert lines[0].endswith(" no link") and all(line.startswith("○ no link") for line in lines[1:])
+
+
+def test_topics_are_filtered_by_their_names() -> None:
+    state, links = seen(counter())
+    assert len(topic_table(state, links, "POSE", NOW).rows) == 2
+    assert topic_table(state, links, "nothing", NOW).empty == "no matching topic"
+
+
+def test_a_topic_is_silent_after_its_own_time_and_never_where_it_comes_on_change() -> None:
+    slow = Kind("slow", silence={"battery": 60.0})
+    link = LinkCounter(
+        LINK,
+        [
+            TopicCounter(BATTERY, R0, "battery"),
+            TopicCounter(POSE, R0, "pose"),
+            TopicCounter("/robot_0/goals", R0, "queue", on_change=True),
+        ],
+    )
+    state = of_kinds(reduced(fleet(), link_up(T0)), slow)
+    state, links = seen(link, state)
+    assert row(topic_table(state, links, "", NOW), "goals").startswith("· on change")
+    for topic in link.topics.values():
+        topic.count_frame(b"x", False, NOW - 30.0)
+    table = topic_table(state, links, "", NOW)
+    states = {name: row(table, name).split("/")[0].strip() for name in ("battery", "pose", "goals")}
+    assert states == {"battery": "● live", "pose": "○ silent", "goals": "● received"}
