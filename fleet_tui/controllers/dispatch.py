@@ -163,7 +163,13 @@ class Dispatch:
         if problem := self.set_up_refusal() or self._backend.post(event):
             self._notices.say(problem)
 
-    def do(self, request: Request, prepare: Prepare | None = None, asks: bool = False) -> None:
+    def do(
+        self,
+        request: Request,
+        sent: Callable[[], None] = lambda: None,
+        prepare: Prepare | None = None,
+        asks: bool = False,
+    ) -> None:
         """Send a request, or show the reason not to."""
-        if problem := self.give(request, prepare=prepare, asks=asks):
+        if problem := self.give(request, sent, prepare, asks):
             self._notices.say(problem)

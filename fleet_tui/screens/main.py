@@ -131,25 +131,25 @@ class MainScreen(Screen[None]):
             self.rest.show()
         self._mark_alarm(state)
         page, recent = partial(robot_page, state, clock=clock), partial(recent_table, state, clock)
-        self.panes.show(self._tables(), robot, page, recent, self.rest.covered if self.is_complete else 0)
+        tables = [self._rows_of(pane) for pane in self.panes.tables]
+        self.panes.show(tables, robot, page, recent, self.rest.covered if self.is_complete else 0)
         self.status.show(*self.session.headline(state, robot, self.status.size.width))
         self.message.show(message_line(state, self.notices.text, self.notices.at, self.message.size.width))
         self._show_hints(state, robot)
         self.settings.announce(state)
 
-    def _tables(self) -> list[Table]:
-        """Return the rows of fleet, alarms and queue, as they are arranged."""
-        state, robot = self.store.state, self.navigation.robot
-        fleet, alarms, queue = ((pane.row_width, pane.arrangement) for pane in self.panes.tables)
-        return [
-            fleet_table(state, robot, *fleet),
-            alarm_table(state, self.settings.clock, *alarms),
-            queue_table(state, robot, self.shows_all_orders, *queue),
-        ]
+    def _rows_of(self, pane: RowsPane) -> Table:
+        """Return the newest rows of fleet, alarms or queue, as they are arranged."""
+        state, robot, arranged = self.store.state, self.navigation.robot, (pane.row_width, pane.arrangement)
+        if pane is self.fleet:
+            return fleet_table(state, robot, *arranged)
+        if pane is self.alarms:
+            return alarm_table(state, self.settings.clock, *arranged)
+        return queue_table(state, robot, self.shows_all_orders, *arranged)
 
     def show_rows(self, pane: RowsPane) -> None:
         """Show the newest rows of one pane."""
-        pane.show(self._tables()[self.panes.tables.index(pane)])
+        pane.show(self._rows_of(pane))
 
     def _show_hints(self, state: FleetState, robot: str) -> None:
         pane = Pane.ANYWHERE if self._in_overlay() else self.focused_pane()

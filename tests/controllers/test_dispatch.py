@@ -86,7 +86,7 @@ def test_a_request_is_prepared_after_the_question_and_not_sent_if_that_fails() -
         done.append("prepared")
         return "not sent: disk full" if len(done) == 1 else ""
 
-    desk.dispatch.do(Request((ClearOrders(R0),)), prepare)
+    desk.dispatch.do(Request((ClearOrders(R0),)), prepare=prepare)
     assert desk.answers and not done
     desk.say_yes()
     assert (desk.notices.text, desk.backend.submitted) == ("not sent: disk full", [])
@@ -99,7 +99,7 @@ def test_a_request_is_prepared_after_the_question_and_not_sent_if_that_fails() -
 
 def test_a_request_that_needs_preparing_does_not_wait_for_the_link() -> None:
     desk = Desk(fleet())
-    desk.dispatch.do(Request((ClearOrders(R0),)), lambda: "")
+    desk.dispatch.do(Request((ClearOrders(R0),)), prepare=lambda: "")
     assert desk.notices.text.startswith("not sent: ") and not desk.answers
 
 

@@ -1,6 +1,7 @@
 """A robot driven by keys, from the console to the wheels, and every way out of it."""
 
 import math
+import time
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from pathlib import Path
@@ -41,6 +42,14 @@ async def driving(
         yield it
 
 
+async def press_until(it: Console, key: str, text: str, pane: str) -> None:
+    """Hold a key until a text stands in a pane; not for ever, for with other texts it never may."""
+    ends = time.monotonic() + 20.0
+    while text not in it.pane(pane):
+        assert time.monotonic() < ends, it.text
+        await it.press(key)
+
+
 def frames(site: Site) -> list[tuple[float, float, float]]:
     """The twists that the bridge received."""
     found = [
@@ -55,8 +64,7 @@ async def test_a_key_still_held_once_the_drive_has_ended_is_no_command(slow_site
     async with driving(slow_site) as it:
         await it.press("a")
         await slow_site.server.stop()
-        while "no link" not in it.pane("alarms"):
-            await it.press("a")
+        await press_until(it, "a", "no link", "alarms")
         await it.press("a", "s", "w", "d")
         assert "DRIVE robot_0 ended: let go of the key" in it.pane("map")
         assert not it.app.main.notices.text.startswith("acknowledged") and "Stop reasons" not in it.text
@@ -155,15 +163,13 @@ async def test_an_order_from_elsewhere_ends_it_and_keeps_it_from_beginning(slow_
 async def test_another_publisher_ends_it(slow_site: Site) -> None:
     play(slow_site.server, [("foreign-drive", R0)])
     async with driving(slow_site) as it:
-        while "someone else drives" not in it.pane("message"):
-            await it.press("w")
+        await press_until(it, "w", "someone else drives", "message")
 
 
 async def test_a_bridge_that_lags_ends_it(slow_site: Site) -> None:
     play(slow_site.server, [("lag", R0)])
     async with driving(slow_site) as it:
-        while "lag: no echo for 0.3 s" not in it.pane("message"):
-            await it.press("w")
+        await press_until(it, "w", "lag: no echo for 0.3 s", "message")
         await it.until(lambda _: is_still(slow_site))
 
 

@@ -91,6 +91,7 @@ async def test_x_cancels_the_order_under_the_cursor(site: Site) -> None:
 async def test_a_second_order_waits_here_and_the_title_says_whose_queue_it_is(site: Site) -> None:
     site.server.speed = 1.0
     async with console(site.config, WIDE) as it:
+        await it.shows("Consumidores", "map")
         await order(it, "Consumidores", "Base")
         await it.until(of_order(Stage.CONFIRMED))
         await order(it, "Base", "Receiving")

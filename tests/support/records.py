@@ -44,7 +44,14 @@ def watched(folder: Path, origin: Origin = ANA) -> tuple[Store, Audit]:
     """A store whose changes go to the log of a folder."""
     store, audit = Store(known_fleet()), Audit(AuditFile(folder / FILE_NAME), origin)
     store.watchers.append(audit.watch)
+    store.watchers.append(lambda _before, _after: _written(audit))
     return store, audit
+
+
+def _written(audit: Audit) -> None:
+    """Wait for all lines: a busy machine may write them later than the console waits."""
+    with audit._changed:
+        assert audit._changed.wait_for(lambda: audit._done == audit._taken or audit._problem, 30)
 
 
 def read(folder: Path) -> list[AuditRecord]:

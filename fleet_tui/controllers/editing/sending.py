@@ -83,7 +83,7 @@ class DraftSending:
         if self._is_kept(robot):
             command = self._route_files.command(robot, file)
             prepare = partial(self._route_files.write, command, file)
-            self._parts.dispatch.do(Request((command,)), prepare)
+            self._parts.dispatch.do(Request((command,)), prepare=prepare)
 
     def _send(self) -> None:
         opened, parts = self._editor.opened, self._parts

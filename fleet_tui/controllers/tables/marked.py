@@ -1,23 +1,34 @@
 """Commands to all marked rows: asked once, sent one by one, each with its own outcome."""
 
 from collections.abc import Callable, Iterator, Sequence
+from time import monotonic
 
+from msgspec import Struct
 from msgspec.structs import replace
 
 from fleet_tui.controllers.dispatch import Ask, Dispatch
 from fleet_tui.model.commands import Command, PauseRobot, PlaceOrder
-from fleet_tui.model.order import Stop
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.language.lookup import places
+from fleet_tui.rules.language.anyone import own_place
+from fleet_tui.rules.language.lookup import Place
 from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.questions import losses, request_text
 
 SHOWN = 12
 """Lines of a question; the number of others follows."""
-Outcomes = Callable[[Sequence[tuple[Command, str]]], None]
-"""Shows the outcome of each command, with the reason of those that were not sent."""
+Outcomes = Callable[[Sequence[tuple[Command, str]], float], None]
+"""Shows the outcome of each command sent since a moment (monotonic), with the reason of those that were not
+sent."""
+
+
+class _Asked(Struct, frozen=True):
+    """What is asked of one row. `lack`: why it can't be asked of it."""
+
+    request: Request
+    lack: str = ""
 
 
 class MarkedCommands:
@@ -38,46 +49,58 @@ class MarkedCommands:
 
     def do(self, selected: str, make: Callable[[str], Command]) -> None:
         """Give a command to the marked robots, without marks to the selected one."""
-        robots = self._marks() or [selected]
-        self.give([Request((make(robot),)) for robot in robots])
+        if marks := self._marks():
+            self.give([Request((make(robot),)) for robot in marks])
+        else:
+            self._dispatch.do(Request((make(selected),)))
 
     def give(self, requests: Sequence[Request]) -> None:
-        """Send requests, after one question if they are several. A pause is never asked about."""
+        """Send the requests of marked rows, after one question if they are several. A pause is never asked
+        about."""
+        asked = [_Asked(request) for request in requests]
         if len(requests) == 1:
-            self._dispatch.do(requests[0])
+            self._dispatch.do(requests[0], self._done)
         elif all(isinstance(one, PauseRobot) for request in requests for one in request.commands):
-            self._send(requests)
+            self._send(asked)
         else:
-            self._ask(lambda: self._question(requests), lambda: self._send(requests))
+            self._ask(lambda: self._question(asked), lambda: self._send(asked))
 
     def give_order(self, request: Request, sent: Callable[[], None]) -> str:
         """Send an order of the form, to all marked robots if its own is one of them. Returns the reason not
         to."""
         marks, (first, *_) = self._marks(), request.commands
-        if len(marks) < 2 or first.robot not in marks:
+        if first.robot not in marks:
             return self._dispatch.give(request, sent)
-        robots = self._store.state.robots
-        requests = [_as_for(request, robots[first.robot], robots[name]) for name in marks]
+
+        def done() -> None:
+            sent()
+            self._done()
+
+        if len(marks) == 1:
+            return self._dispatch.give(request, done)
+        state = self._store.state
+        asked = [_asked_of(state, request, state.robots[first.robot], state.robots[name]) for name in marks]
 
         def send() -> None:
-            self._send(requests)
+            self._send(asked)
             sent()
 
-        self._ask(lambda: self._question(requests), send)
+        self._ask(lambda: self._question(asked), send)
         return ""
 
-    def _question(self, requests: Sequence[Request]) -> str:
-        lines = [line for request in requests for line in self._lines(request)]
+    def _question(self, asked: Sequence[_Asked]) -> str:
+        commands = [command for one in asked for command in one.request.commands]
+        robots = len({command.robot for command in commands})
+        head = f"Send to {robots} robots?" if robots > 1 else f"Send {len(commands)} commands?"
+        lines = [line for one in asked for line in self._lines(one)]
         more = [f"and {len(lines) - SHOWN} more"] if len(lines) > SHOWN else []
-        return "\n".join(
-            [f"Send to {len(requests)} robots?", *(f"  {line}" for line in lines[:SHOWN]), *more]
-        )
+        return "\n".join([head, *(f"  {line}" for line in lines[:SHOWN]), *more])
 
-    def _lines(self, request: Request) -> Iterator[str]:
+    def _lines(self, asked: _Asked) -> Iterator[str]:
         """Yield what a request is about, with its losses and warnings, or why it can't be sent."""
-        state = self._store.state
+        state, request = self._store.state, asked.request
         found = self._dispatch.objections(request)
-        against = next((problem.text for problem in found if problem.blocks), "")
+        against = asked.lack or next((problem.text for problem in found if problem.blocks), "")
         if against:
             yield f"not sent: {sanitize(against)}"
             return
@@ -86,32 +109,34 @@ class MarkedCommands:
         yield lost[0] + warnings
         yield from lost[1:]
 
-    def _send(self, requests: Sequence[Request]) -> None:
-        told = []
-        for request in requests:
-            problem = self._dispatch.send_confirmed(request)
-            told += [(command, problem) for command in request.commands]
-        self._outcomes(told)
+    def _send(self, asked: Sequence[_Asked]) -> None:
+        told, since = list[tuple[Command, str]](), monotonic()
+        for one in asked:
+            problem = f"not sent: {one.lack}" if one.lack else self._dispatch.send_confirmed(one.request)
+            told += [(command, problem) for command in one.request.commands]
+        self._outcomes(told, since)
         self._done()
 
 
-def _as_for(request: Request, robot: Robot, other: Robot) -> Request:
-    """Return the request of a robot for another one, whose graph may have other ids for the same labels."""
+def _asked_of(state: FleetState, request: Request, robot: Robot, other: Robot) -> _Asked:
+    """Return the orders of a robot for another one, whose graph may have other ids for the same labels."""
     if robot is other:
-        return request
-    ids = {(place.name, place.floor): place.vertex for place in places(other)}
-
-    def stop(one: Stop) -> Stop:
-        floor = request.floors.get(one.vertex, "")
-        return replace(one, vertex=ids.get((robot.name_of(one.vertex) or "", floor), one.vertex))
-
+        return _Asked(request)
+    orders = [one for one in request.commands if isinstance(one, PlaceOrder)]
+    own = dict[str, str]()
+    lacks = list[str]()
+    for vertex, floor in request.floors.items():
+        place = Place(vertex, robot.name_of(vertex) or vertex, floor)
+        found = own_place(state, other, place)
+        own[vertex] = found.vertex if found else vertex
+        lacks += [] if found else [f"{other.name} has no {place.name} on {floor}"]
     commands = tuple(
-        replace(one, robot=other.name, stops=tuple(map(stop, one.stops)))
-        for one in request.commands
-        if isinstance(one, PlaceOrder)
+        replace(
+            one,
+            robot=other.name,
+            stops=tuple(replace(stop, vertex=own.get(stop.vertex, stop.vertex)) for stop in one.stops),
+        )
+        for one in orders
     )
-    floors = {
-        ids.get((robot.name_of(vertex) or "", floor), vertex): floor
-        for vertex, floor in request.floors.items()
-    }
-    return replace(request, commands=commands, floors=floors)
+    floors = {own[vertex]: floor for vertex, floor in request.floors.items()}
+    return _Asked(replace(request, commands=commands, floors=floors), next(iter(lacks), ""))

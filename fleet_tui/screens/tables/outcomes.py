@@ -29,9 +29,10 @@ class Outcomes(Static):
         self._since, self._ends = 0.0, math.inf
         self.display = False
 
-    def show(self, told: Sequence[tuple[Command, str]]) -> None:
-        """Show the outcome of each of these commands, just sent, or the reason that it was not sent."""
-        self._told, self._since, self._ends = told, monotonic(), math.inf
+    def show(self, told: Sequence[tuple[Command, str]], since: float) -> None:
+        """Show the outcome of each of these commands, sent from `since` (monotonic) on, or the reason that it
+        was not sent."""
+        self._told, self._since, self._ends = told, since, math.inf
         self.display = True
         self.look()
 
@@ -64,7 +65,7 @@ class Outcomes(Static):
 def _record(state: FleetState, command: Command, since: float) -> CommandRecord | None:
     """Return the newest record of a command given from `since` (monotonic) on."""
     found = (record for record in reversed(state.commands) if record.command == command)
-    return next((record for record in found if record.issued_at >= since - 1.0), None)
+    return next((record for record in found if record.issued_at >= since), None)
 
 
 def _line(state: FleetState, command: Command, problem: str, record: CommandRecord | None) -> str:

@@ -22,7 +22,7 @@ TRIES, AGAIN_AFTER = 5, 0.1
 
 
 class TableTools:
-    """What works on the focused table, without one on the fleet."""
+    """Filter, sort, mark and copy: on the focused table, without one on the fleet."""
 
     def __init__(self, screen: "MainScreen", ask: Ask) -> None:
         self._screen = screen
@@ -67,7 +67,7 @@ class TableTools:
         if self._table.size.height:
             self.filter_line.start(self._table)
         else:
-            self._screen.notices.say("the fleet is not shown here: Esc")
+            self._screen.notices.say("no table is in view: Esc shows them")
 
     def _sort(self) -> None:
         self._table.arrangement.next_column()

@@ -23,11 +23,12 @@ def restart(server: "RosbridgeServer", robot_name: str) -> None:
 
     def step(dt: float) -> None:
         nonlocal age
-        age = age + dt if robot.last_order_id else 0.0
+        # Of the console, in whose time the order must be seen before.
+        age = age + dt / server.speed if robot.last_order_id else 0.0
         if age > LIVES:
             robot.drop({order.id for order in robot.orders})
             robot.last_order_id = robot.request_id = 0
-            robot.paused = False
+            robot.paused, age = False, 0.0
 
     server.world.troubles.append(step)
 

@@ -51,7 +51,7 @@ def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float],
     if is_wide:
         is_over = alarm.stage is AlarmStage.RETURNED
         runs.append((f"{_PRIORITIES[alarm.condition.priority]} ", StyleRole.DIM if is_over else role))
-    at = clock(alarm.first_wall if alarm.holds else alarm.last_wall)
+    at = clock(_at(alarm))
     runs.append((fit(alarm.condition.source, sources) + " ", StyleRole.TEXT))
     left = width - 1 - sum(cell_width(text) for text, _ in runs)
     text = _short(sanitize(alarm.text), left)
@@ -94,13 +94,19 @@ def _suppressed(state: FleetState) -> int:
     return grouped + sum(robot.link in down for robot in state.robots.values())
 
 
-_VALUES: tuple[Value[Alarm], ...] = (
-    Value("robot", lambda alarm: alarm.condition.source, lambda alarm: natural(alarm.condition.source)),
-    Value("alarm", lambda alarm: alarm.text, lambda alarm: alarm.condition.kind),
-    Value("priority", lambda alarm: _PRIORITIES[alarm.condition.priority].strip()),
-    Value("stage", lambda alarm: SIGNS[alarm.stage][2:].strip()),
-    Value("time", lambda _: "", lambda alarm: -alarm.last_wall),
-)
+def _at(alarm: Alarm) -> float:
+    """Return the time (Unix seconds) that its row shows."""
+    return alarm.first_wall if alarm.holds else alarm.last_wall
+
+
+def _values(clock: Callable[[float], str]) -> tuple[Value[Alarm], ...]:
+    return (
+        Value("robot", lambda alarm: alarm.condition.source, lambda alarm: natural(alarm.condition.source)),
+        Value("alarm", lambda alarm: alarm.text, lambda alarm: alarm.condition.kind),
+        Value("priority", lambda alarm: _PRIORITIES[alarm.condition.priority].strip()),
+        Value("stage", lambda alarm: SIGNS[alarm.stage][2:].strip()),
+        Value("time", lambda alarm: clock(_at(alarm)), lambda alarm: -_at(alarm), is_apart=True),
+    )
 
 
 def alarm_table(
@@ -114,7 +120,7 @@ def alarm_table(
     acknowledged or shelved, and when it needs a person again. `clock` formats Unix seconds as a local
     time."""
     arrangement = arrangement or RowArrangement()
-    alarms = arrangement.arranged(sorted(state.alarms, key=urgency), _VALUES)
+    alarms = arrangement.arranged(sorted(state.alarms, key=urgency), _values(clock))
     sources = column((alarm.condition.source for alarm in alarms), 7, 14 if width >= WITH_PRIORITY else 9)
     keys = [alarm.key for alarm in alarms]
     rows: Sequence[Row] = LateRows(keys, lambda place: _row(state, alarms[place], sources, clock, width))
@@ -128,4 +134,4 @@ def alarm_table(
     if suppressed := _suppressed(state):
         title.append((f" {suppressed} suppressed", StyleRole.DIM))
     empty = NO_MATCH if state.alarms else "all clear"
-    return Table((*title, *arrangement.notes(len(rows))), rows, empty, unfiltered=len(state.alarms))
+    return Table((*title, *arrangement.notes(len(alarms))), rows, empty, unfiltered=len(state.alarms))

@@ -1,6 +1,7 @@
 """The visible part of a table: a cursor that stays with its row, scrolling in both directions."""
 
 import re
+from bisect import bisect_left, bisect_right
 from collections.abc import Hashable, Sequence
 
 from fleet_tui.view.roles import StyleRole
@@ -42,12 +43,16 @@ class Listing:
             self.cursor = keys[self._place] if keys else None
 
     def move(self, step: int) -> bool:
-        """Move the cursor by rows; return False if there are none."""
-        rows = self._table.rows
-        if rows:
-            self._place = max(0, min(self._place + step, len(rows) - 1))
-            self.cursor = rows[self._place].key
-        return bool(rows)
+        """Move the cursor by rows, at most to the last one that can have it; return False if there are
+        none."""
+        keys = self._table.keys
+        places = [place for place, key in enumerate(keys) if key is not None]
+        if places:
+            wanted = max(places[0], min(self._place + step, places[-1]))
+            ahead = bisect_left(places, wanted) if step > 0 else bisect_right(places, wanted) - 1
+            self._place = places[ahead]
+            self.cursor = keys[self._place]
+        return bool(keys)
 
     def toggle_mark(self) -> None:
         """Mark the cursor's row, or no longer."""
@@ -60,11 +65,6 @@ class Listing:
         exact = (key for key in keys if wanted and wanted[0] in _names(key))
         self.cursor = next(exact, keys[0] if keys else None)
         self._place = keys.index(self.cursor) if self.cursor is not None else 0
-
-    def marked(self, key: Hashable) -> list[Hashable]:
-        """Return the keys that a command for the row `key` is for: all marked ones, without marks this
-        one."""
-        return list(self.marks.values()) or [key]
 
     @property
     def line(self) -> str:

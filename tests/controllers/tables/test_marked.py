@@ -92,3 +92,27 @@ def test_a_long_question_is_counted_to_its_end() -> None:
     it = desk()
     it.marked.give([Request((CancelOrder(R0, str(n)),)) for n in range(40)])
     assert len(it.asked[0].splitlines()) < 20 and it.asked[0].splitlines()[-1].startswith("and ")
+
+
+def test_several_orders_of_one_robot_are_counted_as_commands() -> None:
+    it = desk()
+    it.marked.give([Request((CancelOrder(R0, str(n)),)) for n in range(2)])
+    assert it.asked[0].startswith("Send 2 commands?")
+
+
+def test_the_only_mark_is_gone_with_its_command() -> None:
+    it = desk(R1)
+    it.marked.do(R0, ResumeRobot)
+    assert it.backend.submitted == [ResumeRobot(R1)] and not it.marks
+    it = desk(R0)
+    assert it.marked.give_order(ORDER, lambda: None) == ""
+    assert it.backend.submitted == [PlaceOrder(R0, at_vertices("1", "2"))] and not it.marks
+
+
+def test_a_robot_without_the_place_gets_no_order_to_another_vertex_of_that_id() -> None:
+    it = Desk(reduced(site(), graph(1, 2, robot=R1), labels({1: "Store", 2: "Door"}, robot=R1)))
+    it.marks += [R0, R1]
+    assert it.marked.give_order(ORDER, lambda: None) == ""
+    it.say_yes()
+    assert it.backend.submitted == [PlaceOrder(R0, at_vertices("1", "2"))]
+    assert it.outcomes[1][1] == "not sent: robot_1 has no Base on floor_0"

@@ -28,7 +28,7 @@ async def test_each_command_has_a_line_that_follows_it() -> None:
             (PAUSE, ""),
             (PauseRobot("robot_1"), "not sent: robot_1 is offline"),
         ]
-        outcomes.show(told)
+        outcomes.show(told, now)
         assert shown(outcomes).splitlines()[1] == "robot_1 pause: not sent: robot_1 is offline"
         states.append(reduced(states[0], *commanded(1, PAUSE, Stage.SENT, at=now)))
         outcomes.look()
@@ -47,7 +47,7 @@ async def test_it_stays_while_one_is_open_and_leaves_a_while_after_the_last(
     states: list[FleetState] = [reduced(fleet(), *commanded(1, PAUSE, Stage.SENT, at=clock[0]))]
     outcomes = Outcomes(lambda: states[-1])
     async with WidgetApp(outcomes).run_test():
-        outcomes.show([(PAUSE, "")])
+        outcomes.show([(PAUSE, "")], clock[0])
         clock[0] += 60
         outcomes.look()
         assert outcomes.display
@@ -65,6 +65,15 @@ async def test_of_many_the_others_are_counted() -> None:
     state = fleet(40)
     outcomes = Outcomes(lambda: state)
     async with WidgetApp(outcomes).run_test():
-        outcomes.show([(PauseRobot(name), "not sent: no link") for name in state.robots])
+        outcomes.show([(PauseRobot(name), "not sent: no link") for name in state.robots], 0.0)
         lines = shown(outcomes).splitlines()
         assert len(lines) == SHOWN + 1 and lines[-1].startswith(f"and {40 - SHOWN} more")
+
+
+async def test_what_was_sent_before_is_not_taken_for_an_outcome() -> None:
+    now = time.monotonic()
+    state = reduced(fleet(), *commanded(1, PAUSE, *TO_THE_END, at=now - 0.01))
+    outcomes = Outcomes(lambda: state)
+    async with WidgetApp(outcomes).run_test():
+        outcomes.show([(PAUSE, "")], now)
+        assert shown(outcomes) == "robot_0 pause: sending"

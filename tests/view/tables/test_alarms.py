@@ -6,6 +6,8 @@ from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import alarm_table, unacknowledged
+from fleet_tui.view.tables.arrangement import RowArrangement
+from fleet_tui.view.tables.listing import Listing
 from tests.support.alarms import without_poses
 from tests.support.fleets import (
     LINK,
@@ -73,7 +75,7 @@ def test_no_link_stands_there_with_its_reason_only_while_it_is_so() -> None:
     assert "no link: connection refused" in texts(state)[0]
     assert alarm_table(state, clock).rows[0].key == (LINK, "link")
     back = reduced(state, link_up(T0 + 61), tick(T0 + 61))
-    assert "no link" not in texts(back)[0] and "link restored" in texts(back)[0]
+    assert "no link" not in texts(back)[0] and "connected" in texts(back)[0], "it was never up before"
     assert texts(back)[0].endswith(f" {WALL + T0 + 60:.0f}")  # it held at the last look before
 
 
@@ -137,3 +139,23 @@ def test_a_single_alarm_that_is_cut_goes_on_in_a_second_line() -> None:
     assert reason not in text_of(first.runs)
     assert len(alarm_table(state, clock, 120).rows) == 1
     assert len(alarm_table(low(), clock, 38).rows) == 1
+
+
+def test_a_filter_finds_alarms_by_their_time_of_the_row() -> None:
+    arrangement = RowArrangement()
+    arrangement.typed = f"time:{low().wall:.0f}"
+    table = alarm_table(low(), clock, 80, arrangement)
+    assert len(table.rows) == 1 and text_of(table.title).endswith(": 1")
+    arrangement.typed = "time:99"
+    assert not alarm_table(low(), clock, 80, arrangement).rows
+
+
+def test_the_second_line_of_an_alarm_is_no_alarm() -> None:
+    arrangement = RowArrangement()
+    arrangement.typed = "no"
+    state = reduced(fleet(), link_lost(T0, "connection refused by the server of this address"), tick(T0 + 60))
+    table = alarm_table(state, clock, 40, arrangement)
+    assert len(table.rows) == 2 and text_of(table.title).endswith(": 1")
+    listing = Listing()
+    listing.show(table)
+    assert listing.move(1) and listing.cursor == (LINK, "link") and not listing.steps_to(1)
