@@ -1,5 +1,6 @@
 """A robot driven by keys, from the console to the wheels, and every way out of it."""
 
+import asyncio
 import math
 import time
 from collections.abc import AsyncIterator
@@ -43,11 +44,12 @@ async def driving(
 
 
 async def press_until(it: Console, key: str, text: str, pane: str) -> None:
-    """Hold a key until a text stands in a pane; not for ever, for with other texts it never may."""
+    """Hold a key until a text stands in a pane, as fast as keyboards repeat it: a burst drives nothing."""
     ends = time.monotonic() + 20.0
     while text not in it.pane(pane):
         assert time.monotonic() < ends, it.text
         await it.press(key)
+        await asyncio.sleep(0.03)
 
 
 def frames(site: Site) -> list[tuple[float, float, float]]:
