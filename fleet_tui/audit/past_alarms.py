@@ -3,8 +3,7 @@
 from collections.abc import Iterable
 from itertools import islice
 
-from fleet_tui.model.audit_record import AuditRecord
-from fleet_tui.view.robot.sections import PastAlarm
+from fleet_tui.model.audit_record import AuditRecord, PastAlarm
 
 LOOKED_AT = 20_000
 """Records that are read at most: of a long shift the newest."""

@@ -84,6 +84,16 @@ def _kind(command: F) -> F:
     )(command)
 
 
+def _count(option: str, most: int, usual: int, help_: str) -> Callable[[F], F]:
+    """Return the option for a number of something."""
+    numbers = click.IntRange(1, most)
+    return click.option(option, type=numbers, metavar="N", default=usual, show_default=True, help=help_)
+
+
+_robots = _count("--robots", 500, 3, "Number of robots.")
+_floors = _count("--floors", 20, 2, "Number of floors.")
+
+
 def _check(kind: str, robots: int, ros: str | None) -> None:
     """Reject options that such robots don't support. Raises UsageError."""
     if kind == MIXED:
@@ -97,22 +107,8 @@ def _check(kind: str, robots: int, ros: str | None) -> None:
 
 @simulated.command(epilog="`fleet-tui sim --help` lists the faults.")
 @_kind
-@click.option(
-    "--robots",
-    type=click.IntRange(1, 500),
-    metavar="N",
-    default=3,
-    show_default=True,
-    help="Number of robots.",
-)
-@click.option(
-    "--floors",
-    type=click.IntRange(1, 20),
-    metavar="N",
-    default=2,
-    show_default=True,
-    help="Number of floors.",
-)
+@_robots
+@_floors
 @_ros
 @_simulation
 @screen
@@ -147,22 +143,8 @@ def demo(
 
 @simulated.command(epilog=ALL_FAULTS)
 @_kind
-@click.option(
-    "--robots",
-    type=click.IntRange(1, 500),
-    metavar="N",
-    default=3,
-    show_default=True,
-    help="Number of robots.",
-)
-@click.option(
-    "--floors",
-    type=click.IntRange(1, 20),
-    metavar="N",
-    default=2,
-    show_default=True,
-    help="Number of floors.",
-)
+@_robots
+@_floors
 @click.option(
     "--port",
     type=click.IntRange(0, LAST_PORT),

@@ -38,3 +38,12 @@ class AuditRecord(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True)
     priority: str = ""
     count: int = 0
     demo: bool = False
+
+
+class PastAlarm(Struct, frozen=True):
+    """An alarm of this session that is over, with the local times of its begin and end."""
+
+    kind: str
+    text: str
+    began: str
+    ended: str

@@ -1,22 +1,17 @@
 """The order form of a console, with the controllers behind it."""
 
-from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
 
 from fleet_tui.controllers.dispatch import Ask
 from fleet_tui.controllers.ordering.anyone import AnyoneOrders
 from fleet_tui.controllers.ordering.past_orders import PastOrders
-from fleet_tui.model.request import Request
 from fleet_tui.screens.ordering.form import OrderForm
+from fleet_tui.screens.ordering.sending import Give
 from fleet_tui.widgets.background import run_in_background
 
 if TYPE_CHECKING:
     from fleet_tui.screens.main import MainScreen
-
-
-Give = Callable[[Request, Callable[[], None]], str]
-"""Sends a request, or returns the reason not to; calls back when it was sent."""
 
 
 def order_form(screen: "MainScreen", ask: Ask, give: Give) -> tuple[OrderForm, AnyoneOrders]:

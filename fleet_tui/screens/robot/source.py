@@ -6,12 +6,13 @@ from functools import partial
 from fleet_tui.audit.log import Audit
 from fleet_tui.audit.past_alarms import past_alarms
 from fleet_tui.audit.reader import AuditReader
+from fleet_tui.model.audit_record import PastAlarm
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.battery.forecast import forecast
 from fleet_tui.rules.battery.history import BatteryHistories
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.robot.page import PageContent, page_lines
-from fleet_tui.view.robot.sections import LAST, Clock, Line, PastAlarm
+from fleet_tui.view.robot.sections import LAST, Clock, Line
 
 REDRAW_EVERY = 5
 """Seconds after which the curve is drawn again without a new sample."""

@@ -5,6 +5,7 @@ from itertools import zip_longest
 
 from msgspec import Struct
 
+from fleet_tui.model.audit_record import PastAlarm
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.battery.forecast import BatteryForecast
@@ -15,7 +16,6 @@ from fleet_tui.view.robot.sections import (
     Clock,
     Line,
     PageSection,
-    PastAlarm,
     alarms_section,
     commands_section,
     orders_section,

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from msgspec import Struct
 
-from fleet_tui.model.alarm import AlarmStage, class_of
+from fleet_tui.model.alarm import AlarmStage, PastAlarm, class_of
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.classes import CLASSES
@@ -28,15 +28,6 @@ LAST = 5
 Line = tuple[Run, ...]
 Clock = Callable[[float], str]
 """Formats Unix seconds as a local time."""
-
-
-class PastAlarm(Struct, frozen=True):
-    """An alarm of this session that is over, with the local times of its begin and end."""
-
-    kind: str
-    text: str
-    began: str
-    ended: str
 
 
 class PageSection(Struct, frozen=True):

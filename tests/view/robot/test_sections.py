@@ -2,12 +2,12 @@
 
 from msgspec.structs import replace
 
+from fleet_tui.model.audit_record import PastAlarm
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.robot.sections import (
     PageSection,
-    PastAlarm,
     alarms_section,
     commands_section,
     orders_section,
