@@ -40,7 +40,7 @@ class AuditRecord(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True)
     demo: bool = False
 
 
-class PastAlarm(Struct, frozen=True):
+class PastAlarm(msgspec.Struct, frozen=True):
     """An alarm of this session that is over, with the local times of its begin and end."""
 
     kind: str

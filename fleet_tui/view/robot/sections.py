@@ -4,7 +4,8 @@ from collections.abc import Callable, Iterator, Sequence
 
 from msgspec import Struct
 
-from fleet_tui.model.alarm import AlarmStage, PastAlarm, class_of
+from fleet_tui.model.alarm import AlarmStage, class_of
+from fleet_tui.model.audit_record import PastAlarm
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.classes import CLASSES
