@@ -1,6 +1,6 @@
 """What an operator types to filter rows: `word`, `!word`, `key:value`, all of which must hold."""
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection
 
 from msgspec import Struct
 
@@ -28,20 +28,7 @@ def filter_terms(typed: str, names: Collection[str]) -> tuple[Term, ...]:
     return tuple(terms)
 
 
-def is_wanted(
-    terms: Collection[Term], values: Mapping[str, Callable[[], str]], apart: Collection[str] = ()
-) -> bool:
-    """Tell whether all conditions hold for a row. `values` are asked for only as far as needed, in order: the
-    cheapest come first; those `apart` only where they are named."""
-    common = [name for name in values if name not in apart]
-    known: dict[str, str] = {}
-
-    def has(name: str, text: str) -> bool:
-        if name not in known:
-            known[name] = values[name]().casefold()
-        return text in known[name]
-
-    return all(
-        any(has(name, term.text) for name in ([term.name] if term.name else common)) is term.wanted
-        for term in terms
-    )
+def is_wanted(terms: Collection[Term], text: Callable[[str], str]) -> bool:
+    """Tell whether all conditions hold for a row. `text` returns the folded text of a value by its name, for
+    an empty name those of all values in which a word is searched, a line each."""
+    return all((term.text in text(term.name)) is term.wanted for term in terms)

@@ -37,6 +37,7 @@ class FilterLine(Overlay):
     def start(self, pane: RowsPane) -> None:
         """Open it for a table, with its filter."""
         self._pane = pane
+        pane.arrangement.is_typing = True
         self._title.update(f" {(pane.id or '').capitalize()} /")
         with self._field.prevent(Input.Changed):
             self._field.value = pane.arrangement.typed
@@ -73,3 +74,8 @@ class FilterLine(Overlay):
         """Clear the filter, and restore the focus."""
         self._apply("")
         super().action_close()
+
+    def on_hide(self) -> None:
+        """Note that nothing is typed any more, whatever closed it."""
+        if self._pane is not None:
+            self._pane.arrangement.is_typing = False

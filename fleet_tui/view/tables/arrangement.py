@@ -3,7 +3,6 @@
 import math
 import re
 from collections.abc import Callable, Iterable, Sequence
-from functools import partial
 from typing import Any, Generic, TypeVar
 
 from msgspec import Struct
@@ -38,6 +37,9 @@ class RowArrangement:
 
     def __init__(self) -> None:
         self.typed = ""
+        self.is_typing = False
+        """The operator is about to type a letter: what it will search in is made before, for that takes
+        longer than a key may."""
         self.column = ""
         self._columns: Sequence[str] = ()
         self._known: dict[str, tuple[float, dict[str, str]]] = {}
@@ -60,15 +62,34 @@ class RowArrangement:
         longer than a key may."""
         self._columns = [value.name for value in values if value.order is not None]
         terms = filter_terms(self.typed, [value.name for value in values])
-        apart = [value.name for value in values if value.is_apart]
-
-        def wants(item: Item) -> bool:
-            known = self._texts_of(named(item), at) if named is not None else {}
-            return is_wanted(terms, {one.name: partial(_text, known, one, item) for one in values}, apart)
-
-        found = [item for item in items if not terms or wants(item)]
+        searched = self._searched(values, named, at)
+        if self.is_typing and not terms and named is not None:
+            items = list(items)
+            for item in items:
+                searched(item)("")
+        found = [item for item in items if not terms or is_wanted(terms, searched(item))]
         order = next((value.order for value in values if value.name == self.column), None)
         return sorted(found, key=order) if order is not None else found
+
+    def _searched(
+        self, values: Sequence[Value[Item]], named: Callable[[Item], str] | None, at: float
+    ) -> Callable[[Item], Callable[[str], str]]:
+        """Return what returns the texts of an item for a filter, as `is_wanted` asks for them."""
+        by_name = {value.name: value.text for value in values}
+        common = [value.text for value in values if not value.is_apart]
+
+        def of(item: Item) -> Callable[[str], str]:
+            known = self._texts_of(named(item), at) if named is not None else {}
+
+            def text(name: str) -> str:
+                if name not in known:
+                    texts = [by_name[name]] if name else common
+                    known[name] = "\n".join(make(item) for make in texts).casefold()
+                return known[name]
+
+            return text
+
+        return of
 
     def _texts_of(self, name: str, at: float) -> dict[str, str]:
         """Return the texts of a row as far as they were made a short while ago. Not all get old at once."""
@@ -82,9 +103,3 @@ class RowArrangement:
         """Return what the title says of it; `shown` rows are left."""
         runs = [(f" /{self.typed}: {shown}", StyleRole.ACCENT)] if self.typed else []
         return runs + [(f" by {self.column}", StyleRole.ACCENT)] * bool(self.column)
-
-
-def _text(known: dict[str, str], value: Value[Item], item: Item) -> str:
-    if value.name not in known:
-        known[value.name] = value.text(item)
-    return known[value.name]

@@ -49,3 +49,13 @@ async def test_the_focused_table_is_filtered(server: RosbridgeServer) -> None:
         await it.shows(" Queue /")
         await it.type("x")
         assert it.app.main.queue.arrangement.typed == "x" and it.app.main.fleet.arrangement.typed == ""
+
+
+async def test_nothing_is_prepared_once_it_is_left(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 3), wait=False) as it:
+        await it.until(lambda _: it.app.main.is_complete)
+        for key in ("enter", "escape"):
+            await it.press("/")
+            assert it.app.main.fleet.arrangement.is_typing
+            await it.press("1", key)
+            assert not it.app.main.fleet.arrangement.is_typing

@@ -62,3 +62,21 @@ def test_texts_of_named_rows_are_made_again_after_a_while_and_at_once_when_time_
     for at, count in ((10.0, 3), (10.5, 3), (13.0, 6), (5.0, 9)):
         found = chosen.arranged(ITEMS, (Value("robot", text),), lambda item: item[0], at)
         assert found == [("robot_2", 1)] and len(made) == count
+
+
+def test_what_a_filter_searches_in_is_made_before_its_first_letter() -> None:
+    chosen, made = RowArrangement(), list[str]()
+
+    def text(item: Item) -> str:
+        made.append(item[0])
+        return item[0]
+
+    def found() -> list[Item]:
+        return chosen.arranged(ITEMS, [Value("robot", text)], lambda item: item[0], 1.0)
+
+    found()
+    assert not made
+    chosen.is_typing = True
+    assert found() == ITEMS and len(made) == 3
+    chosen.typed = "9"
+    assert found() == [("robot_9", 0)] and len(made) == 3
