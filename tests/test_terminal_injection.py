@@ -129,7 +129,7 @@ def through_the_commands(terminal: Terminal) -> None:
 OPENS = (
     (":theme: evil", "Theme: evil␛]52;c;eA==␇\ufffd[red]", "\x1b"),
     ("?", "Send an order", "\x1b"),
-    ("w", "Stop reasons: robot_", "\x1b"),
+    ("w", "Why: robot_", "\x1b"),
     ("L", "evil␛]52;… robot_0 pause: outcome unknown", "\x1b"),
     ("d", "too large, or queue full", "\x1b"),
     ("d2", "▲ bad data", "\x1b"),

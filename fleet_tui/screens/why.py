@@ -58,7 +58,7 @@ class Why(RobotOverlay):
     def look(self) -> None:
         """Show the current reasons."""
         state, name = self._looked_at()
-        self.border_title = Content(f"Stop reasons: {sanitize(name)}")
+        self.border_title = Content(f"Why: {sanitize(name)}")
         text = self.query_one("#reasons", Static)
         lines = _wrapped(why_lines(state, state.robots[name], self._keys, self._match()), text.size.width)
         if lines != self._shown:

@@ -8,7 +8,7 @@ LEAST_MAP = 9
 BUTTONS = 13
 """Lines of the simple interface."""
 LEAST_BESIDE, MAP_SHARE = 78, 10 / 21
-"""Cells from which a narrow screen can have the fleet beside its map, and the map's share of them: as in
+"""Cells from which a narrow screen can have the tables beside its map, and the map's share of them: as in
 `fleet.tcss`."""
 LEAST_PAGE = 6
 """Lines from which the robot's page and the last events are worth their place."""
@@ -76,22 +76,13 @@ def below_map(lines: int, wanted: Wanted, covered: int = 0) -> tuple[int, int, i
     return above, lines - low - above, low
 
 
-def beside_fleet(lines: int, wanted: Wanted, covered: int = 0) -> tuple[int, int]:
-    """Share out a narrow screen with the map and the fleet side by side, above alarms and queue. The map
-    keeps clear of the `covered` last lines."""
-    low = _share(max(wanted.alarms, wanted.queue), lines // 4)
-    above = max(1, min(lines - low, lines - covered))
-    return above, lines - above
-
-
 def is_better_beside(width: int, lines: int, wanted: Wanted, shape: float) -> bool:
-    """Tell whether a narrow screen shows a floor larger with the fleet beside than below its map. `shape`:
+    """Tell whether a narrow screen shows a floor larger with the tables beside than below its map. `shape`:
     lines of the floor per cell of its width."""
     if width < LEAST_BESIDE or shape <= 0:
         return False
-    beside, _ = beside_fleet(lines, wanted)
     below, _, _ = below_map(lines, wanted)
-    return min(width * MAP_SHARE, (beside - 2) / shape) > min(width, (below - 2) / shape)
+    return min(width * MAP_SHARE, (lines - 2) / shape) > min(width, (below - 2) / shape)
 
 
 def below_buttons(lines: int, wanted: Wanted) -> tuple[int, int, int]:

@@ -29,9 +29,10 @@ class LineView(RunsView):
         self._buttons = buttons
         if self._keep_right:
             left = cut(left, max(0, width - at_right - 1))
-        gap = width - width_of(left) - at_right
-        if gap > 0:
-            left = [*left, (" " * gap, StyleRole.TEXT), *right]
+        while right and width_of(left) + width_of(right) >= width:
+            right = right[1:]
+        gap = width - width_of(left) - width_of(right)
+        left = [*left, (" " * gap, StyleRole.TEXT), *right]
         self.paint_rows([cut(left, width)])
 
     def on_click(self, event: events.Click) -> None:

@@ -17,7 +17,6 @@ from fleet_tui.view.layout import (
     below_floor,
     below_map,
     below_page,
-    beside_fleet,
     beside_map,
     is_better_beside,
     simple_alone,
@@ -178,13 +177,14 @@ class Panes(Container):
         if (rows, alone, map_width) == self._shared_out:
             return
         self._shared_out = rows, alone, map_width
-        self.screen.set_class(len(heights) == 2 and not self._is_small, "-beside")
+        self.screen.set_class(len(heights) == 4 and not is_wide, "-beside")
         self.styles.grid_rows = rows
         self.styles.grid_columns = f"{map_width} 1fr" if is_wide else None
         for pane in self.children:
             keeps = is_wide and pane.id == "floor"
             spans = (not is_wide and not self._is_small) or alone == "floor"
-            pane.set_class(bool(alone) and pane.id != alone and not keeps, "-hidden")
+            is_out = bool(alone) and pane.id != alone and not keeps
+            pane.set_class(is_out or (pane.id == "aside" and not heights[-1]), "-hidden")
             pane.set_class(bool(alone) and pane.id == alone and spans, "-across")
 
     def _share_aside(self, lines: int, page: int) -> None:
@@ -215,4 +215,7 @@ class Panes(Container):
         if is_simple:
             return below_buttons(lines, wanted)
         is_beside = is_better_beside(self.size.width, lines, wanted, self._shape)
-        return beside_fleet(lines, wanted, covered) if is_beside else below_map(lines, wanted, covered)
+        if not is_beside:
+            return below_map(lines, wanted, covered)
+        # What is as wide as the screen is below all panes.
+        return beside_map(lines - covered if covered > 1 else lines, wanted)

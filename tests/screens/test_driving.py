@@ -69,7 +69,7 @@ async def test_a_key_still_held_once_the_drive_has_ended_is_no_command(slow_site
         await press_until(it, "a", "no link", "alarms")
         await it.press("a", "s", "w", "d")
         assert "DRIVE robot_0 ended: let go of the key" in it.pane("map")
-        assert not it.app.main.notices.text.startswith("acknowledged") and "Stop reasons" not in it.text
+        assert not it.app.main.notices.text.startswith("acknowledged") and "Why: " not in it.text
         await it.hides("DRIVE", "map")
         await it.press("a")
         await it.shows("acknowledged", "message")

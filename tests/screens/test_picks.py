@@ -46,4 +46,4 @@ async def test_a_click_on_a_key_of_the_footer_presses_it(server: RosbridgeServer
         hints = it.app.main.hints
         place = it.pane("hints").index("w why")
         await it.pilot.click(hints, offset=(place + 1, 0))
-        await it.shows("Stop reasons")
+        await it.shows("Why: ")

@@ -23,7 +23,7 @@ async def test_it_names_the_cause_and_its_key_does_the_fix(
     plant(server, "paused:robot_0")
     async with console(config_of(server.url, 2, 2), size) as it:
         await it.press("w")
-        await it.shows("Stop reasons: robot_0")
+        await it.shows("Why: robot_0")
         await it.shows("▶ 1. paused  (certain)")
         await it.shows("r  Resume the selected robot immediately")
         await it.press("r")
@@ -32,7 +32,7 @@ async def test_it_names_the_cause_and_its_key_does_the_fix(
             "/robot_0/Application_layout/Resume"
         ]
         await it.press("escape")
-        await it.hides("Stop reasons: robot_0")
+        await it.hides("Why: robot_0")
 
 
 async def test_it_is_live_and_goes_with_the_robot(server: RosbridgeServer) -> None:
@@ -42,12 +42,12 @@ async def test_it_is_live_and_goes_with_the_robot(server: RosbridgeServer) -> No
         plant(server, "obstacle:robot_0,paused:robot_1")
         await it.shows("▶ 1. obstacle")
         await it.press("]")
-        await it.shows("Stop reasons: robot_1")
+        await it.shows("Why: robot_1")
         await it.shows("▶ 1. paused")
         await it.press("1")
-        await it.shows("Stop reasons: robot_0")
+        await it.shows("Why: robot_0")
         await it.press("w")
-        await it.hides("Stop reasons")
+        await it.hides("Why: ")
 
 
 async def test_order_and_clear_open_what_they_open_elsewhere(server: RosbridgeServer) -> None:
@@ -94,7 +94,7 @@ async def test_remapped_keys_work_and_show(server: RosbridgeServer) -> None:
         await it.press("f5")
         await it.shows("▶ 1. no orders")
         await it.press("W")
-        await it.hides("Stop reasons")
+        await it.hides("Why: ")
 
 
 async def test_the_robots_menu_has_it(server: RosbridgeServer) -> None:

@@ -12,7 +12,6 @@ from fleet_tui.view.layout import (
     below_buttons,
     below_map,
     below_page,
-    beside_fleet,
     beside_map,
     is_better_beside,
     width_of_map,
@@ -40,15 +39,7 @@ def test_every_line_of_a_narrow_screen_is_given_away(lines: int, wanted: Wanted)
     assert lines < 20 or heights[0] >= LEAST_MAP
 
 
-@given(st.integers(13, 200), wishes)
-def test_a_map_beside_the_fleet_keeps_clear_of_what_covers_the_screen(lines: int, wanted: Wanted) -> None:
-    for covered in (0, 5, 11):
-        above, low = beside_fleet(lines, wanted, covered)
-        assert above + low == lines and above <= max(1, lines - covered)
-        assert low >= LEAST_LIST
-
-
-def test_a_floor_is_beside_the_fleet_where_that_shows_it_larger() -> None:
+def test_a_floor_is_beside_the_tables_where_that_shows_it_larger() -> None:
     wanted = Wanted(14, 2, 2)
     assert is_better_beside(80, 21, wanted, 0.4)
     assert not is_better_beside(80, 21, wanted, 0.1), "a corridor"

@@ -18,7 +18,7 @@ CLASSES = {
         "high",
         "no connection to a bridge",
         "its robots can be neither seen nor commanded",
-        "Start rosbridge, or repair the network; `doctor` names the step that fails",
+        "Start rosbridge, or repair the network; `fleet-tui doctor` names the step that fails",
         1,
     ),
     "commands": AlarmClass(

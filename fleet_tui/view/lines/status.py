@@ -56,13 +56,14 @@ def _no_link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
         yield f"{address} ", StyleRole.DIM
         yield sanitize(link.reason), StyleRole.DIM
         return
-    yield f"○ no link for {age(now - link.since)}: ", StyleRole.ALARM
-    if link.reason:
-        yield f"{sanitize(link.reason)}, ", StyleRole.WARN
+    yield f"○ no link for {age(now - link.since)}, ", StyleRole.ALARM
     if link.phase is Phase.CONNECTING or link.next_try is None:
         yield "connecting", StyleRole.TEXT
     else:
         yield f"retry in {max(0.0, link.next_try - now):.0f} s", StyleRole.TEXT
+    # The end is cut first.
+    if link.reason:
+        yield f": {sanitize(link.reason)}", StyleRole.WARN
     last = "" if link.last_received is None else f", last message {age(now - link.last_received)} ago"
     yield f"{last} {address}", StyleRole.DIM
 

@@ -4,10 +4,13 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from fleet_tui.keys import BY_ID
+from fleet_tui.keys.key import key_name
 from fleet_tui.model.alarm import class_of
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.classes import CLASSES
+from fleet_tui.rules.alarms.trouble import acknowledged, in_trouble
 from fleet_tui.rules.commands.pauses import STANDS_AFTER
 from fleet_tui.rules.why.place import place_text
 from fleet_tui.rules.why.reason import Reason, Strength, stationary_since
@@ -35,7 +38,7 @@ def why_lines(
     found, hidden = reasons(state, robot, match), hidden_keys(state, robot.name)
     if found and moves(state, robot) == found[0]:
         alarms = _alarms(state, robot, keys, hidden)
-        return [f"{sanitize(found[0].name)} ({found[0].evidence})", *alarms]
+        return [f"{sanitize(found[0].name)} ({found[0].evidence})", *alarms, *_others(state, robot, keys)]
     lines = [_standing(state, robot)]
     for number, reason in enumerate(found[:SHOWN], 1):
         mark = "▶" if number == 1 else " "
@@ -43,7 +46,7 @@ def why_lines(
         lines += ["", f"{mark} {number}. {sanitize(reason.name)}{strength}"]
         told = (sanitize(reason.evidence), _age(state, robot, reason), reason.remedy)
         lines += [f"    {line}" for line in (*told, *_help_lines(reason.keys, keys, hidden)) if line]
-    return lines
+    return [*lines, *_others(state, robot, keys)]
 
 
 def _alarms(
@@ -55,6 +58,16 @@ def _alarms(
             class_ = class_of(alarm.condition.kind)
             yield from ("", f"▲ {sanitize(alarm.text)}", f"    {CLASSES[class_].action}")
             yield from (f"    {line}" for line in _help_lines(ACTS.get(class_, ()), keys, hidden))
+
+
+def _others(state: FleetState, robot: Robot, keys: Mapping[str, tuple[str, ...]]) -> Iterator[str]:
+    """Yield who else is in trouble if this robot is not: who asks why may mean that one."""
+    troubled = sorted(in_trouble(state) - acknowledged(state), key=natural)
+    if not troubled or robot.name in troubled or not keys["next_trouble"]:
+        return
+    named = sanitize(troubled[0]) if len(troubled) == 1 else f"{len(troubled)} other robots"
+    are = "is" if len(troubled) == 1 else "are"
+    yield from ("", f"{named} {are} in trouble: {key_name(keys['next_trouble'][0])} goes there")
 
 
 def _standing(state: FleetState, robot: Robot) -> str:

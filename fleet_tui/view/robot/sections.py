@@ -61,7 +61,7 @@ def _state(state: FleetState, robot: Robot) -> Iterator[Line]:
     said = list(news(state, robot)) or alarms or [("nothing unusual", StyleRole.TEXT)]
     for n, runs in enumerate(_packed(said, STATE - NAME)):
         yield named("" if n else "State", *runs)
-    yield from value_rows(state, robot)
+    yield from value_rows(state, robot, STATE)
 
 
 def _packed(runs: Sequence[Run], cells: int) -> list[list[Run]]:

@@ -5,13 +5,15 @@ from textwrap import wrap
 
 from msgspec.structs import replace
 
-from fleet_tui.model.alarm import Alarm, AlarmStage, Key, Priority
+from fleet_tui.model.alarm import Alarm, AlarmStage, Key, Priority, class_of
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.order import natural
+from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.alarms.floods import is_group
 from fleet_tui.rules.alarms.trouble import urgency
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.arrangement import NO_MATCH, RowArrangement, Value, natural
+from fleet_tui.view.tables.arrangement import NO_MATCH, RowArrangement, Value
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
 
 SIGNS = {
@@ -75,6 +77,14 @@ def _in_two_lines(row: Row, alarm: Alarm, width: int) -> list[Row]:
     return [replace(row, runs=(*head, (first, role))), Row(None, ((rest, role),))]
 
 
+def _advice(alarm: Alarm, width: int) -> list[Row]:
+    """Return the operator's action for a single alarm that still needs one: there is space for it."""
+    if not alarm.holds or alarm.stage is AlarmStage.SHELVED or width >= UNBOUNDED:
+        return []
+    lines = wrap(CLASSES[class_of(alarm.condition.kind)].action, max(LEAST_REST, width - 1 - REST_AT))
+    return [Row(None, ((" " * REST_AT + line, StyleRole.TEXT),)) for line in lines]
+
+
 def _short(text: str, cells: int) -> str:
     """Return a text without the detail at its end, in brackets, if it is too long with it."""
     return text.rpartition(" (")[0] if text.endswith(")") and cell_width(text) > cells else text
@@ -125,7 +135,7 @@ def alarm_table(
     keys = [alarm.key for alarm in alarms]
     rows: Sequence[Row] = LateRows(keys, lambda place: _row(state, alarms[place], sources, clock, width))
     if len(alarms) == 1:
-        rows = _in_two_lines(rows[0], alarms[0], width)
+        rows = [*_in_two_lines(rows[0], alarms[0], width), *_advice(alarms[0], width)]
     title: list[Run] = [("Alarms", StyleRole.TITLE)]
     if state.unacknowledged:
         title.append((f" {state.unacknowledged} new", StyleRole.ALARM))

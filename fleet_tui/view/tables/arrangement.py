@@ -1,7 +1,6 @@
 """The rows of a table as the operator wants them: filtered, sorted, and told so in the title."""
 
 import math
-import re
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any, Generic, TypeVar
 
@@ -24,12 +23,6 @@ class Value(Struct, Generic[Item], frozen=True):
     text: Callable[[Item], str]
     order: Callable[[Item], Any] | None = None
     is_apart: bool = False
-
-
-def natural(text: str) -> tuple[tuple[str, int], ...]:
-    """Return a key by which `robot_2` comes before `robot_10`."""
-    parts = re.findall(r"([^0-9]*)([0-9]{0,18})", text)
-    return tuple((word.casefold(), int(digits or -1)) for word, digits in parts)
 
 
 class RowArrangement:

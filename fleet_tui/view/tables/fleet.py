@@ -5,13 +5,14 @@ import re
 from functools import partial
 
 from fleet_tui.model.fleet import FleetState, is_missing, missing_text
+from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.trouble import acknowledged, in_trouble, shelved
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import cell_width, fit
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.arrangement import NO_MATCH, RowArrangement, Value, natural
+from fleet_tui.view.tables.arrangement import NO_MATCH, RowArrangement, Value
 from fleet_tui.view.tables.fleet_columns import BAR, Columns, floor_text
 from fleet_tui.view.tables.missions import NOT_OURS, destinations, mission, whose_mission
 from fleet_tui.view.tables.news import failed_command, news, shortened_news
@@ -19,6 +20,8 @@ from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, width_of
 
 CARGO, IDLE = "▪", "idle"
+HALF = 50.0
+"""Per cent from which a battery is not only enough, but good."""
 STILL_FROM = 5.0
 """Seconds from which a robot stands still."""
 LONG_STILL = 30.0
@@ -36,7 +39,8 @@ def _battery(state: FleetState, robot: Robot) -> Run:
     if not state.is_online(robot):
         role = StyleRole.DIM
     else:
-        role = StyleRole.ALARM if percent < state.limits.battery_low else StyleRole.GOOD
+        high = StyleRole.GOOD if percent >= HALF else StyleRole.TEXT
+        role = StyleRole.ALARM if percent < state.limits.battery_low else high
     # Rounded down: 19.6 is below 20, and must not read 20 in red.
     return f"{int(percent):3d} %", role
 
@@ -169,13 +173,14 @@ def _placed(order: str, runs: list[Run], columns: Columns) -> str:
 
 
 def _after_news(order: str, progress: str, cells: int, is_news: bool) -> str:
-    """Return an order and its progress where there is no column for them: without whose it is, or not at all,
-    if there is no space."""
-    for text in (order, order.removesuffix(NOT_OURS)):
-        told = "  ".join(part for part in (text, progress) if part)
+    """Return an order and its progress where there is no column for them: without whose it is, with less of
+    the progress, or not at all, if there is no space."""
+    shorter = progress.partition(", ")[0]
+    for text, far in ((order, progress), (order.removesuffix(NOT_OURS), progress), (order, shorter)):
+        told = "  ".join(part for part in (text, far) if part)
         if cell_width(told) <= cells:
             return told
-    return "" if is_news else told  # beside news a letter of it tells nothing
+    return "" if is_news else order  # beside news a letter of it tells nothing
 
 
 def _state_text(state: FleetState, robot: Robot) -> str:

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping
 from fleet_tui.model import kind
 from fleet_tui.model.commands import CancelOrder, ClearOrders, CommandRecord, PlaceOrder, Stage
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.order import Order, OrderState, vertices_of
+from fleet_tui.model.order import Order, OrderState, natural, vertices_of
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.commands.order_search import find_order
@@ -13,7 +13,7 @@ from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.view.lines.commands import stage_text
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.arrangement import NO_MATCH, RowArrangement, Value, natural
+from fleet_tui.view.tables.arrangement import NO_MATCH, RowArrangement, Value
 from fleet_tui.view.tables.fleet import CARGO
 from fleet_tui.view.tables.missions import mission, whose_mission
 from fleet_tui.view.tables.progress import progress_text

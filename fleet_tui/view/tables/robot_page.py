@@ -21,8 +21,8 @@ from fleet_tui.view.tables.news import news
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import Row, Run, Table
 
-NAME, VALUE = 10, 27
-"""Cells of the columns of names and values."""
+NAME, VALUE, AGE = 10, 27, 8
+"""Cells of the columns of names, values and ages."""
 LAST = 5
 """Commands and ended orders that are listed."""
 STANDS_FROM = 1.0
@@ -35,7 +35,7 @@ def robot_page(state: FleetState, name: str, width: int, clock: Callable[[float]
     rows = [
         named("State", *news(state, robot)),
         *_alarms(state, robot, width - NAME),
-        *value_rows(state, robot),
+        *value_rows(state, robot, width),
     ]
     rows += [*_orders(state, robot), *command_rows(state, robot, clock)]
     listed = tuple(Row(None, runs) for runs in rows if runs)
@@ -63,8 +63,11 @@ def _alarms(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Run, 
             yield named("", (CLASSES[class_of(alarm.condition.kind)].action, StyleRole.DIM))
 
 
-def value_rows(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
-    """Yield each value that this kind of robot reports, with its age."""
+def value_rows(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Run, ...]]:
+    """Yield each value that this kind of robot reports, with its age; in less than the `width` of the columns
+    closer, and without `ago`."""
+    is_narrow = width <= NAME + VALUE + AGE
+    cells, ago = (VALUE - 2, "") if is_narrow else (VALUE, " ago")
     texts: dict[str, tuple[str, Reading[Any] | None]] = {
         "pose": (_pose_text(state, robot), robot.pose),
         "battery": (_percent(robot.battery), robot.battery),
@@ -81,9 +84,9 @@ def value_rows(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
         is_old = not state.is_fresh(robot, value)
         yield named(
             value.capitalize(),
-            (f"{text:<{VALUE}}", StyleRole.DIM if is_old else StyleRole.TEXT),
+            (f"{text:<{cells}}", StyleRole.DIM if is_old else StyleRole.TEXT),
             # In whole seconds: tenths would never be at rest.
-            (f"{age(state.now - reading.at)} ago", StyleRole.WARN if is_old else StyleRole.DIM),
+            (f"{age(state.now - reading.at)}{ago}", StyleRole.WARN if is_old else StyleRole.DIM),
         )
     yield from _movement(state, robot)
 

@@ -3,7 +3,8 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fleet_tui.view.tables.arrangement import RowArrangement, Value, natural
+from fleet_tui.model.order import natural
+from fleet_tui.view.tables.arrangement import RowArrangement, Value
 from tests.support.fleets import text_of
 
 Item = tuple[str, int]
@@ -44,11 +45,6 @@ def test_nothing_is_added_and_nothing_is_told_twice(items: list[Item], typed: st
     assert all(found.count(one) <= items.count(one) for one in found)
     chosen.typed = ""
     assert sorted(chosen.arranged(items, VALUES)) == sorted(items)
-
-
-@given(st.text())
-def test_any_name_has_a_place(name: str) -> None:
-    assert natural(name) <= natural(f"{name}0") or name[-1:].isdigit()
 
 
 def test_texts_of_named_rows_are_made_again_after_a_while_and_at_once_when_time_goes_back() -> None:

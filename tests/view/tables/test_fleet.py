@@ -105,7 +105,8 @@ def test_paused_by_its_own_word_or_by_ours() -> None:
     ("percent", "text", "role"),
     [
         (100.0, "100 %", StyleRole.GOOD),
-        (20.0, " 20 %", StyleRole.GOOD),
+        (50.0, " 50 %", StyleRole.GOOD),
+        (20.0, " 20 %", StyleRole.TEXT),
         (19.9, " 19 %", StyleRole.ALARM),
         (0.4, "  0 %", StyleRole.ALARM),
     ],
