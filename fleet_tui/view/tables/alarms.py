@@ -22,10 +22,10 @@ SIGNS = {
     AlarmStage.ACKNOWLEDGED: "△ seen",
     AlarmStage.SHELVED: "◇ shelved",
 }
-_PRIORITIES = {Priority.HIGH: "high", Priority.MEDIUM: "med ", Priority.LOW: "low "}
+_PRIORITIES = {Priority.HIGH: "high  ", Priority.MEDIUM: "medium", Priority.LOW: "low   "}
 
 
-WITH_PRIORITY = 44
+WITH_PRIORITY = 46
 """Cells of a pane from which alarms have words for stage and priority, seconds, and robots long names."""
 HOURS_MINUTES = 5
 REST_AT, LEAST_REST = 2, 10

@@ -45,7 +45,7 @@ def test_a_new_alarm_says_who_what_and_since_when() -> None:
     state = low()
     (row,) = alarm_table(state, clock).rows
     assert row.key == (R0, "battery")
-    assert text_of(row.runs) == f"▲ new  low  robot_0 battery 15 % {state.wall:.0f}"
+    assert text_of(row.runs) == f"▲ new  low    robot_0 battery 15 % {state.wall:.0f}"
     assert text_of(alarm_table(state, clock).title) == "Alarms 1 new"
     assert row.runs[0][1] is StyleRole.WARN
     assert alarm_table(low(percent=5.0), clock).rows[0].runs[0][1] is StyleRole.ALARM
@@ -55,14 +55,14 @@ def test_seen_over_and_come_again() -> None:
     state = low()
     state = replace(state, limits=replace(state.limits, latched=("battery",)))
     seen = reduced(state, events.AlarmAcknowledged(R0, "battery"))
-    assert texts(seen)[0].startswith("△ seen low  robot_0 battery 15 %")
+    assert texts(seen)[0].startswith("△ seen low    robot_0 battery 15 %")
     assert text_of(alarm_table(seen, clock).title) == "Alarms"
     over = reduced(state, battery(T0 + 1, 60.0), tick(T0 + 1))
-    assert texts(over)[0].startswith("▲ new  low  robot_0 battery recovered")
+    assert texts(over)[0].startswith("▲ new  low    robot_0 battery recovered")
     over = reduced(over, battery(T0 + 4, 60.0), tick(T0 + 4))
-    assert texts(over)[0].startswith("▽ over low  robot_0 battery recovered")
+    assert texts(over)[0].startswith("▽ over low    robot_0 battery recovered")
     again = reduced(over, battery(T0 + 5, 9.0), tick(T0 + 5))
-    assert texts(again)[0] == f"▲ new  med  robot_0 battery 9 % {state.wall:.0f} x2"
+    assert texts(again)[0] == f"▲ new  medium robot_0 battery 9 % {state.wall:.0f} x2"
 
 
 def test_the_first_moment_stays_however_long_it_lasts() -> None:
@@ -95,19 +95,19 @@ def test_what_is_shelved_stands_last_and_is_counted_apart() -> None:
     state = reduced(state, events.AlarmShelved(R0, "battery", T0 + 1800))
     assert text_of(alarm_table(state, clock).title) == "Alarms 1 new 1 shelved"
     assert texts(state)[1] == (
-        f"◇ shelved until {state.wall + 1800:.0f} med  robot_0 battery 5 % {state.wall:.0f}"
+        f"◇ shelved until {state.wall + 1800:.0f} medium robot_0 battery 5 % {state.wall:.0f}"
     )
 
 
 def test_no_alarm_needs_more_than_its_word_in_48_cells() -> None:
     state = reduced(fleet(), link_up(T0), events.ObstacleReported(R0, T0, 44.2), tick(T0))
     (row,) = alarm_table(state, lambda _wall: "12:34:56").rows
-    assert text_of(row.runs) == "▲ new  high robot_0 obstacle 44 s 12:34:56"
+    assert text_of(row.runs) == "▲ new  high   robot_0 obstacle 44 s 12:34:56"
 
 
 def test_an_alarm_that_is_over_leaves_the_pane_unless_its_class_is_latched() -> None:
     state = reduced(low(), battery(T0 + 1, 60.0), tick(T0 + 1))
-    assert texts(state)[0].startswith("▲ new  low  robot_0 battery recovered")
+    assert texts(state)[0].startswith("▲ new  low    robot_0 battery recovered")
     assert alarm_table(state, clock).rows[0].runs[0][1] is StyleRole.DIM  # it is over: never red
     assert texts(reduced(state, battery(T0 + 4, 60.0), tick(T0 + 4))) == []
 
