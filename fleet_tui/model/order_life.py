@@ -25,7 +25,7 @@ BLIND_AFTER = 5.0
 """Seconds without a queue after which an order may have been driven unseen."""
 
 NOT_LISTED = "no longer listed, end not reported: may have been completed"
-STARTED_OVER = "the robot's order ids started over"
+STARTED_OVER = "the robot restarted: its order ids started over"
 
 Away = Callable[[Order], tuple[float, float] | None]
 """Metres from the robot to an order's last stop, infinite on another floor, and the monotonic second of that

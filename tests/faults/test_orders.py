@@ -38,7 +38,7 @@ async def test_a_robots_node_restarts_with_open_orders(server: RosbridgeServer) 
         noticed = await watch.until(stage(Stage.LOST))
         state = await store.until(alarms)
         assert alarms(state) == [
-            "lost: order Consumidores -> Base (order 1: the robot's order ids started over)"
+            "lost: order Consumidores -> Base (order 1: the robot restarted: its order ids started over)"
         ]
         assert "robot_0 order Consumidores -> Base: lost (order 1: the robot's order ids" in shown(state)
     report(

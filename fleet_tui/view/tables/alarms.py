@@ -64,8 +64,8 @@ def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float],
     return Row(alarm.key, tuple(runs))
 
 
-def _in_two_lines(row: Row, alarm: Alarm, width: int) -> list[Row]:
-    """Return the row of a single alarm; if it would be cut, the rest of its text below: there is a line for
+def _in_full(row: Row, alarm: Alarm, width: int) -> list[Row]:
+    """Return the row of a single alarm; if it would be cut, the rest of its text below: there is space for
     it."""
     text, role = sanitize(alarm.text), row.runs[-2][1]
     head = row.runs[:-2]
@@ -73,8 +73,12 @@ def _in_two_lines(row: Row, alarm: Alarm, width: int) -> list[Row]:
     if cell_width(text) <= left:
         return [row]
     first, *others = wrap(text, max(LEAST_REST, left))
-    rest = " " * REST_AT + " ".join(others)
-    return [replace(row, runs=(*head, (first, role))), Row(None, ((rest, role),))]
+    rest = wrap(" ".join(others), max(LEAST_REST, width - 1 - REST_AT))
+    return [replace(row, runs=(*head, (first, role))), *(_below(line, role) for line in rest)]
+
+
+def _below(text: str, role: StyleRole) -> Row:
+    return Row(None, ((" " * REST_AT + text, role),))
 
 
 def _advice(alarm: Alarm, width: int) -> list[Row]:
@@ -82,7 +86,7 @@ def _advice(alarm: Alarm, width: int) -> list[Row]:
     if not alarm.holds or alarm.stage is AlarmStage.SHELVED or width >= UNBOUNDED:
         return []
     lines = wrap(CLASSES[class_of(alarm.condition.kind)].action, max(LEAST_REST, width - 1 - REST_AT))
-    return [Row(None, ((" " * REST_AT + line, StyleRole.TEXT),)) for line in lines]
+    return [_below(line, StyleRole.TEXT) for line in lines]
 
 
 def _short(text: str, cells: int) -> str:
@@ -135,7 +139,7 @@ def alarm_table(
     keys = [alarm.key for alarm in alarms]
     rows: Sequence[Row] = LateRows(keys, lambda place: _row(state, alarms[place], sources, clock, width))
     if len(alarms) == 1:
-        rows = [*_in_two_lines(rows[0], alarms[0], width), *_advice(alarms[0], width)]
+        rows = [*_in_full(rows[0], alarms[0], width), *_advice(alarms[0], width)]
     title: list[Run] = [("Alarms", StyleRole.TITLE)]
     if state.unacknowledged:
         title.append((f" {state.unacknowledged} new", StyleRole.ALARM))

@@ -34,7 +34,7 @@ def robot_page(state: FleetState, name: str, width: int, clock: Callable[[float]
     robot = state.robots[name]
     rows = [
         named("State", *news(state, robot)),
-        *_alarms(state, robot, width - NAME),
+        *_alarms(state, robot, width - NAME - 1),
         *value_rows(state, robot, width),
     ]
     rows += [*_orders(state, robot), *command_rows(state, robot, clock)]
@@ -60,7 +60,8 @@ def _alarms(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Run, 
         if alarm.holds and alarm.condition.source == robot.name:
             for n, line in enumerate(wrap(sanitize(alarm.text), max(20, width))):
                 yield named("" if n else "Alarm", (line, StyleRole.TEXT))
-            yield named("", (CLASSES[class_of(alarm.condition.kind)].action, StyleRole.DIM))
+            for line in wrap(CLASSES[class_of(alarm.condition.kind)].action, max(20, width)):
+                yield named("", (line, StyleRole.DIM))
 
 
 def value_rows(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Run, ...]]:

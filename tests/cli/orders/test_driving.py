@@ -24,7 +24,10 @@ async def test_it_waits_until_it_is_driven(server: RosbridgeServer, folder: Path
 async def test_a_robot_that_starts_anew_did_not_drive_it(server: RosbridgeServer, folder: Path) -> None:
     play(server, [("restart", "robot_0")])
     done = await run(folder, "order", "robot_0", "Base", "Consumidores", "--until-done")
-    assert done.code == 1 and "not done (lost: order 1: the robot's order ids started over)" in done.err
+    assert (
+        done.code == 1
+        and "not done (lost: order 1: the robot restarted: its order ids started over)" in done.err
+    )
     assert asked(server) == ["robot_0 Execute_order"]
 
 

@@ -312,7 +312,7 @@ def test_a_pause_that_a_restart_of_the_robot_ended_is_told(says: bool) -> None:
     state = reduced(state, gone(T0 + 2, 0), tick(T0 + 2))
     record = first(state)
     assert record.stage is Stage.LOST and record.detail.endswith("no longer paused")
-    assert alarm_texts(state)[0].startswith("lost: pause (the robot's order ids started over")
+    assert alarm_texts(state)[0].startswith("lost: pause (the robot restarted: its order ids started over")
     assert not state.robots[R0].paused_by_us
 
 
