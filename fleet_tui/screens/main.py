@@ -148,7 +148,10 @@ class MainScreen(Screen[None]):
         return queue_table(state, robot, self.shows_all_orders, *arranged)
 
     def show_rows(self, pane: RowsPane) -> None:
-        """Show the newest rows of one pane."""
+        """Show the newest rows of one pane; without a filter the fleet's cursor is on the selected robot
+        again, whom commands are for."""
+        if pane is self.fleet and not pane.arrangement.typed:
+            pane.listing.cursor = self.navigation.robot
         pane.show(self._rows_of(pane))
 
     def _show_hints(self, state: FleetState, robot: str) -> None:

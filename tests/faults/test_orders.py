@@ -40,7 +40,10 @@ async def test_a_robots_node_restarts_with_open_orders(server: RosbridgeServer) 
         assert alarms(state) == [
             "lost: order Consumidores -> Base (order 1: the robot restarted: its order ids started over)"
         ]
-        assert "robot_0 order Consumidores -> Base: lost (order 1: the robot's order ids" in shown(state)
+        assert (
+            "robot_0 order Consumidores -> Base: lost (order 1: the robot restarted: its order ids"
+            in shown(state)
+        )
     report(
         "a robot's node restarts with open orders",
         "its queue is empty, ids start at 0",

@@ -12,8 +12,6 @@ from fleet_tui.screens.overlay import Overlay
 from fleet_tui.widgets.field import Field
 from fleet_tui.widgets.rows_pane import RowsPane
 
-HINT = "words, !word, key:value; Enter keeps, Esc clears"
-
 
 class FilterLine(Overlay):
     """Above the footer, in the place of the message. `show` shows the newest rows of a pane."""
@@ -27,7 +25,7 @@ class FilterLine(Overlay):
             key: partial(self._move, step) for key, step in steps.items()
         }
         keys |= {"enter": self._keep, "escape": self.action_close}
-        self._field = Field(keys, id="filter-text", placeholder=HINT)
+        self._field = Field(keys, id="filter-text")
         self._title = Label(id="filter-name", markup=False)
 
     def compose(self) -> ComposeResult:
@@ -38,6 +36,8 @@ class FilterLine(Overlay):
         """Open it for a table, with its filter."""
         self._pane = pane
         pane.arrangement.is_typing = True
+        keys = " ".join(f"{name}:" for name in pane.arrangement.names)
+        self._field.placeholder = f"words !word {keys} Enter keeps, Esc clears"
         self._title.update(f" {(pane.id or '').capitalize()} /")
         with self._field.prevent(Input.Changed):
             self._field.value = pane.arrangement.typed
@@ -53,8 +53,9 @@ class FilterLine(Overlay):
         if self._pane is not None and typed != self._pane.arrangement.typed:
             self._pane.arrangement.typed = typed
             self._show(self._pane)
-            self._pane.listing.go_to_best(typed)
-            self._pane.draw()
+            if typed:
+                self._pane.listing.go_to_best(typed)
+                self._pane.draw()
 
     def _move(self, step: int) -> None:
         self._apply(self._field.value)

@@ -18,6 +18,7 @@ from fleet_tui.view.tables.table import Button, Run, width_of
 
 OF_ROWS = {"alarms": "acknowledge", "queue": "cancel"}
 """The keys of the console that are about the rows of one pane."""
+FOR_EVERYONE = ("order", "pause", "pause_all", "next_trouble", "acknowledge")
 
 
 def hidden_keys(state: FleetState, selected: str) -> set[str]:
@@ -75,9 +76,17 @@ def hints(
         replace(key, hint=f"{key.hint} {sanitize(alarmed)}") if key.id == "acknowledge" and alarmed else key
         for key in offered
     ]
-    offered.sort(key=lambda key: (OF_ROWS.get(focused) != key.id, key.pane is not pane))
+    offered.sort(key=lambda key: (OF_ROWS.get(focused) != key.id, *_rank(key, pane)))
     left = [key for key in offered if key.pane in (pane, Pane.CONSOLE) and not key.always]
     return left, [key for key in offered if key.always]
+
+
+def _rank(key: Key[Any], pane: Pane) -> tuple[bool, ...]:
+    """Return the sort key of a hint: the pane's own keys first; at a table those of tables after the commands
+    that every dispatcher needs."""
+    if pane is Pane.ROWS:
+        return key.id not in FOR_EVERYONE, not key.of_rows, key.pane is not pane
+    return (key.pane is not pane,)
 
 
 def _of_overlay(offered: Collection[Key[Any]], about_robot: bool) -> list[Key[Any]]:

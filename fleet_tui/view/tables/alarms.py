@@ -13,7 +13,7 @@ from fleet_tui.rules.alarms.floods import is_group
 from fleet_tui.rules.alarms.trouble import urgency
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.arrangement import NO_MATCH, RowArrangement, Value
+from fleet_tui.view.tables.arrangement import RowArrangement, Value
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
 
 SIGNS = {
@@ -147,5 +147,5 @@ def alarm_table(
         title.append((f" {state.shelved} shelved", StyleRole.DIM))
     if suppressed := _suppressed(state):
         title.append((f" {suppressed} suppressed", StyleRole.DIM))
-    empty = NO_MATCH if state.alarms else "all clear"
+    empty = arrangement.no_match if state.alarms else "all clear"
     return Table((*title, *arrangement.notes(len(alarms))), rows, empty, unfiltered=len(state.alarms))

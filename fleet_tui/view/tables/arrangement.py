@@ -6,7 +6,9 @@ from typing import Any, Generic, TypeVar
 
 from msgspec import Struct
 
+from fleet_tui.errors import did_you_mean
 from fleet_tui.text.row_filter import filter_terms, is_wanted
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run
 
@@ -34,6 +36,8 @@ class RowArrangement:
         """The operator is about to type a letter: what it will search in is made before, for that takes
         longer than a key may."""
         self.column = ""
+        self.names: Sequence[str] = ()
+        """The values that `name:text` finds."""
         self._columns: Sequence[str] = ()
         self._known: dict[str, tuple[float, dict[str, str]]] = {}
         """By row, its texts and when they were made (monotonic)."""
@@ -54,7 +58,8 @@ class RowArrangement:
         (monotonic), what a filter finds in them may be old by up to two seconds: texts of 500 robots take
         longer than a key may."""
         self._columns = [value.name for value in values if value.order is not None]
-        terms = filter_terms(self.typed, [value.name for value in values])
+        self.names = [value.name for value in values]
+        terms = filter_terms(self.typed, self.names)
         searched = self._searched(values, named, at)
         if self.is_typing and not terms and named is not None:
             items = list(items)
@@ -91,6 +96,16 @@ class RowArrangement:
             known = {}
             self._known[name] = at, known
         return known
+
+    @property
+    def no_match(self) -> str:
+        """Return what stands in the place of rows that a filter hides: a name that is no value's, if any."""
+        typed = (word.removeprefix("!").partition(":") for word in self.typed.casefold().split())
+        unknown = [name for name, colon, _ in typed if colon and name.isalpha() and name not in self.names]
+        if not unknown:
+            return NO_MATCH
+        near = did_you_mean(unknown[0], self.names) or f": {', '.join(self.names)}"
+        return f"no value {sanitize(unknown[0])}{near}"
 
     def notes(self, shown: int) -> list[Run]:
         """Return what the title says of it; `shown` rows are left."""

@@ -12,7 +12,7 @@ from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import cell_width, fit
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.arrangement import NO_MATCH, RowArrangement, Value
+from fleet_tui.view.tables.arrangement import RowArrangement, Value
 from fleet_tui.view.tables.fleet_columns import BAR, Columns, floor_text
 from fleet_tui.view.tables.missions import NOT_OURS, destinations, mission, whose_mission
 from fleet_tui.view.tables.news import failed_command, news, shortened_news
@@ -244,4 +244,4 @@ def fleet_table(
     total = len(state.robots)
     title = ("Fleet", StyleRole.TITLE), (f" {online} of {total} online", StyleRole.DIM)
     told = (*title, *arrangement.notes(len(rows)))
-    return Table(told, rows, NO_MATCH, head=columns.head, unfiltered=total)
+    return Table(told, rows, arrangement.no_match, head=columns.head, unfiltered=total)

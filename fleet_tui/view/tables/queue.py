@@ -13,7 +13,7 @@ from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.view.lines.commands import stage_text
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.arrangement import NO_MATCH, RowArrangement, Value
+from fleet_tui.view.tables.arrangement import RowArrangement, Value
 from fleet_tui.view.tables.fleet import CARGO
 from fleet_tui.view.tables.missions import mission, whose_mission
 from fleet_tui.view.tables.progress import progress_text
@@ -182,7 +182,7 @@ def queue_table(
             title = [*cut(title, start - 1), (" " + CLEAR, StyleRole.KEY)]
             buttons = (Button(start, start + len(CLEAR), "clear"),)
     empty = "no orders" if all_robots and listing else _empty(robot)
-    return Table(tuple(title), rows, NO_MATCH if known else empty, buttons, unfiltered=len(known))
+    return Table(tuple(title), rows, arrangement.no_match if known else empty, buttons, unfiltered=len(known))
 
 
 def _empty(robot: Robot) -> str:

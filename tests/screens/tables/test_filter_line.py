@@ -59,3 +59,17 @@ async def test_nothing_is_prepared_once_it_is_left(server: RosbridgeServer) -> N
             assert it.app.main.fleet.arrangement.is_typing
             await it.press("1", key)
             assert not it.app.main.fleet.arrangement.is_typing
+
+
+async def test_a_filter_that_found_nobody_leaves_the_cursor_on_the_selected_robot(
+    server: RosbridgeServer,
+) -> None:
+    async with console(config_of(server.url, 3), wait=False) as it:
+        await it.until(lambda _: it.app.main.is_complete)
+        await it.press("tab", "down", "down")
+        assert it.app.main.navigation.robot == "robot_2"
+        for keys in (("enter", "escape"), ("escape",)):
+            await it.press("/")
+            await it.type("zzz")
+            await it.press(*keys)
+            assert it.app.main.fleet.listing.cursor == it.app.main.navigation.robot == "robot_2"

@@ -27,7 +27,7 @@ def test_hints_show_the_keys_as_they_are_set(pane: Pane) -> None:
     assert problems == []
     assert " O order " in shown and shown.endswith(" ? help  : command ")
     assert (" Home menu " in shown) is (pane is Pane.ROWS)
-    assert shown.startswith(" Home menu " if pane is Pane.ROWS else " O order ")
+    assert shown.startswith(" O order ")
 
 
 def test_hints_of_an_overlay_are_the_keys_that_reach_through_it() -> None:
@@ -51,6 +51,13 @@ def test_the_most_important_hints_are_whole_at_80_columns() -> None:
     trouble = reduced(fleet(), link_up(T0), battery(T0, 5.0), tick(T0))
     shown = text_of(footer(*hints(KEYS, Pane.MAP, hidden=idle_hints(trouble)), KEYS, 80)[0])
     assert " ! alarm " in shown and " w why " in shown
+
+
+def test_a_focused_table_hints_its_filter_and_marks_after_what_everyone_needs() -> None:
+    calm = hints(KEYS, Pane.ROWS, hidden=idle_hints(fleet()), focused="fleet")
+    shown = text_of(footer(*calm, KEYS, 80)[0])
+    places = [shown.index(f" {word} ") for word in ("order", "pause all", "/ filter", "Space mark")]
+    assert places == sorted(places)
 
 
 def test_the_footer_names_whose_alarm_is_acknowledged() -> None:

@@ -76,3 +76,16 @@ def test_what_a_filter_searches_in_is_made_before_its_first_letter() -> None:
     assert found() == ITEMS and len(made) == 3
     chosen.typed = "9"
     assert found() == [("robot_9", 0)] and len(made) == 3
+
+
+def test_a_filter_by_a_value_that_is_none_says_so() -> None:
+    chosen = RowArrangement()
+    chosen.arranged(ITEMS, VALUES)
+    for typed, told in (
+        ("flor:1", "no value flor, did you mean floor?"),
+        ("!qqq\x1b:1 idle", "nothing matches the filter: Esc clears it"),
+        ("qqq:1", "no value qqq: robot, floor, state"),
+        ("12:04 nobody", "nothing matches the filter: Esc clears it"),
+    ):
+        chosen.typed = typed
+        assert chosen.no_match == told
