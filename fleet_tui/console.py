@@ -63,12 +63,21 @@ def open_console(
     if read_only:
         config = watching(config)
     store = Store(initial_state(config, time.monotonic()))
-    arrived = f"{site.bridge.shown}: {site.summary}. :save keeps it" if site is not None else ""
+    arrived = "" if demo else _arrived(config, site)
     with ExitStack() as until_the_end:
         files = _files(config, store, demo, saving, until_the_end)
         backend = LiveBackend(config, store, partial(_connect, files, None if demo else state_folder()))
         make = partial(FleetApp, config, store, backend=backend, files=files)
         _to_the_end(_ready(config, drawing, debug, make, arrived))
+
+
+def _arrived(config: Config, site: "DiscoveredSite | None") -> str:
+    """Return where the fleet comes from. A file found in the current folder may be there by chance."""
+    if site is not None:
+        return f"{site.bridge.shown}: {site.summary}. :save keeps it"
+    count = len(config.robots)
+    robots = f"{config.path}: {count} robot{'s' * (count != 1)}"
+    return robots if config.path.is_absolute() else f"{robots}. fleet-tui demo shows a simulated fleet"
 
 
 def _files(

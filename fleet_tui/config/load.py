@@ -44,9 +44,12 @@ def places() -> list[Path]:
 
 def find(given: str | None) -> Path:
     """Return the path of the config: given, $FLEET_TUI_CONFIG, ./config.toml, the user's. Raises
-    NoConfigError."""
-    named = given or os.environ.get("FLEET_TUI_CONFIG")
-    if named:
+    ConfigError, NoConfigError if none is named."""
+    if given:
+        return expanded(given)
+    if named := os.environ.get("FLEET_TUI_CONFIG"):
+        if not expanded(named).exists():
+            raise ConfigError([f"$FLEET_TUI_CONFIG names {named}: no such file"])
         return expanded(named)
     found = next((place for place in places() if place.is_file()), None)
     if found is None:
@@ -93,7 +96,8 @@ def read(path: Path) -> tuple[Config, list[str]]:
     try:
         table = read_toml(path)
     except FileNotFoundError:
-        raise ConfigError([f"{path}: no such file: use --config FILE"]) from None
+        made = f"fleet-tui config init --output {path} writes one"
+        raise ConfigError([f"{path}: no such file: {made}"]) from None
     except OSError as problem:
         raise ConfigError([f"{path}: unreadable: {problem.strerror}"]) from None
     except UnicodeDecodeError:

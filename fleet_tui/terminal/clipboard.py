@@ -11,5 +11,5 @@ def clipboard(text: str) -> str:
 
 def copied_text(what: str) -> str:
     """Return the notice of a copy, with what tmux needs for it."""
-    tmux = " (tmux: set -s set-clipboard on)" if "TMUX" in os.environ else ""
-    return f"copied to the clipboard: {what}{tmux}"
+    tmux = " (tmux needs: set -s set-clipboard on)" if "TMUX" in os.environ else ""
+    return f"copied to the clipboard{tmux}: {what}"

@@ -214,7 +214,9 @@ def test_what_is_no_config_at_all(tmp_path: Path, content: bytes, says: str) -> 
 
 
 def test_a_file_that_cannot_be_read(tmp_path: Path) -> None:
-    assert problems(tmp_path / "none.toml") == ["no such file: use --config FILE"]
+    assert problems(tmp_path / "none.toml") == [
+        f"no such file: fleet-tui config init --output {tmp_path / 'none.toml'} writes one"
+    ]
     assert problems(tmp_path)[0].startswith("unreadable")
 
 
@@ -232,6 +234,9 @@ def test_which_config_is_found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
     (tmp_path / "config.toml").touch()
     assert find(None) == Path("config.toml")
     monkeypatch.setenv("FLEET_TUI_CONFIG", "env.toml")
+    with pytest.raises(ConfigError, match=r"\$FLEET_TUI_CONFIG names env.toml: no such file"):
+        find(None)
+    (tmp_path / "env.toml").touch()
     assert find(None) == Path("env.toml")
     assert find("given.toml") == Path("given.toml")
     assert find("~no-such-user-here/x.toml") == Path("~no-such-user-here/x.toml")

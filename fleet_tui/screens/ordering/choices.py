@@ -2,7 +2,9 @@
 
 from collections.abc import Callable, Sequence
 
+from fleet_tui.errors import did_you_mean
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.kind import GOAL
 from fleet_tui.model.link import Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.anyone import ANYONE, any_matches
@@ -75,11 +77,20 @@ def missing(field: str, typed: str = "") -> str:
     return f"{field.capitalize()} is missing: type {remedy}"
 
 
+def no_match(robot: Robot | None, field: str, typed: str) -> str:
+    """Return the text for typed words that are no choice, with the nearest place or nothing."""
+    near = did_you_mean(typed, [place.name for place in places(robot)]) if robot and field != "robot" else ""
+    return f"{field.capitalize()}: no match for {typed!r}{sanitize(near)}"
+
+
 def without_places(robot: Robot | None) -> str:
     """Return the notice for a robot that has no places to choose, empty for others."""
     if robot is None or places(robot):
         return ""
-    return f"{robot.name} has no route graph yet: there are no places to choose"
+    if "graph" in robot.kind.reports:
+        return f"{robot.name} has no route graph yet: there are no places to choose"
+    aim = "; G sends it to a point of the map" if robot.kind.can(GOAL) else ""
+    return f"{robot.name} publishes no route graph: set [[floors]] graph = FILE in the configuration{aim}"
 
 
 def hindrance(state: FleetState, robot: Robot | None) -> str:

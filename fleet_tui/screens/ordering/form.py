@@ -15,7 +15,15 @@ from fleet_tui.rules.language.favourites import Favourite
 from fleet_tui.rules.language.lookup import Place, destination_only, may_skip_start
 from fleet_tui.rules.routes.order_draft import Draft
 from fleet_tui.screens.ordering.choice_list import ChoiceList
-from fleet_tui.screens.ordering.choices import Choice, hindrance, is_in_label, missing, title, without_places
+from fleet_tui.screens.ordering.choices import (
+    Choice,
+    hindrance,
+    is_in_label,
+    missing,
+    no_match,
+    title,
+    without_places,
+)
 from fleet_tui.screens.ordering.fields import OrderFields
 from fleet_tui.screens.ordering.legs import SIGN, Legs
 from fleet_tui.screens.ordering.proposal import Proposal
@@ -151,7 +159,7 @@ class OrderForm(Overlay):
         if field == "from" and not typed and may_skip_start(robot):
             self._fields.step(1)
         else:
-            problem = f"{field.capitalize()}: no match for {typed!r}" if typed else missing(field)
+            problem = no_match(robot, field, typed) if typed else missing(field)
             self._say(without_places(robot) or problem)
         return None
 

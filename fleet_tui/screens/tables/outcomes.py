@@ -23,7 +23,7 @@ class Outcomes(Static):
 
     def __init__(self, state: Callable[[], FleetState]) -> None:
         super().__init__(id="outcomes", markup=False)
-        self.border_title = "Outcomes"
+        self.border_title, self.border_subtitle = "Outcomes", "marks cleared, Esc closes"
         self._state = state
         self._told: Sequence[tuple[Command, str]] = ()
         self._since, self._ends = 0.0, math.inf
@@ -51,7 +51,7 @@ class Outcomes(Static):
         ]
         if all(record is None or record.is_decided for record in records):
             self._ends = min(self._ends, now + STAYS)
-        if now >= self._ends:
+        if now >= self._ends or self._is_outdated(state):
             self.display = False
             return
         told = zip(self._told, records, strict=True)
@@ -60,6 +60,11 @@ class Outcomes(Static):
         text = "\n".join([*lines[:SHOWN], *more])
         if text != self.content:
             self.update(text)
+
+    def _is_outdated(self, state: FleetState) -> bool:
+        """Tell whether another command was given since."""
+        told = [command for command, _ in self._told]
+        return any(one.issued_at >= self._since and one.command not in told for one in state.commands)
 
 
 def _record(state: FleetState, command: Command, since: float) -> CommandRecord | None:

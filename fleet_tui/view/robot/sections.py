@@ -100,7 +100,9 @@ def _route(state: FleetState, robot: Robot) -> Iterator[Line]:
 
 def orders_section(state: FleetState, robot: Robot) -> PageSection:
     """Return the orders that wait, and how the last ones ended."""
-    return _titled("Orders", _orders(state, robot), "no orders")
+    return _titled(
+        "Orders", _orders(state, robot), "no further orders" if robot.orders.current else "no orders"
+    )
 
 
 def _orders(state: FleetState, robot: Robot) -> Iterator[Line]:

@@ -242,6 +242,7 @@ def fleet_table(
 
     rows = LateRows([robot.name for robot in robots], row)
     total = len(state.robots)
-    title = ("Fleet", StyleRole.TITLE), (f" {online} of {total} online", StyleRole.DIM)
-    told = (*title, *arrangement.notes(len(rows)))
+    # Filtered it is about other numbers.
+    counted = [] if arrangement.typed else [(f" {online} of {total} online", StyleRole.DIM)]
+    told = (("Fleet", StyleRole.TITLE), *counted, *arrangement.notes(len(rows)))
     return Table(told, rows, arrangement.no_match, head=columns.head, unfiltered=total)
