@@ -2,11 +2,13 @@
 
 from dataclasses import replace
 
+from fleet_tui.model.events import AlarmAcknowledged
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.scene import Scene
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.selection import Selection
 from fleet_tui.view.small_maps import SmallMaps, grid_of, other_floors
-from tests.support.fleets import F0, R0, T0, fleet, pose, reduced
+from tests.support.fleets import F0, R0, T0, battery, fleet, pose, reduced, tick
 from tests.support.map_pane import SCENE
 
 R1, F1 = "robot_1", "floor_1"
@@ -26,6 +28,17 @@ def test_the_other_floors_have_their_own_robots() -> None:
     assert other.floor == F1 and [robot.name for robot in other.robots] == [R1]
     (other,) = other_floors(state, Selection(R0, F1))
     assert other.floor == F0 and [robot.name for robot in other.robots] == [R0]
+
+
+def test_an_acknowledged_alarm_is_red_on_no_small_map() -> None:
+    places = (pose(T0), pose(T0, robot=R1, frame=F1))
+    state = reduced(fleet(2, 2), *places, battery(T0, 5.0, robot=R1), tick(T0))
+    for now, is_red in ((state, True), (reduced(state, AlarmAcknowledged()), False)):
+        maps = SmallMaps()
+        maps.show(other_floors(now, Selection(R0, F0)), MapOptions())
+        cells = maps.cells(60, 12)
+        assert cells is not None and "1!" in cells.text()
+        assert (StyleRole.ROBOT_ALARM in cells.roles) == is_red
 
 
 def test_a_caption_names_the_floor_and_its_robots_and_nothing_of_elsewhere() -> None:

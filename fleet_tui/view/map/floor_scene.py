@@ -12,7 +12,7 @@ from fleet_tui.model.geometry import Line, MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.robot import Robot, RobotMap
-from fleet_tui.rules.alarms.trouble import in_trouble, trouble_elsewhere
+from fleet_tui.rules.alarms.trouble import acknowledged, in_trouble, trouble_elsewhere
 from fleet_tui.rules.commands.set_up.mode import mapping_text
 from fleet_tui.rules.marks import marks_of
 from fleet_tui.rules.routes.order_draft import Drafted
@@ -158,6 +158,21 @@ def _robot(
     )
 
 
+def _robots(state: FleetState, selection: Selection, picture: MapFrame, tied: bool) -> tuple[SceneRobot, ...]:
+    """Return the robots on the floor."""
+    seen = acknowledged(state)
+    alarmed = in_trouble(state) - seen
+    robots = (
+        _robot(state, robot, selection, picture, tied, mark, robot.name in alarmed)
+        for robot, mark in zip(state.robots.values(), marks_of(tuple(state.robots)), strict=True)
+    )
+    return tuple(
+        robot._replace(acknowledged=True) if robot.name in seen else robot
+        for robot in robots
+        if robot is not None
+    )
+
+
 def _elsewhere(state: FleetState, selection: Selection) -> str:
     """Return the selected robot's place, if not here."""
     robot = state.robots[selection.robot]
@@ -191,16 +206,10 @@ def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None
     ground = _ground(state, floor.name, vertices)
     scene = Scene(floor.name, ground, vertices=vertices, edges=edges, one_way=one_way, at=state.now)
     scene = _with_map(state, floor, robot_map, scene, bool(mapping_text(state.robots[selection.robot])))
-    tied = floor.grid is not None and floor.tied
-    troubled = in_trouble(state)
-    robots = (
-        _robot(state, robot, selection, scene.frame, tied, mark, robot.name in troubled)
-        for robot, mark in zip(state.robots.values(), marks_of(tuple(state.robots)), strict=True)
-    )
     selected = state.robots[selection.robot]
     notes = [note for note in (_elsewhere(state, selection), scene.note, floor.graph_problem) if note]
     vertices_of_way, way = _way(selected, floor.name, drafted)
-    placed = tuple(robot for robot in robots if robot is not None)
+    placed = _robots(state, selection, scene.frame, floor.grid is not None and floor.tied)
     return replace(
         scene,
         area=worth_seeing(scene, placed),

@@ -33,7 +33,7 @@ def robot_tag(robot: SceneRobot, plain: bool) -> str:
     tag = robot_number(robot)
     if plain and robot.cargo:
         tag += "+"
-    if robot.obstacle or robot.alarmed:
+    if robot.obstacle or robot.alarmed or robot.acknowledged:
         tag += "!"
     if robot.paused:
         tag += "=" if plain else "‖"

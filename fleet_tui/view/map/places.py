@@ -38,15 +38,18 @@ def _points(vertices: Same[tuple[SceneVertex, ...]]) -> Points:
 
 
 def seen_robots(scene: Scene, camera: Camera) -> list[tuple[SceneRobot, Place]]:
-    """Return the robots in the view with their cells: the selected one, those in trouble, the others, each by
-    number."""
-    robots = sorted(
-        scene.robots,
-        key=lambda one: (not one.selected, one.online and not (one.obstacle or one.alarmed), one.number),
-    )
+    """Return the robots in the view with their cells: the selected one, those with an alarm that waits, those
+    in other trouble, the others, each by number."""
+    robots = sorted(scene.robots, key=lambda one: (not one.selected, _calm(one), one.number))
     points = np.array([(robot.pose.x, robot.pose.y) for robot in robots], np.float64).reshape(-1, 2)
     indices, places = _seen(scene.frame, camera, points)
     return [(robots[i], (x, y)) for i, (x, y) in zip(indices.tolist(), places.tolist(), strict=True)]
+
+
+def _calm(robot: SceneRobot) -> int:
+    if robot.alarmed:
+        return 0
+    return 2 if robot.online and not (robot.obstacle or robot.acknowledged) else 1
 
 
 def seen_vertices(scene: Scene, camera: Camera) -> list[tuple[SceneVertex, Place]]:

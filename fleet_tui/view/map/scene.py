@@ -27,7 +27,8 @@ class SceneVertex:
 class SceneRobot(NamedTuple):
     """A robot at its last known pose. number: 1 = first of the config; mark: its number on the map if that is
     another; age: seconds since its last message; size: length and width in metres, None if unknown; alarmed:
-    its obstacle has lasted long enough for an alarm; jumped: its localisation has just moved it.
+    an alarm of it waits for an acknowledgement; acknowledged: it has alarms, and none waits; jumped: its
+    localisation has just moved it.
 
     A tuple, because a hundred of them are made ten times a second: it takes a third of the time."""
 
@@ -44,6 +45,7 @@ class SceneRobot(NamedTuple):
     size: tuple[float, float] | None = None
     mark: str = ""
     alarmed: bool = False
+    acknowledged: bool = False
     jumped: bool = False
 
 

@@ -37,9 +37,8 @@ def test_states_differ_from_each_other() -> None:
     by_meaning = {row.text: row.mark for row in robots.rows}
     roles = {role for _, role in by_meaning["the selected robot"]}
     assert StyleRole.ROBOT_SELECTED in roles
-    assert StyleRole.ROBOT_ALARM in {
-        role for _, role in by_meaning["! at an obstacle or with an alarm, then red"]
-    }
+    alarmed = by_meaning["! at an obstacle or with an alarm, red until it is acknowledged"]
+    assert StyleRole.ROBOT_ALARM in {role for _, role in alarmed}
 
 
 def test_places_and_lines_are_those_of_the_map() -> None:

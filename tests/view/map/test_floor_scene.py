@@ -145,6 +145,13 @@ def test_the_state_of_a_robot_is_drawn() -> None:
     assert robot.online and robot.age == 1.0 and robot.pose == Pose(1.0, 2.0)
 
 
+def test_an_alarm_is_red_until_it_is_acknowledged_and_its_robot_stays_marked() -> None:
+    state = reduced(fleet(), pose(T0), battery(T0, 5.0), tick(T0))
+    assert placed(state, R0).alarmed and not placed(state, R0).acknowledged
+    seen = placed(reduced(state, events.AlarmAcknowledged()), R0)
+    assert seen.acknowledged and not seen.alarmed
+
+
 def test_a_pose_gone_quiet_never_looks_live() -> None:
     state = reduced(fleet(), pose(T0), battery(T0 + 20), tick(T0 + 20))
     assert state.is_online(state.robots[R0])

@@ -25,6 +25,12 @@ def drawn(robots: tuple[SceneRobot, ...], before: Arrangement | None = None) -> 
     return picture(backdrop(scene, CAMERA, MapOptions()), scene, CAMERA, MapOptions(), before).text()
 
 
+def roles(*robots: SceneRobot) -> set[int]:
+    scene = replace(EMPTY, robots=robots)
+    cells = picture(backdrop(scene, CAMERA, MapOptions()), scene, CAMERA, MapOptions())
+    return set(cells.roles.ravel().tolist())
+
+
 def robot(number: int, cell: float, obstacle: bool = False) -> SceneRobot:
     """A robot some cells right of the middle."""
     return SceneRobot(f"r{number}", number, Pose(10.05 + cell * CELL, 5.0), obstacle=obstacle)
@@ -45,6 +51,22 @@ def test_robots_in_one_cell_are_listed_or_counted() -> None:
     assert " 1,2→ " in drawn((robot(1, 0), robot(2, 0)))
     assert " 3!,1,2→ " in drawn((robot(1, 0), robot(2, 0), robot(3, 0, obstacle=True)))
     assert "3→ 1+2→ →5" in drawn((robot(3, -5), robot(1, 0), robot(2, 0), robot(4, 0), robot(5, 2)))
+
+
+def test_an_acknowledged_alarm_is_marked_without_red_alone_and_in_a_crowd() -> None:
+    red = {StyleRole.ROBOT_ALARM, StyleRole.ROBOT_BODY_ALARM}
+    for chosen in (False, True):
+        new = robot(1, 0)._replace(alarmed=True, selected=chosen, size=(2.0, 2.0))
+        seen = new._replace(alarmed=False, acknowledged=True)
+        for others in ((), (robot(2, 0), robot(3, 1), robot(4, 2))):
+            assert roles(new, *others) & red == (red - {StyleRole.ROBOT_BODY_ALARM} if chosen else red)
+            assert not roles(seen, *others) & red
+            assert "1!" in drawn((seen, *others))
+
+
+def test_an_alarm_that_waits_comes_before_one_that_is_acknowledged() -> None:
+    seen, new = robot(1, 0)._replace(acknowledged=True), robot(2, 0)._replace(alarmed=True)
+    assert "1!,2!→" in drawn((seen, new)), "the first one's number is at the arrow"
 
 
 def test_ages_are_told_of_a_robot_alone_but_not_among_several() -> None:
