@@ -32,6 +32,7 @@ _CAMERA = Camera(_WIDTH / 2, _HEIGHT / 2, 1.0, CELLS, 1, (_WIDTH, _HEIGHT))
 _AT = (1.0, 2.0)  # in the first cell
 _WAY: tuple[Line, ...] = ((1.0, 2.0, _WIDTH - 1.0, 2.0),)
 _ROBOT = SceneRobot("robot_4", 4, Pose(*_AT))
+_NEIGHBOUR = SceneRobot("robot_5", 5, Pose(*_AT, math.pi / 2))
 
 
 def _ground(kind: int) -> Classes:
@@ -55,6 +56,7 @@ def _robots(*robots: SceneRobot) -> Scene:
 
 _ROBOTS = (
     (_robots(_ROBOT), "a robot: its heading and number"),
+    (_robots(_ROBOT, _NEIGHBOUR), "robots side by side, of different headings"),
     (_robots(_ROBOT._replace(selected=True)), "the selected robot"),
     (_robots(_ROBOT._replace(cargo=True)), "with cargo on board"),
     (

@@ -1,7 +1,7 @@
 """The layer of robots: each an arrow with its number beside it, as one chip."""
 
 import math
-from collections.abc import Container, Iterator
+from collections.abc import Container, Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import partial
 from itertools import accumulate, chain
@@ -20,6 +20,8 @@ from fleet_tui.view.roles import StyleRole
 
 NEIGHBOURS = 4
 """Cells from arrow to arrow within which robots have their numbers together, if one alone has no space."""
+_DOTS = "•*"
+"""The place of robots with different headings; the second in ASCII."""
 OUTLINE = 10.0
 """Dots of a robot's longer side from which its outline is drawn."""
 Chips = list[tuple[int, int, str, StyleRole]]
@@ -27,11 +29,13 @@ Chips = list[tuple[int, int, str, StyleRole]]
 
 
 class _Numbers(NamedTuple):
-    """The numbers of a cell: their first cell, their side of the arrow, and the texts."""
+    """The numbers of a cell: their first cell, their side of the arrow, the texts, and the cells of all
+    arrows that they are of."""
 
     start: int
     side: int
     runs: list[tuple[str, StyleRole]]
+    arrows: tuple[Place, ...]
 
 
 @dataclass
@@ -60,31 +64,30 @@ def _chips(
 ) -> Chips:
     """Return the chips of all robots: the selected one on top, then those in trouble.
 
-    The arrow is in the robot's own cell; of several robots in a cell, or side by side, the first one has it,
-    and their numbers are listed. A robot between others is listed with a neighbour, or has its number above
-    or below; without space it has none.
+    The arrow is in the robot's own cell; of several robots in a cell, or side by side, the numbers are
+    listed. A robot between others is listed with a neighbour, or has its number above or below; without space
+    it has none. Where numbers are listed, an arrow shows the heading of all of them, else there is a dot.
     """
     sharing = _groups(scene, camera)
     plain, turned = look.plain, scene.frame.origin.yaw
-    arrows = {at: _arrow(robots[0], at, sharing, turned, plain) for at, robots in sharing.items()}
+    arrows = {at: _arrow(robots, at, sharing, turned, plain) for at, robots in sharing.items()}
     for (x, y), arrow in arrows.items():
         occupancy.take(x, y, len(arrow))
-    chips = [(*at, arrows[at], robot_roles(robots[0])[0]) for at, robots in sharing.items()]
+    bridges: Chips = []
     numbers: dict[Place, _Numbers] = {}
-    without: list[Place] = []
     for at, robots in sharing.items():
         if placed := _beside_arrow(occupancy, robots, at, len(arrows[at]), plain, sides):
             numbers[at] = placed
-        else:
-            without.append(at)
-    for at in without:
+    for at in [at for at in sharing if at not in numbers]:
         alone = robot_number(sharing[at][0]), robot_roles(sharing[at][0])[1]
         if (joined := _join(occupancy, numbers, at, alone)) is not None:
-            chips += _bridge(occupancy, at, joined)
+            bridges += _bridge(occupancy, at, joined)
         else:
             _stack(occupancy, numbers, at, alone)
+    _unite(arrows, numbers.values(), plain)
+    chips = [(*at, arrows[at], robot_roles(robots[0])[0]) for at, robots in sharing.items()]
     listed = (_beside(placed.start, at[1], placed.runs) for at, placed in numbers.items())
-    return [*chips, *chain.from_iterable(listed)]
+    return [*chips, *bridges, *chain.from_iterable(listed)]
 
 
 def _groups(scene: Scene, camera: Camera) -> dict[Place, list[SceneRobot]]:
@@ -112,10 +115,10 @@ def _beside_arrow(
         has_ages = n == 0 and not all(robot.online for robot in robots)
         if side := occupancy.number_side(x, y, arrow, cells, sides.get(number, 0), has_ages):
             sides[number] = side
-            # The arrow is the first one's: where its colour says so, its number is beside it.
+            # The colour of the arrow is the first one's: where that is special, its number is beside it.
             is_special = robot_roles(robots[0])[1] != StyleRole.ROBOT
             listed = runs[::-1] if side < 0 and is_special and runs[-1][0][0] != "+" else runs
-            return _Numbers(x + arrow if side > 0 else x - cells, side, listed)
+            return _Numbers(x + arrow if side > 0 else x - cells, side, listed, (at,))
     return None
 
 
@@ -127,13 +130,13 @@ def _join(
     x, y = at
     near = [other for other in numbers if other[1] == y and abs(other[0] - x) <= NEIGHBOURS]
     for other in sorted(near, key=lambda one: abs(one[0] - x)):
-        start, side, runs = numbers[other]
+        start, side, runs, arrows = numbers[other]
         end = start + sum(len(text) for text, _ in runs)
         cells = len(number[0]) + 1
         if occupancy.extends(start - cells if side < 0 else end, y, cells, side):
             comma = ",", StyleRole.ROBOT
             listed = [*runs, comma, number] if other[0] < x else [number, comma, *runs]
-            numbers[other] = _Numbers(start - cells if side < 0 else start, side, listed)
+            numbers[other] = _Numbers(start - cells if side < 0 else start, side, listed, (*arrows, at))
             return other
     return None
 
@@ -154,7 +157,7 @@ def _stack(
     x, y = at
     for row in (y - 1, y + 1):
         if (x, row) not in numbers and occupancy.extends(x, row, len(number[0]), 1):
-            numbers[x, row] = _Numbers(x, 1, [number])
+            numbers[x, row] = _Numbers(x, 1, [number], (at,))
             return
 
 
@@ -179,10 +182,20 @@ def _numbers(robots: list[SceneRobot], plain: bool) -> Iterator[list[tuple[str, 
     yield [(robot_number(first), role)]
 
 
-def _arrow(robot: SceneRobot, at: Place, taken: Container[Place], turned: float, plain: bool) -> str:
-    """Return the arrow, only as wide as it hides no other robot."""
-    glyph = robot_glyph(robot, turned, plain)
+def _arrow(robots: list[SceneRobot], at: Place, taken: Container[Place], turned: float, plain: bool) -> str:
+    """Return the arrow of the robots in a cell, only as wide as it hides no other one: a dot if they have
+    different ones."""
+    glyph, *others = {robot_glyph(robot, turned, plain) for robot in robots}
+    if others:
+        return _DOTS[plain]
     return glyph[:1] if (at[0] + 1, at[1]) in taken else glyph
+
+
+def _unite(arrows: dict[Place, str], listed: Iterable[_Numbers], plain: bool) -> None:
+    """Make dots of different arrows whose numbers are listed together: nobody sees whose is which."""
+    for numbers in listed:
+        if len({arrows[at] for at in numbers.arrows}) > 1:
+            arrows.update({at: _DOTS[plain].ljust(len(arrows[at])) for at in numbers.arrows})
 
 
 def draw_outlines(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:

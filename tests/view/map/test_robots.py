@@ -41,10 +41,19 @@ def test_the_number_is_left_of_the_arrow_and_right_where_another_robot_is_there(
     assert " 1→ →2 " in drawn((robot(1, 0), robot(2, 2)))
 
 
-def test_robots_side_by_side_are_one_chip_with_the_arrow_of_the_selected_one() -> None:
-    assert " 1,2→ " in drawn((robot(1, 0), robot(2, 1)))
-    text = drawn((robot(1, 0), robot(2, 1)._replace(selected=True, pose=Pose(10.05 + CELL, 5.0, 3.14))))
-    assert "1,2←" in text and "→" not in "".join(text.split())
+def test_robots_side_by_side_are_one_chip_with_an_arrow_only_where_all_have_it() -> None:
+    one, other = robot(1, 0), robot(2, 1)
+    assert " 1,2→ " in drawn((one, other))
+    for different in (other._replace(pose=Pose(10.05 + CELL, 5.0, 3.14)), other._replace(cargo=True)):
+        assert " 1,2• " in drawn((one, different)), "nobody sees whose arrow it is"
+        assert " 1,2• " in drawn((one, different._replace(selected=True)))
+
+
+def test_numbers_together_have_no_arrows_of_different_headings() -> None:
+    crowd = robot(1, 0), robot(2, 2), robot(3, 4)
+    assert " 1,2→ → →3 " in drawn(crowd)
+    other = crowd[1]._replace(pose=Pose(10.05 + 2 * CELL, 5.0, 3.14))
+    assert " 1,2• • →3 " in drawn((crowd[0], other, crowd[2]))
 
 
 def test_robots_in_one_cell_are_listed_or_counted() -> None:
