@@ -33,6 +33,7 @@ class CellOccupancy:
         self._width, self._height = width, height
         self._stride = width + _MARGIN
         self._taken = _margins(width, height)
+        self._numbers = 0
         self._texts = 0 if below is None else _bits(_HELD[below], around=False)
         self._beyond = 0 if below is None else _bits(below == int(StyleRole.UNKNOWN), around=False)
 
@@ -60,13 +61,14 @@ class CellOccupancy:
         """Occupy the cells for a number of `cells` cells beside an arrow of `arrow` cells at (x, y).
 
         Return its side: -1 left, 1 right, 0 if it fits on neither. Beside it is only its
-        arrow: two numbers never read as one. It stays on the side that it had `before`; else it covers a
-        label only if both sides do, and none at all if it `spares` them.
+        arrow: two numbers never read as one. It stays on the side that it had `before`, if need be beside the
+        arrow of a robot that drives past; else it covers a label only if both sides do, and none at all if it
+        `spares` them.
         """
-        if before and not spares and self._fits(x, y, arrow, cells, before):
-            self.take(_start(x, arrow, cells, before), y, cells)
+        if before and not spares and self._fits(x, y, arrow, cells, before, self._numbers):
+            self._take_number(_start(x, arrow, cells, before), y, cells)
             return before
-        sides = [side for side in (-1, 1) if self._fits(x, y, arrow, cells, side)]
+        sides = [side for side in (-1, 1) if self._fits(x, y, arrow, cells, side, self._taken)]
         if not sides:
             return 0
         spared = [side for side in sides if self.free(_start(x, arrow, cells, side), y, cells)]
@@ -77,27 +79,33 @@ class CellOccupancy:
         # A number beyond the floor's edge reads as one of nothing.
         inside = [side for side in spared if not self._is_beyond(_start(x, arrow, cells, side), y, cells)]
         side = [*inside, *spared, *sides][0]
-        self.take(_start(x, arrow, cells, side), y, cells)
+        self._take_number(_start(x, arrow, cells, side), y, cells)
         return side
 
     def extends(self, x: int, y: int, cells: int, side: int) -> bool:
         """Occupy cells of a row that continue to a `side`, if they and the next one are free and in view."""
-        if not 0 <= y < self._height or not self._fits(x if side > 0 else x + cells, y, 0, cells, side):
+        if not 0 <= y < self._height or not self._fits(
+            x if side > 0 else x + cells, y, 0, cells, side, self._taken
+        ):
             return False
-        self.take(x, y, cells)
+        self._take_number(x, y, cells)
         return True
+
+    def _take_number(self, x: int, y: int, cells: int) -> None:
+        self.take(x, y, cells)
+        self._numbers |= (1 << cells) - 1 << self._bit(x, y)
 
     def _is_beyond(self, x: int, y: int, cells: int) -> bool:
         return bool(self._beyond >> self._bit(x, y) & (1 << cells) - 1)
 
-    def _fits(self, x: int, y: int, arrow: int, cells: int, side: int) -> bool:
-        """Tell whether a number has free cells and no neighbour but its arrow."""
+    def _fits(self, x: int, y: int, arrow: int, cells: int, side: int, kept_clear: int) -> bool:
+        """Tell whether a number has free cells, and the next one is none of those `kept_clear`."""
         start = _start(x, arrow, cells, side)
         if start < 0 or start + cells > self._width:
             return False
         beyond = start - 1 if side < 0 else start + cells
         held = self._taken >> self._bit(start, y) & (1 << cells) - 1
-        return not held and (not 0 <= beyond < self._width or not self._taken >> self._bit(beyond, y) & 1)
+        return not held and (not 0 <= beyond < self._width or not kept_clear >> self._bit(beyond, y) & 1)
 
     def label_spot(
         self, x: int, y: int, text: str, roles: Roles, in_row: bool = True

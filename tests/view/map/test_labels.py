@@ -41,18 +41,19 @@ def test_a_number_is_beside_its_arrow_and_touches_nothing_else(
         start = x - cells if which < 0 else x + arrow
         return {(start + n, y) for n in range(cells)}
 
-    def fits(which: int) -> bool:
+    def fits(which: int, distance: int = 1) -> bool:
         cells_of_it = number(which)
-        beyond = (min(cells_of_it)[0] - 1 if which < 0 else max(cells_of_it)[0] + 1, y)
+        beyond = (min(cells_of_it)[0] - distance if which < 0 else max(cells_of_it)[0] + distance, y)
         inside = all(0 <= column < WIDTH for column, _ in cells_of_it)
         return inside and not (cells_of_it | {beyond}) & blocked
 
-    assert bool(side) == (fits(-1) or fits(1))
+    stays = before != 0 and fits(before, 0)
+    assert bool(side) == (stays or fits(-1) or fits(1))
     if side:
-        assert fits(side)
+        assert stays or fits(side)
         assert taken_cells(occupancy) == blocked | number(side)
-    if before and fits(before):
-        assert side == before
+    if stays:
+        assert side == before, "beside the arrow of another robot, if need be"
 
 
 @given(taken_places, places)

@@ -62,6 +62,19 @@ def test_trails_are_those_of_the_time_that_is_shown() -> None:
     assert picture.scene.robots[0].pose == Pose(11.0, 5.0)
 
 
+def test_a_number_keeps_its_side_when_the_view_moves() -> None:
+    robot = SCENE.robots[1]
+    close = robot._replace(number=1, pose=Pose(robot.pose.x - 0.4, robot.pose.y))
+    picture = MapPicture()
+    for scene in (replace(SCENE, robots=(close, robot)), SCENE):
+        picture.show(scene)
+        cells = picture.cells(100, 30, True)
+        assert cells is not None and "→2" in cells.text()
+        picture.viewport.pan(SCENE, 3, 1)
+    cells = picture.cells(100, 30, True)
+    assert cells is not None and "→2" in cells.text()
+
+
 def test_the_caption_says_that_the_selected_robot_is_out_of_view() -> None:
     picture = shown()
     assert "out of view" not in caption(picture)

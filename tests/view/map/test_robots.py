@@ -126,6 +126,14 @@ def test_a_number_stays_on_its_side_while_there_is_space() -> None:
     assert "2→" in drawn((robot(2, 2),))
 
 
+def test_numbers_stay_on_their_sides_while_robots_drive_past_each_other() -> None:
+    before = Arrangement()
+    rows = [drawn((robot(1, 0), robot(2, column)), before).split() for column in range(-4, 5)]
+    apart, close, together = ["2→", "1→"], ["2→1→"], ["1,2→"]
+    assert rows[:3] == [apart, apart, close] and rows[3:6] == [together] * 3
+    assert rows[6:] == [["1→2→"], ["1→", "2→"], ["1→", "2→"]]
+
+
 def test_the_robot_in_trouble_has_its_number_before_the_others() -> None:
     assert "3→ 4!,1→ →5" in drawn((robot(3, -6), robot(1, 0), robot(4, 0, obstacle=True), robot(5, 2)))
 
