@@ -22,7 +22,7 @@ from fleet_tui.view.lines.questions import losses, question
 Prepare = Callable[[], str]
 """Prepares a request that is about to be sent. Returns the reason not to send it, empty if there is none."""
 Ask = Callable[[Callable[[], str], Callable[[], None]], None]
-"""Asks a question, and calls the next step only after a yes."""
+"""Asks a question until it is empty, and calls the next step only after a yes."""
 
 
 class Dispatch:
@@ -110,13 +110,17 @@ class Dispatch:
             return problem
         found = self.objections(request)
         if asks or found or any(losses(self._store.state, request)):
-            self._ask(
-                lambda: question(self._store.state, request, self.objections(request)),
-                partial(self._send_after_all, request, sent, prepare),
-            )
+            self._ask(partial(self._question, request), partial(self._send_after_all, request, sent, prepare))
         elif problem := self._send(request, sent, prepare):
             self._notices.say(problem)
         return ""
+
+    def _question(self, request: Request) -> str:
+        """Return the question, empty once there is nothing to ask: the order to cancel may have ended."""
+        if problem := self.objection(request):
+            self._notices.say(problem)
+            return ""
+        return question(self._store.state, request, self.objections(request))
 
     def _send_after_all(self, request: Request, sent: Callable[[], None], prepare: Prepare | None) -> None:
         if problem := self.send_confirmed(request, sent, prepare):

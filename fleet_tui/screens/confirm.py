@@ -41,10 +41,12 @@ class Confirm(Dialog, can_focus=True):
         self.open(self)
 
     def _put(self) -> None:
-        if self.is_open:
-            self.query_one("#question", Static).update(self._question())
-        else:
+        if not self.is_open:
             self._timer.pause()
+        elif question := self._question():
+            self.query_one("#question", Static).update(question)
+        else:
+            self.action_close()
 
     @on(Button.Pressed, "#yes")
     def action_confirm(self) -> None:

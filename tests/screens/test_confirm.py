@@ -29,6 +29,19 @@ async def test_a_cancel_asks_and_only_y_does_it(server: RosbridgeServer, answer:
         assert sent(server)[-1] == ("Cancel_order", {"robot": "robot_0", "ind": 1})
 
 
+async def test_a_question_closes_once_there_is_nothing_to_ask(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await place(it)
+        await it.shows("Base -> Consumidores", "queue")
+        await it.press("x")
+        await it.shows("Cancel order 1 of robot_0?")
+        server.world.robots["robot_0"].drop({1})
+        await it.hides("Cancel order 1 of robot_0?")
+        await it.shows("not sent: ", "message")
+        await it.press("y")
+        assert len(server.bridge.services.calls) == 1
+
+
 async def test_cancel_and_clear_by_mouse(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         await place(it)
