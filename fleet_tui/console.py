@@ -76,8 +76,10 @@ def _arrived(config: Config, site: "DiscoveredSite | None") -> str:
     if site is not None:
         return f"{site.bridge.shown}: {site.summary}. :save keeps it"
     count = len(config.robots)
-    robots = f"{config.path}: {count} robot{'s' * (count != 1)}"
-    return robots if config.path.is_absolute() else f"{robots}. fleet-tui demo shows a simulated fleet"
+    told = f"{count} robot{'s' * (count != 1)}"
+    if config.path.parent != Path.cwd():
+        return f"{config.path}: {told}"
+    return f"./{config.path.name}: {told}. fleet-tui demo shows a simulated fleet"
 
 
 def _files(

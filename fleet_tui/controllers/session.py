@@ -11,8 +11,9 @@ from fleet_tui.controllers.notices import Notices
 from fleet_tui.controllers.settings import ConsoleSettings
 from fleet_tui.keys import Key, Pane
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import Phase
 from fleet_tui.view.lines.status import PAUSED, console_notes, resume_all, status_line, status_right
-from fleet_tui.view.tables.table import Run, width_of
+from fleet_tui.view.tables.table import Run, cut, width_of
 
 if TYPE_CHECKING:
     from fleet_tui.controllers.typed import Typed
@@ -86,7 +87,11 @@ class LiveSession:
             notes = [note + way_back * note.endswith(PAUSED) for note in notes]
             longer = status_line(state, robot, [*notes, *files.notes()])
             runs = longer if width_of(longer) <= width else runs
-        return runs, status_right(settings.clock(state.wall), files.operator)
+        right = status_right(settings.clock(state.wall), files.operator)
+        if any(link.phase is not Phase.UP for link in state.links.values()):
+            # Without a link the time tells that this console lives; the alarm has the whole reason.
+            runs = cut(runs, max(0, width - width_of(right[-1:]) - 1))
+        return runs, right
 
     def time_line(self) -> None:
         """Return no time line."""

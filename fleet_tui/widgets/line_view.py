@@ -11,8 +11,9 @@ from fleet_tui.widgets.runs_view import RunsView
 
 
 class LineView(RunsView):
-    """Shows runs at the left and others at the right. If both don't fit, the left stays whole, or with
-    `keep_right` the right. A click on one of its buttons is reported."""
+    """Shows runs at the left and others at the right. If both don't fit, the left stays whole, with as
+    many of the last runs at the right as fit, or with `keep_right` the right. A click on one of its buttons
+    is reported."""
 
     DEFAULT_CSS = "LineView { height: 1; }"
 
@@ -23,12 +24,12 @@ class LineView(RunsView):
 
     def show(self, left: Sequence[Run], right: Sequence[Run] = (), buttons: Sequence[Button] = ()) -> None:
         """Show these runs; `buttons` are in the left ones."""
-        width, at_right = self.size.width, width_of(right)
+        width = self.size.width
         if width < 1:
             return
         self._buttons = buttons
         if self._keep_right:
-            left = cut(left, max(0, width - at_right - 1))
+            left = cut(left, max(0, width - width_of(right) - 1))
         while right and width_of(left) + width_of(right) >= width:
             right = right[1:]
         gap = width - width_of(left) - width_of(right)

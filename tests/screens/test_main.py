@@ -1,5 +1,7 @@
 """The main screen: what it shows of a real fleet, and its keys."""
 
+import re
+
 import pytest
 from msgspec.structs import replace
 
@@ -153,6 +155,13 @@ async def test_enter_on_free_ground_tells_the_key_of_the_next_place(server: Rosb
         await it.shows("no place here: Ctrl-N goes to the next one", "message")
         await it.press("ctrl+n", "enter")
         await it.until(lambda _: it.app.main.rest.order_form.is_open)
+
+
+async def test_a_lost_link_leaves_the_time_and_the_next_try_in_view(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2, 2), (80, 24)) as it:
+        await server.stop()
+        await it.shows("retry in")
+        assert re.search(r" \d\d:\d\d:\d\d $", it.text.splitlines()[0])
 
 
 async def test_all_paused_shows_the_way_back_at_80_columns_too(server: RosbridgeServer) -> None:
