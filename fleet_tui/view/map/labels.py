@@ -14,12 +14,20 @@ from fleet_tui.view.map.places import Place
 from fleet_tui.view.roles import StyleRole
 
 _MARGIN = 40  # cells between two rows of the bit mask, always taken to separate them
+_OFF_FLOOR = np.zeros(len(StyleRole), np.bool_)
+_OFF_FLOOR[[StyleRole.UNKNOWN, StyleRole.WALL, StyleRole.WALL_BEYOND]] = True
 _HELD = np.zeros(len(StyleRole), np.bool_)
 _HELD[StyleRole.VERTEX : StyleRole.TARGET + 1] = True  # vertices and labels
 
 
-# Along edges robots drive, over a label; a bit of a wall is not missed.
-_WEIGHTS = bytes(4 if role == StyleRole.EDGE else role > StyleRole.UNKNOWN for role in range(256))
+_WALL, _FAR, _ASTRAY = 255, 3, 60
+"""Costs of a label: for each wall's cell that it covers, two rows off its vertex, and there on the floor."""
+_WALLS = (StyleRole.WALL, StyleRole.WALL_BEYOND, StyleRole.MISSION_THROUGH, StyleRole.MISSION_NEXT_THROUGH)
+# Along edges robots drive, over a label. As bytes: of so few cells it is several times as fast.
+_WEIGHTS = bytes(
+    _WALL if role in _WALLS else 4 if role == StyleRole.EDGE else role > StyleRole.UNKNOWN
+    for role in range(256)
+)
 
 
 class CellOccupancy:
@@ -35,7 +43,7 @@ class CellOccupancy:
         self._taken = _margins(width, height)
         self._numbers = 0
         self._texts = 0 if below is None else _bits(_HELD[below], around=False)
-        self._beyond = 0 if below is None else _bits(below == int(StyleRole.UNKNOWN), around=False)
+        self._beyond = 0 if below is None else _bits(_OFF_FLOOR[below], around=False)
 
     def _bit(self, x: int, y: int) -> int:
         """Return the number of a cell's bit."""
@@ -76,7 +84,7 @@ class CellOccupancy:
             return 0
         if before in spared:
             spared = [before]
-        # A number beyond the floor's edge reads as one of nothing.
+        # A number beyond the floor's edge reads as one of nothing, and one on a wall breaks it.
         inside = [side for side in spared if not self._is_beyond(_start(x, arrow, cells, side), y, cells)]
         side = [*inside, *spared, *sides][0]
         self._take_number(_start(x, arrow, cells, side), y, cells)
@@ -108,30 +116,31 @@ class CellOccupancy:
         return not held and (not 0 <= beyond < self._width or not kept_clear >> self._bit(beyond, y) & 1)
 
     def label_spot(
-        self, x: int, y: int, text: str, roles: Roles, in_row: bool = True
+        self, x: int, y: int, text: str, roles: Roles, in_row: bool = True, is_wanted: bool = False
     ) -> tuple[int, int] | None:
         """Occupy the place for a label near its vertex at (x, y), in its row if `in_row`. Return None if it
-        doesn't fit.
+        doesn't fit, or only over a wall: that is for a label that `is_wanted`.
 
         Of the free places it is the one that hides least of the map, rather beside the vertex; a label keeps
         a cell's distance from its neighbours, so that two labels never read as one.
         """
         cells = cell_width(text)
-        middle = x - cells // 2
-        right, left = x + 2, x - 1 - cells
-        same_row: tuple[Place, ...] = ((right, y), (left, y)) if in_row else ()
-        beside = (*same_row, (middle, y - 1), (middle, y + 1))
-        shifted: tuple[Place, ...] = ((x, y - 1), (x, y + 1), (x + 1 - cells, y - 1), (x + 1 - cells, y + 1))
-        corners = ((right, y - 1), (right, y + 1), (left, y - 1), (left, y + 1))
         best: Place | None = None
-        least = sys.maxsize
-        for further, spots in enumerate((beside, shifted, corners)):
+        least = sys.maxsize if is_wanted else _WALL
+        for right, down, further in _spots(cells, in_row):
             if least <= further:
                 break
-            for column, row in spots:
-                if self._apart(column, row, cells):
-                    cost = _hidden(roles[row, column : column + cells]) + further
-                    best, least = ((column, row), cost) if cost < least else (best, least)
+            column, row = x + right, y + down
+            if not self._apart(column, row, cells):
+                continue
+            cost = further
+            if further == _FAR and roles[row, x] != StyleRole.UNKNOWN:
+                # On the floor it is read as of its vertex only without a wall between.
+                if least <= _ASTRAY or roles[(y + row) // 2, x] in _WALLS:
+                    continue
+                cost = _ASTRAY
+            cost += sum(roles[row, column : column + cells].tobytes().translate(_WEIGHTS))
+            best, least = ((column, row), cost) if cost < least else (best, least)
         if best is not None:
             self.take(*best, cells)
         return best
@@ -190,7 +199,9 @@ def move_aside(cells: Cells, behind: Backdrop, occupancy: CellOccupancy, aside: 
             moved = label.at
         else:
             # Robots come along the row of their way: above and below it is quieter.
-            moved = occupancy.label_spot(*label.vertex, label.text, behind.bare.roles, in_row=False)
+            moved = occupancy.label_spot(
+                *label.vertex, label.text, behind.bare.roles, in_row=False, is_wanted=label.is_target
+            )
         if moved is None:
             continue
         draw_label(cells, label._replace(at=moved))
@@ -224,7 +235,14 @@ def _margins(width: int, height: int) -> int:
     return _bits(np.zeros((height, width), np.bool_), around=True)
 
 
-def _hidden(roles: Roles) -> int:
-    """Return how much the cells hold: walls, vertices, and above all edges."""
-    # As bytes: of so few cells it is several times as fast.
-    return sum(roles.tobytes().translate(_WEIGHTS))
+@lru_cache(maxsize=128)
+def _spots(cells: int, in_row: bool) -> tuple[tuple[int, int, int], ...]:
+    """Return the places for a label of so many cells, the best first: cells right of its vertex, rows below
+    it, and a cost."""
+    middle, end, right, left = -(cells // 2), 1 - cells, 2, -1 - cells
+    beside = [(right, 0), (left, 0)] if in_row else []
+    beside += [(middle, -1), (middle, 1)]
+    shifted = [(0, -1), (0, 1), (end, -1), (end, 1)]
+    corners = [(right, -1), (right, 1), (left, -1), (left, 1)]
+    far = [(column, row) for column in (middle, 0, end, -1, end + 1) for row in (-2, 2)]
+    return tuple((*at, cost) for cost, places in enumerate((beside, shifted, corners, far)) for at in places)

@@ -1,5 +1,6 @@
 """The map's layers, one function each, drawn in the order of the lists in `picture`."""
 
+from collections.abc import Container
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -106,10 +107,10 @@ def draw_labels(
     wanted = {*scene.target_vertices, look.pointed}
     asked = sum(vertex.id in wanted for vertex, _ in labelled)
     marks = places[is_marked[indices]].tolist()
-    drawn = _placed(labelled, marks, camera, look, quiet)
+    drawn = _placed(labelled, wanted, marks, camera, look, quiet)
     if sum(vertex.id in wanted for vertex, _ in drawn) < asked:
         labelled.sort(key=lambda seen: seen[0].id not in wanted)
-        drawn = _placed(labelled, marks, camera, look, quiet)
+        drawn = _placed(labelled, wanted, marks, camera, look, quiet)
     labels = tuple(label._replace(is_target=one.id in scene.target_vertices) for one, label in drawn)
     for label in labels:
         draw_label(cells, label)
@@ -118,12 +119,14 @@ def draw_labels(
 
 def _placed(
     labelled: list[tuple[SceneVertex, Place]],
+    wanted: Container[str | None],
     marks: list[Place],
     camera: Camera,
     look: MapOptions,
     quiet: Roles,
 ) -> list[tuple[SceneVertex, Label]]:
-    """Return the labels that find a place, in their order, none over the `marks` of vertices."""
+    """Return the labels that find a place, in their order, none over the `marks` of vertices; over walls only
+    those of the `wanted` vertices."""
     occupancy = CellOccupancy(camera.width, camera.height)
     for x, y in marks:
         occupancy.take(x, y, 1)
@@ -132,7 +135,7 @@ def _placed(
         text = sanitize(vertex.label)
         if look.plain:
             text = text.encode("ascii", "replace").decode()
-        spot = occupancy.label_spot(x, y, text, quiet)
+        spot = occupancy.label_spot(x, y, text, quiet, is_wanted=vertex.id in wanted)
         if spot:
             found.append((vertex, Label((x, y), spot, text, False)))
     return found

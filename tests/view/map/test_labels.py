@@ -78,6 +78,49 @@ def test_a_label_at_the_rim_ends_above_its_vertex_not_beside_the_neighbours() ->
     assert occupancy.label_spot(WIDTH - 2, 4, "Consumidores", ground) == (WIDTH - 13, 3)
 
 
+def ground(*walls: slice) -> np.ndarray:
+    """Free floor with rows of wall."""
+    roles = np.full((HEIGHT, WIDTH), StyleRole.FLOOR, np.uint8)
+    for rows in walls:
+        roles[rows] = StyleRole.WALL
+    return roles
+
+
+@given(st.sets(places, max_size=WIDTH * HEIGHT), places, st.booleans())
+def test_only_a_wanted_label_covers_a_wall(
+    walls: set[tuple[int, int]], at: tuple[int, int], is_wanted: bool
+) -> None:
+    roles = ground()
+    for x, y in walls:
+        roles[y, x] = StyleRole.WALL
+    spot = CellOccupancy(WIDTH, HEIGHT).label_spot(*at, "Base", roles, is_wanted=is_wanted)
+    assert spot or not is_wanted
+    free = CellOccupancy(WIDTH, HEIGHT).label_spot(*at, "Base", roles)
+    if spot and (free or not is_wanted):
+        assert spot == free and (roles[spot[1], spot[0] : spot[0] + 4] == StyleRole.FLOOR).all()
+
+
+def test_a_label_without_space_at_its_vertex_is_behind_the_wall_around_the_floor() -> None:
+    roles = ground(slice(2, 3), slice(4, 5))
+    roles[3] = StyleRole.EDGE
+    roles[:2] = StyleRole.UNKNOWN
+    assert CellOccupancy(WIDTH, HEIGHT).label_spot(10, 3, "Base", roles) == (8, 1)
+
+
+def test_a_label_in_another_aisle_would_be_read_as_of_another_vertex() -> None:
+    roles = ground(slice(3, 6))
+    assert CellOccupancy(WIDTH, HEIGHT).label_spot(10, 4, "Base", roles) is None
+    roles[3, 10] = StyleRole.FLOOR
+    assert CellOccupancy(WIDTH, HEIGHT).label_spot(10, 4, "Base", roles) == (8, 2), "nothing between"
+
+
+def test_a_new_number_is_on_the_side_without_a_wall() -> None:
+    roles = ground()
+    roles[:, 9] = StyleRole.WALL
+    assert CellOccupancy(WIDTH, HEIGHT, roles).number_side(10, 4, 1, 2, 0) == 1
+    assert CellOccupancy(WIDTH, HEIGHT, roles).number_side(10, 4, 1, 2, -1) == -1, "it stays where it was"
+
+
 FRAME = MapFrame(0.05, 400, 200)
 CAMERA = Camera.fit((400, 200), 120, 40)
 EMPTY = Scene("f", FRAME)

@@ -55,6 +55,14 @@ def _safe(label: str) -> str:
     return label.replace("\x1b", "␛").replace("\u202e", "\ufffd").replace("\n", "␊")
 
 
+def test_only_the_label_of_an_orders_end_or_under_the_cursor_covers_a_wall() -> None:
+    inside = (SceneVertex("1", 7.5, 5.8, label="Rack"),)
+    scene = replace(SCENE, vertices=inside, robots=(), target_vertices=())
+    assert "Rack" not in backdrop(scene, FIT, MapOptions()).text()
+    assert "Rack" in backdrop(replace(scene, target_vertices=("1",)), FIT, MapOptions()).text()
+    assert "Rack" in backdrop(scene, FIT, MapOptions(pointed="1")).text()
+
+
 def test_the_missions_ends_get_their_labels_first() -> None:
     crowd = tuple(SceneVertex(str(n), 6.0 + n * 0.01, 3.0, label=f"place {n}") for n in range(30))
     cells = backdrop(replace(SCENE, vertices=crowd, target_vertices=("29",)), FIT, MapOptions())
