@@ -46,6 +46,13 @@ def test_a_wheel_brings_its_own_config_and_themes(wheel: Path, tmp_path: Path) -
     assert (wheel / "fleet_tui" / "fleet.tcss").is_file()
 
 
+def test_a_wheel_brings_the_pages_of_the_documentation_without_pictures(wheel: Path, tmp_path: Path) -> None:
+    done = run("-m", "fleet_tui", "docs", "security", site=wheel, cwd=tmp_path)
+    assert done.stdout == (ROOT / "SECURITY.md").read_text()
+    names = {path.name for path in (wheel / "fleet_tui" / "docs_shipped").iterdir()}
+    assert names == {path.name for path in (ROOT / "docs").glob("*.md")} | {"security.md", "changelog.md"}
+
+
 def test_a_checkout_finds_them_beside_the_package(tmp_path: Path) -> None:
     assert shipped() == ROOT / "config.toml"
     assert set(load_themes(None)[0]) == THEMES

@@ -8,13 +8,14 @@ from pathlib import Path
 import click
 
 from fleet_tui.cli.config.commands import config
+from fleet_tui.cli.docs import docs
 from fleet_tui.cli.duration import DurationParam
 from fleet_tui.cli.graph.commands import graph
 from fleet_tui.cli.kinds import kinds as list_kinds
 from fleet_tui.cli.manual import man
 from fleet_tui.cli.map.commands import map_group
 from fleet_tui.cli.offers import robots
-from fleet_tui.cli.options import FileName, NumberRange, common, fleet, merged, timeout
+from fleet_tui.cli.options import FileName, NearestGroup, NumberRange, fleet, merged, timeout, without_config
 from fleet_tui.cli.orders.commands import orders
 from fleet_tui.cli.programs.commands import programs
 from fleet_tui.cli.routines.commands import routine
@@ -23,17 +24,17 @@ from fleet_tui.log_file import log_to_file
 from fleet_tui.text.sanitize import sanitize
 
 
-@click.group()
+@click.group(cls=NearestGroup)
 def headless() -> None:
     """Group of the commands, which the command line lists as its own."""
 
 
-for command in (config, graph, map_group, programs, routine, man, *orders.commands.values()):
+for command in (config, graph, map_group, programs, routine, docs, man, *orders.commands.values()):
     headless.add_command(command)
 
 
 @headless.command()
-@click.option("--json", "as_json", is_flag=True, help="Print JSON; schema in docs/status-json.md.")
+@click.option("--json", "as_json", is_flag=True, help="Print JSON; schema in `fleet-tui docs status-json`.")
 @click.option("--watch", is_flag=True, help="Keep running and print changes (with --json as JSON Lines).")
 @click.option("--oneline", is_flag=True, help="Print one line, for a status bar.")
 @timeout(5.0)
@@ -61,8 +62,8 @@ def status(
 
 
 @headless.command()
-@click.option("--json", "as_json", is_flag=True, help="Print JSON; schema in docs/kinds.md.")
-@common
+@click.option("--json", "as_json", is_flag=True, help="Print JSON; schema in `fleet-tui docs kinds`.")
+@without_config
 @merged
 def kinds(config_file: str | None, debug: bool, as_json: bool) -> None:
     """List the kinds of robots, their reports and commands."""
@@ -70,7 +71,7 @@ def kinds(config_file: str | None, debug: bool, as_json: bool) -> None:
 
 
 @headless.command()
-@click.option("--json", "as_json", is_flag=True, help="Print JSON; schema in docs/doctor.md.")
+@click.option("--json", "as_json", is_flag=True, help="Print JSON; schema in `fleet-tui docs doctor`.")
 @click.option(
     "--robot",
     metavar="ROBOT",
@@ -179,7 +180,7 @@ def record(
 )
 @click.option("--csv", "as_csv", is_flag=True, help="Print CSV for a spreadsheet.")
 @click.option("--demo", is_flag=True, help="Show records of demos instead of those of real fleets.")
-@common
+@without_config
 @merged
 def audit(
     config_file: str | None,

@@ -3,6 +3,8 @@
 import click
 from click.shell_completion import BashComplete, add_completion_class, get_completion_class
 
+from fleet_tui.cli.options import ExampleCommand
+
 PROGRAM = "fleet-tui"
 VARIABLE = "_FLEET_TUI_COMPLETE"
 """Environment variable in which the script asks for values."""
@@ -22,19 +24,23 @@ class BashWords(BashComplete):
 add_completion_class(BashWords)
 
 
-@click.command()
-@click.argument("shell", type=click.Choice(SHELLS))
+@click.command(cls=ExampleCommand)
+@click.argument("shell", type=click.Choice(SHELLS), required=False)
 @click.pass_context
-def completion(ctx: click.Context, shell: str) -> None:
+def completion(ctx: click.Context, shell: str | None) -> None:
     """Print a script for completion in your shell. Tab then completes commands, options and names.
 
     \b
-    bash: in ~/.bashrc: source <(fleet-tui completion bash)
-    zsh:  fleet-tui completion zsh > ~/.zfunc/_fleet-tui    (~/.zfunc in fpath)
-    fish: fleet-tui completion fish > ~/.config/fish/completions/fleet-tui.fish
+    bash: echo 'source <(fleet-tui completion bash)' >> ~/.bashrc
+    zsh:  mkdir -p ~/.zfunc
+          fleet-tui completion zsh > ~/.zfunc/_fleet-tui    (~/.zfunc in fpath)
+    fish: mkdir -p ~/.config/fish/completions
+          fleet-tui completion fish > ~/.config/fish/completions/fleet-tui.fish
 
-    New shells use it. More in docs/cli.md.
+    New shells use it. More: fleet-tui docs cli.
     """
+    if shell is None:
+        raise click.UsageError("which shell? fleet-tui completion bash, zsh or fish")
     found = get_completion_class(shell)
     assert found is not None
     click.echo(found(ctx.find_root().command, {}, PROGRAM, VARIABLE).source())

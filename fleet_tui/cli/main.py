@@ -28,7 +28,7 @@ SECTIONS = {
         *("store-map", "store-pose-graph"),
     ),
     "Logs and recordings": ("audit", "record", "replay"),
-    "Other ways to use it": ("serve", "sim", "completion", "man"),
+    "Other ways to use it": ("serve", "sim", "docs", "man", "completion"),
 }
 """The headings of the help with their commands."""
 
@@ -37,7 +37,7 @@ Read on:
   fleet-tui COMMAND --help   options and exit codes of a command
   fleet-tui man              all commands on one page
   ? in the console           its keys and tasks
-  docs/tutorial.md           your first robot; docs/index.md lists all guides
+  fleet-tui docs tutorial    your first robot; fleet-tui docs lists all guides
 """
 
 

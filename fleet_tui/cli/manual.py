@@ -11,6 +11,8 @@ from datetime import date
 import click
 
 from fleet_tui import __version__
+from fleet_tui.cli.examples import EXAMPLES
+from fleet_tui.cli.options import ExampleCommand
 
 ENDING = r""".SH EXIT STATUS
 .TP
@@ -18,7 +20,7 @@ ENDING = r""".SH EXIT STATUS
 success
 .TP
 1
-the answer is no
+the command or check failed, or something needs attention
 .TP
 2
 usage or configuration error
@@ -36,10 +38,28 @@ names another
 .TP
 \fI~/.local/state/fleet\-tui/\fR
 audit log, log and recordings
+.SH ENVIRONMENT
+.TP
+\fBFLEET_TUI_CONFIG\fR
+the configuration, unless \fB\-\-config\fR names one
+.TP
+\fBXDG_CONFIG_HOME\fR, \fBXDG_STATE_HOME\fR
+folders in place of \fI~/.config\fR and \fI~/.local/state\fR
+.TP
+\fBNO_COLOR\fR
+if set: no colours
+.TP
+\fBPAGER\fR
+the program in which \fBfleet\-tui docs\fR shows a page
+.TP
+\fBSHIV_ROOT\fR
+the folder to which the single file unpacks itself
+.SH SEE ALSO
+\fBfleet\-tui docs\fR lists the pages of the documentation.
 """
 
 
-@click.command()
+@click.command(cls=ExampleCommand)
 @click.pass_context
 def man(ctx: click.Context) -> None:
     """Show the manual page. In a pipe or into a file it prints its source: fleet-tui man > fleet-tui.1"""
@@ -70,7 +90,15 @@ def manual(root: click.Context) -> str:
         usage += context.command.collect_usage_pieces(context)
         lines += [f'.SS "{_roff(" ".join(usage))}"', *_paragraphs(context.command.help or "")]
         lines += [*_options(context, known), *_paragraphs(context.command.epilog or "")]
-    return "\n".join([*lines, ENDING])
+    return "\n".join([*lines, *_examples(), ENDING])
+
+
+def _examples() -> Iterator[str]:
+    """Return the examples of all commands, each with its effect."""
+    yield ".SH EXAMPLES"
+    for examples in EXAMPLES.values():
+        for line, effect in examples:
+            yield from (".TP", rf"\fB{_roff(line)}\fR", *_filled(effect))
 
 
 def _below(context: click.Context) -> Iterator[click.Context]:

@@ -1,6 +1,7 @@
-"""Options shared by all commands, before or after the command's name."""
+"""Options shared by all commands, before or after the command's name; commands and groups with examples."""
 
 import math
+import sys
 from collections.abc import Callable, Mapping, Sequence
 from functools import wraps
 from typing import Any, TypeVar
@@ -12,8 +13,26 @@ from fleet_tui.errors import did_you_mean, is_address
 F = TypeVar("F", bound=Callable[..., Any])
 
 
+class ExampleCommand(click.Command):
+    """Its help ends with examples."""
+
+    def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write the examples, then the epilog."""
+        _write_examples(ctx, formatter)
+        super().format_epilog(ctx, formatter)
+
+
 class NearestGroup(click.Group):
     """Suggests the nearest command for an unknown one; its help lists the commands before the options."""
+
+    command_class = ExampleCommand
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Read the options, or print the help alone if a command is missing: exit code 2."""
+        if not args and self.no_args_is_help and not ctx.resilient_parsing:
+            click.echo(ctx.get_help(), err=True)
+            sys.exit(2)
+        return super().parse_args(ctx, args)
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
@@ -37,6 +56,24 @@ class NearestGroup(click.Group):
             with formatter.section(heading):
                 formatter.write_dl(rows)
         click.Command.format_options(self, ctx, formatter)
+
+    def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write the examples, then the epilog."""
+        _write_examples(ctx, formatter)
+        super().format_epilog(ctx, formatter)
+
+
+def _write_examples(ctx: click.Context, formatter: click.HelpFormatter) -> None:
+    """Write a command's examples, each line as it can be copied, with its effect below it."""
+    from fleet_tui.cli.examples import EXAMPLES
+
+    path = ctx.command_path.partition(" ")[2]
+    if path not in EXAMPLES:
+        return
+    with formatter.section("Examples"):
+        indent = " " * formatter.current_indent
+        for line, effect in EXAMPLES[path]:
+            formatter.write(f"{indent}{line}\n{indent}    {effect}\n")
 
 
 def _summary(command: click.Command | None) -> str:
@@ -84,8 +121,22 @@ def with_url(args: list[str]) -> list[str]:
 
 def common(command: F) -> F:
     """Add `--config` and `--debug`, which work before and after a command's name."""
+    return _config_and_debug(command, "Use this configuration file.")
+
+
+def appearance(command: F) -> F:
+    """Add the same, for a console on robots that are in no configuration."""
+    return _config_and_debug(command, "Take theme, keys and the like from this configuration file.")
+
+
+def without_config(command: F) -> F:
+    """Add the same, for commands that read no configuration: they accept `--config`, and don't offer it."""
+    return _config_and_debug(command, "")
+
+
+def _config_and_debug(command: F, use: str) -> F:
     command = click.option(
-        "--config", "config_file", type=FileName(), metavar="FILE", help="Use this configuration file."
+        *("--config", "config_file"), type=FileName(), metavar="FILE", help=use, hidden=not use
     )(command)
     return click.option("--debug", is_flag=True, help="Show tracebacks and log everything.")(command)
 

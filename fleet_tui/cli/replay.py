@@ -8,7 +8,7 @@ from tempfile import TemporaryDirectory
 import click
 
 from fleet_tui.bags.opening import BagError, is_bag
-from fleet_tui.cli.options import FileName, NumberRange, common, merged, screen
+from fleet_tui.cli.options import FileName, NearestGroup, NumberRange, common, merged, screen
 from fleet_tui.config.load import load_if_any
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import ConfigError
@@ -19,7 +19,7 @@ PATIENCE = 0.5
 """Seconds between two progress messages."""
 
 
-@click.group()
+@click.group(cls=NearestGroup)
 def replayed() -> None:
     """Group of the command, which the command line lists as its own."""
 

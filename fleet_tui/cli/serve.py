@@ -4,13 +4,13 @@ import sys
 
 import click
 
-from fleet_tui.cli.options import drawing_mode, fleet, merged
+from fleet_tui.cli.options import NearestGroup, drawing_mode, fleet, merged
 from fleet_tui.config.load import find, load
 from fleet_tui.errors import ConfigError, FleetError, NoConfigError
 from fleet_tui.log_file import log_to_file
 
 
-@click.group()
+@click.group(cls=NearestGroup)
 def served() -> None:
     """Group of the command, which the command line lists as its own."""
 

@@ -10,7 +10,7 @@ import click
 
 from fleet_tui.cli.fault_option import ALL_FAULTS, USUAL, fault_option
 from fleet_tui.cli.offers import one_of
-from fleet_tui.cli.options import NumberRange, common, merged, screen
+from fleet_tui.cli.options import NearestGroup, NumberRange, appearance, merged, screen, without_config
 from fleet_tui.config.load import load_if_any
 from fleet_tui.demo import demo_config
 from fleet_tui.demo import simulated as running
@@ -66,7 +66,7 @@ def _announce(graph_file: Path | None, floors: int, urls: Sequence[str]) -> None
         click.echo(url)
 
 
-@click.group()
+@click.group(cls=NearestGroup)
 def simulated() -> None:
     """Group of the commands, which the command line lists as its own."""
 
@@ -112,7 +112,7 @@ def _check(kind: str, robots: int, ros: str | None) -> None:
 @_ros
 @_simulation
 @screen
-@common
+@appearance
 @merged
 def demo(
     config_file: str | None,
@@ -182,7 +182,7 @@ def demo(
 )
 @_ros
 @_simulation
-@common
+@without_config
 @merged
 def sim(
     config_file: str | None,

@@ -24,6 +24,7 @@ LINES = [
     ('fleet-tui graph convert --t""', {"--to"}),
     ('fleet-tui graph convert --to rmf""', {"rmf", "rmf-building"}),
     ('fleet-tui demo --kind ""', {"oh_ressources", "nav2", "move_base", "mixed"}),
+    ('fleet-tui docs status""', {"status-json"}),
     ('fleet-tui completion ""', {"bash", "zsh", "fish"}),
     ('fleet-tui pause ""', {"robot_7"}),
     ('fleet-tui nothing ""', None),
@@ -106,6 +107,12 @@ def test_zsh_completes_a_typed_line(place: Path) -> None:
         terminal.press("\x15exit\n")
     finally:
         terminal.close("\x04")
+
+
+def test_without_a_shell_it_asks_which(place: Path) -> None:
+    done = subprocess.run(["fleet-tui", "completion"], capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert done.stderr.startswith("fleet-tui: which shell? fleet-tui completion bash, zsh or fish\n")
 
 
 def test_another_shell_is_refused_by_name(place: Path) -> None:

@@ -53,4 +53,4 @@ def test_the_help_begins_with_what_a_newcomer_needs_and_ends_with_where_to_read_
     ]
     assert places == sorted(places)
     assert places[-1] < text.index("Options:") < text.index("Read on:")
-    assert "docs/tutorial.md" in text.splitlines()[-1]
+    assert "fleet-tui docs tutorial" in text.splitlines()[-1]

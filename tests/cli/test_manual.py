@@ -34,6 +34,14 @@ def test_every_command_with_every_option_is_on_it(tmp_path: Path) -> None:
     assert page.count("Show tracebacks and log everything.") == 1
 
 
+def test_it_has_examples_exit_codes_and_variables(tmp_path: Path) -> None:
+    page = shown(run("man", cwd=tmp_path).stdout)
+    examples, _, rest = page.partition("EXAMPLES")[2].partition("EXIT STATUS")
+    assert "fleet-tui order robot_0 Base Store from Base to Store" in examples
+    assert "1 the command or check failed, or something needs attention" in rest
+    assert "FLEET_TUI_CONFIG the configuration" in rest.partition("ENVIRONMENT")[2]
+
+
 def test_mandoc_finds_nothing_to_complain_about() -> None:
     if shutil.which("mandoc") is None:
         pytest.skip("mandoc is not installed")

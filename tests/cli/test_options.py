@@ -29,6 +29,29 @@ def test_what_an_unset_variable_leaves_is_no_file(tmp_path: Path, args: list[str
     assert (done.returncode, done.stdout) == (2, "") and "empty file name" in done.stderr
 
 
+@pytest.mark.parametrize("words", ["sim", "map place", "map info", "graph lint", "kinds", "audit"])
+def test_where_a_configuration_has_no_effect_it_is_not_offered(tmp_path: Path, words: str) -> None:
+    """It is accepted there all the same: scripts give it to every command."""
+    done = run(*words.split(), "--config", "mine.toml", "--help", cwd=tmp_path)
+    assert done.returncode == 0 and "--config" not in done.stdout
+
+
+def test_each_command_tells_its_own_time_limit(tmp_path: Path) -> None:
+    said = {
+        name: " ".join(run(name, "--help", cwd=tmp_path).stdout.split()) for name in ("order", "goto", "run")
+    }
+    assert "15 by default, 3600 with --until-done." in said["order"]
+    assert "15 by default." in said["goto"] and "3600" not in said["goto"]
+    assert "15 for each line by default." in said["run"]
+
+
+@pytest.mark.parametrize("group", ["graph", "map", "routine", "config"])
+def test_a_group_without_a_command_prints_its_help_alone(tmp_path: Path, group: str) -> None:
+    done = run(group, cwd=tmp_path)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == run(group, "--help", cwd=tmp_path).stdout
+
+
 def test_an_option_that_a_command_would_ignore_is_refused(tmp_path: Path) -> None:
     done = run("--read-only", "check", cwd=tmp_path)
     assert done.returncode == 2

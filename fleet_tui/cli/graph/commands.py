@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from fleet_tui.cli.options import FileName, NearestGroup, NumberRange, common, merged
+from fleet_tui.cli.options import FileName, NearestGroup, NumberRange, merged, without_config
 from fleet_tui.errors import GraphError, MapError
 from fleet_tui.text.limits import truncate
 from fleet_tui.text.sanitize import sanitize
@@ -55,7 +55,7 @@ def reading(command: Callable[..., int]) -> Callable[..., None]:
             code = REFUSED
         sys.exit(code)
 
-    decorated: Callable[..., None] = common(merged(run))
+    decorated: Callable[..., None] = without_config(merged(run))
     for option in _READING:
         decorated = option(decorated)
     return decorated

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from fleet_tui.cli.offers import files
-from fleet_tui.cli.options import NearestGroup, NumberRange, common, merged, timeout
+from fleet_tui.cli.options import NearestGroup, NumberRange, merged, timeout, without_config
 from fleet_tui.log_file import log_to_file
 from fleet_tui.text.sanitize import sanitize
 
@@ -30,12 +30,12 @@ def _source(command: Callable[..., None]) -> Callable[..., None]:
     text = "Floor of the live map, if the bridge has several."
     command = click.option("--floor", default="", metavar="NAME", help=text)(command)
     return click.argument("source", metavar="FILE|URL", shell_complete=files)(
-        timeout(WITHIN)(common(merged(command)))
+        timeout(WITHIN)(without_config(merged(command)))
     )
 
 
 @map_group.command()
-@click.option("--json", "as_json", is_flag=True, help="Print JSON; schema in docs/commands.md.")
+@click.option("--json", "as_json", is_flag=True, help="Print JSON; schema in `fleet-tui docs setting-up`.")
 @_source
 def info(
     source: str, floor: str, timeout: float, as_json: bool, config_file: str | None, debug: bool
@@ -129,7 +129,7 @@ def save(
     "--heading", type=float, metavar="DEGREES", help="Direction from the first point to the second."
 )
 @click.option("--yes", is_flag=True, help="Replace an existing map, which stays as .bak.")
-@common
+@without_config
 def place(
     picture: Path,
     out: Path,

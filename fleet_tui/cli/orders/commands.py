@@ -9,7 +9,7 @@ from typing import Any, NamedTuple, TypeVar
 import click
 
 from fleet_tui.cli.offers import robots
-from fleet_tui.cli.options import FileName, NumberRange, fleet, merged
+from fleet_tui.cli.options import FileName, NearestGroup, NumberRange, fleet, merged
 from fleet_tui.config.schema import Config
 from fleet_tui.log_file import log_to_file
 from fleet_tui.model.set_up.commands import MOST_SETTLES
@@ -19,10 +19,15 @@ F = TypeVar("F", bound=Callable[..., Any])
 NEGATIVE = {"ignore_unknown_options": True}
 """A negative number is no option."""
 TIMEOUT, DRIVE_TIMEOUT = 15.0, 3600.0
+WAITS = {
+    "order": f"{TIMEOUT:.0f} by default, {DRIVE_TIMEOUT:.0f} with --until-done",
+    "run": f"{TIMEOUT:.0f} for each line by default",
+}
+"""The usual time limits of commands whose limit is not the usual one of all."""
 ALL = "all"
 
 
-@click.group()
+@click.group(cls=NearestGroup)
 def orders() -> None:
     """Group of the commands, which the command line lists as its own."""
 
@@ -53,13 +58,13 @@ def _takes_options(command: Callable[..., None]) -> Callable[..., None]:
         options = OrderOptions(**{name: given.pop(name) for name in OrderOptions._fields})
         command(**given, options=options)
 
-    return _options(fleet(merged(run_with_options)))
+    return _options(fleet(merged(run_with_options)), WAITS.get(command.__name__, f"{TIMEOUT:.0f} by default"))
 
 
-def _options(command: F) -> F:
+def _options(command: F, usual: str) -> F:
     limits = NumberRange(0.1, 86400)
-    text = "Maximum seconds to wait: 15 by default, 3600 for order --until-done."
-    schema = "Print JSON; schema in docs/commands.md."
+    text = f"Maximum seconds to wait: {usual}."
+    schema = "Print JSON; schema in `fleet-tui docs commands`."
     command = click.option("--timeout", type=limits, metavar="SECONDS", help=text)(command)
     command = click.option("--yes", is_flag=True, help="Send in spite of warnings.")(command)
     return click.option("--json", "as_json", is_flag=True, help=schema)(command)

@@ -20,7 +20,7 @@ WITHIN = 30.0
 
 
 @click.group(cls=NearestGroup, invoke_without_command=True)
-@click.option("--json", "as_json", is_flag=True, help="Print JSON; schema in docs/programs.md.")
+@click.option("--json", "as_json", is_flag=True, help="Print JSON; schema in `fleet-tui docs programs`.")
 @common
 @click.pass_context
 def programs(ctx: click.Context, as_json: bool, config_file: str | None, debug: bool) -> None:
@@ -84,7 +84,7 @@ def _configured(config_file: str | None, debug: bool) -> Config:
     log_to_file(debug)
     config = load(find(config_file))
     if not config.programs:
-        raise ConfigError([f"{config.path}: no [[programs]]: see docs/programs.md"])
+        raise ConfigError([f"{config.path}: no [[programs]]: see: fleet-tui docs programs"])
     return config
 
 

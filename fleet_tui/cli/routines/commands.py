@@ -20,7 +20,7 @@ def routine() -> None:
 
 @routine.command("check")
 @click.argument("name", shell_complete=routines)
-@click.option("--json", "as_json", is_flag=True, help="Print JSON; schema in docs/routines.md.")
+@click.option("--json", "as_json", is_flag=True, help="Print JSON; schema in `fleet-tui docs routines`.")
 @timeout(5.0)
 @fleet
 @merged
@@ -40,7 +40,9 @@ def check_command(
 @click.option("--resume", is_flag=True, help="Go on from where it was held or ended.")
 @click.option("--skip", is_flag=True, help="With --resume: go on after an instruction of unknown outcome.")
 @click.option("--yes", is_flag=True, help="Send orders in spite of warnings.")
-@click.option("--json", "as_json", is_flag=True, help="Print JSON Lines; schema in docs/routines.md.")
+@click.option(
+    "--json", "as_json", is_flag=True, help="Print JSON Lines; schema in `fleet-tui docs routines`."
+)
 @click.option(
     "--timeout",
     type=NumberRange(0.1, 86400),
@@ -75,7 +77,7 @@ def run_command(
 
 
 @routine.command("list")
-@click.option("--json", "as_json", is_flag=True, help="Print JSON; schema in docs/routines.md.")
+@click.option("--json", "as_json", is_flag=True, help="Print JSON; schema in `fleet-tui docs routines`.")
 @common
 @merged
 def list_command(as_json: bool, config_file: str | None, debug: bool) -> None:

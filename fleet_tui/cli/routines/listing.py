@@ -23,7 +23,9 @@ def list_routines(config: Config, as_json: bool, say: Say) -> int:
         found = {"folder": str(place.folder), "routines": [_values(row) for row in rows]}
         say(json.dumps({"version": VERSION, **found}))
     elif not rows:
-        say(sanitize(f"no routine in {place.folder}: create NAME.routine there, see docs/routines.md"))
+        say(
+            sanitize(f"no routine in {place.folder}: create NAME.routine there, see: fleet-tui docs routines")
+        )
     else:
         width = max(len(row.name) for row in rows)
         for row in rows:

@@ -45,7 +45,7 @@ def find_set_up(found: Discovery, listed: Listed, vocabulary: Vocabulary) -> Non
         ("services", listed.services, PROPOSED_SERVICES, vocabulary.services),
     ):
         for key, template in _there(found, names, endings, known):
-            found.note(table, f'{key} = "{template}"   # found; see docs/setting-up.md')
+            found.note(table, f'{key} = "{template}"   # found; see: fleet-tui docs setting-up')
 
 
 def _there(

@@ -1,0 +1,113 @@
+"""Examples of the commands, for their help and for the manual page."""
+
+from collections.abc import Mapping
+
+Example = tuple[str, str]
+"""A line for a shell, and its effect."""
+
+EXAMPLES: Mapping[str, tuple[Example, ...]] = {
+    "demo": (
+        ("fleet-tui demo", "three robots on two floors"),
+        ("fleet-tui demo --kind nav2 --robots 12", "twelve robots with Nav2"),
+        ("fleet-tui demo --fault dies:robot_1", "one of them dies: watch what the console says"),
+    ),
+    "sim": (
+        ("fleet-tui sim --kind nav2 --port 9191", "robots with Nav2 behind ws://127.0.0.1:9191"),
+        ("fleet-tui sim --robots 50 --speed 10", "fifty robots, ten times as fast"),
+    ),
+    "config init": (
+        ("fleet-tui config init --output config.toml", "an example to edit"),
+        (
+            "fleet-tui config init --from-live ws://robot-server:9090 --output config.toml",
+            "the robots that are there",
+        ),
+    ),
+    "config show": (("fleet-tui config show --origin", "every value, with the file and line it comes from"),),
+    "doctor": (
+        ("fleet-tui doctor --url ws://robot-server:9090", "check a bridge without a configuration"),
+        ("fleet-tui doctor --robot robot_0", "check one robot"),
+        ("fleet-tui doctor --bundle", "pack the report, log and recordings for a ticket"),
+    ),
+    "status": (
+        ("fleet-tui status || echo 'somebody should look'", "the fleet as a table"),
+        ("fleet-tui status --json | jq '.robots[].name'", "for scripts"),
+        ("fleet-tui status --oneline --watch", "for the status bar of tmux"),
+    ),
+    "order": (
+        ("fleet-tui order robot_0 Base Store", "from Base to Store: ends when it is in the queue"),
+        ("fleet-tui order robot_0 Store", "to Store, with the cargo on board"),
+        (
+            "fleet-tui order robot_0 Base Store --until-done && echo arrived",
+            "ends when it is driven, after an hour at most",
+        ),
+    ),
+    "cancel": (("fleet-tui cancel robot_0 12", "the order with the id 12"),),
+    "clear": (("fleet-tui clear robot_0 --yes", "without a question, as in a script"),),
+    "pause": (
+        ("fleet-tui pause robot_0", "one robot"),
+        ("fleet-tui pause --all", "all robots; not a safety device"),
+    ),
+    "resume": (
+        ("fleet-tui resume robot_0", "one robot"),
+        ("fleet-tui resume --all --yes", "all robots, in spite of warnings"),
+    ),
+    "goto": (
+        ("fleet-tui goto robot_0 Store", "to the vertex with this label"),
+        ("fleet-tui goto robot_0 3.5 -2 90", "to x 3.5 m, y -2 m, facing the map's y"),
+    ),
+    "set-pose": (
+        ("fleet-tui set-pose robot_0 3.5 -2 90", "asks, then tells the robot where it stands"),
+        ("fleet-tui set-pose robot_0 3.5 -2 90 --yes", "without the question"),
+    ),
+    "run": (
+        ("fleet-tui run morning.txt --dry-run", "tell for each line whether it would be sent"),
+        ("echo 'robot_0 Base > Store' | fleet-tui run -", "one line from a pipe"),
+    ),
+    "map": (
+        ("fleet-tui map show ws://robot-server:9090", "the live map, in the terminal"),
+        ("fleet-tui map save ws://robot-server:9090 maps/hall", "maps/hall.yaml and maps/hall.pgm"),
+        ("fleet-tui map info maps/hall.yaml", "size, resolution and origin"),
+    ),
+    "map place": (
+        (
+            "fleet-tui map place plan.png hall --points 20 30 420 30 --distance 40",
+            "the plan's points (20, 30) and (420, 30) are 40 m apart",
+        ),
+    ),
+    "graph": (
+        ("fleet-tui graph lint hall.geojson", "list errors and warnings"),
+        ("fleet-tui graph show hall.geojson --map maps/hall.yaml", "draw it over a map"),
+        ("fleet-tui graph convert hall.building.yaml hall.geojson", "from Open-RMF to Nav2"),
+    ),
+    "programs": (
+        ("fleet-tui programs", "list them with their states"),
+        ("fleet-tui programs restart laser", "asks, then waits until it runs"),
+        ("fleet-tui programs log laser --follow", "its log, line by line"),
+    ),
+    "routine": (
+        ("fleet-tui routine check morning", "the problems, or the timeline"),
+        ("fleet-tui routine run morning", "carry it out, and print each step"),
+    ),
+    "audit": (
+        ("fleet-tui audit --robot robot_0 --since 2h", "the commands of the last two hours"),
+        ("fleet-tui audit --since 7d --csv > week.csv", "a week for a spreadsheet"),
+    ),
+    "record": (
+        ("fleet-tui record shift.jsonl.gz --for 8h", "a shift"),
+        ("fleet-tui record night.jsonl.gz --rotate-every 1h --keep 12", "the last twelve hours, always"),
+    ),
+    "replay": (
+        ("fleet-tui replay shift.jsonl.gz --at 12:04:31", "from this time of day"),
+        ("fleet-tui replay shift.jsonl.gz --speed 8", "eight times as fast"),
+    ),
+    "serve": (
+        ("fleet-tui serve", "watch at http://127.0.0.1:8000"),
+        ("fleet-tui serve --demo --allow-commands", "a simulated fleet for each tab, to try it"),
+    ),
+    "check": (("fleet-tui check && fleet-tui", "open the console if the configuration is valid"),),
+    "docs": (
+        ("fleet-tui docs tutorial", "the first robot"),
+        ("fleet-tui docs keys | grep -i pause", "search a page"),
+    ),
+}
+"""By the words of the command after `fleet-tui`."""

@@ -1,0 +1,78 @@
+"""The `docs` command: lists the pages, shows one, and every page that the program names is there."""
+
+import re
+import sys
+from pathlib import Path
+
+import pytest
+
+from fleet_tui.cli.docs import pages
+from tests.support.command_line import run
+from tests.support.in_pty import Terminal
+
+ROOT = Path(__file__).parents[2]
+
+
+def test_every_page_is_listed_with_its_title(tmp_path: Path) -> None:
+    done = run("docs", cwd=tmp_path)
+    assert done.returncode == 0
+    for line in ("tutorial       Tutorial: the first robot", "security       Security"):
+        assert line in done.stdout.splitlines()
+    names = {path.stem for path in (ROOT / "docs").glob("*.md")}
+    assert set(pages()) == names | {"security", "changelog"}
+
+
+def test_in_a_pipe_a_page_is_markdown(tmp_path: Path) -> None:
+    assert run("docs", "cli", cwd=tmp_path).stdout == (ROOT / "docs" / "cli.md").read_text()
+
+
+def test_an_unknown_page_is_answered_with_the_nearest(tmp_path: Path) -> None:
+    done = run("docs", "tutorail", cwd=tmp_path)
+    assert done.returncode == 2
+    assert "unknown page 'tutorail', did you mean tutorial?" in done.stderr
+
+
+def test_on_a_terminal_a_page_is_text_without_markup(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PAGER", "cat")
+    terminal = Terminal([sys.executable, "-m", "fleet_tui", "docs", "tutorial"], tmp_path)
+    try:
+        terminal.wait_for("Leave with q.")
+        terminal.wait_for("Connect a stack [connect]: discovery")
+    finally:
+        terminal.close()
+
+
+def test_completion_offers_the_pages(tmp_path: Path) -> None:
+    asked = {"_FLEET_TUI_COMPLETE": "bash_complete", "COMP_WORDS": "fleet-tui docs st", "COMP_CWORD": "2"}
+    assert run(cwd=tmp_path, **asked).stdout.split() == ["plain,status-json"]
+
+
+def test_every_page_that_the_program_names_is_there() -> None:
+    texts = [path.read_text() for path in (ROOT / "fleet_tui").rglob("*.py")]
+    named = {name for text in texts for name in re.findall(r"fleet-tui docs ([a-z][a-z-]*)", text)}
+    assert "status-json" in named and named - {"lists"} <= set(pages())
+
+
+def test_every_link_between_pages_leads_to_a_page_and_a_heading() -> None:
+    pages_of_the_project = {path.resolve(): path.read_text() for path in pages().values()}
+    for name in ("README.md", "CONTRIBUTING.md"):
+        pages_of_the_project[ROOT / name] = (ROOT / name).read_text()
+    lost = [
+        f"{path.name}: {target}"
+        for path, text in pages_of_the_project.items()
+        for target in re.findall(r"\]\(([^)\s]+)\)", text)
+        if not target.startswith("http") and not _exists(path, target, pages_of_the_project)
+    ]
+    assert lost == []
+
+
+def _exists(page: Path, target: str, known: dict[Path, str]) -> bool:
+    name, _, heading = target.partition("#")
+    path = (page.parent / name).resolve() if name else page
+    return path.exists() and (not heading or heading in _anchors(known[path]))
+
+
+def _anchors(text: str) -> set[str]:
+    """The names that GitHub gives to the headings of a page."""
+    titles = re.findall(r"^#+ (.+)$", text, re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
