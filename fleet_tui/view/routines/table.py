@@ -26,7 +26,7 @@ NONE_THERE = (
     "    wait until idle",
     "  end",
     "",
-    "docs/routines.md has the other instructions.",
+    "fleet-tui docs routines has the other instructions.",
 )
 _LOOKS = {
     RUNNING: ("● ", StyleRole.GOOD),
