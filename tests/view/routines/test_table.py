@@ -22,7 +22,7 @@ def shown(*rows: RoutineRow) -> Table:
 def test_without_a_routine_it_tells_where_to_write_one() -> None:
     found = lines(shown())
     assert found[0].startswith("No routine in /site") and "\x1b" not in "".join(found)
-    assert "docs/routines.md" in found[-1]
+    assert "fleet-tui docs routines" in found[-1]
 
 
 def test_a_run_has_a_row_for_each_robot() -> None:
