@@ -20,7 +20,7 @@ NONE_CONFIGURED = (
     '  name = "mapping"',
     '  start = ["roslaunch", "hall", "mapping.launch"]',
     "",
-    "docs/programs.md has the other keys.",
+    "fleet-tui docs programs has the other keys.",
 )
 _LOOKS = {
     ProgramState.RUNNING: ("● ", StyleRole.GOOD),
