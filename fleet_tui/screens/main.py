@@ -179,7 +179,7 @@ class MainScreen(Screen[None]):
         drafted = show_route(self.rest.order_form, state)
         if drafted is not None and drafted[0].marked is not None:
             selection = replace(selection, floor=drafted[0].marked.floor)
-        self.rest.live_map.show(state, selection, others=self.panes.small_maps.display)
+        self.rest.live_map.show(state, selection, others=self.panes.has_small_maps)
         scene = self.rest.mapping.on(self.rest.streams.on(floor_scene(state, selection, drafted)))
         self.rest.show_scene(scene)
 

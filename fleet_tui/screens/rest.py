@@ -78,7 +78,8 @@ class Rest:
         self._screen, self._navigation, self._session = screen, screen.navigation, screen.session
         store, settings, dispatch = screen.store, screen.settings, screen.dispatch
         navigation, notices = screen.navigation, screen.notices
-        self.map, self.small_maps = MapView(id="map"), SmallMapsView()
+        self.map = MapView(id="map")
+        self.small_maps = SmallMapsView("other-floors"), SmallMapsView("other-floors-below")
         self.map.picture.options = MapOptions(drawing=settings.drawing)
         to_next, menu = settings.keys["next_vertex"], lambda: self.robots.menu(navigation.robot)
         self.live_map, self.key_help = LiveMap(screen.backend.show_map), Help()
@@ -111,7 +112,7 @@ class Rest:
         pages = Pages(lambda: store.state, screen.backend, settings.clock)
         self.diagnostics = Diagnostics(pages, screen.backend, settings.keys)
         self.styled = [self.map, self.audit_log.rows, self.diagnostics, *self.key_help.views]
-        self.styled += [self.programs, self.routines, self.small_maps, self.robot_page]
+        self.styled += [self.programs, self.routines, *self.small_maps, self.robot_page]
 
     def _add_camera(self, screen: "MainScreen") -> None:
         view = CameraView()
@@ -174,7 +175,9 @@ class Rest:
             await screen.query_one("#map").remove()
             await screen.panes.floor.mount(self.camera_switch.view, self.map, before=0)
             if len(screen.store.state.floors) > 1:
-                await screen.panes.small_maps.mount(self.small_maps)
+                aside, below = self.small_maps
+                await screen.panes.small_maps.mount(aside)
+                await screen.panes.maps_below.mount(below)
             others = (
                 self.audit_log,
                 self.diagnostics,
@@ -203,7 +206,8 @@ class Rest:
         self._covers = covers
         self._screen.panes.show_map(self.map, scene)
         state, options = self._screen.store.state, self.map.picture.options
-        self.small_maps.show(state, self._navigation.selection, options)
+        for small_maps in self.small_maps:
+            small_maps.show(state, self._navigation.selection, options)
 
     def show(self) -> None:
         """Show the newest state in the place of the map."""

@@ -21,6 +21,9 @@ WHOLE_PAGES, LEAST_COLUMN = (9, 7), 60
 """Lines that the robot's page keeps beside small maps, if need be fewer, and cells of its column from which
 there are some."""
 
+LEAST_SHARED = 90
+"""Cells of a map below which the last events leave half a line to small maps."""
+
 
 class Wanted(NamedTuple):
     """Lines that each pane could use, with its title and the heads of its columns."""
@@ -58,6 +61,14 @@ def below_page(lines: int, page: int, width: int) -> int:
     sizes = (lines // 2, lines // 3, lines // 4, lines // 5)
     fitting = (size for kept in WHOLE_PAGES for size in sizes if size >= LEAST_MAP and page - size >= kept)
     return next(fitting, 0)
+
+
+def is_beside_events(left: int, width: int, lines: int, fleet: int, column: int) -> bool:
+    """Tell whether small maps are larger beside the last events, in `left` lines below a map of `width`
+    cells, than below the robot's page in a `column` of so many cells and `lines` lines. Apart from alarms
+    and orders, which come and go: the maps stay in their place."""
+    *_, page = beside_map(lines, Wanted(fleet, 0, 0))
+    return width >= LEAST_SHARED and left > below_page(lines, page, column)
 
 
 def below_floor(lines: int, floor: int) -> int:

@@ -18,6 +18,7 @@ from fleet_tui.view.layout import (
     below_map,
     below_page,
     beside_map,
+    is_beside_events,
     is_better_beside,
     simple_alone,
     width_of_map,
@@ -75,11 +76,12 @@ class Panes(Container):
         self.page.can_focus = False
         self.recent = RowsPane(id="recent")
         self.recent.can_focus = False
-        self.floor = Container(Container(id="map"), self.recent, id="floor")
-        self.small_maps = Container(id="small-maps")
+        self.small_maps, self.maps_below = Container(id="small-maps"), Container(id="maps-below")
+        self._below = Container(self.recent, self.maps_below, id="below")
+        self.floor = Container(Container(id="map"), self._below, id="floor")
         aside = Container(self.page, self.small_maps, id="aside")
         super().__init__(self.floor, self.fleet, self.alarms, self.queue, aside, id="panes")
-        self._alone, self._small_lines = "", 0
+        self._alone, self._small_lines, self._left = "", 0, 0
         # Nobody reads values that change ten times a second, and rows of a large fleet take a while to make.
         self._fleet_pace, self._page_pace, self._recent_pace = Pace(0.2), Pace(0.5), Pace(1.0)
         self._recent_lines = 0
@@ -91,6 +93,11 @@ class Panes(Container):
     def tables(self) -> tuple[RowsPane, ...]:
         """Return the panes of rows that can be filtered, sorted and marked."""
         return self.fleet, self.alarms, self.queue
+
+    @property
+    def has_small_maps(self) -> bool:
+        """Tell whether small maps of other floors are shown."""
+        return self.small_maps.display or (self.maps_below.display and self._below.display)
 
     @property
     def views(self) -> list[RowsPane]:
@@ -118,7 +125,7 @@ class Panes(Container):
         self.queue.show(queue)
         if self.page.size.height and self._page_pace.is_due((robot, self.page.size)):
             self.page.show(page(robot, self.page.row_width))
-        if self.recent.size.height and self._recent_pace.is_due(self._recent_lines):
+        if self.recent.size.height and self._recent_pace.is_due(self.recent.size):
             self.recent.show(recent(self.recent.size.height - 1))
 
     def show_map(self, view: "MapView", scene: "Scene") -> None:
@@ -138,12 +145,13 @@ class Panes(Container):
         is_free = self.screen.has_class("-wide") and not self._is_small and not self._alone
         above = [part for part in self.floor.children if part.id in ("simple", "camera") and part.display]
         space = self.floor.size.height - sum(part.outer_size.height for part in above)
-        left = max(below_floor(space, lines), self._wanted[1]) if is_free and lines else 0
+        self._left = below_floor(space, lines) if is_free and lines else 0
+        left = max(self._left, self._wanted[1]) if is_free and lines else 0
         if left == self._recent_lines:
             return False
         self._recent_lines = left
-        self.recent.styles.height = left
-        self.recent.display = left > 0
+        self._below.styles.height = left
+        self._below.display = left > 0
         return True
 
     def on_resize(self) -> None:
@@ -188,9 +196,12 @@ class Panes(Container):
             pane.set_class(bool(alone) and pane.id == alone and spans, "-across")
 
     def _share_aside(self, lines: int, page: int) -> None:
-        """Give small maps the lines that the robot's page can spare."""
-        has_some = bool(self.small_maps.children)
-        small = below_page(lines, page, self.page.size.width) if has_some else 0
+        """Give small maps half of the last events' lines, or lines that the robot's page can spare."""
+        has_some, column = bool(self.small_maps.children), self.page.size.width
+        fleet = self._wanted[0].fleet
+        is_below = has_some and is_beside_events(self._left, self.floor.size.width, lines, fleet, column)
+        self.maps_below.display = is_below
+        small = below_page(lines, page, column) if has_some and not is_below else 0
         if small != self._small_lines:
             self._small_lines = small
             self.small_maps.styles.height = small

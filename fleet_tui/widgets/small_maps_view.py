@@ -3,6 +3,7 @@
 from typing import ClassVar
 
 from textual import events
+from textual.widget import Widget
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.map.layers import MapOptions
@@ -18,12 +19,15 @@ class SmallMapsView(CellsView):
 
     DEFAULT_CSS: ClassVar[str] = "SmallMapsView { width: 1fr; height: 1fr; }"
 
-    def __init__(self) -> None:
-        super().__init__(id="other-floors")
+    def __init__(self, id: str) -> None:
+        super().__init__(id=id)
         self._maps, self._pace = SmallMaps(), Pace(1.0)
 
     def show(self, state: FleetState, selection: Selection, options: MapOptions) -> None:
         """Show the newest state where there is space. Cheap between the seconds: call it at every tick."""
+        place = self.parent
+        if not (isinstance(place, Widget) and place.display):
+            return
         if self.size.area and self._pace.is_due((self.size, selection, options)):
             self._maps.show(other_floors(state, selection), options)
             cells = self._maps.cells(*self.size)

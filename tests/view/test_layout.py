@@ -13,6 +13,7 @@ from fleet_tui.view.layout import (
     below_map,
     below_page,
     beside_map,
+    is_beside_events,
     is_better_beside,
     width_of_map,
     without_map,
@@ -79,6 +80,13 @@ def test_small_maps_have_what_the_robots_page_can_spare() -> None:
     assert below_page(57, 18, 80) == 11, "fewer values"
     assert below_page(57, 17, 80) == 0, "the page is not cut"
     assert below_page(37, 25, 48) == 0, "a column too narrow for a floor"
+
+
+def test_small_maps_are_where_they_are_larger_and_stay_there() -> None:
+    assert is_beside_events(16, 123, 57, 32, 77), "30 robots leave their page few lines"
+    assert not is_beside_events(16, 123, 57, 5, 77), "3 robots"
+    assert not is_beside_events(12, 72, 37, 5, 48), "a map too narrow for both"
+    assert not is_beside_events(0, 123, 57, 32, 77)
 
 
 def test_more_alarms_have_more_lines() -> None:
