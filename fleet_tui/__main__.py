@@ -54,7 +54,8 @@ def _run_command() -> None:
         _end(130)
     except click.ClickException as problem:
         message = f"fleet-tui: {problem.format_message()}".splitlines()
-        _end(2, *message, "Run fleet-tui --help for usage.")
+        context = problem.ctx if isinstance(problem, click.UsageError) else None
+        _end(2, *message, f"Run {context.command_path if context else 'fleet-tui'} --help for usage.")
 
 
 def _open_closed_streams() -> None:
