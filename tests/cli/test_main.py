@@ -97,6 +97,14 @@ def test_usage_errors_end_with_2_and_a_remedy(tmp_path: Path, args: tuple[str, .
     assert "Traceback" not in done.stderr
 
 
+@pytest.mark.parametrize(
+    ("line", "command"),
+    [("graph lint", "fleet-tui graph lint"), ("order robot_0", "fleet-tui order"), ("--nope", "fleet-tui")],
+)
+def test_a_usage_error_names_the_help_of_its_command(tmp_path: Path, line: str, command: str) -> None:
+    assert run(*line.split(), cwd=tmp_path).stderr.endswith(f"\nRun {command} --help for usage.\n")
+
+
 def test_the_console_without_a_terminal_says_so(tmp_path: Path) -> None:
     done = run(cwd=tmp_path)
     assert done.returncode == 1

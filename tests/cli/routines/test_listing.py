@@ -10,7 +10,11 @@ from tests.support.routine_files import ONE_ROBOT, routine
 def test_each_routine_with_its_times_and_problems(tmp_path: Path) -> None:
     (tmp_path / "config.toml").write_text(ONE_ROBOT)
     none = run("routine", "list", cwd=tmp_path)
-    assert none.returncode == 0 and none.stdout.startswith("no routine in ") and "fleet-tui docs routines" in none.stdout
+    assert (
+        none.returncode == 0
+        and none.stdout.startswith("no routine in ")
+        and "fleet-tui docs routines" in none.stdout
+    )
     routine(tmp_path, "every weekday 06:30\nfor robot_0\nwait 1 s\nend\n", "morning")
     routine(tmp_path, "for robot_0\ngo\nwait\nend\n", "bad")
     done = run("routine", "list", cwd=tmp_path)
