@@ -9,13 +9,18 @@ from textual.theme import Theme
 from fleet_tui.themes import load_themes, shipped_folder
 from fleet_tui.view.roles import StyleRole
 
+IN_ROWS = [getattr(StyleRole, name) for name in ("TEXT", "DIM", "ACCENT", "GOOD", "WARN", "ALARM", "KEY")]
 SHIPPED = ("colourblind", "contrast", "dark", "light")
 
 READ = (
     StyleRole.LABEL,
     StyleRole.TARGET,
     StyleRole.VERTEX_LABELLED,
-    *(role for role in StyleRole if role >= StyleRole.TEXT and role is not StyleRole.RULE),
+    *(
+        role
+        for role in StyleRole
+        if role >= StyleRole.TEXT and role not in (StyleRole.RULE, StyleRole.CURSOR_ROW)
+    ),
 )
 ROBOTS = (
     StyleRole.ROBOT,
@@ -72,6 +77,16 @@ class Look:
 @pytest.mark.parametrize("role", [*READ, *ROBOTS])
 def test_text_is_readable(name: str, role: StyleRole) -> None:
     assert _contrast(*Look(name).colours(role)) >= 4.5
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+@pytest.mark.parametrize("role", IN_ROWS)
+def test_text_is_readable_in_the_row_of_the_cursor_too(name: str, role: StyleRole) -> None:
+    look = Look(name)
+    ground = look.styles[StyleRole.CURSOR_ROW].bgcolor
+    assert ground is not None
+    row = Color.from_rich_color(ground)
+    assert _contrast(look.colours(role)[0], row) >= 4.5 and row != look.colours(role)[1]
 
 
 @pytest.mark.parametrize("name", SHIPPED)

@@ -52,3 +52,5 @@ class StyleRole(IntEnum):
     WARN = auto()
     ALARM = auto()
     KEY = auto()
+    CURSOR_ROW = auto()
+    """The ground of the row that keys are for; its texts keep their own colours."""

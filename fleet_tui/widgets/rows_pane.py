@@ -27,6 +27,8 @@ class RowsPane(RunsView, can_focus=True):
         self._choose = choose or (lambda key: self.post_message(RowChosen(id, key)))
         self.listing = Listing()
         self.arrangement = RowArrangement()
+        # The cursor of the fleet is the selected robot; another one is for keys while it has the focus.
+        self.marks_cursor = id == "fleet"
 
     @property
     def row_width(self) -> int:

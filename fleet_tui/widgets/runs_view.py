@@ -11,7 +11,10 @@ from textual.widget import Widget
 
 from fleet_tui.terminal.row_strip import RowStrip
 from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.listing import BOTH, CURSOR
 from fleet_tui.view.tables.table import Run, width_of
+
+CURSORS = (CURSOR, BOTH)
 
 
 class RunsView(Widget):
@@ -19,16 +22,20 @@ class RunsView(Widget):
 
     ALLOW_SELECT: ClassVar[bool] = False
     """Disables text selection: dragging has another use here."""
+    marks_cursor = False
+    """The row of the cursor has its own ground without the focus, too."""
 
     def __init__(self, styles: Mapping[StyleRole, Style] | None = None, *, id: str | None = None) -> None:
         super().__init__(id=id)
-        self._styles = _by_number(styles or {})
+        self._styles, self._cursor_styles = _by_number(styles or {}), _by_number({})
         self._rows: Sequence[Sequence[Run]] = []
         self._strips: list[Strip] = []
 
     def set_role_styles(self, styles: Mapping[StyleRole, Style]) -> None:
         """Change the theme: the style of every role, at once."""
+        ground = Style(bgcolor=styles.get(StyleRole.CURSOR_ROW, Style.null()).bgcolor)
         self._styles = _by_number(styles)
+        self._cursor_styles = [style + ground for style in self._styles]
         self._strips = [self._strip(y) for y in range(len(self._strips))]
         self.refresh()
 
@@ -50,7 +57,10 @@ class RunsView(Widget):
             self._strips[y] = self._strip(y)
 
     def _strip(self, y: int) -> Strip:
-        styles, row = self._styles, self._rows[y]
+        row = self._rows[y]
+        sign, role = row[0] if row else ("", StyleRole.TEXT)
+        has_cursor = sign in CURSORS and (self.marks_cursor or role is StyleRole.ACCENT)
+        styles = self._cursor_styles if has_cursor else self._styles
         # Measured here: Rich would cache each of these texts, which are new every second.
         return RowStrip([Segment(text, styles[role]) for text, role in row], width_of(row))
 
