@@ -92,7 +92,7 @@ def leave(terminal: Terminal, text: str, key: str = "\x1b") -> None:
 
 
 def through_the_panes(terminal: Terminal) -> None:
-    look(terminal, "6 of 7 online", SHOWN, "12 orders", "[red]markup[/red]", "no link", "▲ new")
+    look(terminal, "6 of 7 online", f"{SHOWN[:14]}…", "12 orders", "[red]markup[/red]", "no link", "▲ new")
     terminal.press("m")
     terminal.press("}")
     look(terminal, f"map {SHOWN}.yaml: no such file")

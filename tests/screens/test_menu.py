@@ -9,7 +9,7 @@ from tests.support.watched_store import config_of
 
 async def test_the_menu_of_a_row_goes_to_the_robot(server: RosbridgeServer) -> None:
     async with in_the_way(server, "robot_1") as it:
-        await it.shows("▲ new  high robot_1 obstacle 44 s", "alarms")
+        await it.shows("▲ new  high   robot_1 obstacle 44 s", "alarms")
         it.app.main.alarms.focus()
         await it.press("enter")
         await it.shows("robot_1: obstacle 44 s")
@@ -29,7 +29,7 @@ async def test_the_menu_acknowledges_by_number_and_names_the_key(server: Rosbrid
         await it.press("5")
         await it.shows("acknowledged: obstacle alarm of robot_0")
         await it.until(lambda state: state.unacknowledged == 0)
-        await it.shows("△ seen high robot_0 obstacle 44 s", "alarms")
+        await it.shows("△ seen high   robot_0 obstacle 44 s", "alarms")
         await it.press("enter")
         await it.shows("Shelve for")
         assert "Acknowledge" not in it.text

@@ -25,7 +25,7 @@ SIGNS = {
 _PRIORITIES = {Priority.HIGH: "high  ", Priority.MEDIUM: "medium", Priority.LOW: "low   "}
 
 
-WITH_PRIORITY = 46
+WITH_PRIORITY = 44
 """Cells of a pane from which alarms have words for stage and priority, seconds, and robots long names."""
 HOURS_MINUTES = 5
 REST_AT, LEAST_REST = 2, 10

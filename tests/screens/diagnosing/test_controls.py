@@ -85,7 +85,7 @@ async def test_copies_by_osc_52(server: RosbridgeServer, monkeypatch: pytest.Mon
         assert f"{len(text):,} characters" in it.text
         monkeypatch.setenv("TMUX", "/tmp/tmux")
         await it.press("1", "y")
-        await it.shows("set-clipboard on): the row, ")
+        await it.shows("copied to the clipboard (tmux needs: set -s set-clipboard on): the row, ")
         assert base64.b64decode(sent[1].split(";")[2][:-1]).decode() == f"rosbridge {server.url}"
 
 
@@ -96,7 +96,7 @@ async def test_copying_waits_for_a_terminal_that_still_reads_a_picture(
         answers = [False, True, *5 * [False]]
         monkeypatch.setattr(it.app.output, "call", lambda _sequence: answers.pop(0))
         await it.press("d", "y")
-        await it.shows("set-clipboard on): the row, ")
+        await it.shows("copied to the clipboard: the row, ")
         await it.press("y")
         await it.shows("not copied: the terminal is not reading")
         assert answers == []
