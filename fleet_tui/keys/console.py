@@ -134,6 +134,7 @@ CONSOLE: tuple[Key[Actions], ...] = (
         lambda do: do.alarms.acknowledge(),
         "Acknowledge the alarm under the cursor",
         hint="ack",
+        helps="stays",
     ),
     Key(
         "cancel",

@@ -31,6 +31,8 @@ HOURS_MINUTES = 5
 REST_AT, LEAST_REST = 2, 10
 """Cells before the rest of a long text, and those that each of its lines has at least."""
 UNBOUNDED = 10_000
+FEW = 4
+"""Alarms up to which the first has its advice in view."""
 
 
 def _role(alarm: Alarm) -> StyleRole:
@@ -49,7 +51,8 @@ def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float],
         shelf = f" until {clock(state.wall + alarm.shelved_until - state.now)}"
     is_wide = width >= WITH_PRIORITY
     sign = SIGNS[alarm.stage] if is_wide else SIGNS[alarm.stage][:1]
-    runs: list[Run] = [(f"{sign}{shelf} ", role)]
+    is_known = alarm.holds and alarm.stage is AlarmStage.ACKNOWLEDGED
+    runs: list[Run] = [(f"{sign}{shelf} ", StyleRole.WARN if is_known else role)]
     if is_wide:
         is_over = alarm.stage is AlarmStage.RETURNED
         runs.append((f"{_PRIORITIES[alarm.condition.priority]} ", StyleRole.DIM if is_over else role))
@@ -81,11 +84,12 @@ def _below(text: str, role: StyleRole) -> Row:
     return Row(None, ((" " * REST_AT + text, role),))
 
 
-def _advice(alarm: Alarm, width: int) -> list[Row]:
-    """Return the operator's action for a single alarm that still needs one: there is space for it."""
+def _advice(alarm: Alarm, width: int, whose: str = "") -> list[Row]:
+    """Return the operator's action for an alarm that still needs one, with `whose` it is if there are
+    several."""
     if not alarm.holds or alarm.stage is AlarmStage.SHELVED or width >= UNBOUNDED:
         return []
-    lines = wrap(CLASSES[class_of(alarm.condition.kind)].action, max(LEAST_REST, width - 1 - REST_AT))
+    lines = wrap(whose + CLASSES[class_of(alarm.condition.kind)].action, max(LEAST_REST, width - 1 - REST_AT))
     return [_below(line, StyleRole.TEXT) for line in lines]
 
 
@@ -140,6 +144,8 @@ def alarm_table(
     rows: Sequence[Row] = LateRows(keys, lambda place: _row(state, alarms[place], sources, clock, width))
     if len(alarms) == 1:
         rows = [*_in_full(rows[0], alarms[0], width), *_advice(alarms[0], width)]
+    elif 1 < len(alarms) <= FEW:
+        rows = [*rows, *_advice(alarms[0], width, f"{sanitize(alarms[0].condition.source)}: ")]
     title: list[Run] = [("Alarms", StyleRole.TITLE)]
     if state.unacknowledged:
         title.append((f" {state.unacknowledged} new", StyleRole.ALARM))

@@ -65,10 +65,10 @@ def _signed(state: FleetState, robot: Robot, troubled: bool, shelved: bool) -> R
 
 
 def _seen_row(row: Row) -> Row:
-    """Return a row as the alarm pane has acknowledged alarms: with their sign, and without red."""
+    """Return a row as the alarm pane has acknowledged alarms: without red, but not calm."""
     (sign, _), *_ = row.runs
     runs = [(text, StyleRole.TEXT if role is StyleRole.ALARM else role) for text, role in row.runs]
-    return Row(row.key, ((sign.replace("▲", "△"), runs[0][1]), *runs[1:]))
+    return Row(row.key, ((sign.replace("▲", "△"), StyleRole.WARN), *runs[1:]))
 
 
 def _head(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Columns) -> list[Run]:
@@ -160,7 +160,8 @@ def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Co
         told = "" if failed else _after_news(order, progress, columns.state - width_of(runs), bool(runs))
         return Row(robot.name, (*_head(state, robot, sign, selected, columns), *runs, (told, role)))
     if current is not None and not runs:
-        runs = [(progress or _movement(state, robot), movement)]
+        shorter = progress if cell_width(progress) < columns.state else progress.partition(", ")[0]
+        runs = [(shorter or _movement(state, robot), movement)]
     placed = _placed(order, runs, columns), role if shown is current else StyleRole.DIM
     return Row(robot.name, (*_head(state, robot, sign, selected, columns), placed, *runs))
 
@@ -180,7 +181,7 @@ def _after_news(order: str, progress: str, cells: int, is_news: bool) -> str:
         told = "  ".join(part for part in (text, far) if part)
         if cell_width(told) <= cells:
             return told
-    return "" if is_news else order  # beside news a letter of it tells nothing
+    return "" if is_news else order.removesuffix(NOT_OURS)  # beside news a letter of it tells nothing
 
 
 def _state_text(state: FleetState, robot: Robot) -> str:

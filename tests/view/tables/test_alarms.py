@@ -132,7 +132,7 @@ def test_in_a_narrow_pane_the_reason_stays() -> None:
     assert text_of(advice.runs) == "  Send it to a charger" and advice.key is None
 
 
-def test_only_a_single_alarm_that_needs_somebody_has_its_advice_below() -> None:
+def test_of_a_few_alarms_the_first_has_its_advice_below() -> None:
     acknowledged = reduced(low(), events.AlarmAcknowledged(R0, "battery"))
     assert len(alarm_table(acknowledged, clock, 38).rows) == 2
     shelved = reduced(low(), events.AlarmShelved(R0, "battery", T0 + 1800))
@@ -140,7 +140,8 @@ def test_only_a_single_alarm_that_needs_somebody_has_its_advice_below() -> None:
     over = reduced(latched, battery(T0 + 1, 60.0), tick(T0 + 1), tick(T0 + 5))
     assert [len(alarm_table(state, clock, 80).rows) for state in (shelved, over)] == [1, 1]
     two = reduced(fleet(2), link_up(T0), battery(T0, 5.0), battery(T0, 15.0, "robot_1"), tick(T0))
-    assert all(row.key for row in alarm_table(two, clock, 38).rows)
+    first, second, advice = alarm_table(two, clock, 38).rows
+    assert first.key and second.key and text_of(advice.runs) == "  robot_0: Send it to a charger"
 
 
 def test_a_single_alarm_that_is_cut_goes_on_in_a_second_line() -> None:

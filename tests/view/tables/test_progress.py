@@ -6,17 +6,31 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.navigation import Progress
 from fleet_tui.model.robot import Reading
+from fleet_tui.view.tables.fleet import fleet_table
 from fleet_tui.view.tables.progress import progress_text
-from tests.support.fleets import R0, T0, fleet, link_up, of_kinds, pose, queue, reduced, tick
+from tests.support.fleets import R0, T0, fleet, link_up, of_kinds, pose, queue, reduced, text_of, tick
+
+
+def driving(progress: Progress, at: float = T0) -> FleetState:
+    order = queue(T0, (1, 1, 2, "W"), current=1)
+    state = reduced(of_kinds(fleet(), Kind("k", ("pose",))), link_up(T0), pose(at), order, tick(at))
+    robot = msgspec.structs.replace(state.robots[R0], progress=Reading(progress, T0))
+    return msgspec.structs.replace(state, robots={R0: robot})
 
 
 def text(progress: Progress, at: float = T0) -> str:
-    driving = queue(T0, (1, 1, 2, "W"), current=1)
-    state: FleetState = reduced(
-        of_kinds(fleet(), Kind("k", ("pose",))), link_up(T0), pose(at), driving, tick(at)
-    )
-    robot = msgspec.structs.replace(state.robots[R0], progress=Reading(progress, T0))
+    state = driving(progress, at)
+    robot = state.robots[R0]
     return progress_text(state, robot, robot.orders.orders[0])
+
+
+def test_in_the_fleet_it_is_whole_or_shorter_never_cut() -> None:
+    state = driving(Progress("1", metres=12.5, seconds=31.0, stop=0, recoveries=2))
+    rows = {width: text_of(fleet_table(state, R0, width).rows[0].runs) for width in range(36, 140)}
+    assert all("12.5 m left" in row and "stop 1 of 2, 2 recoveries" in row for row in (rows[139], rows[130]))
+    for width, row in rows.items():
+        assert len(row.rstrip()) <= width, row
+        assert "m left" in row or "12.5" not in row, row
 
 
 def test_what_is_told_stands_there_in_its_order() -> None:
