@@ -113,11 +113,10 @@ async def test_long_lines_go_on_as_far_in_as_they_began(server: RosbridgeServer)
         await it.shows("\n│     a charger ")
 
 
-async def test_an_alarm_is_acknowledged_where_it_is_read(server: RosbridgeServer) -> None:
+@pytest.mark.parametrize("key", ["w", "i"])
+async def test_an_alarm_is_acknowledged_where_it_is_read(server: RosbridgeServer, key: str) -> None:
     async with console(config_of(server.url, 2)) as it:
         server.world.robots["robot_1"].battery = 5.0
         await it.until(lambda state: state.unacknowledged)
-        for key in ("w", "i"):
-            await it.press("!", key, "a")
-            await it.until(lambda state: not state.unacknowledged)
-            await it.press("escape")
+        await it.press("!", key, "a")
+        await it.until(lambda state: not state.unacknowledged)
