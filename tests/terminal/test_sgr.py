@@ -60,7 +60,11 @@ def test_with_16_colours_a_hue_stays_that_hue(triple: tuple[int, int, int], numb
 def test_no_role_vanishes_in_its_ground_however_few_colours_there_are(
     name: str, colours: ColorSystem
 ) -> None:
-    looks = {role: look_of(style, colours) for role, style in load_themes()[0][name].styles().items()}
+    styles = load_themes()[0][name].styles()
+    row = Style(bgcolor=styles.pop(StyleRole.CURSOR_ROW).bgcolor)
+    looks = {role: look_of(style, colours) for role, style in styles.items()}
+    in_row = {role: look_of(style + row, colours) for role, style in styles.items() if role >= StyleRole.TEXT}
+    assert [role for role, look in in_row.items() if _as_ground(look.color) == look.on] == []
     assert [role for role, look in looks.items() if _as_ground(look.color) == look.on] == []
     assert looks[StyleRole.ROBOT].on != looks[StyleRole.FLOOR].on
     assert looks[StyleRole.ROBOT_SELECTED] != looks[StyleRole.ROBOT]
