@@ -71,7 +71,7 @@ done; if test -t 1; then printf '\r\033[K'; fi
 
 $(READY): SHELL := bash
 $(READY): pyproject.toml requirements.lock
-	@echo "Setting up $(VENV) (once, about a minute) ..."
+	@echo "Setting up $(VENV) (once, half a minute or more) ..."
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "Python 3.11 or newer is needed; say which with: make PYTHON=python3.12 ..."; exit 1; }
 	@$(PYTHON) -m venv $(VENV)
 	@set -o pipefail; PYTHONUNBUFFERED=1 $(BIN)/pip install --disable-pip-version-check -r requirements.lock | { $(PROGRESS); }

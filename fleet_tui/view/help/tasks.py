@@ -51,7 +51,7 @@ TASKS: dict[str, tuple[Step, ...]] = {
     ),
     "Get around": (
         (("next_pane", "enlarge"), "Next pane; enlarge it"),
-        (("menu", "mark_row"), "Row menu (shelve); mark the row"),
+        (("mark_row", "menu"), "Mark several robots; row menu"),
         (("palette", "filter_rows"), "Find anything; filter rows"),
         (("back", "quit"), "One level back; quit"),
     ),
