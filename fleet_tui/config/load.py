@@ -4,6 +4,7 @@ import os
 import tomllib
 import typing
 from collections.abc import Mapping
+from contextlib import suppress
 from pathlib import Path
 from types import UnionType
 from typing import Any, Literal
@@ -48,9 +49,7 @@ def find(given: str | None) -> Path:
     if given:
         return expanded(given)
     if named := os.environ.get("FLEET_TUI_CONFIG"):
-        if not expanded(named).exists():
-            raise ConfigError([f"$FLEET_TUI_CONFIG names {named}: no such file"])
-        return expanded(named)
+        return _there(expanded(named))
     found = next((place for place in places() if place.is_file()), None)
     if found is None:
         raise NoConfigError(
@@ -61,6 +60,14 @@ def find(given: str | None) -> Path:
             ]
         )
     return found
+
+
+def _there(path: Path) -> Path:
+    """Return the path of the variable. Raises ConfigError without such a file: nobody typed that name now."""
+    with suppress(PermissionError):  # told when it is read
+        if not path.exists():
+            raise ConfigError([f"$FLEET_TUI_CONFIG names {path}: no such file"])
+    return path
 
 
 def looked_for() -> list[tuple[str, str]]:

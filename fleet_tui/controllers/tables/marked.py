@@ -25,7 +25,7 @@ sent."""
 
 
 class _Asked(Struct, frozen=True):
-    """What is asked of one row. `lack`: why it can't be asked of it."""
+    """The request for one row; `lack`: the reason that it can't have it."""
 
     request: Request
     lack: str = ""
