@@ -96,7 +96,10 @@ class Console:
 
     async def until(self, holds: Callable[[FleetState], object]) -> FleetState:
         """Wait until the state is as wanted."""
-        return await self.store.until(holds)
+        try:
+            return await self.store.until(holds)
+        except TimeoutError:
+            raise AssertionError(f"never so:\n{self.text}") from None
 
     async def shows(self, text: str, pane: str = "") -> None:
         """Wait until a text stands on the screen, or in a pane."""
