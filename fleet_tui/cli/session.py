@@ -42,12 +42,18 @@ def session(
 ) -> Iterator[tuple[FleetLink, WaitingStore]]:
     """Connect to every bridge of a config, load the floors' graphs, and close again."""
     store = store or WaitingStore(initial_state(config, time.monotonic()))
-    link = FleetLink(config, store, tap)
+    with opened(FleetLink(config, store, tap), config) as link:
+        yield link, store
+
+
+@contextmanager
+def opened(link: FleetLink, config: Config) -> Iterator[FleetLink]:
+    """Connect, load the floors' graphs, and close again."""
     link.open()
     try:
         for loaded in load_graphs(config):
             link.post(loaded)
-        yield link, store
+        yield link
     finally:
         link.close()
 

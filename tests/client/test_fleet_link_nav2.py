@@ -204,18 +204,11 @@ async def test_an_order_that_ends_while_the_link_is_lost_is_known_afterwards(sit
     async with linked(site.config) as (link, store):
         await store.until(nav2_ready)
         order = await finished(link, store, site.to("Receiving"))
-        port = int(site.server.url.rpartition(":")[2])
         await site.server.stop()
         await store.until(phase(Phase.WAITING))
         site.fleet.step(60.0)
-        again = type(site.server)(
-            site.fleet, rate=50.0, speed=20.0, dialect=site.server.bridge.dialect, port=port
-        )
-        await again.start()
-        try:
+        async with site.started_again():
             ended = await reached(store, order.id, Stage.DONE, Stage.FAILED, Stage.LOST)
-        finally:
-            await again.stop()
         assert ended.stage is Stage.DONE
 
 

@@ -163,19 +163,12 @@ async def test_goals_that_nothing_lists_after_a_lost_link_are_gone(
     async with linked(site.config) as (link, store):
         await store.until(nav2_ready)
         order = await finished(link, store, site.to("Consumidores"))
-        port = int(site.server.url.rpartition(":")[2])
         await site.server.stop()
         for server in site.navigation().servers.values():
             server.die()
             server.alive = True
-        again = type(site.server)(
-            site.fleet, rate=50.0, speed=20.0, dialect=site.server.bridge.dialect, port=port
-        )
-        await again.start()
-        try:
+        async with site.started_again():
             ended = await reached(store, order.id, Stage.DONE, Stage.FAILED, Stage.LOST)
-        finally:
-            await again.stop()
         assert ended.stage is Stage.LOST
 
 

@@ -55,6 +55,16 @@ def audited(folder: Path) -> list[str]:
     return [f"{one.change}: {one.words}" for one in records if one.change.startswith("routine")]
 
 
+async def start_day(it: Console) -> None:
+    """Start the routine, until its program runs."""
+    await it.press("B")
+    await it.shows("○ never run", PANE)
+    await it.press("enter", "1")
+    await it.shows("Start day")
+    await it.press("y")
+    await it.shows("line 3: run ./gate", PANE)
+
+
 async def test_it_is_started_after_a_check_and_a_question_and_led_to_its_end(
     server: RosbridgeServer, tmp_path: Path, gate: Path
 ) -> None:
@@ -87,12 +97,7 @@ async def test_without_a_link_it_is_held_and_a_person_resumes(
 ) -> None:
     hurry(server)
     async with with_routines(server, tmp_path) as it:
-        await it.press("B")
-        await it.shows("○ never run", PANE)
-        await it.press("enter", "1")
-        await it.shows("Start day")
-        await it.press("y")
-        await it.shows("line 3: run ./gate", PANE)
+        await start_day(it)
         await server.drop_clients()
         await it.shows("△ held", PANE)
         await it.until(lambda state: all(map(reaches, state.links.values())))
@@ -140,12 +145,7 @@ async def test_leaving_is_asked_and_the_next_console_takes_it_up(
 ) -> None:
     hurry(server)
     async with with_routines(server, tmp_path) as it:
-        await it.press("B")
-        await it.shows("○ never run", PANE)
-        await it.press("enter", "1")
-        await it.shows("Start day")
-        await it.press("y")
-        await it.shows("line 3: run ./gate", PANE)
+        await start_day(it)
         await it.press("escape", "q")
         await it.shows("Leave day? Running orders go on")
         await it.pilot.press("y")

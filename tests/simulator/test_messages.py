@@ -1,32 +1,21 @@
 """Messages of robots and floors, in the shape of those recorded."""
 
-from collections.abc import AsyncIterator
 
-import pytest
 from websockets.asyncio.client import connect
 
-from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.transcripts import frames, ours, parsed, recording, shape
 
 
-@pytest.fixture
-async def server() -> AsyncIterator[RosbridgeServer]:
-    server = RosbridgeServer(World(3, 2, seed=1, quiet=True), rate=20.0)
-    await server.start()
-    yield server
-    await server.stop()
-
-
-async def test_every_topic_says_messages_of_the_same_shape(server: RosbridgeServer) -> None:
+async def test_every_topic_says_messages_of_the_same_shape(three: RosbridgeServer) -> None:
     lines = recording("telemetry-and-orders.jsonl")
-    server.world.robots["robot_1"].take(0, 7, request_id=1)
+    three.world.robots["robot_1"].take(0, 7, request_id=1)
     theirs: dict[str, object] = {}
     for frame in map(parsed, frames(lines, "in")):
         if frame["op"] == "publish":  # the last message of each topic: the queue is not empty there
             theirs[ours(frame["topic"])] = shape(frame)
     found: dict[str, object] = {}
-    async with connect(server.url) as client:
+    async with connect(three.url) as client:
         for text in frames(lines, "out"):
             if parsed(text).get("op") == "subscribe":
                 await client.send(ours(text))

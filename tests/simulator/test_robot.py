@@ -2,21 +2,9 @@
 
 import math
 
-import pytest
-
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.robot import SimRobot
 from tests.support.sim_world import call, off_road, order, run_until_idle
-
-
-@pytest.fixture
-def world() -> World:
-    return World(1, 2, seed=3, quiet=True)
-
-
-@pytest.fixture
-def robot(world: World) -> SimRobot:
-    return world.robots["robot_0"]
 
 
 def test_the_cargo_is_on_board_between_start_and_end(world: World, robot: SimRobot) -> None:

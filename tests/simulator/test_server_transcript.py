@@ -1,34 +1,23 @@
 """The simulator against recordings of a real bridge: same answers, same shapes, same bytes on the wire."""
 
 import base64
-from collections.abc import AsyncIterator
 
 import cbor2
-import pytest
 from websockets.asyncio.client import connect
 
-from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.transcripts import Json, frames, ours, parsed, recording, shape, until_answer
 
 ELSEWHERE = ("scan", "camera", "connected_clients")  # topics the simulated robots don't have
 
 
-@pytest.fixture
-async def server() -> AsyncIterator[RosbridgeServer]:
-    server = RosbridgeServer(World(3, 2, seed=1, quiet=True), rate=20.0)
-    await server.start()
-    yield server
-    await server.stop()
-
-
-async def test_every_call_is_answered_in_the_same_words(server: RosbridgeServer) -> None:
+async def test_every_call_is_answered_in_the_same_words(three: RosbridgeServer) -> None:
     lines = recording("telemetry-and-orders.jsonl")
     theirs = {frame["id"]: frame for frame in map(parsed, frames(lines, "in")) if "id" in frame}
-    async with connect(server.url) as client:
+    async with connect(three.url) as client:
         for text in frames(lines, "out"):
             if "with_cargo" in text:  # the recorded robot took such an order without cargo
-                server.world.robots["robot_1"].cargo = True
+                three.world.robots["robot_1"].cargo = True
             await client.send(ours(text))
             operation = parsed(text)
             if operation.get("op") == "call_service":
@@ -38,11 +27,11 @@ async def test_every_call_is_answered_in_the_same_words(server: RosbridgeServer)
     assert theirs == {}
 
 
-async def test_rosapi_answers_alike(server: RosbridgeServer) -> None:
+async def test_rosapi_answers_alike(three: RosbridgeServer) -> None:
     lines = recording("rosapi-and-scan.jsonl")
     theirs = {frame["id"]: frame for frame in map(parsed, frames(lines, "in")) if "id" in frame}
     answers: dict[str, Json] = {}
-    async with connect(server.url) as client:
+    async with connect(three.url) as client:
         for text in frames(lines, "out"):
             await client.send(ours(text))
             if "id" in parsed(text) and parsed(text)["op"] == "call_service":
@@ -60,18 +49,18 @@ async def test_rosapi_answers_alike(server: RosbridgeServer) -> None:
     assert set(robots) <= set(answers["a2"]["values"]["services"])
 
 
-async def test_the_number_of_clients_is_told_alike(server: RosbridgeServer) -> None:
+async def test_the_number_of_clients_is_told_alike(three: RosbridgeServer) -> None:
     lines = recording("rosapi-and-scan.jsonl")
     (told,) = [text for text in frames(lines, "in") if text.startswith('{"op":"publish","topic":"\\/client')]
     (asked,) = [text for text in frames(lines, "out") if '"/client_count"' in text]
-    async with connect(server.url) as client:
+    async with connect(three.url) as client:
         await client.send(asked)
         assert await client.recv() == told
 
 
-async def test_a_map_is_sent_alike_as_json(server: RosbridgeServer) -> None:
+async def test_a_map_is_sent_alike_as_json(three: RosbridgeServer) -> None:
     lines = recording("map-json.jsonl.gz")
-    async with connect(server.url, max_size=None) as client:
+    async with connect(three.url, max_size=None) as client:
         await client.send(ours(frames(lines, "out")[0]))
         text = str(await client.recv())
     theirs = frames(lines, "in")[0]
@@ -83,9 +72,9 @@ async def test_a_map_is_sent_alike_as_json(server: RosbridgeServer) -> None:
     assert info["resolution"] == parsed(theirs)["msg"]["info"]["resolution"]
 
 
-async def test_a_map_is_sent_alike_as_cbor(server: RosbridgeServer) -> None:
+async def test_a_map_is_sent_alike_as_cbor(three: RosbridgeServer) -> None:
     lines = recording("map-cbor.jsonl.gz")
-    async with connect(server.url, max_size=None) as client:
+    async with connect(three.url, max_size=None) as client:
         await client.send(ours(frames(lines, "out")[0]))
         binary = await client.recv()
     (theirs,) = [base64.b64decode(line["binary"]) for line in lines if "binary" in line]

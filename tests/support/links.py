@@ -4,12 +4,12 @@ import time
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 
+from fleet_tui.cli.session import opened
 from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.client.queue_file import QueueFile
 from fleet_tui.client.tap import Tap
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
-from fleet_tui.maps.floor_files import load_graphs
 from fleet_tui.model.commands import Command, CommandRecord
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
@@ -21,14 +21,8 @@ async def linked(
     config: Config, tap: Tap | None = None, queue: QueueFile | None = None
 ) -> AsyncIterator[tuple[FleetLink, WatchedStore]]:
     store = WatchedStore(initial_state(config, time.monotonic()))
-    link = FleetLink(config, store, tap, queue)
-    link.open()
-    try:
-        for loaded in load_graphs(config):
-            link.post(loaded)
+    with opened(FleetLink(config, store, tap, queue), config) as link:
         yield link, store
-    finally:
-        link.close()
 
 
 def phase(wanted: Phase) -> Callable[[FleetState], bool]:

@@ -51,6 +51,12 @@ async def until(client: ClientConnection, wanted: Callable[[Json], object]) -> J
             return frame
 
 
+async def latest(client: ClientConnection, topic: str) -> Any:
+    """The first message of a topic after subscribing to it."""
+    await listen(client, topic)
+    return (await until(client, lambda frame: frame.get("topic") == topic))["msg"]
+
+
 async def result(client: ClientConnection, id_: str) -> Json:
     """The end of a goal of this client."""
     return await until(client, lambda frame: frame["op"] == "action_result" and frame["id"] == id_)

@@ -43,6 +43,18 @@ class Site:
         """An order to these places."""
         return PlaceOrder(robot, at_vertices(*[self.vertex(label) for label in labels]))
 
+    @asynccontextmanager
+    async def started_again(self) -> AsyncIterator[None]:
+        """A new bridge of the same robots at the port of the stopped one."""
+        port = int(self.server.url.rpartition(":")[2])
+        dialect = self.server.bridge.dialect
+        again = RosbridgeServer(self.fleet, rate=50.0, speed=SPEED, dialect=dialect, port=port)
+        await again.start()
+        try:
+            yield
+        finally:
+            await again.stop()
+
     def cancels(self) -> list[tuple[str, object]]:
         """The cancellations that arrived: the action and the id."""
         return [

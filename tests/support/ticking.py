@@ -5,11 +5,11 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
+from fleet_tui.cli.session import opened
 from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.client.queue_file import QueueFile
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
-from fleet_tui.maps.floor_files import load_graphs
 from fleet_tui.model.events import Event, TimePassed
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.recording.indexing import open_recording
@@ -40,14 +40,10 @@ def taped(config: Config, folder: Path) -> Iterator[tuple[FleetLink, Ticking]]:
     """A live link that is recorded; afterwards its replay is compared with it at each instant."""
     store = Ticking(initial_state(config, time.monotonic()))
     tap = Recorder(folder / "run.jsonl.gz", config, store, ORIGIN)
-    link = FleetLink(config, store, tap, QueueFile(None, "ana"))
-    link.open()
     try:
-        for loaded in load_graphs(config):
-            link.post(loaded)
-        yield link, store
+        with opened(FleetLink(config, store, tap, QueueFile(None, "ana")), config) as link:
+            yield link, store
     finally:
-        link.close()
         tap.close()
     _replays(open_recording(tap.path), store.ticks)
 

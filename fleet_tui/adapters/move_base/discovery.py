@@ -2,14 +2,7 @@
 
 from fleet_tui.adapters.discovery import Discovery, Listed
 from fleet_tui.adapters.move_base.vocabulary import VOCABULARY
-from fleet_tui.adapters.ros_navigation.discovery import (
-    ALONE,
-    find_floors,
-    find_topic,
-    name_set_up,
-    namespaces,
-    of_robots,
-)
+from fleet_tui.adapters.ros_navigation.discovery import found_at, namespaces, of_robots
 
 STATUS, STATUS_TYPE = "move_base/status", VOCABULARY.topics["status"][1]
 OF_MOVE_BASE = ("status", "goal", "cancel", "feedback", "target")
@@ -22,13 +15,8 @@ def discover(listed: Listed) -> Discovery:
     """Recognise these robots among the names that a bridge lists."""
     there = [name for name, type_ in listed.topics.items() if type_ == STATUS_TYPE]
     spaces = of_robots(namespaces(there, [STATUS]))
-    found = Discovery({space or ALONE: [] for space in spaces})
-    if spaces:
-        find_floors(found, spaces, listed)
-        for key in CHOSEN:
-            find_topic(found, key, VOCABULARY, spaces, listed)
-        name_set_up(found, VOCABULARY, spaces, listed)
-        if spaces == [""]:
-            usual = {key: VOCABULARY.topics[key][0] for key in OF_MOVE_BASE}
-            found.topics |= {key: name.removeprefix("/{robot}") for key, name in usual.items()}
+    found = found_at(spaces, CHOSEN, VOCABULARY, listed)
+    if spaces == [""]:
+        usual = {key: VOCABULARY.topics[key][0] for key in OF_MOVE_BASE}
+        found.topics |= {key: name.removeprefix("/{robot}") for key, name in usual.items()}
     return found

@@ -1,8 +1,9 @@
 """Names of move_base's topics, `{robot}` being the namespace."""
 
-from fleet_tui.adapters.ros.fields import GRID, HEADER, alike, placed
+from fleet_tui.adapters.ros.fields import alike, placed
 from fleet_tui.adapters.ros.names import Vocabulary
 from fleet_tui.adapters.ros.set_up import names as set_up
+from fleet_tui.adapters.ros_navigation import vocabulary as shared
 
 VOCABULARY = Vocabulary(
     topics={
@@ -12,26 +13,11 @@ VOCABULARY = Vocabulary(
         "feedback": ("/{robot}/move_base/feedback", "move_base_msgs/MoveBaseActionFeedback"),
         "target": ("/{robot}/move_base/current_goal", "geometry_msgs/PoseStamped"),
         "plan": ("/{robot}/move_base/NavfnROS/plan", "nav_msgs/Path"),
-        "odometry": ("/{robot}/odom", "nav_msgs/Odometry"),
-        "pose": ("/{robot}/amcl_pose", "geometry_msgs/PoseWithCovarianceStamped"),
-        "battery": ("/{robot}/battery_state", "sensor_msgs/BatteryState"),
-        "floor": ("", "std_msgs/String"),
-        "pause_navigation": ("", "std_msgs/Bool"),
-        "map": ("/map", "nav_msgs/OccupancyGrid"),
-        **set_up.with_names(
-            set_up.TOPICS,
-            {
-                "initial_pose": "/{robot}/initialpose",
-                "scan": "/{robot}/scan",
-                "camera": set_up.CAMERA,
-                "drive": "/{robot}/cmd_vel",
-            },
-        ),
+        **shared.TOPICS,
     },
-    floor_topics=frozenset({"map"}),
+    floor_topics=shared.FLOOR_TOPICS,
     services={
-        "pause": ("", "std_srvs/Trigger"),
-        "resume": ("", "std_srvs/Trigger"),
+        **shared.PAUSES,
         **set_up.with_names(
             set_up.SERVICES,
             {
@@ -49,13 +35,7 @@ VOCABULARY = Vocabulary(
         "status": alike("status_list"),
         "feedback": placed("feedback.base_position.pose."),
         "target": placed("pose."),
-        "plan": alike("poses"),
-        "odometry": {**HEADER, **placed("pose.pose.")},
-        "pose": {**HEADER, **placed("pose.pose."), "covariance": "pose.covariance"},
-        "battery": alike("percentage"),
-        "floor": alike("data"),
-        "map": GRID,
-        "mode": alike("data"),
+        **shared.FIELDS,
     },
-    scales=frozenset({"odometry", "pose", "battery"}),
+    scales=shared.SCALES,
 )

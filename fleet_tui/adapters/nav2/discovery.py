@@ -3,14 +3,7 @@
 from fleet_tui.adapters.discovery import Discovery, Listed
 from fleet_tui.adapters.nav2.vocabulary import ACTIONS, VOCABULARY
 from fleet_tui.adapters.ros.type_names import same_type
-from fleet_tui.adapters.ros_navigation.discovery import (
-    ALONE,
-    find_floors,
-    find_topic,
-    name_set_up,
-    namespaces,
-    of_robots,
-)
+from fleet_tui.adapters.ros_navigation.discovery import found_at, namespaces, of_robots
 
 DRIVES = ("navigate_to_pose", "navigate_through_poses", "follow_waypoints")
 IS_ACTIVE = VOCABULARY.services["is_active"][0].replace("/{robot}", "")
@@ -21,15 +14,10 @@ ONE_BY_ONE = ("odometry", "pose", "battery", "blocked")
 def discover(listed: Listed) -> Discovery:
     """Recognise these robots among the names that a bridge lists."""
     spaces = _namespaces(listed)
-    found = Discovery({space or ALONE: [] for space in spaces})
-    if spaces:
-        find_floors(found, spaces, listed)
-        for key in ONE_BY_ONE:
-            find_topic(found, key, VOCABULARY, spaces, listed)
-        name_set_up(found, VOCABULARY, spaces, listed)
-        if spaces == [""]:
-            found.actions |= {key: f"/{key}" for key in ACTIONS}
-            found.services["is_active"] = IS_ACTIVE
+    found = found_at(spaces, ONE_BY_ONE, VOCABULARY, listed)
+    if spaces == [""]:
+        found.actions |= {key: f"/{key}" for key in ACTIONS}
+        found.services["is_active"] = IS_ACTIVE
     return found
 
 

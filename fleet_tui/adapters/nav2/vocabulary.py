@@ -1,8 +1,9 @@
 """Names of Nav2's topics and actions, `{robot}` being the namespace."""
 
-from fleet_tui.adapters.ros.fields import GRID, HEADER, alike, placed
+from fleet_tui.adapters.ros.fields import alike
 from fleet_tui.adapters.ros.names import Vocabulary
 from fleet_tui.adapters.ros.set_up import names as set_up
+from fleet_tui.adapters.ros_navigation import vocabulary as shared
 
 ACTIONS = ("follow_waypoints", "navigate_through_poses", "navigate_to_pose", "dock_robot", "undock_robot")
 """In the order of cancelling: the first drives by goals of others."""
@@ -19,28 +20,13 @@ MAP_SAVE = {
 
 VOCABULARY = Vocabulary(
     topics={
-        "odometry": ("/{robot}/odom", "nav_msgs/Odometry"),
-        "pose": ("/{robot}/amcl_pose", "geometry_msgs/PoseWithCovarianceStamped"),
-        "battery": ("/{robot}/battery_state", "sensor_msgs/BatteryState"),
+        **shared.TOPICS,
         "blocked": ("/{robot}/collision_monitor_state", "nav2_msgs/CollisionMonitorState"),
-        "floor": ("", "std_msgs/String"),
-        "pause_navigation": ("", "std_msgs/Bool"),
         "plan": ("/{robot}/plan", "nav_msgs/Path"),
-        "map": ("/map", "nav_msgs/OccupancyGrid"),
-        **set_up.with_names(
-            set_up.TOPICS,
-            {
-                "initial_pose": "/{robot}/initialpose",
-                "scan": "/{robot}/scan",
-                "camera": set_up.CAMERA,
-                "drive": "/{robot}/cmd_vel",
-            },
-        ),
     },
-    floor_topics=frozenset({"map"}),
+    floor_topics=shared.FLOOR_TOPICS,
     services={
-        "pause": ("", "std_srvs/Trigger"),
-        "resume": ("", "std_srvs/Trigger"),
+        **shared.PAUSES,
         "is_active": ("/{robot}/lifecycle_manager_navigation/is_active", "std_srvs/Trigger"),
         **set_up.with_names(
             set_up.SERVICES,
@@ -71,14 +57,8 @@ VOCABULARY = Vocabulary(
         "undock_robot": ("/{robot}/undock_robot", "nav2_msgs/action/UndockRobot"),
     },
     fields={
-        "odometry": {**HEADER, **placed("pose.pose.")},
-        "pose": {**HEADER, **placed("pose.pose."), "covariance": "pose.covariance"},
-        "battery": alike("percentage"),
+        **shared.FIELDS,
         "blocked": alike("action_type", "polygon_name"),
-        "floor": alike("data"),
-        "plan": alike("poses"),
-        "map": GRID,
-        "mode": alike("data"),
     },
-    scales=frozenset({"odometry", "pose", "battery"}),
+    scales=shared.SCALES,
 )

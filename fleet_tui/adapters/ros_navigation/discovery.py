@@ -25,6 +25,17 @@ def of_robots(spaces: set[str]) -> list[str]:
     return sorted(spaces - {""} or spaces, key=natural)
 
 
+def found_at(spaces: Sequence[str], keys: Iterable[str], vocabulary: Vocabulary, listed: Listed) -> Discovery:
+    """Name the floors, the topics with these keys, and the set-up of robots in the namespaces."""
+    found = Discovery({space or ALONE: [] for space in spaces})
+    if spaces:
+        find_floors(found, spaces, listed)
+        for key in keys:
+            find_topic(found, key, vocabulary, spaces, listed)
+        name_set_up(found, vocabulary, spaces, listed)
+    return found
+
+
 def _templates(spaces: Sequence[str], names: Iterable[str]) -> set[str]:
     """Names in the namespaces of robots as a profile has them."""
     if spaces == [""]:

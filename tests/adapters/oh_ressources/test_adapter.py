@@ -22,6 +22,7 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Role
 from fleet_tui.state.reducer import apply
 from tests.support.adapters import adapter_of, event_of
+from tests.support.changed import changed
 from tests.support.fleets import order, order_queue, place_order, recording
 
 ROBOT = "robot_1"
@@ -137,19 +138,6 @@ def test_good_messages_are_the_facts_they_tell() -> None:
     assert event("labels", GOOD["labels"]) == events.LabelsReceived(ROBOT, "ground", {"0": "Base"})
 
 
-def with_(msg: dict[str, Any], path: str, value: object) -> dict[str, Any]:
-    copy: dict[str, Any] = json.loads(json.dumps(msg))
-    *way, last = path.split(".")
-    inner = copy
-    for name in way:
-        inner = inner[name]
-    if value is ...:
-        del inner[last]
-    else:
-        inner[last] = value
-    return copy
-
-
 NUMBERS = ["pose:pose.position.x", "pose:pose.orientation.w", "battery:data", "obstacle:data"]
 NUMBERS += ["map_metadata:resolution", "map_metadata:origin.position.y"]
 
@@ -160,10 +148,10 @@ def test_a_bad_number_is_a_bad_message(place: str, bad: object) -> None:
     key, _, path = place.partition(":")
     event(key, GOOD[key])
     with pytest.raises(WireError):
-        event(key, with_(GOOD[key], path, bad))
+        event(key, changed(GOOD[key], path, bad))
     if bad is not ... and bad == bad and bad not in (math.inf, -math.inf):
         with pytest.raises(WireError):
-            event(key, msgspec.Raw(json.dumps(with_(GOOD[key], path, bad)).encode()))
+            event(key, msgspec.Raw(json.dumps(changed(GOOD[key], path, bad)).encode()))
 
 
 @pytest.mark.parametrize(
@@ -199,13 +187,13 @@ def test_a_bad_number_is_a_bad_message(place: str, bad: object) -> None:
 def test_each_kind_of_bad_message_is_refused(key: str, path: str, bad: object) -> None:
     event(key, GOOD[key])
     with pytest.raises(WireError) as refused:
-        event(key, with_(GOOD[key], path, bad))
+        event(key, changed(GOOD[key], path, bad))
     assert str(refused.value)
 
 
 def test_a_quaternion_of_length_zero_turns_no_robot_but_leaves_a_map_as_it_is() -> None:
     nothing = dict.fromkeys("xyzw", 0.0)
     with pytest.raises(WireError, match="orientation"):
-        event("pose", with_(POSE, "pose.orientation", nothing))
-    got = event("map_metadata", with_(METADATA, "origin.orientation", nothing))
+        event("pose", changed(POSE, "pose.orientation", nothing))
+    got = event("map_metadata", changed(METADATA, "origin.orientation", nothing))
     assert isinstance(got, events.FrameReceived) and got.frame.origin == Pose(1.0, 2.0, 0.0)

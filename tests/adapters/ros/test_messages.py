@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from fleet_tui.adapters.ros import messages as ros
 from fleet_tui.adapters.ros.operations import Publish, decode, decode_cbor
 from fleet_tui.errors import WireError
+from tests.support.changed import changed
 from tests.support.fleets import recording
 
 POSE: dict[str, Any] = {
@@ -97,24 +98,11 @@ def test_a_stamp_too_large_for_any_clock_is_refused(field: str, number: int) -> 
             ros.reader(ros.Stamp)(msg)
 
 
-def changed(path: str, value: object) -> dict[str, Any]:
-    copy: dict[str, Any] = json.loads(json.dumps(POSE))
-    *way, last = path.split(".")
-    inner = copy
-    for name in way:
-        inner = inner[name]
-    if value is ...:
-        del inner[last]
-    else:
-        inner[last] = value
-    return copy
-
-
 @pytest.mark.parametrize("value", [None, "1.0", True, [], {}, ...], ids=repr)
 @pytest.mark.parametrize("field", ["pose.position.x", "pose.orientation.w"])
 def test_a_bad_number_is_refused_by_name(field: str, value: object) -> None:
     last = field.rpartition(".")[2]
-    for msg in (changed(field, value), raw(changed(field, value))):
+    for msg in (changed(POSE, field, value), raw(changed(POSE, field, value))):
         with pytest.raises(WireError, match=last if value is ... else rf"\$\.{field}"):
             ros.reader(ros.PoseStamped)(msg)
 

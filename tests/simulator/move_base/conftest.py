@@ -1,9 +1,8 @@
-"""A server with two robots with move_base, and clients of it."""
+"""A server with two robots with move_base."""
 
 from collections.abc import AsyncIterator
 
 import pytest
-from websockets.asyncio.client import ClientConnection, connect
 
 from fleet_tui.simulator.move_base.fleet import MoveBaseFleet
 from fleet_tui.simulator.server import RosbridgeServer
@@ -20,15 +19,3 @@ async def server(fleet: MoveBaseFleet) -> AsyncIterator[RosbridgeServer]:
     await server.start()
     yield server
     await server.stop()
-
-
-@pytest.fixture
-async def client(server: RosbridgeServer) -> AsyncIterator[ClientConnection]:
-    async with connect(server.url, max_size=None, close_timeout=0.1) as client:
-        yield client
-
-
-@pytest.fixture
-async def other(server: RosbridgeServer) -> AsyncIterator[ClientConnection]:
-    async with connect(server.url, max_size=None, close_timeout=0.1) as client:
-        yield client

@@ -2,7 +2,6 @@
 
 import asyncio
 import json
-from typing import Any
 
 import pytest
 from websockets.asyncio.client import ClientConnection
@@ -28,7 +27,7 @@ from tests.support.move_base_client import (
     result,
     told,
 )
-from tests.support.nav2_client import call, listen, settle, until
+from tests.support.nav2_client import call, latest, listen, settle, until
 
 FAR, NEAR = pose(35.0, 20.0), pose(8.0, 0.0)
 
@@ -214,27 +213,10 @@ async def test_what_is_missing_never_comes(
         assert json.loads(await client.recv())["topic"] == "/robot_1/odom"
 
 
-async def subscriptions(client: ClientConnection, topic: str) -> Any:
-    await listen(client, topic)
-    return (await until(client, lambda frame: frame.get("topic") == topic))["msg"]
-
-
 async def test_who_is_lost_says_how_unsure_it_is(server: RosbridgeServer, client: ClientConnection) -> None:
     plant(server, "lost")
-    covariance = (await subscriptions(client, "/robot_0/amcl_pose"))["pose"]["covariance"]
+    covariance = (await latest(client, "/robot_0/amcl_pose"))["pose"]["covariance"]
     assert covariance[0] + covariance[7] > 0.5
-
-
-@pytest.mark.parametrize(
-    ("name", "low", "high"), [("percent", 30.0, 100.0), ("battery", 0.01, 0.08), ("unmeasured", None, None)]
-)
-async def test_batteries_differ(
-    server: RosbridgeServer, client: ClientConnection, name: str, low: float | None, high: float
-) -> None:
-    plant(server, name)
-    server.fleets[0].step(0.1)
-    percentage = (await subscriptions(client, "/robot_0/battery_state"))["percentage"]
-    assert percentage is None if low is None else low < percentage <= high + 1e-6
 
 
 async def test_rosapi_freezes_and_dies(server: RosbridgeServer, client: ClientConnection) -> None:

@@ -1,9 +1,8 @@
-"""A server with two robots with Nav2, long up, and clients of it."""
+"""A server with two robots with Nav2, long up."""
 
 from collections.abc import AsyncIterator
 
 import pytest
-from websockets.asyncio.client import ClientConnection, connect
 
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.ros.ros2 import ROS2
@@ -24,15 +23,3 @@ async def server(fleet: Nav2Fleet) -> AsyncIterator[RosbridgeServer]:
     server.bridge.started -= LONG_AGO
     yield server
     await server.stop()
-
-
-@pytest.fixture
-async def client(server: RosbridgeServer) -> AsyncIterator[ClientConnection]:
-    async with connect(server.url, max_size=None, close_timeout=0.1) as client:
-        yield client
-
-
-@pytest.fixture
-async def other(server: RosbridgeServer) -> AsyncIterator[ClientConnection]:
-    async with connect(server.url, max_size=None, close_timeout=0.1) as client:
-        yield client

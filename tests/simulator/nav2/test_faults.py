@@ -3,7 +3,6 @@
 import asyncio
 import json
 import time
-from typing import Any
 
 import pytest
 from websockets.asyncio.client import ClientConnection
@@ -14,7 +13,18 @@ from fleet_tui.simulator.nav2.faults import FAULTS
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.navigating.faults import EVERY
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.nav2_client import TO_POSE, call, give, listen, pose, result, settle, statuses, until
+from tests.support.nav2_client import (
+    TO_POSE,
+    call,
+    give,
+    latest,
+    listen,
+    pose,
+    result,
+    settle,
+    statuses,
+    until,
+)
 
 FAR, NEAR = pose(35.0, 20.0), pose(8.0, 0.0)
 STATUS, FEEDBACK = f"{TO_POSE}/_action/status", f"{TO_POSE}/_action/feedback"
@@ -24,11 +34,6 @@ QUICK = 100.0  # the seconds of faults are those of the wall; with this speed th
 
 def plant(server: RosbridgeServer, name: str) -> None:
     play(server, parse_faults(f"{name}:robot_0", server.bridge.services.robots, FAULTS))
-
-
-async def subscriptions(client: ClientConnection, topic: str) -> Any:
-    await listen(client, topic)
-    return (await until(client, lambda frame: frame.get("topic") == topic))["msg"]
 
 
 def test_a_fault_of_another_kind_is_named() -> None:
@@ -151,25 +156,13 @@ async def test_who_is_heard_again_tells_how_its_goals_stand(
 
 
 async def test_who_is_lost_says_how_unsure_it_is(server: RosbridgeServer, client: ClientConnection) -> None:
-    sure = await subscriptions(client, "/robot_0/amcl_pose")
+    sure = await latest(client, "/robot_0/amcl_pose")
     assert sure["pose"]["covariance"][0] + sure["pose"]["covariance"][7] < 0.5
     plant(server, "lost")
     lost = await until(client, lambda frame: "msg" in frame)
     covariance, position = lost["msg"]["pose"]["covariance"], lost["msg"]["pose"]["pose"]["position"]
     assert covariance[0] + covariance[7] > 0.5
     assert position["x"] == pytest.approx(sure["pose"]["pose"]["position"]["x"] + 2.0)
-
-
-@pytest.mark.parametrize(
-    ("name", "low", "high"), [("percent", 30.0, 100.0), ("battery", 0.01, 0.08), ("unmeasured", None, None)]
-)
-async def test_batteries_differ(
-    server: RosbridgeServer, client: ClientConnection, name: str, low: float | None, high: float
-) -> None:
-    plant(server, name)
-    server.fleets[0].step(0.1)
-    percentage = (await subscriptions(client, "/robot_0/battery_state"))["percentage"]
-    assert percentage is None if low is None else low < percentage <= high + 1e-6
 
 
 async def test_a_bridge_without_the_package_knows_no_action(

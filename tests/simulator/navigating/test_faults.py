@@ -6,6 +6,7 @@ from types import SimpleNamespace
 from typing import Any, cast
 
 import pytest
+from websockets.asyncio.client import connect
 
 from fleet_tui.simulator.faults import camera
 from fleet_tui.simulator.faults.hand import FAULTS as HAND
@@ -14,6 +15,7 @@ from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.navigating.faults import AWHILE, BODY, EVERY, FLAT
 from fleet_tui.simulator.navigating.robot import LOST, NavigatingRobot
 from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.nav2_client import latest
 
 Fleets = MoveBaseFleet | Nav2Fleet
 FLEETS: tuple[type[Any], ...] = (MoveBaseFleet, Nav2Fleet)
@@ -71,3 +73,18 @@ def test_another_client_cancels_every_goal_after_a_while(kind: type[Fleets]) -> 
     assert all(navigation.busy for navigation in fleet.navigation.values())
     fleet.step(1.0)
     assert [navigation.busy for navigation in fleet.navigation.values()] == [False, True]
+
+
+@pytest.mark.parametrize("kind", FLEETS)
+@pytest.mark.parametrize(
+    ("name", "low", "high"), [("percent", 30.0, 100.0), ("battery", 0.01, 0.08), ("unmeasured", None, None)]
+)
+async def test_batteries_differ(kind: type[Fleets], name: str, low: float | None, high: float) -> None:
+    server = RosbridgeServer(kind(2, 1, seed=1, quiet=True), rate=50.0, speed=20.0)
+    BODY[name][1](server, "robot_0")
+    await server.start()
+    async with connect(server.url, max_size=None, close_timeout=0.1) as client:
+        server.fleets[0].step(0.1)
+        percentage = (await latest(client, "/robot_0/battery_state"))["percentage"]
+        assert percentage is None if low is None else low < percentage <= high + 1e-6
+    await server.stop()

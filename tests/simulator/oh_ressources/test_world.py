@@ -11,16 +11,6 @@ from fleet_tui.simulator.robot import SimRobot
 from tests.support.sim_world import Values, call, off_road, order, run_until_idle
 
 
-@pytest.fixture
-def world() -> World:
-    return World(1, 2, seed=3, quiet=True)
-
-
-@pytest.fixture
-def robot(world: World) -> SimRobot:
-    return world.robots["robot_0"]
-
-
 def carry(world: World, end: int) -> Values:
     return call(world, "Execute_order_with_cargo", request_id=6, agent="robot_0", end_point=end)
 
