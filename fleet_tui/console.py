@@ -88,9 +88,12 @@ def _files(
     """Return the files of a live console; `until_the_end` closes them."""
 
     def open_them(files: ConsoleFiles) -> None:
+        from fleet_tui.history.writer import history_of
         from fleet_tui.recording.recordings import Recordings
 
         files.audit = until_the_end.enter_context(auditing(state_folder(), config, store, demo))
+        origin = files.audit.origin
+        files.history = until_the_end.enter_context(history_of(state_folder(), config, store, origin))
         files.recordings = Recordings(config, store, state_folder(), demo)
         until_the_end.callback(files.recordings.close)
 

@@ -17,6 +17,8 @@ from fleet_tui.config.fleet import watching
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.errors import ConfigError
+from fleet_tui.history.writer import history_of
+from fleet_tui.log_file import state_folder
 from fleet_tui.maps.floor_files import load_maps
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
@@ -142,20 +144,19 @@ def record(
     """Record for a number of seconds, until SIGTERM or Ctrl-C; return the exit code. Without a link within
     `timeout` seconds it ends. Raises RecordingError if the file can't be created, ConfigError for an
     unsafe secret."""
-    config = watching(config)
-    problems = access_problems(config)
-    if problems:
-        # Before a file is created.
-        raise ConfigError([f"{config.path}: {line}" for line in problems])
+    config = _watching(config)
     store = WaitingStore(initial_state(config, time.monotonic()))
-    taps = Taps()
-    recorder = taps.attach(Recorder(path, config, store, new_origin(config), limits))
+    taps, origin = Taps(), new_origin(config)
+    recorder = taps.attach(Recorder(path, config, store, origin, limits))
     shown = sanitize(str(path))
     say(f"recording to {shown}; replay with: fleet-tui replay {shlex.quote(shown)}")
     watch = _Watch(recorder, say, is_live)
     with _ended_by_signals():
         try:
-            with session(config, taps, store) as (link, _):
+            with (
+                history_of(state_folder(), config, store, origin),
+                session(config, taps, store) as (link, _),
+            ):
                 _load_maps(config, link)
                 maps = _live_maps(config, store, link)
                 while _goes_on(recorder.began, seconds, timeout, watch):
@@ -166,6 +167,15 @@ def record(
             taps.detach(recorder)
             watch.close(store.state)
     return FINE if watch.had_link else NO_LINK
+
+
+def _watching(config: Config) -> Config:
+    """Return the configuration of a console that only watches. Before a file is created: raises ConfigError
+    for an unsafe secret."""
+    config = watching(config)
+    if problems := access_problems(config):
+        raise ConfigError([f"{config.path}: {line}" for line in problems])
+    return config
 
 
 def _goes_on(began: float, seconds: float, timeout: float, watch: _Watch) -> bool:

@@ -143,6 +143,14 @@ class RecordingConfig(msgspec.Struct, frozen=True):
     keep: Annotated[int, msgspec.Meta(ge=0, le=100_000)] = 0
 
 
+class HistoryConfig(msgspec.Struct, frozen=True):
+    """`[history]`: the days for which it is kept, 0: none, and the size of its file above which the oldest
+    days go."""
+
+    days: Annotated[float, msgspec.Meta(ge=0, le=3660)] = 90.0
+    megabytes: Annotated[float, msgspec.Meta(ge=1, le=100_000)] = 1000.0
+
+
 class CameraConfig(msgspec.Struct, frozen=True):
     """`[camera]`: kilobytes a second to the terminal above which pictures of a camera come less often."""
 
@@ -167,6 +175,7 @@ class Config(msgspec.Struct, frozen=True):
     ui: Ui = Ui()
     alarms: Alarms = Alarms()
     recording: RecordingConfig = RecordingConfig()
+    history: HistoryConfig = HistoryConfig()
     camera: CameraConfig = CameraConfig()
     programs: list[ProgramEntry] = []
     routines: RoutinesConfig = RoutinesConfig()

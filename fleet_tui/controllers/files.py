@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from fleet_tui.audit.log import Audit
     from fleet_tui.config.saving import Saving
+    from fleet_tui.history.writer import HistoryWriter
     from fleet_tui.maps.draft_file import DraftFile
     from fleet_tui.recording.recordings import Recordings
 
@@ -15,7 +16,8 @@ Pack = Callable[[str, Callable[[], bool]], Path]
 
 
 class ConsoleFiles:
-    """The audit log, the recordings, the incident archive and the configuration. None: not written here."""
+    """The audit log, the recordings, the history, the incident archive and the configuration. None: not
+    written here."""
 
     def __init__(
         self,
@@ -33,9 +35,10 @@ class ConsoleFiles:
         self.draft, self.graph_file = draft, graph_file
         self.audit: Audit | None = None
         self.recordings: Recordings | None = None
+        self.history: HistoryWriter | None = None
 
     def open(self) -> None:
-        """Open the audit log and the recordings."""
+        """Open the audit log, the recordings and the history."""
         self._open_them(self)
 
     @property
@@ -51,4 +54,5 @@ class ConsoleFiles:
     def notes(self) -> list[str]:
         """Return notes on recording and its failures."""
         audit = self.audit.notes if self.audit else []
-        return [*audit, *(self.recordings.notes() if self.recordings else [])]
+        recordings = self.recordings.notes() if self.recordings else []
+        return [*audit, *recordings, *(self.history.notes if self.history else [])]

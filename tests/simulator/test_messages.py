@@ -1,6 +1,5 @@
 """Messages of robots and floors, in the shape of those recorded."""
 
-
 from websockets.asyncio.client import connect
 
 from fleet_tui.simulator.server import RosbridgeServer

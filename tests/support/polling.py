@@ -1,6 +1,7 @@
 """Waiting for what another process does, which wakes nobody here."""
 
 import asyncio
+import time
 from collections.abc import Callable
 
 
@@ -9,3 +10,11 @@ async def until(holds: Callable[[], object], within: float = 20.0) -> None:
     async with asyncio.timeout(within):
         while not holds():  # noqa: ASYNC110  # of another process there is no event
             await asyncio.sleep(0.01)
+
+
+def eventually(holds: Callable[[], object], within: float = 20.0) -> None:
+    """Wait for what another thread does; the test fails if it never holds."""
+    ends = time.monotonic() + within
+    while not holds():
+        assert time.monotonic() < ends, "it never held"
+        time.sleep(0.005)

@@ -1,0 +1,1 @@
+"""The history of a fleet on disk: SQLite, one writer, many readers."""

@@ -1,0 +1,129 @@
+"""Reads a history, also while a console writes it."""
+
+import sqlite3
+from collections.abc import Iterator, Sequence
+from typing import Any, TypeVar
+
+from msgspec import Struct
+
+from fleet_tui.model.history.facts import Activity, Charge, LinkChange, Note, Span
+from fleet_tui.model.history.lives import AlarmLife, PastCommand, PastOrder
+from fleet_tui.rules.history.observing import HOUR
+
+S = TypeVar("S", bound=Struct)
+
+MOST = 100_000
+"""Rows of one answer at most, the newest."""
+
+
+class History:
+    """The answers of one database; times are Unix seconds, lists are oldest first. Methods raise
+    sqlite3.Error."""
+
+    def __init__(self, database: sqlite3.Connection) -> None:
+        self._database = database
+
+    def orders(self, since: float, until: float, robot: str = "") -> list[PastOrder]:
+        """Return the orders that were queued, driven or ended in a time."""
+        wanted = "(queued < :until AND (ended IS NULL OR ended >= :since))"
+        return self._rows(PastOrder, "orders", ORDER, wanted, "queued", since, until, robot)
+
+    def alarms(self, since: float, until: float, robot: str = "") -> list[AlarmLife]:
+        """Return the alarms that were raised or held in a time."""
+        wanted = "(raised < :until AND (ended IS NULL OR ended >= :since))"
+        return self._rows(AlarmLife, "alarms", ALARM, wanted, "raised", since, until, robot, "source")
+
+    def commands(self, since: float, until: float, robot: str = "") -> list[PastCommand]:
+        """Return the commands that were given in a time."""
+        wanted = "at >= :since AND at < :until"
+        return self._rows(PastCommand, "commands", COMMAND, wanted, "at", since, until, robot)
+
+    def links(self, since: float, until: float) -> list[LinkChange]:
+        """Return the changes of links in a time, and the last one of each before it."""
+        before = "SELECT max(at), link, is_up, reason FROM links WHERE at < ? GROUP BY link"
+        within = "SELECT at, link, is_up, reason FROM links WHERE at >= ? AND at < ? ORDER BY at"
+        rows = [*self._database.execute(before, (since,)), *self._database.execute(within, (since, until))]
+        return [LinkChange(link, at, bool(is_up), reason) for at, link, is_up, reason in rows]
+
+    def notes(self, since: float, until: float) -> list[Note]:
+        """Return the remarks of operators in a time."""
+        rows = self._database.execute(
+            "SELECT at, operator, text FROM notes WHERE at >= ? AND at < ? ORDER BY at", (since, until)
+        )
+        return [Note(*row) for row in rows]
+
+    def robots(self, since: float, until: float) -> list[str]:
+        """Return the names of the robots that were observed in a time."""
+        rows = self._database.execute(
+            "SELECT DISTINCT robot FROM hours WHERE hour >= ? AND hour <= ?",
+            (int(since // HOUR), int(until // HOUR)),
+        )
+        return [row[0] for row in rows]
+
+    def spans(self, robot: str, since: float, until: float) -> list[Span]:
+        """Return what a robot did in a time, cut at full hours; the first may have begun before."""
+        rows = self._database.execute(
+            "SELECT robot, activity, began, ended, floor, x, y FROM spans"
+            " WHERE robot = ? AND began > ? AND began < ? AND ended >= ? ORDER BY began",
+            (robot, since - HOUR, until, since),
+        )
+        return [_span(row) for row in rows]
+
+    def blocked(self, since: float, until: float) -> list[Span]:
+        """Return the times in which any robot was blocked."""
+        rows = self._database.execute(
+            "SELECT robot, activity, began, ended, floor, x, y FROM spans"
+            " WHERE activity = 'blocked' AND began > ? AND began < ? AND ended >= ? ORDER BY began",
+            (since - HOUR, until, since),
+        )
+        return [_span(row) for row in rows]
+
+    def seconds(self, robot: str, since: float, until: float) -> dict[int, dict[Activity, float]]:
+        """Return the seconds of each activity of a robot by hour (Unix seconds // 3600), whole hours."""
+        rows = self._database.execute(
+            "SELECT hour, activity, seconds FROM hours WHERE robot = ? AND hour >= ? AND hour <= ?",
+            (robot, int(since // HOUR), int(until // HOUR)),
+        )
+        found: dict[int, dict[Activity, float]] = {}
+        for hour, activity, seconds in rows:
+            found.setdefault(hour, {})[Activity(activity)] = seconds
+        return found
+
+    def charges(self, robot: str, since: float, until: float) -> list[Charge]:
+        """Return the battery of a robot in a time."""
+        rows = self._database.execute(
+            "SELECT robot, at, percent FROM charges WHERE robot = ? AND at >= ? AND at < ? ORDER BY at",
+            (robot, since, until),
+        )
+        return [Charge(*row) for row in rows]
+
+    def _rows(
+        self,
+        kind: type[S],
+        table: str,
+        columns: Sequence[str],
+        wanted: str,
+        by: str,
+        since: float,
+        until: float,
+        robot: str,
+        named: str = "robot",
+    ) -> list[S]:
+        of_robot = f" AND {named} = :robot" if robot else ""
+        query = f"SELECT {', '.join(columns)} FROM {table} WHERE {wanted}{of_robot} ORDER BY {by} DESC"
+        values = {"since": since, "until": until, "robot": robot}
+        rows: Iterator[Any] = self._database.execute(f"{query} LIMIT {MOST}", values)
+        return [kind(*row) for row in rows][::-1]
+
+
+ORDER = ("robot", "name", "way", "floor", "queued", "begun", "ended", "stage", "reason", "operator")
+ALARM = (
+    *("source", "kind", "priority", "text", "raised", "returned", "acknowledged", "ended"),
+    *("operator", "count"),
+)
+COMMAND = ("at", "operator", "robot", "what", "way", "stage", "reason")
+
+
+def _span(row: Sequence[Any]) -> Span:
+    robot, activity, *rest = row
+    return Span(robot, Activity(activity), *rest)

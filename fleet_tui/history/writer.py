@@ -1,0 +1,245 @@
+"""Writes the history of a fleet in a thread of its own: a disk that hangs or is full stops nothing else."""
+
+import fcntl
+import logging
+import os
+import sqlite3
+import threading
+import time
+from collections import deque
+from collections.abc import Iterator
+from contextlib import contextmanager, nullcontext, suppress
+from datetime import datetime
+from functools import partial
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from fleet_tui.audit.entries import Origin, alarm_records, command_records
+from fleet_tui.audit.file import FILE_NAME
+from fleet_tui.config.schema import Config, HistoryConfig
+from fleet_tui.history.database import (
+    history_path,
+    is_damaged,
+    open_to_write,
+    put_aside,
+    transaction,
+)
+from fleet_tui.history.rebuilding import rebuild
+from fleet_tui.history.writing import end_unseen, prune, write
+from fleet_tui.model.audit_record import AuditRecord
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.history.facts import Note
+from fleet_tui.rules.history.observing import Fact, Observer
+from fleet_tui.state.store import Store
+
+LOG = logging.getLogger(__name__)
+
+EVERY = 1.0
+"""Seconds between two looks at the fleet."""
+WAITING = 50_000
+"""Facts that wait for a writable disk; of more the oldest are lost, and counted."""
+PRUNE_EVERY = 3600.0
+DAY = 86_400.0
+LAST_CHANCE = 1.0
+"""Seconds at the end after which an unresponsive disk is given up."""
+PARTS = (1.0, 0.75, 0.5, 0.25, 0.1)
+"""Parts of the days that are kept, until the file is small enough."""
+MOVES_CLOCK = 3600.0
+"""Seconds by which a clock may jump before nothing is removed by its time any more."""
+
+
+class HistoryWriter:
+    """One console's part of the history. Its own commands are written by every console; what robots do by
+    one of those that observe the same site, the first."""
+
+    def __init__(self, path: Path, audit: Path, config: HistoryConfig, store: Store, origin: Origin) -> None:
+        self.path, self.problem, self.note = path, "", ""
+        self._audit, self._config, self._store, self._origin = audit, config, store, origin
+        self._facts: deque[Fact | Note | AuditRecord] = deque()
+        self._lost = 0
+        self._changes: deque[tuple[FleetState, FleetState, float, float]] = deque(maxlen=WAITING)
+        self._database: sqlite3.Connection | None = None
+        self._lock: int | None = None
+        self._observer = Observer()
+        self._seen: set[str] = set()
+        self._pruned = -PRUNE_EVERY
+        self._clock = time.time() - time.monotonic()
+        self._closing = threading.Event()
+        self._thread = threading.Thread(target=self._work, name="fleet-tui-history", daemon=True)
+
+    @property
+    def notes(self) -> list[str]:
+        """Return notes for the operator; empty while all is written."""
+        told = [f"not written: {self.problem}"] if self.problem else [self.note] if self.note else []
+        return [f"history: {one}" for one in told]
+
+    def start(self) -> None:
+        """Begin to observe."""
+        self._store.watchers.append(self.watch)
+        self._thread.start()
+
+    def watch(self, before: FleetState, after: FleetState) -> None:
+        """Keep a change of commands or alarms; written later."""
+        self._changes.append((before, after, time.monotonic(), time.time()))
+
+    def add_note(self, text: str) -> None:
+        """Write a remark for whoever takes over."""
+        self._facts.append(Note(time.time(), self._origin.operator, text))
+
+    def close(self) -> None:
+        """Write what is left."""
+        with suppress(ValueError):
+            self._store.watchers.remove(self.watch)
+        self._closing.set()
+        if self._thread.is_alive():
+            self._thread.join(LAST_CHANCE)
+
+    def _work(self) -> None:
+        while not self._closing.wait(EVERY):
+            self._step()
+        self._collect()
+        self._facts.extend(self._observer.finish() if self._lock is not None else ())
+        self._write()
+        if self._database is not None:
+            self._database.close()
+        if self._lock is not None:
+            os.close(self._lock)
+
+    def _step(self) -> None:
+        try:
+            self._collect()
+        except Exception:
+            LOG.exception("history")  # a mistake of ours in one state must not end the history
+        self._write()
+
+    def _collect(self) -> None:
+        """Take what happened since the last time."""
+        observes = self._observes()
+        while self._changes:
+            before, after, at, wall = self._changes.popleft()
+            for record in command_records(self._origin, before, after, partial(_wall, at, wall)):
+                self._add(record)
+            for record in alarm_records(self._origin, before, after, wall) if observes else ():
+                self._add(record)
+        if observes:
+            for fact in self._observer.observe(self._store.state):
+                self._add(fact)
+
+    def _add(self, fact: Fact | AuditRecord) -> None:
+        if len(self._facts) >= WAITING:
+            self._facts.popleft()
+            self._lost += 1
+        self._facts.append(fact)
+
+    def _observes(self) -> bool:
+        """Tell whether this console is the one that observes; become it if no other is."""
+        if self._lock is None:
+            try:
+                self.path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
+                handle = os.open(f"{self.path}.lock", os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
+            except OSError:
+                return True  # the database will say why
+            try:
+                fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except OSError:
+                os.close(handle)
+                return False
+            self._lock = handle
+        return True
+
+    def _write(self) -> None:
+        """Write all that waits, in one transaction; what could not be written waits on."""
+        try:
+            database = self._opened()
+            taken = list(self._facts)
+            with transaction(database):
+                self._end_unseen(database)
+                for fact in taken:
+                    write(database, fact, self._origin.run, self._origin.operator)
+            for _ in taken:
+                self._facts.popleft()
+            self._prune(database)
+        except (sqlite3.Error, OSError) as problem:
+            self._failed(problem)
+        else:
+            self.problem = ""
+            if self._lost:
+                LOG.error("history: %d facts not written", self._lost)
+                self._lost = 0
+
+    def _opened(self) -> sqlite3.Connection:
+        if self._database is None:
+            self._database, is_new = open_to_write(self.path)
+            if is_new and not self._origin.demo:
+                robots = frozenset(self._store.state.robots)
+                since = time.time() - self._config.days * DAY
+                with transaction(self._database), suppress(OSError):
+                    rebuild(self._database, self._audit, robots, since)
+        return self._database
+
+    def _end_unseen(self, database: sqlite3.Connection) -> None:
+        """At the first queue of a robot: end what ended unobserved."""
+        for robot in self._store.state.robots.values():
+            if robot.queue is not None and robot.name not in self._seen and self._lock is not None:
+                end_unseen(database, robot.name, set(robot.traces))
+                self._seen.add(robot.name)
+
+    def _failed(self, problem: sqlite3.Error | OSError) -> None:
+        words = getattr(problem, "strerror", None) or str(problem)
+        if self._database is not None:
+            with suppress(sqlite3.Error):
+                self._database.close()
+            self._database = None
+        if isinstance(problem, sqlite3.Error) and is_damaged(problem):
+            with suppress(OSError):
+                self.note = f"was damaged: kept as {put_aside(self.path, datetime.now().astimezone()).name}"
+                LOG.error("history: %s: %s", self.path, self.note)
+                return
+        if words != self.problem:
+            LOG.error("history: not written: %s: %s", self.path, words)
+        self.problem = words
+
+    def _prune(self, database: sqlite3.Connection) -> None:
+        """Remove what is too old, and the oldest while the file is too large. A clock that jumped removes
+        nothing."""
+        now = time.monotonic()
+        if now - self._pruned < PRUNE_EVERY or self._lock is None:
+            return
+        self._pruned = now
+        wall = time.time()
+        if abs(wall - now - self._clock) > MOVES_CLOCK:
+            return
+        for part in PARTS:
+            with transaction(database):
+                prune(database, wall - part * self._config.days * DAY)
+            database.execute("PRAGMA incremental_vacuum").fetchall()
+            if _bytes_of(database) <= self._config.megabytes * 1e6:
+                return
+
+
+def _wall(now: float, wall: float, at: float) -> float:
+    return wall - (now - at)
+
+
+def _bytes_of(database: sqlite3.Connection) -> int:
+    (pages,), (size,) = (
+        database.execute(f"PRAGMA {name}").fetchone() for name in ("page_count", "page_size")
+    )
+    return int(pages) * int(size)
+
+
+@contextmanager
+def history_of(folder: Path, config: Config, store: Store, origin: Origin) -> Iterator[HistoryWriter | None]:
+    """Keep the history of a console in the state folder while it runs; None if it is switched off. That of
+    a demo ends with it."""
+    if not config.history.days:
+        yield None
+        return
+    with TemporaryDirectory(prefix="fleet-tui-") if origin.demo else nullcontext(str(folder)) as place:
+        path = history_path(Path(place), config)
+        writer = HistoryWriter(path, folder / FILE_NAME, config.history, store, origin)
+        writer.start()
+        try:
+            yield writer
+        finally:
+            writer.close()

@@ -1,0 +1,166 @@
+"""Facts into the tables of a history."""
+
+import sqlite3
+from datetime import datetime
+from typing import assert_never
+
+from fleet_tui.model.audit_record import AuditRecord
+from fleet_tui.model.commands import ORDER_ENDS
+from fleet_tui.model.history.facts import Charge, LinkChange, Note, OrderChange, Span
+from fleet_tui.rules.history.observing import BEGUN, HOUR, QUEUED, Fact
+
+ENDS = frozenset(stage.value for stage in ORDER_ENDS)
+UNSEEN = "end not seen"
+"""The stage of an order that was open when nobody observed the fleet."""
+
+
+def write(database: sqlite3.Connection, fact: Fact | Note | AuditRecord, run: str, operator: str) -> None:
+    """Write one fact of a console's run. The same fact written twice counts once."""
+    match fact:
+        case Span():
+            _write_span(database, fact)
+        case Charge():
+            database.execute(
+                "INSERT OR REPLACE INTO charges VALUES (?, ?, ?)", (fact.robot, fact.at, fact.percent)
+            )
+        case OrderChange():
+            _write_order(database, fact, run, operator if fact.request is not None else "")
+        case LinkChange():
+            database.execute(
+                "INSERT INTO links VALUES (?, ?, ?, ?)", (fact.at, fact.link, fact.is_up, fact.reason)
+            )
+        case Note():
+            database.execute("INSERT INTO notes VALUES (?, ?, ?)", (fact.at, fact.operator, fact.text))
+        case AuditRecord():
+            write_record(database, fact)
+        case _:
+            assert_never(fact)
+
+
+def _write_span(database: sqlite3.Connection, span: Span) -> None:
+    """A span that grew replaces itself; the hours grow by what is new of it."""
+    row = database.execute(
+        "SELECT ended FROM spans WHERE robot = ? AND began = ?", (span.robot, span.began)
+    ).fetchone()
+    new = span.ended - (row[0] if row else span.began)
+    database.execute(
+        "INSERT OR REPLACE INTO spans VALUES (?, ?, ?, ?, ?, ?, ?)",
+        (span.robot, span.began, span.ended, span.activity.value, span.floor, span.x, span.y),
+    )
+    database.execute(
+        "INSERT INTO hours VALUES (?, ?, ?, ?)"
+        " ON CONFLICT DO UPDATE SET seconds = seconds + excluded.seconds",
+        (span.robot, int(span.began // HOUR), span.activity.value, new),
+    )
+
+
+def _write_order(database: sqlite3.Connection, change: OrderChange, run: str, operator: str) -> None:
+    row = database.execute(
+        "SELECT id FROM orders WHERE robot = ? AND name = ? AND way = ? AND ended IS NULL",
+        (change.robot, change.order, change.way),
+    ).fetchone()
+    if row is None:
+        _insert_order(database, change, run, operator)
+        return
+    times = {QUEUED: "", BEGUN: ", begun = coalesce(begun, :at), queued = min(queued, :at)"}.get(
+        change.stage, ", ended = :at"
+    )
+    stage = "" if change.stage == QUEUED else ", stage = :stage, reason = :reason"
+    database.execute(
+        "UPDATE orders SET operator = coalesce(nullif(:operator, ''), operator),"
+        f" request = coalesce(:request, request), run = :run{times}{stage} WHERE id = :id",
+        {
+            "operator": operator,
+            "request": change.request,
+            "run": run,
+            "at": change.at,
+            "stage": change.stage,
+            "reason": change.reason,
+            "id": row[0],
+        },
+    )
+
+
+def _insert_order(database: sqlite3.Connection, change: OrderChange, run: str, operator: str) -> None:
+    begun = change.at if change.stage == BEGUN else None
+    ended = change.at if change.stage not in (QUEUED, BEGUN) else None
+    database.execute(
+        "INSERT INTO orders (robot, name, way, floor, queued, begun, ended, stage, reason, operator, run,"
+        " request) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+        (
+            *(change.robot, change.order, change.way, change.floor, change.at, begun, ended, change.stage),
+            *(change.reason, operator, run, change.request),
+        ),
+    )
+
+
+def end_unseen(database: sqlite3.Connection, robot: str, still: set[str]) -> None:
+    """End the orders of a robot that were open when nobody observed it, and are not in its queue now."""
+    rows = database.execute("SELECT id, name FROM orders WHERE robot = ? AND ended IS NULL", (robot,))
+    for id_, name in rows.fetchall():
+        if name not in still:
+            database.execute(
+                "UPDATE orders SET stage = ?, ended = coalesce(begun, queued) WHERE id = ?", (UNSEEN, id_)
+            )
+
+
+def write_record(database: sqlite3.Connection, record: AuditRecord) -> None:
+    """Write a record of the audit log: a step of a command or of an alarm."""
+    at = datetime.fromisoformat(record.time).timestamp()
+    if record.kind == "command" and record.id is not None:
+        _write_command(database, record, at)
+    elif record.kind == "alarm":
+        _write_alarm(database, record, at)
+
+
+def _write_command(database: sqlite3.Connection, record: AuditRecord, at: float) -> None:
+    names = [record.start_label or record.start, record.end_label or record.end]
+    way = " -> ".join(filter(None, names)) or (f"order {record.order}" if record.what == "cancel" else "")
+    database.execute(
+        "INSERT INTO commands VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"
+        " ON CONFLICT DO UPDATE SET stage = excluded.stage, reason = excluded.reason",
+        (
+            *(record.run, record.id, at, record.operator, record.robot, record.what, way),
+            *(record.change, record.words),
+        ),
+    )
+
+
+def _write_alarm(database: sqlite3.Connection, record: AuditRecord, at: float) -> None:
+    source = record.robot or record.link
+    key = (record.run, source, record.what)
+    row = database.execute(
+        "SELECT id FROM alarms WHERE run = ? AND source = ? AND kind = ? AND ended IS NULL", key
+    ).fetchone()
+    if row is None:
+        database.execute(
+            "INSERT INTO alarms (run, source, kind, priority, text, raised, operator, count)"
+            " VALUES (?, ?, ?, ?, ?, ?, '', ?)",
+            (*key, record.priority, record.words, at, max(1, record.count)),
+        )
+        row = database.execute("SELECT last_insert_rowid()").fetchone()
+    change, (id_,) = record.change, row
+    said = f" WHERE id = {id_}"
+    if change.startswith("raised again"):
+        database.execute("UPDATE alarms SET returned = NULL" + said)
+    if change.startswith("acknowledged"):
+        database.execute("UPDATE alarms SET acknowledged = ?, operator = ?" + said, (at, record.operator))
+    if "returned" in change:
+        database.execute("UPDATE alarms SET returned = ?" + said, (at,))
+    if "cleared" in change:
+        database.execute("UPDATE alarms SET ended = ?, returned = coalesce(returned, ?)" + said, (at, at))
+    database.execute("UPDATE alarms SET count = max(count, ?)" + said, (record.count,))
+
+
+def prune(database: sqlite3.Connection, before: float) -> None:
+    """Remove what is older than a moment, and give its space back."""
+    for table, column in (
+        *(("orders", "queued"), ("commands", "at"), ("alarms", "raised")),
+        *(("links", "at"), ("notes", "at")),
+    ):
+        database.execute(f"DELETE FROM {table} WHERE {column} < ?", (before,))
+    for table, column in (("spans", "began"), ("charges", "at")):
+        # By robot: so the tables need no further index, which would be as large as they are.
+        robots = "robot IN (SELECT DISTINCT robot FROM hours)"
+        database.execute(f"DELETE FROM {table} WHERE {robots} AND {column} < ?", (before,))
+    database.execute("DELETE FROM hours WHERE hour < ?", (int(before // HOUR),))

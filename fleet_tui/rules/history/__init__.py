@@ -1,0 +1,1 @@
+"""What of the fleet's state is history."""

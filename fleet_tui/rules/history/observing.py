@@ -1,0 +1,138 @@
+"""The history that a sequence of fleet states tells: it remembers only what it needs for the next one."""
+
+from collections.abc import Iterator
+from functools import partial
+
+from fleet_tui.model.commands import CommandRecord
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.history.facts import Charge, LinkChange, OrderChange, Span
+from fleet_tui.model.link import LinkState, Phase
+from fleet_tui.model.order import Order, route_text
+from fleet_tui.model.robot import Robot
+from fleet_tui.rules.history.activity import activity
+from fleet_tui.rules.why.reason import name_of
+
+HOUR = 3600.0
+"""Seconds at whose multiples spans are cut, so that a few hours of them are found quickly."""
+EVERY = 60.0
+"""Seconds after which what goes on is told again: a killed process loses no more."""
+PERCENT = 1.0
+"""A change of a battery that is told at once."""
+QUEUED, BEGUN = "queued", "begun"
+
+Fact = Span | Charge | OrderChange | LinkChange
+
+
+class Observer:
+    """Compares each state with the one before it."""
+
+    def __init__(self) -> None:
+        self._spans: dict[str, Span] = {}
+        self._told: dict[str, float] = {}
+        self._charges: dict[str, Charge] = {}
+        self._robots: dict[str, Robot] = {}
+        self._links: dict[str, bool] = {}
+
+    def observe(self, state: FleetState) -> Iterator[Fact]:
+        """Return what is new in a state. Robots count from their first message on."""
+        for link in state.links.values():
+            yield from self._link(state, link)
+        for robot in state.robots.values():
+            if robot.last_received is None:
+                continue
+            yield from self._orders(state, robot)
+            yield from self._span(state, robot)
+            yield from self._charge(state, robot)
+            self._robots[robot.name] = robot
+
+    def finish(self) -> Iterator[Fact]:
+        """Return the spans that still go on, as long as they were observed."""
+        yield from (span for span in self._spans.values() if span.ended > span.began)
+
+    def _link(self, state: FleetState, link: LinkState) -> Iterator[LinkChange]:
+        is_up = link.phase is Phase.UP
+        if self._links.get(link.name, False) != is_up:
+            yield LinkChange(link.name, _wall(state, link.since), is_up, "" if is_up else link.reason)
+        self._links[link.name] = is_up
+
+    def _orders(self, state: FleetState, robot: Robot) -> Iterator[OrderChange]:
+        before = self._robots.get(robot.name)
+        if before is not None and before.traces is robot.traces and before.gone is robot.gone:
+            return
+        traces, gone = (before.traces, before.gone) if before else ({}, ())
+        for gone_order in robot.gone:
+            if gone_order not in gone:
+                at, stage = gone_order.at, gone_order.stage.value
+                yield _change(state, robot, gone_order.order, at, stage, gone_order.reason)
+        for id_, trace in robot.traces.items():
+            known = traces.get(id_)
+            if known is not None and not _is_same(known.order, trace.order):
+                known = None
+            begun = state.now if trace.began_at is None else trace.began_at
+            if known is None:
+                taken = state.now if trace.order.taken_at is None else trace.order.taken_at
+                yield _change(state, robot, trace.order, min(taken, begun), QUEUED)
+            if trace.begun and not (known and known.begun):
+                yield _change(state, robot, trace.order, begun, BEGUN)
+
+    def _span(self, state: FleetState, robot: Robot) -> Iterator[Span]:
+        does, now, before = activity(state, robot), state.wall, self._spans.get(robot.name)
+        place = (robot.floor or "", *_at(robot))
+        if before is None:
+            self._spans[robot.name] = Span(robot.name, does, now, now, *place)
+            self._told[robot.name] = now
+            return
+        same = _until(before, now)
+        self._spans[robot.name] = same
+        has_changed = (does, place[0]) != (before.activity, before.floor)
+        if has_changed or before.began // HOUR != now // HOUR or abs(now - self._told[robot.name]) >= EVERY:
+            yield same
+            self._told[robot.name] = now
+        if has_changed or before.began // HOUR != now // HOUR:
+            self._spans[robot.name] = Span(robot.name, does, now, now, *place)
+
+    def _charge(self, state: FleetState, robot: Robot) -> Iterator[Charge]:
+        if robot.battery is None or not state.is_fresh(robot, "battery"):
+            return
+        now, percent, before = state.wall, robot.battery.value, self._charges.get(robot.name)
+        if before is None or abs(percent - before.percent) >= PERCENT or abs(now - before.at) >= EVERY:
+            self._charges[robot.name] = Charge(robot.name, now, percent)
+            yield self._charges[robot.name]
+
+
+def _until(span: Span, now: float) -> Span:
+    """A clock that was set back must not end a span before it began."""
+    return Span(span.robot, span.activity, span.began, max(span.began, now), span.floor, span.x, span.y)
+
+
+def _is_same(one: Order, other: Order) -> bool:
+    return (one.serial, one.stops) == (other.serial, other.stops)
+
+
+def _at(robot: Robot) -> tuple[float, float]:
+    return (robot.pose.value.x, robot.pose.value.y) if robot.pose else (0.0, 0.0)
+
+
+def _wall(state: FleetState, at: float) -> float:
+    return state.wall - (state.now - at)
+
+
+def _change(
+    state: FleetState, robot: Robot, order: Order, at: float, stage: str, reason: str = ""
+) -> OrderChange:
+    way = order.label or route_text(order.stops, partial(name_of, robot))
+    record = _record_of(state, robot, order)
+    request = record.id if record else None
+    return OrderChange(robot.name, order.id, way, _wall(state, at), stage, robot.floor or "", reason, request)
+
+
+def _record_of(state: FleetState, robot: Robot, order: Order) -> CommandRecord | None:
+    """The command of this console that placed an order, None for another client's."""
+    found = (
+        record
+        for record in reversed(state.commands)
+        if record.command.robot == robot.name
+        and record.order_id == order.id
+        and record.order_serial == order.serial
+    )
+    return next(found, None)

@@ -1,0 +1,84 @@
+"""Answers of a history: what overlaps a time, of one robot or all."""
+
+import sqlite3
+from collections.abc import Iterator
+from contextlib import closing
+from pathlib import Path
+
+import pytest
+
+from fleet_tui.history.database import open_to_write
+from fleet_tui.history.reading import History
+from fleet_tui.history.writing import write
+from fleet_tui.model.history.facts import Activity, Charge, LinkChange, OrderChange, Span
+from fleet_tui.rules.history.observing import HOUR
+from tests.support.records import ANA
+
+
+@pytest.fixture
+def database(tmp_path: Path) -> Iterator[sqlite3.Connection]:
+    database, _ = open_to_write(tmp_path / "a.sqlite")
+    with closing(database):
+        yield database
+
+
+def order(database: sqlite3.Connection, name: str, queued: float, ended: float, robot: str = "r") -> None:
+    for at, stage in ((queued, "queued"), (ended, "done")):
+        if at:
+            write(database, OrderChange(robot, name, "A -> B", at, stage), "run1", "ana")
+
+
+def test_orders_that_overlap_a_time_oldest_first(database: sqlite3.Connection) -> None:
+    order(database, "over", 1.0, 9.0)
+    order(database, "into", 5.0, 15.0)
+    order(database, "open", 3.0, 0.0)
+    order(database, "inside", 12.0, 13.0, robot="s")
+    order(database, "later", 20.0, 21.0)
+    found = History(database)
+    assert [one.order for one in found.orders(10.0, 20.0)] == ["open", "into", "inside"]
+    assert [one.order for one in found.orders(10.0, 20.0, "s")] == ["inside"]
+
+
+def test_alarms_that_held_in_a_time_by_their_source(database: sqlite3.Connection) -> None:
+    for robot in ("r", "s"):
+        told = {"kind": "alarm", "what": "stuck", "robot": robot, "priority": "high"}
+        write(database, ANA.record(5.0, change="raised", **told), "run1", "ana")
+    write(database, ANA.record(8.0, change="returned, cleared", **told), "run1", "ana")
+    found = History(database)
+    assert [one.source for one in found.alarms(0.0, 100.0)] == ["r", "s"]
+    assert [one.source for one in found.alarms(10.0, 100.0)] == ["r"]
+    assert [one.source for one in found.alarms(0.0, 100.0, "s")] == ["s"]
+
+
+def test_a_link_has_its_last_change_before_the_time_too(database: sqlite3.Connection) -> None:
+    changes = [LinkChange("rosbridge", at, bool(n % 2)) for n, at in enumerate((1.0, 2.0, 15.0, 30.0))]
+    for change in changes:
+        write(database, change, "run1", "ana")
+    assert History(database).links(10.0, 20.0) == changes[1:3]
+
+
+def test_spans_that_overlap_a_time(database: sqlite3.Connection) -> None:
+    spans = [
+        Span("r", does, began, ended, "floor_0", 1.0, 2.0)
+        for does, began, ended in (
+            (Activity.DRIVING, 0.0, 10.0),
+            (Activity.BLOCKED, 10.0, 30.0),
+            (Activity.IDLE, 30.0, HOUR),
+            (Activity.BLOCKED, HOUR, HOUR + 5),
+        )
+    ]
+    for span in spans:
+        write(database, span, "run1", "ana")
+    found = History(database)
+    assert found.spans("r", 20.0, 40.0) == spans[1:3]
+    assert found.spans("s", 20.0, 40.0) == []
+    assert found.blocked(0.0, HOUR) == [spans[1]]
+    assert found.seconds("r", HOUR, HOUR)[1] == {Activity.BLOCKED: 5.0}
+    assert found.robots(0.0, 10.0) == ["r"]
+
+
+def test_charges_of_one_robot_in_a_time(database: sqlite3.Connection) -> None:
+    for robot in ("r", "s"):
+        for at in (1.0, 60.0, 120.0):
+            write(database, Charge(robot, at, at / 2), "run1", "ana")
+    assert History(database).charges("r", 50.0, 120.0) == [Charge("r", 60.0, 30.0)]

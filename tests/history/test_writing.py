@@ -1,0 +1,167 @@
+"""Facts in the tables: each once, whatever comes twice or in another sequence."""
+
+import sqlite3
+from collections.abc import Iterator
+from contextlib import closing
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from fleet_tui.history.database import SCHEMA, open_to_write
+from fleet_tui.history.reading import History
+from fleet_tui.history.writing import UNSEEN, end_unseen, prune, write
+from fleet_tui.model.history.facts import Activity, Charge, LinkChange, Note, OrderChange, Span
+from fleet_tui.rules.history.observing import HOUR, Fact
+from tests.support.records import ANA
+
+ALL = (0.0, 1e12)
+
+
+@pytest.fixture
+def database(tmp_path: Path) -> Iterator[sqlite3.Connection]:
+    database, _ = open_to_write(tmp_path / "a.sqlite")
+    with closing(database):
+        yield database
+
+
+def put(database: sqlite3.Connection, *facts: Fact | Note) -> History:
+    for fact in facts:
+        write(database, fact, "run1", "ana")
+    return History(database)
+
+
+def change(stage: str, at: float, request: int | None = None, order: str = "7") -> OrderChange:
+    return OrderChange("robot_0", order, "Base -> Store", at, stage, "floor_0", "", request)
+
+
+def test_an_order_has_one_row_from_queue_to_end(database: sqlite3.Connection) -> None:
+    found = put(database, change("queued", 10.0), change("begun", 12.0, 3), change("done", 20.0))
+    (order,) = found.orders(*ALL)
+    assert (order.queued, order.begun, order.ended) == (10.0, 12.0, 20.0)
+    assert (order.stage, order.operator) == ("done", "ana")
+
+
+def test_an_id_that_starts_over_is_another_order(database: sqlite3.Connection) -> None:
+    found = put(database, change("queued", 10.0), change("lost", 20.0), change("queued", 30.0))
+    assert [order.stage for order in found.orders(*ALL)] == ["lost", "queued"]
+
+
+def test_an_order_that_nobody_saw_in_the_queue_has_its_end(database: sqlite3.Connection) -> None:
+    (order,) = put(database, change("done", 20.0)).orders(*ALL)
+    assert (order.queued, order.begun, order.ended) == (20.0, None, 20.0)
+
+
+def test_what_ended_unobserved_is_said_and_what_is_still_listed_goes_on(database: sqlite3.Connection) -> None:
+    put(database, change("queued", 10.0), change("queued", 11.0, order="8"), change("begun", 12.0))
+    end_unseen(database, "robot_0", {"8"})
+    end_unseen(database, "robot_1", set())
+    assert [(order.order, order.stage, order.ended) for order in History(database).orders(*ALL)] == [
+        ("7", UNSEEN, 12.0),
+        ("8", "queued", None),
+    ]
+
+
+def test_a_span_that_grows_counts_once(database: sqlite3.Connection) -> None:
+    spans = [Span("robot_0", Activity.DRIVING, 100.0, 100.0 + n) for n in (5, 5, 60)]
+    found = put(database, *spans)
+    assert found.spans("robot_0", *ALL) == [spans[-1]]
+    assert found.seconds("robot_0", *ALL) == {0: {Activity.DRIVING: 60.0}}
+
+
+@given(
+    st.lists(
+        st.tuples(st.sampled_from(Activity), st.floats(0, 3 * HOUR), st.floats(0, HOUR)),
+        max_size=12,
+        unique_by=lambda one: one[1],
+    )
+)
+def test_the_hours_are_the_sum_of_the_spans(made: list[tuple[Activity, float, float]]) -> None:
+    with closing(sqlite3.connect(":memory:", isolation_level=None)) as database:
+        database.executescript(SCHEMA)
+        spans = [Span("robot_0", does, began, began + took) for does, began, took in made]
+        found = put(database, *spans, *spans)
+        hours = found.seconds("robot_0", *ALL)
+        for does in Activity:
+            told = sum(by_activity.get(does, 0.0) for by_activity in hours.values())
+            assert told == pytest.approx(sum(s.ended - s.began for s in spans if s.activity is does))
+
+
+def test_charges_links_and_notes(database: sqlite3.Connection) -> None:
+    charge, up = Charge("robot_0", 5.0, 81.5), LinkChange("rosbridge", 1.0, True)
+    note = Note(9.0, "ana", "robot_3 squeaks")
+    found = put(database, charge, charge, up, note)
+    assert found.charges("robot_0", *ALL) == [charge]
+    assert found.links(*ALL) == [up]
+    assert found.notes(*ALL) == [note]
+
+
+def test_a_command_has_its_last_stage(database: sqlite3.Connection) -> None:
+    for n, stage in enumerate(("checked", "sent", "refused")):
+        write(
+            database,
+            ANA.record(
+                100.0 + n,
+                kind="command",
+                what="order",
+                change=stage,
+                id=4,
+                robot="robot_0",
+                start="1",
+                start_label="Base",
+                end="2",
+                words="queue full" if stage == "refused" else "",
+            ),
+            "run1",
+            "ana",
+        )
+    (command,) = History(database).commands(*ALL)
+    assert (command.at, command.what, command.way) == (100.0, "order", "Base -> 2")
+    assert (command.stage, command.reason, command.operator) == ("refused", "queue full", "ana")
+
+
+def alarm(database: sqlite3.Connection, change: str, at: float) -> None:
+    told = ANA.record(
+        at,
+        kind="alarm",
+        what="stuck",
+        change=change,
+        robot="robot_0",
+        words="stuck 61 s",
+        priority="high",
+        count=2,
+    )
+    write(database, told, "run1", "ana")
+
+
+def test_an_alarm_from_raised_to_cleared_and_raised_once_more(database: sqlite3.Connection) -> None:
+    for at, change in enumerate(("raised", "returned", "raised again", "acknowledged", "returned, cleared")):
+        alarm(database, change, 100.0 + at)
+    alarm(database, "raised", 200.0)
+    first, second = History(database).alarms(*ALL)
+    assert (first.raised, first.acknowledged, first.returned, first.ended) == (100.0, 103.0, 104.0, 104.0)
+    assert (first.operator, first.priority, first.count) == ("ana", "high", 2)
+    assert (second.raised, second.acknowledged, second.ended) == (200.0, None, None)
+
+
+def test_what_is_too_old_goes_from_every_table(database: sqlite3.Connection) -> None:
+    facts = [
+        fact
+        for at in (HOUR, 9 * HOUR)
+        for fact in (
+            change("done", at),
+            Span("robot_0", Activity.DRIVING, at, at + 5),
+            Charge("robot_0", at, 80.0),
+            LinkChange("rosbridge", at, True),
+            Note(at, "ana", "x"),
+        )
+    ]
+    found = put(database, *facts)
+    alarm(database, "raised", HOUR)
+    write(database, ANA.record(HOUR, kind="command", what="pause", change="sent", id=1), "run1", "ana")
+    prune(database, 5 * HOUR)
+    assert (found.commands(*ALL), found.alarms(*ALL)) == ([], [])
+    assert {len(rows) for rows in (found.orders(*ALL), found.links(*ALL), found.notes(*ALL))} == {1}
+    assert {len(found.spans("robot_0", *ALL)), len(found.charges("robot_0", *ALL))} == {1}
+    assert list(found.seconds("robot_0", *ALL)) == [9]

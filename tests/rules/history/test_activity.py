@@ -1,0 +1,52 @@
+"""What a simulated robot does, in one word."""
+
+from fleet_tui.model.commands import PauseRobot
+from fleet_tui.model.history.facts import Activity
+from fleet_tui.rules.history.activity import activity
+from tests.support.fleets import R0
+from tests.support.planted_fleet import Planted
+from tests.support.situations import behind_another, driving
+
+
+def does(planted: Planted) -> Activity:
+    return activity(planted.state, planted.robot)
+
+
+def test_without_orders_it_is_idle() -> None:
+    planted = Planted().run(5)
+    planted.world.robots[R0].pose = planted.world.robots[R0].pose
+    assert does(planted) in (Activity.IDLE, Activity.CHARGING)
+
+
+def test_with_an_order_it_drives() -> None:
+    assert does(driving()) is Activity.DRIVING
+
+
+def test_a_pause_counts_more_than_its_order() -> None:
+    assert does(driving().command(PauseRobot(R0)).run(5)) is Activity.PAUSED
+
+
+def test_contact_with_an_obstacle_blocks_it() -> None:
+    assert does(driving("obstacle:robot_0").run(15)) is Activity.BLOCKED
+
+
+def test_stuck_is_blocked_once_it_is_an_alarm() -> None:
+    planted = driving(then="stuck:robot_0").run(10)
+    assert does(planted) is Activity.WAITING
+    assert does(planted.run(60)) is Activity.BLOCKED
+
+
+def test_behind_another_robot_it_waits() -> None:
+    assert does(behind_another().run(10)) is Activity.WAITING
+
+
+def test_at_a_stop_of_its_order_it_loads() -> None:
+    planted = driving()
+    assert planted.run(200, lambda: does(planted) is Activity.LOADING)
+    assert does(planted) is Activity.LOADING
+
+
+def test_silence_is_offline() -> None:
+    planted = driving()
+    planted.deaf = True
+    assert does(planted.run(10)) is Activity.OFFLINE

@@ -1,0 +1,163 @@
+"""The history that states tell, one after the other."""
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from fleet_tui.model.commands import Stage
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.history.facts import Activity, Charge, LinkChange, OrderChange, Span
+from fleet_tui.rules.history.observing import EVERY, HOUR, Fact, Observer
+from tests.support.fleets import (
+    R0,
+    T0,
+    WALL,
+    battery,
+    commanded,
+    fleet,
+    graph,
+    labels,
+    link_lost,
+    link_up,
+    place_order,
+    pose,
+    queue,
+    reduced,
+    tick,
+)
+from tests.support.planted_fleet import Planted
+from tests.support.situations import AWAY
+
+
+def told(observer: Observer, state: FleetState) -> list[Fact]:
+    return list(observer.observe(state))
+
+
+def of_orders(facts: list[Fact]) -> list[tuple[str, str]]:
+    return [(fact.order, fact.stage) for fact in facts if isinstance(fact, OrderChange)]
+
+
+def lived(planted: Planted, seconds: int, observer: Observer) -> Iterator[Fact]:
+    for _ in range(seconds):
+        planted.run(1)
+        yield from observer.observe(planted.state)
+
+
+def test_an_order_is_told_from_its_queue_to_its_end() -> None:
+    planted, observer = Planted().run(1), Observer()
+    told(observer, planted.state)
+    facts = list(lived(planted.command(AWAY), 300, observer))
+    changes = [fact for fact in facts if isinstance(fact, OrderChange)]
+    assert [change.stage for change in changes] == ["queued", "begun", "done"]
+    assert {change.way for change in changes} == {"Consumidores -> Base"}
+    assert changes[0].at <= changes[1].at < changes[2].at
+    assert changes[-1].reason == "driven to the end"
+    assert changes[-1].request is not None
+
+
+def test_an_order_of_another_client_has_no_request() -> None:
+    state = reduced(fleet(), link_up(T0), graph(1, 2), labels({1: "Base"}), pose(T0), tick(T0))
+    observer = Observer()
+    told(observer, state)
+    state = reduced(state, queue(T0 + 1, (7, 1, 2, "Q")), tick(T0 + 1))
+    (change,) = (fact for fact in told(observer, state) if isinstance(fact, OrderChange))
+    assert (change.order, change.way, change.request) == ("7", "Base -> 2", None)
+    assert change.at == WALL + T0 + 1
+
+
+def test_an_order_that_vanishes_is_lost() -> None:
+    state = reduced(fleet(), link_up(T0), graph(1, 2), pose(T0), queue(T0, (7, 1, 2, "Q")), tick(T0))
+    observer = Observer()
+    assert of_orders(told(observer, state)) == [("7", "queued")]
+    state = reduced(state, queue(T0 + 1), pose(T0 + 1), tick(T0 + 1))
+    assert of_orders(told(observer, state)) == [("7", Stage.LOST.value)]
+    assert of_orders(told(observer, state)) == []
+
+
+def test_the_command_that_placed_an_order_is_named() -> None:
+    state = reduced(fleet(), link_up(T0), graph(1, 2), pose(T0), queue(T0), tick(T0))
+    sent = commanded(3, place_order(R0, 1, 2), Stage.SENT, Stage.ACCEPTED, at=T0)
+    state = reduced(state, *sent, queue(T0 + 1, (4, 1, 2, "Q")), tick(T0 + 1))
+    (change,) = (fact for fact in Observer().observe(state) if isinstance(fact, OrderChange))
+    assert change.request == 3
+
+
+def test_links_come_and_go() -> None:
+    observer = Observer()
+    state = fleet()
+    assert told(observer, state) == []
+    state = reduced(state, link_up(T0), tick(T0 + 1))
+    assert told(observer, state) == [LinkChange("rosbridge", WALL + T0, True)]
+    state = reduced(state, link_lost(T0 + 2), tick(T0 + 3))
+    assert told(observer, state) == [LinkChange("rosbridge", WALL + T0 + 2, False, "connection refused")]
+    assert told(observer, state) == []
+
+
+def test_a_battery_is_told_at_a_change_and_each_minute() -> None:
+    observer, state = Observer(), reduced(fleet(), link_up(T0), pose(T0))
+
+    def charges(at: float, percent: float) -> list[float]:
+        nonlocal state
+        state = reduced(state, battery(at, percent), tick(at))
+        return [fact.percent for fact in told(observer, state) if isinstance(fact, Charge)]
+
+    assert charges(T0 + 1, 80.0) == [80.0]
+    assert charges(T0 + 2, 79.5) == []
+    assert charges(T0 + 3, 78.9) == [78.9]
+    assert charges(T0 + 3 + EVERY, 78.9) == [78.9]
+
+
+def test_an_old_battery_is_not_told_as_a_new_one() -> None:
+    observer, state = Observer(), reduced(fleet(), link_up(T0), pose(T0), battery(T0), tick(T0))
+    told(observer, state)
+    late = T0 + 2 * EVERY
+    state = reduced(state, pose(late), tick(late))
+    assert not [fact for fact in told(observer, state) if isinstance(fact, Charge)]
+
+
+def test_what_goes_on_is_told_each_minute_and_cut_at_full_hours() -> None:
+    state = reduced(fleet(), link_up(T0), pose(T0), tick(T0))
+    observer, spans = Observer(), []
+    at = T0
+    while at < T0 + 2 * HOUR:
+        at += 30.0
+        state = reduced(state, pose(at), tick(at))
+        spans += [fact for fact in told(observer, state) if isinstance(fact, Span)]
+    by_begin = {span.began: span for span in spans}
+    assert len(spans) > len(by_begin)
+    lasting = sorted(by_begin.values(), key=lambda span: span.began)
+    assert [one.ended for one in lasting[:-1]] == [other.began for other in lasting[1:]]
+    assert all(span.ended // HOUR - span.began // HOUR <= 1 for span in lasting)
+
+
+def test_robots_that_were_never_heard_have_no_history() -> None:
+    assert told(Observer(), reduced(fleet(3), link_up(T0), tick(T0 + 60)))[1:] == []
+
+
+@given(st.lists(st.floats(-7200.0, 7200.0), max_size=20))
+def test_no_clock_makes_a_span_end_before_it_begins(steps: list[float]) -> None:
+    observer, at = Observer(), T0
+    state = reduced(fleet(), link_up(T0), pose(T0), tick(T0))
+    facts = told(observer, state)
+    for n, step in enumerate(steps):
+        at += 20.0
+        state = reduced(state, *(() if n % 3 else (pose(at, x=float(n)),)))
+        moved = tick(at)
+        state = reduced(state, type(moved)(at, moved.wall + step))
+        facts += told(observer, state)
+    facts += observer.finish()
+    spans = [fact for fact in facts if isinstance(fact, Span)]
+    assert all(span.ended >= span.began for span in spans)
+    assert {span.activity for span in spans} <= set(Activity)
+
+
+def test_spans_of_a_run_follow_each_other() -> None:
+    planted, observer = Planted("paused:robot_0").run(1), Observer()
+    facts = [*observer.observe(planted.state), *lived(planted.command(AWAY), 120, observer)]
+    facts += observer.finish()
+    ours = {fact.began: fact for fact in facts if isinstance(fact, Span) and fact.robot == R0}
+    spans = [ours[began] for began in sorted(ours)]
+    assert all(one.ended == other.began for one, other in pairwise(spans))
+    assert Activity.PAUSED in {span.activity for span in spans}
