@@ -110,6 +110,12 @@ def opened_to_read(path: Path) -> Iterator[sqlite3.Connection]:
         yield database
 
 
+def is_empty(database: sqlite3.Connection) -> bool:
+    """Tell whether its first writer has not made its tables yet. Raises sqlite3.Error."""
+    (version,) = database.execute("PRAGMA user_version").fetchone()
+    return bool(version == 0)
+
+
 def is_damaged(problem: sqlite3.Error) -> bool:
     """Tell whether a database has to begin anew: its file is no database, or its content contradicts
     itself."""
