@@ -21,6 +21,7 @@ CREATE TABLE orders (
   queued REAL NOT NULL, begun REAL, ended REAL, stage TEXT NOT NULL, reason TEXT NOT NULL,
   operator TEXT NOT NULL, run TEXT NOT NULL, request INTEGER);
 CREATE INDEX orders_by_time ON orders (queued);
+CREATE INDEX orders_by_end ON orders (ended);
 CREATE INDEX orders_by_robot ON orders (robot, queued);
 CREATE INDEX orders_open ON orders (robot, name) WHERE ended IS NULL;
 CREATE TABLE commands (
@@ -44,6 +45,9 @@ CREATE TABLE hours (
   PRIMARY KEY (robot, hour, activity)) WITHOUT ROWID;
 CREATE TABLE charges (
   robot TEXT NOT NULL, at REAL NOT NULL, percent REAL NOT NULL, PRIMARY KEY (robot, at)) WITHOUT ROWID;
+CREATE TABLE charge_hours (
+  robot TEXT NOT NULL, hour INTEGER NOT NULL, low REAL NOT NULL, last REAL NOT NULL,
+  PRIMARY KEY (robot, hour)) WITHOUT ROWID;
 CREATE TABLE notes (at REAL NOT NULL, operator TEXT NOT NULL, text TEXT NOT NULL);
 CREATE INDEX notes_by_time ON notes (at);
 """

@@ -12,6 +12,11 @@ from fleet_tui.rules.history.observing import HOUR
 
 S = TypeVar("S", bound=Struct)
 
+OBSERVED = (
+    "robot IN (SELECT DISTINCT robot FROM hours WHERE hour >= :since / 3600 - 1 AND hour <= :until / 3600)"
+)
+"""Limits a query to the robots that were observed in a time: their name is the first column of the keys."""
+
 MOST = 100_000
 """Rows of one answer at most, the newest."""
 
@@ -59,6 +64,17 @@ class History:
             (int(since // HOUR), int(until // HOUR)),
         )
         return [row[0] for row in rows]
+
+    def watched_until(self) -> float | None:
+        """Return when anybody last observed a robot, None for never."""
+        (last,) = self._database.execute("SELECT max(hour) FROM hours").fetchone()
+        if last is None:
+            return None
+        query = f"SELECT max(ended) FROM spans WHERE {OBSERVED} AND began >= :since - 3600.0"
+        (ended,) = self._database.execute(
+            query, {"since": last * HOUR, "until": (last + 1) * HOUR}
+        ).fetchone()
+        return None if ended is None else float(ended)
 
     def spans(self, robot: str, since: float, until: float) -> list[Span]:
         """Return what a robot did in a time, cut at full hours; the first may have begun before."""

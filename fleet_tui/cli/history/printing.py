@@ -16,6 +16,8 @@ from fleet_tui.view.history.events import EventKind, PastEvent, matching, past_e
 
 COLUMNS = ("time", "ended", "kind", "subject", "what", "outcome", "detail", "operator")
 VERSION = 1
+STALE = 120.0
+"""Seconds without a fact of any robot after which nobody observes them: there is one each minute."""
 
 
 class Form(Enum):
@@ -34,6 +36,7 @@ def print_events(
     match form:
         case Form.TEXT:
             write_text(events, since, out)
+            out.write(unwatched(history.watched_until(), until))
         case Form.JSON:
             out.write(f"{as_json(history, events, since, until, robot)}\n")
         case Form.CSV:
@@ -63,6 +66,14 @@ def write_text(events: Sequence[PastEvent], since: float, out: TextIO) -> None:
     out.writelines(f"{moment(event.at)}  {event.text}\n" for event in events)
     if not events:
         out.write(f"nothing happened since {moment(since)}\n")
+
+
+def unwatched(last: float | None, now: float) -> str:
+    """Return a line that says since when nobody observes the robots, empty if somebody does."""
+    if last is not None and now - last < STALE:
+        return ""
+    since = "yet" if last is None else f"since {moment(last)}"
+    return f"nobody watches {since}: an open console does, and `fleet-tui history --collect`\n"
 
 
 def moment(at: float) -> str:

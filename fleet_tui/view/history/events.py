@@ -100,6 +100,8 @@ def _of_order(order: PastOrder) -> PastEvent:
 def _of_alarm(alarm: AlarmLife) -> PastEvent:
     over = alarm.returned if alarm.returned is not None else alarm.ended
     lasted = f"held {age(over - alarm.raised)}" if over is not None else "still holds"
+    if alarm.returned is None and over is not None:
+        lasted = f"end not seen, held at least {age(over - alarm.raised)}"
     seen = [f"acknowledged after {age(alarm.acknowledged - alarm.raised)}"] if alarm.acknowledged else []
     times = [f"{alarm.count} times"] if alarm.count > 1 else []
     return PastEvent(

@@ -21,8 +21,9 @@ def site(tmp_path: Path) -> Path:
 
 def test_everything_oldest_first_and_nothing_that_acts_on_the_terminal(site: Path) -> None:
     done = run("history", cwd=site)
-    lines = done.stdout.splitlines()
+    *lines, last = done.stdout.splitlines()
     assert done.returncode == 0 and len(lines) == 15 and "\x1b" not in done.stdout
+    assert last.startswith("nobody watches since ") and last.endswith("fleet-tui history --collect`")
     assert lines[2].endswith("robot_0 order 1 Base -> Store: done (waited 10 s, driven in 60 s)")
     assert sum(line.endswith("rosbridge link: lost (connection refused)") for line in lines) == 2
     assert sorted(line[:14] for line in lines) == [line[:14] for line in lines]
@@ -30,7 +31,7 @@ def test_everything_oldest_first_and_nothing_that_acts_on_the_terminal(site: Pat
 
 def test_by_robot_words_and_time(site: Path) -> None:
     of_robot = run("history", "--robot", "robot_1", "lost", cwd=site).stdout.splitlines()
-    assert len(of_robot) == 1 and "robot_1 order 2 Store -> Base: lost (left the queue" in of_robot[0]
+    assert len(of_robot) == 2 and "robot_1 order 2 Store -> Base: lost (left the queue" in of_robot[0]
     without = run("history", "!order", "!link", "!robot_1", cwd=site).stdout
     assert "order" not in without and "stuck alarm" in without
     assert run("history", "--since", "2m", cwd=site).stdout.startswith("nothing happened since ")

@@ -8,6 +8,7 @@ ORDER = PastOrder("robot_0", "12", "Base -> Store", "floor_0", 10.0, 25.0, 85.0,
 LOST = PastOrder("robot_1", "13", "-> Base", "floor_0", 11.0, None, 95.0, "lost", "left the queue", "")
 OPEN = PastOrder("robot_1", "14", "-> Base", "floor_0", 12.0, None, None, "queued", "", "")
 ALARM = AlarmLife("robot_1", "stuck", "high", "stuck for 60 s", 20.0, 80.0, 50.0, 80.0, "bo", 2)
+UNSEEN = AlarmLife("robot_1", "stuck", "high", "stuck", 20.0, None, None, 60.0, "", 1)
 HELD = AlarmLife("robot_1", "offline", "high", "silent", 99.0, None, None, None, "", 1)
 COMMAND = PastCommand(30.0, "ana", "robot_0", "pause", "", "not confirmed", "still drives")
 
@@ -25,8 +26,9 @@ def test_an_order_is_told_with_its_end_and_durations() -> None:
 
 
 def test_an_alarm_is_told_with_how_long_it_held_and_who_saw_it() -> None:
-    assert texts((), [ALARM, HELD]) == [
+    assert texts((), [ALARM, UNSEEN, HELD]) == [
         "robot_1 stuck alarm, stuck for 60 s: held 60 s (2 times, acknowledged after 30 s), by bo",
+        "robot_1 stuck alarm, stuck: end not seen, held at least 40 s",
         "robot_1 offline alarm, silent: still holds",
     ]
 
