@@ -93,6 +93,10 @@ EXAMPLES: Mapping[str, tuple[Example, ...]] = {
         ("fleet-tui history --since 7d lost", "every event of a week with this word"),
         ("fleet-tui history --collect", "write the history where no console stays open"),
     ),
+    "report": (
+        ("fleet-tui report --output shift.html", "the last eight hours"),
+        ("fleet-tui report --since 30d --output month.html", "a month"),
+    ),
     "audit": (
         ("fleet-tui audit --robot robot_0 --since 2h", "the commands of the last two hours"),
         ("fleet-tui audit --since 7d --csv > week.csv", "a week for a spreadsheet"),

@@ -27,7 +27,7 @@ SECTIONS = {
         *("check", "kinds", "map", "graph", "mapping", "set-pose", "localise", "settle"),
         *("store-map", "store-pose-graph"),
     ),
-    "Logs and recordings": ("history", "audit", "record", "replay"),
+    "Logs and recordings": ("history", "report", "audit", "record", "replay"),
     "Other ways to use it": ("serve", "metrics", "sim", "docs", "man", "completion"),
 }
 """The headings of the help with their commands."""

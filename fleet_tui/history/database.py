@@ -21,7 +21,7 @@ CREATE TABLE orders (
   queued REAL NOT NULL, begun REAL, ended REAL, stage TEXT NOT NULL, reason TEXT NOT NULL,
   operator TEXT NOT NULL, run TEXT NOT NULL, request INTEGER);
 CREATE INDEX orders_by_time ON orders (queued);
-CREATE INDEX orders_by_end ON orders (ended);
+CREATE INDEX orders_by_end ON orders (ended, way, robot, stage, begun);
 CREATE INDEX orders_by_robot ON orders (robot, queued);
 CREATE INDEX orders_open ON orders (robot, name) WHERE ended IS NULL;
 CREATE TABLE commands (

@@ -15,6 +15,7 @@ LATE = 2.0
 """Times the mean of its way from which a done order was late."""
 USUAL_FROM = 3
 """Done orders of a way from which their mean is the usual time."""
+BY_WORD = {activity.value: activity for activity in Activity}
 CELL = 0.5
 """Metres of a cell of blocked places."""
 
@@ -72,7 +73,7 @@ class Totals:
             return _parts_of(time, self._database.execute(_SPANS, _limits(time)))
         first, last, hours = int(time.since // HOUR), int(time.until // HOUR), round(time.step / HOUR)
         rows = self._database.execute(_HOURS, {"first": first, "last": last, "hours": hours})
-        return [ActivityTotal(robot, part, Activity(does), seconds) for robot, part, does, seconds in rows]
+        return [ActivityTotal(robot, part, BY_WORD[does], seconds) for robot, part, does, seconds in rows]
 
     def charges(self, time: Division) -> list[ChargeTotal]:
         """Return the battery of each robot in each part of a time, by robot and part."""
@@ -107,4 +108,4 @@ def _parts_of(time: Division, spans: Iterable[tuple[str, str, float, float]]) ->
         for part in range(time.part(began), time.part(ended) + 1):
             begin = time.since + part * time.step
             seconds[robot, part, does] += max(0.0, min(ended, begin + time.step) - max(began, begin))
-    return [ActivityTotal(robot, part, Activity(does), sum_) for (robot, part, does), sum_ in seconds.items()]
+    return [ActivityTotal(robot, part, BY_WORD[does], sum_) for (robot, part, does), sum_ in seconds.items()]

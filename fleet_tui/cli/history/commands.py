@@ -4,14 +4,16 @@ it can't be read or written, 2: a wrong argument."""
 import sys
 import time
 from datetime import datetime
+from pathlib import Path
 
 import click
 
 from fleet_tui.audit.search import TIME_FORMS, moment
 from fleet_tui.cli.offers import robots
-from fleet_tui.cli.options import NearestGroup, fleet, merged
+from fleet_tui.cli.options import FileName, NearestGroup, fleet, merged
 from fleet_tui.errors import FleetError
 from fleet_tui.log_file import log_to_file
+from fleet_tui.text.sanitize import sanitize
 
 SHIFT = "8h"
 
@@ -88,6 +90,32 @@ def history(
     form = Form.JSON if as_json else Form.CSV if as_csv else Form.TEXT
     with history_of_site(site_of(config_file, url)) as read:
         print_events(read, since, time.time(), words, robot, form, sys.stdout)
+
+
+@shift.command()
+@click.option(
+    "--since", type=Since(), default=SHIFT, metavar="TIME", show_default=True, help="Begin as in `history`."
+)
+@click.option(
+    "--output",
+    type=FileName(path_type=Path, dir_okay=False),
+    metavar="FILE",
+    required=True,
+    help="Write the page to this file; an older one is replaced.",
+)
+@fleet
+@merged
+def report(since: float, output: Path, config_file: str | None, url: str | None, debug: bool) -> None:
+    """Write a shift on one page of HTML, to be handed over. Its pictures are in it; it prints well. Connects
+    to no robot."""
+    from fleet_tui.cli.history.reading import history_of_site, site_of
+    from fleet_tui.cli.history.reporting import write_report
+
+    log_to_file(debug)
+    config = site_of(config_file, url)
+    with history_of_site(config) as read:
+        size = write_report(config, read, since, time.time(), output)
+    click.echo(f"{sanitize(str(output))}: {size / 1000:.0f} kB; open it in a browser")
 
 
 @shift.command()

@@ -64,4 +64,4 @@ def test_a_history_is_only_read(config_file: Path) -> None:
     site = site_of(str(config_file), None)
     database, _ = open_to_write(history_path(state_folder(), site))
     with closing(database), pytest.raises(FleetError, match="readonly"), history_of_site(site) as history:
-        history._database.execute("DELETE FROM notes")
+        history.database.execute("DELETE FROM notes")
