@@ -110,8 +110,11 @@ def footer(
     if "acknowledge" in {key.id for key in left} - {key.id for key, *_ in at_left}:
         # An alarm to acknowledge is rarer than the palette, and known by its row.
         at_right = at_right[:1]
-        left = [BY_ID[key.id] if key.id == "acknowledge" else key for key in left]
-        at_left = _whole(left, keys, width - sum(size for _, _, size in at_right))
+        shorter = [BY_ID[key.id] if key.id == "acknowledge" else key for key in left]
+        at_left = max(
+            (_whole(some, keys, width - sum(size for _, _, size in at_right)) for some in (left, shorter)),
+            key=len,
+        )
     gap = width - sum(size for _, _, size in (*at_left, *at_right))
     runs: list[Run] = []
     buttons = []

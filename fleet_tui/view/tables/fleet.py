@@ -7,7 +7,7 @@ from functools import partial
 from fleet_tui.model.fleet import FleetState, is_missing, missing_text
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.alarms.trouble import acknowledged, in_trouble, shelved
+from fleet_tui.rules.alarms.trouble import acknowledged, by_urgency, shelved
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import cell_width, fit
@@ -221,14 +221,15 @@ def _battery_order(robot: Robot) -> float:
 def fleet_table(
     state: FleetState, selected: str, width: int, arrangement: RowArrangement | None = None
 ) -> Table:
-    """The fleet for a pane of `width` cells, as arranged: robots with an alarm first, then those in shelved
-    trouble or without a pose, else in the order of the config."""
+    """The fleet for a pane of `width` cells, as arranged: robots with an alarm first, in the order of the
+    alarms pane, then those in shelved trouble or without a pose, else in the order of the config."""
     arrangement = arrangement or RowArrangement()
-    troubled, silenced, seen = in_trouble(state), shelved(state), acknowledged(state)
+    silenced, seen = shelved(state), acknowledged(state)
+    troubled = {name: place for place, name in enumerate(by_urgency(state))}
 
     def calm(robot: Robot) -> int:
         is_odd = robot.name in silenced or is_missing(state, robot, "pose")
-        return 0 if robot.name in troubled else 1 if is_odd else 2
+        return troubled.get(robot.name, len(troubled) if is_odd else len(troubled) + 1)
 
     everyone = sorted(state.robots.values(), key=calm)
     robots = arrangement.arranged(everyone, _values(state), lambda robot: robot.name, state.now)

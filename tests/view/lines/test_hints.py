@@ -63,12 +63,16 @@ def test_a_focused_table_hints_its_filter_and_marks_after_what_everyone_needs() 
 def test_the_footer_names_whose_alarm_is_acknowledged() -> None:
     trouble = reduced(fleet(), link_up(T0), battery(T0, 5.0), tick(T0))
 
-    def shown(state: FleetState, alarmed: str = "") -> str:
+    def shown(state: FleetState, alarmed: str = "", width: int = 120) -> str:
         return text_of(
-            footer(*hints(KEYS, Pane.MAP, hidden=idle_hints(state), alarmed=alarmed), KEYS, 120)[0]
+            footer(*hints(KEYS, Pane.MAP, hidden=idle_hints(state), alarmed=alarmed), KEYS, width)[0]
         )
 
     assert " a ack  " in shown(trouble) and " a ack robot_7␛  " in shown(trouble, "robot_7\x1b")
+    assert " a ack robot_7 " in shown(trouble, "robot_7", 80) and "command" not in shown(
+        trouble, "robot_7", 80
+    )
+    assert " a ack  " in shown(trouble, "robot_with_a_long_name", 80)
     assert " a ack" not in shown(fleet())
 
 

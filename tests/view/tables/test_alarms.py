@@ -5,7 +5,7 @@ from msgspec.structs import replace
 from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.alarms import alarm_table, unacknowledged
+from fleet_tui.view.tables.alarms import alarm_of, alarm_table, unacknowledged
 from fleet_tui.view.tables.arrangement import RowArrangement
 from fleet_tui.view.tables.listing import Listing
 from tests.support.alarms import without_poses
@@ -132,7 +132,7 @@ def test_in_a_narrow_pane_the_reason_stays() -> None:
     assert text_of(advice.runs) == "  Send it to a charger" and advice.key is None
 
 
-def test_of_a_few_alarms_the_first_has_its_advice_below() -> None:
+def test_of_a_few_alarms_the_marked_one_has_its_advice_below() -> None:
     acknowledged = reduced(low(), events.AlarmAcknowledged(R0, "battery"))
     assert len(alarm_table(acknowledged, clock, 38).rows) == 2
     shelved = reduced(low(), events.AlarmShelved(R0, "battery", T0 + 1800))
@@ -142,6 +142,16 @@ def test_of_a_few_alarms_the_first_has_its_advice_below() -> None:
     two = reduced(fleet(2), link_up(T0), battery(T0, 5.0), battery(T0, 15.0, "robot_1"), tick(T0))
     first, second, advice = alarm_table(two, clock, 38).rows
     assert first.key and second.key and text_of(advice.runs) == "  robot_0: Send it to a charger"
+    *_, advice = alarm_table(two, clock, 38, marked=second.key).rows
+    assert text_of(advice.runs) == "  robot_1: Send it to a charger"
+
+
+def test_a_selected_robot_has_its_alarm_marked_but_none_that_needs_nobody_before_others() -> None:
+    two = reduced(fleet(3), link_up(T0), battery(T0, 5.0), battery(T0, 15.0, "robot_1"), tick(T0))
+    assert [alarm_of(two, name) for name in (R0, "robot_2")] == [(R0, "battery"), None]
+    first = reduced(two, events.AlarmAcknowledged(R0, "battery"))
+    assert alarm_of(first, R0) is None and alarm_of(first, "robot_1") == ("robot_1", "battery")
+    assert alarm_of(reduced(two, events.AlarmAcknowledged()), R0) == (R0, "battery")
 
 
 def test_a_single_alarm_that_is_cut_goes_on_in_a_second_line() -> None:
