@@ -109,7 +109,7 @@ CLASSES = {
     ),
     "battery": AlarmClass(
         "low",
-        "below `battery_low`; medium below `battery_critical`",
+        "below `battery_low`, at a charger for half an hour; medium below `battery_critical`",
         "the robot may stop on its way",
         "Send it to a charger",
         20,

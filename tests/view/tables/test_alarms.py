@@ -58,9 +58,9 @@ def test_seen_over_and_come_again() -> None:
     assert texts(seen)[0].startswith("△ seen low    robot_0 battery 15 %")
     assert text_of(alarm_table(seen, clock).title) == "Alarms"
     over = reduced(state, battery(T0 + 1, 60.0), tick(T0 + 1))
-    assert texts(over)[0].startswith("▲ new  low    robot_0 battery recovered")
+    assert texts(over)[0].startswith("▲ new  low    robot_0 battery charging or recovered")
     over = reduced(over, battery(T0 + 4, 60.0), tick(T0 + 4))
-    assert texts(over)[0].startswith("▽ over low    robot_0 battery recovered")
+    assert texts(over)[0].startswith("▽ over low    robot_0 battery charging or recovered")
     again = reduced(over, battery(T0 + 5, 9.0), tick(T0 + 5))
     assert texts(again)[0] == f"▲ new  medium robot_0 battery 9 % {state.wall:.0f} x2"
 
@@ -107,7 +107,7 @@ def test_no_alarm_needs_more_than_its_word_in_48_cells() -> None:
 
 def test_an_alarm_that_is_over_leaves_the_pane_unless_its_class_is_latched() -> None:
     state = reduced(low(), battery(T0 + 1, 60.0), tick(T0 + 1))
-    assert texts(state)[0].startswith("▲ new  low    robot_0 battery recovered")
+    assert texts(state)[0].startswith("▲ new  low    robot_0 battery charging or recovered")
     assert alarm_table(state, clock).rows[0].runs[0][1] is StyleRole.DIM  # it is over: never red
     assert texts(reduced(state, battery(T0 + 4, 60.0), tick(T0 + 4))) == []
 
