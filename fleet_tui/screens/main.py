@@ -156,7 +156,7 @@ class MainScreen(Screen[None]):
 
     def _show_hints(self, state: FleetState, robot: str) -> None:
         pane = Pane.ANYWHERE if self._in_overlay() else self.focused_pane()
-        idle = idle_hints(state) | (self.rest.snap.idle_keys if self.is_complete else set())
+        idle = idle_hints(state, robot) | (self.rest.snap.idle_keys if self.is_complete else set())
         about = self.focused.KEY if isinstance(self.focused, RobotOverlay) else ""
         hidden = hidden_keys(state, robot) | idle | self.unoffered | {about}
         focused = (self.focused and self.focused.id) or ""
