@@ -50,13 +50,8 @@ def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float],
     if alarm.stage is AlarmStage.SHELVED:
         shelf = f" until {clock(state.wall + alarm.shelved_until - state.now)}"
     is_wide = width >= WITH_PRIORITY
-    sign = SIGNS[alarm.stage] if is_wide else SIGNS[alarm.stage][:1]
-    is_known = alarm.holds and alarm.stage is AlarmStage.ACKNOWLEDGED
-    runs: list[Run] = [(f"{sign}{shelf} ", StyleRole.WARN if is_known else role)]
-    if is_wide:
-        is_over = alarm.stage is AlarmStage.RETURNED
-        runs.append((f"{_PRIORITIES[alarm.condition.priority]} ", StyleRole.DIM if is_over else role))
     at = clock(_at(alarm))
+    runs = _signs(alarm, shelf, is_wide, role)
     runs.append((fit(alarm.condition.source, sources) + " ", StyleRole.TEXT))
     left = width - 1 - sum(cell_width(text) for text, _ in runs)
     text = _short(sanitize(alarm.text), left)
@@ -65,6 +60,18 @@ def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float],
     since = since if cell_width(text + since + count) <= left else ""
     runs += [(text, role), (since + count, StyleRole.DIM)]
     return Row(alarm.key, tuple(runs))
+
+
+def _signs(alarm: Alarm, shelf: str, is_wide: bool, role: StyleRole) -> list[Run]:
+    """Return stage and priority, in a narrow pane as a sign and a letter: of what is most urgent as a chip,
+    like a robot's on the map."""
+    sign, priority = SIGNS[alarm.stage], _PRIORITIES[alarm.condition.priority]
+    text = f"{sign}{shelf} {priority}" if is_wide else f"{sign[0]}{priority[0].upper()}{shelf}"
+    if alarm.needs_acknowledgement and alarm.holds and alarm.condition.priority is Priority.HIGH:
+        chip = text.rstrip()
+        return [(chip, StyleRole.ROBOT_ALARM), (text[len(chip) :] + " ", role)]
+    is_known = alarm.holds and alarm.stage is AlarmStage.ACKNOWLEDGED
+    return [(text + " ", StyleRole.WARN if is_known else role)]
 
 
 def _in_full(row: Row, alarm: Alarm, width: int) -> list[Row]:

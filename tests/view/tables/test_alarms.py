@@ -128,8 +128,21 @@ def test_alarms_that_another_one_stands_for_are_counted() -> None:
 def test_in_a_narrow_pane_the_reason_stays() -> None:
     state = low()
     row, advice = alarm_table(state, lambda _wall: "12:04:31", 38).rows
-    assert text_of(row.runs) == "▲ robot_0 battery 15 % 12:04"
+    assert text_of(row.runs) == "▲L robot_0 battery 15 % 12:04"
     assert text_of(advice.runs) == "  Send it to a charger" and advice.key is None
+
+
+def test_each_priority_has_its_own_sign_and_colour() -> None:
+    lost = reduced(without_poses(fleet()), link_up(T0), link_lost(T0 + 1), tick(T0 + 60))
+    for state, sign, role in (
+        (lost, "▲H", StyleRole.ROBOT_ALARM),
+        (low(percent=5.0), "▲M ", StyleRole.ALARM),
+        (low(), "▲L ", StyleRole.WARN),
+    ):
+        assert alarm_table(state, clock, 38).rows[0].runs[0] == (sign, role)
+    assert alarm_table(lost, clock, 60).rows[0].runs[0] == ("▲ new  high", StyleRole.ROBOT_ALARM)
+    seen = reduced(lost, events.AlarmAcknowledged())
+    assert alarm_table(seen, clock, 38).rows[0].runs[0] == ("△H ", StyleRole.WARN)
 
 
 def test_of_a_few_alarms_the_marked_one_has_its_advice_below() -> None:
