@@ -60,6 +60,10 @@ class Commands(NearestGroup):
         """Return the commands by purpose, those a newcomer needs first."""
         return SECTIONS
 
+    def otherwise(self, word: str) -> str:
+        """Return the way to write an address: the word may be the name of a host."""
+        return "; an address begins with ws://, for example fleet-tui ws://robot-server:9090"
+
     def _others(self) -> dict[str, click.Command]:
         from fleet_tui.cli.commands import headless
         from fleet_tui.cli.replay import replayed
