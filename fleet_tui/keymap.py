@@ -51,9 +51,10 @@ def _same_place(one: Key[Any], other: Key[Any]) -> bool:
     if any(pane.is_mode for pane in panes):
         # While the map is in a mode its keys take precedence.
         return len(panes) == 1 or Pane.ANYWHERE in panes
-    if Pane.DIAGNOSTICS in panes:
-        # The console's keys don't work in there; it is made of one table.
-        return panes <= {Pane.DIAGNOSTICS, Pane.ROWS, Pane.ANYWHERE}
+    for pane in (Pane.DIAGNOSTICS, Pane.HISTORY):
+        if pane in panes:
+            # The console's keys don't work in there; it is made of one table.
+            return panes <= {pane, Pane.ROWS, Pane.ANYWHERE}
     return len(panes) == 1 or any(pane.is_everywhere for pane in panes)
 
 

@@ -49,6 +49,7 @@ class ViewActions(Struct, frozen=True):
     enlarge: Act
     diagnostics: Act
     audit: Act
+    history: Act
     programs: Act
     routines: Act
     go_to_time: Act

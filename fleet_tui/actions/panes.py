@@ -90,6 +90,34 @@ class DiagnosticsActions(Protocol):
         """Go one level back."""
 
 
+class HistoryActions(Protocol):
+    """Actions in the history."""
+
+    def page(self, number: int) -> None:
+        """Show a page."""
+
+    def step_page(self, step: int) -> None:
+        """Show the next (1) or previous (-1) page."""
+
+    def filter(self) -> None:
+        """Open the field for the filter."""
+
+    def shift(self, step: int) -> None:
+        """Show a later (1) or an earlier (-1) time."""
+
+    def stretch(self, step: int) -> None:
+        """Show a longer (1) or a shorter (-1) time."""
+
+    def next_floor(self) -> None:
+        """Show the places of the next floor."""
+
+    def replay(self) -> None:
+        """Open the recording at the time of the marked row."""
+
+    def leave(self) -> None:
+        """Go back one level."""
+
+
 class PlayerActions(Protocol):
     """Actions of the player of a recording."""
 

@@ -18,15 +18,15 @@ OBSERVED = (
 """Limits a query to the robots that were observed in a time: their name is the first column of the keys."""
 
 MOST = 100_000
-"""Rows of one answer at most, the newest."""
 
 
 class History:
     """The answers of one database; times are Unix seconds, lists are oldest first. Methods raise
     sqlite3.Error."""
 
-    def __init__(self, database: sqlite3.Connection) -> None:
-        self.database = database
+    def __init__(self, database: sqlite3.Connection, most: int = MOST) -> None:
+        """`most` are the rows of one answer, the newest."""
+        self.database, self._most = database, most
 
     def orders(
         self, since: float, until: float, robot: str = "", stages: Collection[str] = ()
@@ -70,6 +70,12 @@ class History:
             (int(since // HOUR), int(until // HOUR)),
         )
         return [row[0] for row in rows]
+
+    def begun(self) -> float | None:
+        """Return the hour in which it begins, None if no robot was observed yet."""
+        of_one = "SELECT min(hour) FROM hours WHERE robot = (SELECT robot FROM hours LIMIT 1)"
+        (first,) = self.database.execute(of_one).fetchone()
+        return None if first is None else first * HOUR
 
     def watched_until(self) -> float | None:
         """Return when anybody last observed a robot, None for never."""
@@ -132,7 +138,7 @@ class History:
         of_robot = f" AND {named} = :robot" if robot else ""
         query = f"SELECT {', '.join(columns)} FROM {table} WHERE {wanted}{of_robot} ORDER BY {by} DESC"
         values = {"since": since, "until": until, "robot": robot}
-        rows: Iterator[Any] = self.database.execute(f"{query} LIMIT {MOST}", values)
+        rows: Iterator[Any] = self.database.execute(f"{query} LIMIT {self._most}", values)
         return [kind(*row) for row in rows][::-1]
 
 

@@ -7,6 +7,7 @@ from fleet_tui.keys.console import CONSOLE
 from fleet_tui.keys.diagnostics import DIAGNOSTICS, PAGES
 from fleet_tui.keys.drive import DRIVE, PASSES
 from fleet_tui.keys.edit import EDIT
+from fleet_tui.keys.history import HISTORY, HISTORY_PAGES
 from fleet_tui.keys.key import LISTS, Key, Pane, by_id
 from fleet_tui.keys.map import MAP
 from fleet_tui.keys.place import PLACE
@@ -17,6 +18,8 @@ from fleet_tui.keys.tables import TABLES
 __all__ = [
     "BY_ID",
     "DIAGNOSTICS",
+    "HISTORY",
+    "HISTORY_PAGES",
     "KEYS",
     "LISTS",
     "PAGES",
@@ -28,7 +31,18 @@ __all__ = [
     "overruled",
 ]
 
-KEYS: tuple[Key[Any], ...] = (*CONSOLE, *TABLES, *RECORDING, *MAP, *PLACE, *EDIT, *DRIVE, *DIAGNOSTICS, *ROWS)
+KEYS: tuple[Key[Any], ...] = (
+    *CONSOLE,
+    *TABLES,
+    *RECORDING,
+    *MAP,
+    *PLACE,
+    *EDIT,
+    *DRIVE,
+    *DIAGNOSTICS,
+    *HISTORY,
+    *ROWS,
+)
 BY_ID = {key.id: key for key in KEYS}
 
 

@@ -31,6 +31,7 @@ class Pane(Enum):
     """On the map, while a robot is driven: they take precedence over all others, and any other key stops."""
     ROWS = "Tables: fleet, alarms, queue"
     DIAGNOSTICS = "Diagnostics (d)"
+    HISTORY = "History (H)"
 
     @property
     def is_mode(self) -> bool:

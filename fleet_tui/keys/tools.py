@@ -20,6 +20,14 @@ TOOLS: tuple[Key[Actions], ...] = (
         eager="opens",
     ),
     Key(
+        "history",
+        ("H",),
+        lambda do: do.view.history(),
+        "History of the shift: events, robots, batteries, alarms, places",
+        eager="opens",
+        only_live=True,
+    ),
+    Key(
         "programs",
         ("J",),
         lambda do: do.view.programs(),

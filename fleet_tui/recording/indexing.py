@@ -101,6 +101,11 @@ def _header(path: Path) -> tuple[RecordingHeader, int]:
         return header, max(1, os.fstat(file.fileno()).st_size)
 
 
+def header_of(path: Path) -> RecordingHeader:
+    """Return the header of a file. Raises RecordingError."""
+    return _header(path)[0]
+
+
 def _look_through(recording: Recording, part: Path) -> Iterator[int]:
     """Add the content of a part to the recording. Yields the bytes read so far."""
     recording.parts.append(part)

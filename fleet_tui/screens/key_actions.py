@@ -109,6 +109,7 @@ def _view_actions(screen: "MainScreen", rest: "Rest") -> ViewActions:
         enlarge=screen.panes.enlarge,
         diagnostics=lambda: rest.diagnostics.show(navigation.robot),
         audit=rest.audit_log.show,
+        history=rest.history.show,
         programs=rest.programs.show,
         routines=rest.routines.show,
         go_to_time=partial(rest.palette.show, "@"),

@@ -203,6 +203,8 @@ class MainScreen(Screen[None]):
             return self.session.pane or (self.rest.map_pane if self.is_complete else Pane.MAP)
         if self.rest.diagnostics.is_open:
             return Pane.DIAGNOSTICS
+        if self.rest.history.is_open:
+            return Pane.HISTORY
         return Pane.ROWS if isinstance(self.focused, RowsPane) else Pane.CONSOLE
 
     async def action_key(self, id_: str) -> None:

@@ -13,6 +13,7 @@ from fleet_tui.controllers.editing.old_files import OldFiles
 from fleet_tui.controllers.editing.route_files import RouteFiles
 from fleet_tui.controllers.editing.sending import DraftSending
 from fleet_tui.controllers.editing.values import VertexValues
+from fleet_tui.controllers.history.note import NoteCommand
 from fleet_tui.controllers.map import MapControls
 from fleet_tui.controllers.offers import Offers
 from fleet_tui.controllers.ordering.orders import OrderRequests
@@ -35,6 +36,7 @@ from fleet_tui.screens.diagnosing.overlay import Diagnostics
 from fleet_tui.screens.diagnosing.pages import Pages
 from fleet_tui.screens.driving import drive_controls, release_key
 from fleet_tui.screens.help import Help
+from fleet_tui.screens.history.overlay import HistoryOverlay, history_overlay
 from fleet_tui.screens.key_actions import key_actions
 from fleet_tui.screens.menu import Menu
 from fleet_tui.screens.ordering.opening import order_form
@@ -68,7 +70,7 @@ CURSORS = frozenset({"map_cursor", "next_vertex", "previous_vertex", "pose", "go
 class Rest:
     """Widgets and controllers with their dependencies, and the action of every key."""
 
-    styled: list[RunsView | Diagnostics | Programs | Routines | RobotPage]
+    styled: list[RunsView | Diagnostics | HistoryOverlay | Programs | Routines | RobotPage]
     robots: RobotRequests
     alarms: AlarmResponses
     _covers = False
@@ -96,6 +98,7 @@ class Rest:
         self.save = SaveCommand(
             screen.files, self.confirm.ask, lambda line: self.palette.show(line), notices.say
         )
+        self.note = NoteCommand(screen.files, notices.say)
         offers = Offers(
             store, dispatch, navigation, screen.session, self.save, settings, partial(_run, screen)
         )
@@ -111,8 +114,9 @@ class Rest:
         self.routines = routines_overlay(screen, *asks, partial(run_in_background, screen))
         pages = Pages(lambda: store.state, screen.backend, settings.clock)
         self.diagnostics = Diagnostics(pages, screen.backend, settings.keys)
+        self.history = history_overlay(screen, self)
         self.styled = [self.map, self.audit_log.rows, self.diagnostics, *self.key_help.views]
-        self.styled += [self.programs, self.routines, *self.small_maps, self.robot_page]
+        self.styled += [self.programs, self.routines, *self.small_maps, self.robot_page, self.history]
 
     def _add_camera(self, screen: "MainScreen") -> None:
         view = CameraView()
@@ -165,7 +169,12 @@ class Rest:
 
     def _typed_set_up(self, line: str) -> Typed | None:
         """Parse a typed line that is about the draft or the map, None for any other."""
-        typed = self.anyone.typed(line) or self.values.typed(line) or self.edge_values.typed(line)
+        typed = (
+            self.anyone.typed(line)
+            or self.note.typed(line)
+            or self.values.typed(line)
+            or self.edge_values.typed(line)
+        )
         return typed or self.draft_files.typed(line) or self.mapping.typed(line)
 
     async def mount(self, screen: "MainScreen") -> None:
@@ -178,15 +187,8 @@ class Rest:
                 aside, below = self.small_maps
                 await screen.panes.small_maps.mount(aside)
                 await screen.panes.maps_below.mount(below)
-            others = (
-                self.audit_log,
-                self.diagnostics,
-                self.programs,
-                self.routines,
-                *self.tables.widgets,
-                self.robot_page,
-            )
-            await screen.mount(*opens, *others)
+            tools = (self.audit_log, self.diagnostics, self.history, self.programs, self.routines)
+            await screen.mount(*opens, *tools, *self.tables.widgets, self.robot_page)
             if (time_line := screen.session.time_line()) is not None:
                 self.styled.append(time_line)
                 await screen.mount(time_line, before="#hints")

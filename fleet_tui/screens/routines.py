@@ -132,6 +132,11 @@ class Routines(ReturningOverlay):
             self._noted = text
             self.query_one("#routine-note", Static).update(text)
 
+    @property
+    def has_losses(self) -> bool:
+        """Tell whether a routine runs here, which would not go on without this console."""
+        return bool(self._led.losses)
+
     def quit(self) -> None:
         """Leave the program, after a question if a routine runs here."""
         if self._led.losses:

@@ -28,7 +28,7 @@ def bindings(pane: Pane) -> list[BindingType]:
 def action_of(key: Key[Any]) -> str:
     """Return Textual's action string: tables and diagnostics run their own keys, the main screen the
     others."""
-    widget = "" if key.pane in (Pane.ROWS, Pane.DIAGNOSTICS) else "screen."
+    widget = "" if key.pane in (Pane.ROWS, Pane.DIAGNOSTICS, Pane.HISTORY) else "screen."
     return f"{widget}key({key.id!r})"
 
 

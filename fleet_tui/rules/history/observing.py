@@ -15,7 +15,9 @@ from fleet_tui.rules.why.reason import name_of
 HOUR = 3600.0
 """Seconds at whose multiples spans are cut, so that a few hours of them are found quickly."""
 EVERY = 60.0
-"""Seconds after which what goes on is told again: a killed process loses no more."""
+"""Seconds after which a battery is told again."""
+GOES_ON = 15.0
+"""Seconds after which an activity that goes on is told again: a killed process loses no more."""
 PERCENT = 1.0
 """A change of a battery that is told at once."""
 QUEUED, BEGUN = "queued", "begun"
@@ -85,7 +87,7 @@ class Observer:
         same = _until(before, now)
         self._spans[robot.name] = same
         has_changed = (does, place[0]) != (before.activity, before.floor)
-        if has_changed or before.began // HOUR != now // HOUR or abs(now - self._told[robot.name]) >= EVERY:
+        if has_changed or before.began // HOUR != now // HOUR or abs(now - self._told[robot.name]) >= GOES_ON:
             yield same
             self._told[robot.name] = now
         if has_changed or before.began // HOUR != now // HOUR:

@@ -24,6 +24,7 @@ SECTIONS = (
     Pane.DRIVE,
     Pane.ROWS,
     Pane.DIAGNOSTICS,
+    Pane.HISTORY,
     Pane.ANYWHERE,
 )
 

@@ -1,0 +1,36 @@
+"""The `:note TEXT` command: a remark for whoever takes over, in the history and in the report."""
+
+from collections.abc import Callable
+from functools import partial
+
+from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.controllers.typed import Typed
+from fleet_tui.text.limits import truncate
+from fleet_tui.text.sanitize import sanitize
+
+WORD = "note"
+
+
+class NoteCommand:
+    """Writes into the history of the console."""
+
+    def __init__(self, files: ConsoleFiles, say: Callable[[str], None]) -> None:
+        self._files, self._say = files, say
+
+    def typed(self, line: str) -> Typed | None:
+        """Parse a typed line as a note, None if it is not one."""
+        word, _, text = line.strip().partition(" ")
+        if word.casefold() != WORD:
+            return None
+        text = truncate(text.strip())
+        if self._files.history is None:
+            return Typed(problem="no note: this console keeps no history")
+        if not text:
+            return Typed(problem="note TEXT: what should the next shift know?")
+        return Typed([(f"Note for the next shift: {sanitize(text)}", partial(self._write, text))])
+
+    def _write(self, text: str) -> None:
+        assert self._files.history is not None
+        self._files.history.add_note(text)
+        self._files.log("note", text)
+        self._say(sanitize(f"noted for the next shift: {text}"))

@@ -1,0 +1,58 @@
+"""Opens the recording of a past moment, in the place of the console until it is closed."""
+
+import math
+import shlex
+import subprocess
+import sys
+from collections.abc import Callable, Sequence
+from datetime import datetime
+from pathlib import Path
+
+from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.recording.covering import recording_at
+
+BEFORE = 10.0
+"""Seconds before the moment from which it is played: what led to it."""
+
+
+class PastReplay:
+    """`run` gives the terminal to a command until it ends, and returns a reason if it can't; `loss` returns
+    why the console can't be left alone now, empty if it can."""
+
+    def __init__(
+        self,
+        files: ConsoleFiles,
+        folder: Path,
+        loss: Callable[[], str],
+        run: Callable[[Sequence[str]], str],
+    ) -> None:
+        self._files, self._folder, self._loss, self._run = files, folder, loss, run
+
+    def find(self, at: float) -> tuple[Path, float] | None:
+        """Return the recording that covers a Unix second, and when it begins; in a thread, a disk may be
+        slow."""
+        recordings = self._files.recordings
+        running = recordings.recorder.paths if recordings is not None and recordings.recorder else []
+        recent = recordings.recent() if recordings is not None else []
+        return recording_at(self._folder, at, [*running, *recent])
+
+    def open(self, found: tuple[Path, float] | None, at: float) -> str:
+        """Open it shortly before that second; return what to say, empty once it was seen."""
+        if found is None:
+            return (
+                "no recording covers this moment: `record` in : starts one, the last minutes are always kept"
+            )
+        path, begun = found
+        start = datetime.fromtimestamp(math.ceil(max(begun, at - BEFORE))).astimezone().replace(tzinfo=None)
+        arguments = ["replay", str(path), "--at", start.isoformat(timespec="seconds")]
+        if loss := self._loss():
+            return f"{loss}: in another terminal: {shlex.join(['fleet-tui', *arguments])}"
+        return self._run([sys.executable, "-m", "fleet_tui", *arguments])
+
+
+def run_in_terminal(command: Sequence[str]) -> str:
+    """Run a command with this terminal; return its error, empty if it ended well. Links, audit log and
+    history go on in their threads."""
+    done = subprocess.run(command, check=False, stderr=subprocess.PIPE, text=True)
+    lines = done.stderr.strip().splitlines()
+    return lines[-1] if done.returncode and lines else ""

@@ -1,0 +1,43 @@
+"""Keys and pages of the history."""
+
+from collections.abc import Callable
+
+from fleet_tui.actions.panes import HistoryActions
+from fleet_tui.keys.key import Key, Pane
+
+HISTORY_PAGES = {
+    "Events": "orders, alarms, commands, links, notes",
+    "Robots": "what each did, as a picture",
+    "Batteries": "their curves and forecasts",
+    "Alarms": "when each held",
+    "Places": "where robots were blocked, on the map",
+}
+"""The pages of the history with their contents."""
+
+
+def _page(number: int) -> Callable[[HistoryActions], None]:
+    return lambda do: do.page(number)
+
+
+def _key(
+    id_: str, keys: tuple[str, ...], action: Callable[[HistoryActions], None], text: str
+) -> Key[HistoryActions]:
+    return Key(f"history_{id_}", keys, action, text, pane=Pane.HISTORY)
+
+
+HISTORY: tuple[Key[HistoryActions], ...] = (
+    *(
+        _key(name.lower(), (str(n),), _page(n), f"Page {n}: {text}")
+        for n, (name, text) in enumerate(HISTORY_PAGES.items(), 1)
+    ),
+    _key("next_page", ("tab",), lambda do: do.step_page(1), "Next page"),
+    _key("previous_page", ("shift+tab",), lambda do: do.step_page(-1), "Previous page"),
+    _key("filter", ("/",), lambda do: do.filter(), "Filter: words, !word; a robot, a place, an outcome"),
+    _key("earlier", (",",), lambda do: do.shift(-1), "Earlier, by half of the time shown"),
+    _key("later", (".",), lambda do: do.shift(1), "Later; at last up to now"),
+    _key("longer", ("-",), lambda do: do.stretch(1), "Longer time: 1 h, 8 h, 24 h, 7 d, 30 d"),
+    _key("shorter", ("+",), lambda do: do.stretch(-1), "Shorter time"),
+    _key("floor", ("f",), lambda do: do.next_floor(), "Next floor, on the page of places"),
+    _key("replay", ("o",), lambda do: do.replay(), "Open the recording at the time of the marked row"),
+    _key("leave", ("escape", "q"), lambda do: do.leave(), "Go back"),
+)

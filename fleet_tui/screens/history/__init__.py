@@ -1,0 +1,1 @@
+"""The history of the shift, over the console."""

@@ -1,0 +1,192 @@
+"""The history: events, what robots did, batteries, alarms and blocked places of a time."""
+
+from collections.abc import Hashable, Mapping
+from functools import partial
+from typing import TYPE_CHECKING, ClassVar
+
+from rich.style import Style
+from textual import on
+from textual.actions import SkipAction
+from textual.app import ComposeResult, SuspendNotSupported
+from textual.binding import Binding, BindingType
+from textual.timer import Timer
+from textual.widgets import Input
+
+from fleet_tui.controllers.history.controls import HistoryControls, words_of
+from fleet_tui.controllers.history.replaying import PastReplay, run_in_terminal
+from fleet_tui.keys import HISTORY, Pane, by_id
+from fleet_tui.log_file import state_folder
+from fleet_tui.screens.history.pages import HistoryPages, long_moment
+from fleet_tui.screens.overlay import Overlay
+from fleet_tui.view.history.tables import NAMES
+from fleet_tui.view.lines.history import foot_runs, page_runs
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.table import column
+from fleet_tui.widgets.background import run_in_background
+from fleet_tui.widgets.bindings import bindings
+from fleet_tui.widgets.field import Field, Keys
+from fleet_tui.widgets.line_view import LineView
+from fleet_tui.widgets.rows_pane import RowsPane
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from fleet_tui.screens.main import MainScreen
+    from fleet_tui.screens.rest import Rest
+
+KEYS = by_id(HISTORY)
+EVERY = 5.0
+"""Seconds between two looks into a history that goes on."""
+FIGURES = {"Robots": 1, "Batteries": 28, "Alarms": 32}
+"""Cells of a row beside a picture and the name of a robot."""
+
+
+def history_overlay(screen: "MainScreen", rest: "Rest") -> "HistoryOverlay":
+    """Return the overlay over a screen."""
+    options = lambda: rest.map.picture.options  # noqa: E731  # a name for a value that changes
+    pages = HistoryPages(screen.store, screen.settings.clock, screen.navigation, options)
+
+    def run(command: "Sequence[str]") -> str:
+        try:
+            with screen.app.suspend():
+                return run_in_terminal(command)
+        except SuspendNotSupported:
+            return "this terminal can't be given to a recording: open it in another one"
+
+    replaying = PastReplay(screen.files, state_folder(), lambda: _loss(rest), run)
+    return HistoryOverlay(screen, pages, replaying)
+
+
+def _loss(rest: "Rest") -> str:
+    """Return the reason why this console can't be left alone, empty if it can."""
+    if rest.drives.mode is not None:
+        return "a robot is driven by hand"
+    return "a routine runs here" if rest.routines.has_losses else ""
+
+
+class HistoryOverlay(Overlay):
+    """One table with the rows of the open page. It reads nothing while it is closed."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        *bindings(Pane.HISTORY),
+        *(
+            Binding(binding.key, "close", show=False, id=binding.id)
+            for binding in bindings(Pane.CONSOLE)
+            if isinstance(binding, Binding) and binding.id == "history"
+        ),
+    ]
+
+    def __init__(self, screen: "MainScreen", pages: HistoryPages, replaying: PastReplay) -> None:
+        super().__init__(id="history")
+        self._pages, self._store, self._keys = pages, screen.store, screen.settings.keys
+        low = lambda: screen.store.state.limits.battery_low  # noqa: E731  # of the newest state
+        in_background = partial(run_in_background, self)
+        self._controls = HistoryControls(self, screen.files, replaying, in_background, low)
+        self._timer: Timer | None = None
+        self.rows = RowsPane(id="history-rows", choose=self._controls.choose)
+        self._tabs = LineView(id="history-pages", keep_right=True)
+        self._foot = LineView(id="history-keys")
+
+    def compose(self) -> ComposeResult:
+        """Compose the pages' names, a field that appears on use, the rows, the keys."""
+        keys: Keys = {
+            "enter": self._leave_field,
+            "escape": partial(self._leave_field, clear=True),
+            "up": partial(self.rows.move, -1),
+            "down": partial(self.rows.move, 1),
+            "pageup": partial(self.rows.move, -10),
+            "pagedown": partial(self.rows.move, 10),
+        }
+        yield self._tabs
+        yield Field(keys, id="history-filter", placeholder="words, !word; Enter keeps them, Esc clears them")
+        yield self.rows
+        yield self._foot
+
+    def on_mount(self) -> None:
+        """Hide the field until it is used."""
+        super().on_mount()
+        self.query_one(Field).display = False
+
+    def set_role_styles(self, styles: Mapping[StyleRole, Style]) -> None:
+        """Change every colour."""
+        for view in (self._tabs, self.rows, self._foot):
+            view.set_role_styles(styles)
+
+    def show(self) -> None:
+        """Open on the page that was open last."""
+        self.open(self.rows)
+        self._controls.page(self._controls.page_number)
+        if self._timer is None:
+            self._timer = self.set_interval(EVERY, self._tick)
+
+    def _tick(self) -> None:
+        if not self.is_open and self._timer is not None:
+            self._timer.stop()
+            self._timer = None
+        elif not self._controls.until and not self._controls.is_reading:
+            self._controls.read()
+
+    def on_resize(self) -> None:
+        """Read it for its new size."""
+        if self.is_open:
+            self._controls.read()
+            self.look()
+
+    @property
+    def cursor(self) -> Hashable:
+        """Return the key of the marked row."""
+        return self.rows.listing.cursor
+
+    @property
+    def parts(self) -> int:
+        """Return the cells of a picture in a row, beside names and figures."""
+        names = column(self._store.state.robots, at_most=NAMES)
+        return self.rows.row_width - names - FIGURES.get(self._controls.name, 0)
+
+    def look(self) -> None:
+        """Show what was read."""
+        controls, field = self._controls, self.query_one(Field)
+        size = self.rows.row_width, max(1, self.rows.size.height - 1)
+        self.rows.show(self._pages.table(controls, words_of(field.value), size))
+        until = long_moment(controls.until) if controls.until else "now"
+        self._tabs.show(*page_runs(controls.page_number, controls.span, until))
+        self._foot.show(*foot_runs(self._keys, controls.name, controls.notice))
+
+    def action_key(self, id_: str) -> None:
+        """Run the action of a key of this screen."""
+        KEYS[id_].action(self._controls)
+
+    def open_filter(self) -> None:
+        """Focus the field of the filter. Raises SkipAction if it has the focus: the key is a letter."""
+        field = self.query_one(Field)
+        if self.screen.focused is field:
+            raise SkipAction
+        field.display = True
+        self.screen.set_focus(field)
+
+    def back(self) -> None:
+        """Clear the filter, or close."""
+        if self.query_one(Field).value:
+            self._leave_field(clear=True)
+            self.look()
+        else:
+            self.action_close()
+
+    def put_filter(self, text: str) -> None:
+        """Filter by a text, with the focus on the rows."""
+        field = self.query_one(Field)
+        with field.prevent(Input.Changed):
+            field.value = text
+        self._leave_field()
+
+    @on(Input.Changed, "#history-filter")
+    def _typed(self, event: Input.Changed) -> None:
+        event.stop()
+        self.look()
+
+    def _leave_field(self, clear: bool = False) -> None:
+        field = self.query_one(Field)
+        if clear:
+            field.value = ""
+        field.display = bool(field.value)
+        self.screen.set_focus(self.rows)

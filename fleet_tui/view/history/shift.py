@@ -1,0 +1,28 @@
+"""What a page of the history shows of a time."""
+
+from collections.abc import Mapping, Sequence
+
+from msgspec import Struct
+
+from fleet_tui.model.history.lives import AlarmLife
+from fleet_tui.model.history.totals import BlockedPlace, ChargeTotal
+from fleet_tui.rules.battery.forecast import BatteryForecast
+from fleet_tui.rules.history.division import Division
+from fleet_tui.rules.history.timeline import Timeline
+from fleet_tui.view.history.events import PastEvent
+
+
+class ShownShift(Struct, frozen=True):
+    """The contents of one page; those of the others are empty. `time` is divided into the cells of a picture;
+    `begun` is when the history begins, None while it is empty; `problem` is the reason that there is
+    nothing."""
+
+    time: Division
+    events: Sequence[PastEvent] = ()
+    timeline: Timeline = {}
+    charges: Mapping[str, Sequence[ChargeTotal]] = {}
+    forecasts: Mapping[str, BatteryForecast] = {}
+    alarms: Sequence[AlarmLife] = ()
+    places: Sequence[BlockedPlace] = ()
+    begun: float | None = None
+    problem: str = ""

@@ -1,0 +1,218 @@
+"""The pages of the history as tables: each row is a moment or a robot."""
+
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from itertools import groupby
+
+from fleet_tui.model.history.facts import Activity
+from fleet_tui.model.history.lives import AlarmLife
+from fleet_tui.model.history.totals import ChargeTotal
+from fleet_tui.rules.battery.forecast import BatteryForecast
+from fleet_tui.rules.battery.history import BatterySample
+from fleet_tui.rules.history.division import Division
+from fleet_tui.text.durations import age
+from fleet_tui.text.sanitize import fit, sanitize
+from fleet_tui.view.history.events import EventKind, PastEvent, matching
+from fleet_tui.view.history.shift import ShownShift
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
+
+Clock = Callable[[float], str]
+
+NAMES = 18
+"""Cells of a name at most."""
+BARS: Mapping[Activity, tuple[str, str, StyleRole]] = {
+    Activity.DRIVING: ("▆", "=", StyleRole.GOOD),
+    Activity.LOADING: ("▄", "l", StyleRole.ACCENT),
+    Activity.WAITING: ("▂", "w", StyleRole.WARN),
+    Activity.CHARGING: ("~", "~", StyleRole.ACCENT),
+    Activity.IDLE: ("▁", "_", StyleRole.DIM),
+    Activity.PAUSED: ("‖", "P", StyleRole.WARN),
+    Activity.BLOCKED: ("█", "B", StyleRole.ALARM),
+    Activity.OFFLINE: ("×", "x", StyleRole.ALARM),
+}
+"""Glyph, letter where there are no such glyphs, and role of each activity: no two are the same without
+colours."""
+LEVELS, DIGITS = "▁▂▃▄▅▆▇█", "01234567"
+"""Heights of a battery's curve."""
+HELD = "█", "#"
+
+
+def events_table(shown: ShownShift, words: Sequence[str], clock: Clock) -> Table:
+    """Return the events with every word, the newest first; the key of a row is the event."""
+    events = matching(shown.events, words)[::-1]
+    title = _title("Events", f"{len(events):,}")
+
+    def row(place: int) -> Row:
+        event = events[place]
+        role = StyleRole.ALARM if event.is_trouble else StyleRole.TEXT
+        look = StyleRole.ACCENT if event.kind is EventKind.NOTE else role
+        return Row(event, ((f"{clock(event.at)}  ", StyleRole.DIM), (event.text, look)))
+
+    return Table(title, LateRows(events, row), empty=_empty(shown, words, "nothing happened"))
+
+
+def robots_table(shown: ShownShift, words: Sequence[str], clock: Clock, is_ascii: bool) -> Table:
+    """Return a bar for each robot; the key of a row is its name."""
+    names = [name for name in shown.timeline if _has(name, words)]
+    width = column(names, at_most=NAMES)
+    rows = [
+        Row(name, ((f"{fit(name, width)} ", StyleRole.TEXT), *_bars(shown.timeline[name], is_ascii)))
+        for name in names
+    ]
+    title = (*_title("Robots", str(len(rows))), *_legend(shown, names, is_ascii))
+    return Table(title, rows, _empty(shown, words, "no robot was seen"), head=_head(shown.time, width, clock))
+
+
+def _legend(shown: ShownShift, names: Sequence[str], is_ascii: bool) -> tuple[Run, ...]:
+    """Return the sign of each activity that is shown."""
+    seen = {activity for name in names for activity in shown.timeline[name]}
+    return tuple(
+        part
+        for activity, (glyph, letter, role) in BARS.items()
+        if activity in seen
+        for part in ((f"  {letter if is_ascii else glyph}", role), (f" {activity.value}", StyleRole.DIM))
+    )
+
+
+def batteries_table(
+    shown: ShownShift, words: Sequence[str], clock: Clock, is_ascii: bool, low: float
+) -> Table:
+    """Return a small curve for each robot; the key of a row is its name; `low` is the limit in per cent."""
+    names = [name for name in shown.charges if _has(name, words)]
+    width = column(names, at_most=NAMES)
+    rows = [
+        Row(
+            name,
+            (
+                (f"{fit(name, width)} ", StyleRole.TEXT),
+                *_levels(shown.charges[name], low, is_ascii),
+                (_curve(shown.charges[name], shown.time.parts, is_ascii), StyleRole.ACCENT),
+                (f" {_lasts(shown.forecasts.get(name))}", StyleRole.DIM),
+            ),
+        )
+        for name in names
+    ]
+    title = _title("Batteries", str(len(rows)))
+    head = _head(shown.time, width + LEVEL_CELLS, clock)
+    return Table(title, rows, _empty(shown, words, "no battery was seen"), head=head)
+
+
+LEVEL_CELLS = 12
+
+
+def alarms_table(shown: ShownShift, words: Sequence[str], clock: Clock, is_ascii: bool) -> Table:
+    """Return a line of time for each alarm, those that held longest first; the key of a row is its last
+    life."""
+    ranked = sorted(_by_alarm(shown), key=lambda one: -sum(_held(life, shown.time) for life in one))
+    lives = [one for one in ranked if _has(f"{one[0].kind} {one[0].source} {one[0].text}", words)]
+    names = [f"{one[0].kind} {one[0].source}" for one in lives]
+    width = column(map(sanitize, names), at_most=2 * NAMES)
+    rows = []
+    for name, of_one in zip(names, lives, strict=True):
+        total, count = sum(_held(life, shown.time) for life in of_one), sum(life.count for life in of_one)
+        said = f"{fit(f'{count} times', 10)}{fit(age(total), 8)}"
+        line = _held_cells(of_one, shown.time, is_ascii)
+        runs = ((f"{fit(sanitize(name), width)} ", StyleRole.TEXT), (said, StyleRole.DIM), *line)
+        rows.append(Row(of_one[-1], runs))
+    title = _title("Alarms", str(len(rows)))
+    head = _head(shown.time, width + 18, clock)
+    return Table(title, rows, _empty(shown, words, "no alarm"), head=head)
+
+
+def curve_of(charges: Sequence[ChargeTotal], time: Division) -> list[BatterySample]:
+    """Return the levels as samples, in Unix seconds, with gaps where nobody watched."""
+    before = -2
+    samples = []
+    for one in charges:
+        samples.append(
+            BatterySample(time.since + (one.part + 0.5) * time.step, one.last, one.part == before + 1)
+        )
+        before = one.part
+    return samples
+
+
+def moment_of(key: Hashable) -> tuple[str, float] | None:
+    """Return whom a row is about, and when it began, None if it is about no moment."""
+    match key:
+        case PastEvent():
+            return key.subject, key.at
+        case AlarmLife():
+            return key.source, key.raised
+    return None
+
+
+def _title(name: str, count: str) -> tuple[Run, ...]:
+    return ((name, StyleRole.TITLE), (f" {count}", StyleRole.DIM))
+
+
+def _empty(shown: ShownShift, words: Sequence[str], nothing: str) -> str:
+    if shown.problem:
+        return sanitize(shown.problem)
+    return f"{nothing} with: {sanitize(' '.join(words))}" if words else f"{nothing} in this time"
+
+
+def _has(text: str, words: Sequence[str]) -> bool:
+    line = text.casefold()
+    return all((word[1:] not in line) if word.startswith("!") else word in line for word in words)
+
+
+def _head(time: Division, left: int, clock: Clock) -> tuple[Run, ...]:
+    """Return local times above the cells of a picture, a few of them."""
+    text = " " * (left + 1)
+    for part in range(0, time.parts - 10, max(12, time.parts // 6)):
+        text = text.ljust(left + 1 + part) + clock(time.since + part * time.step)
+    return ((text, StyleRole.DIM),)
+
+
+def _bars(does: Sequence[Activity | None], is_ascii: bool) -> Iterator[Run]:
+    for activity, same in groupby(does):
+        glyph, letter, role = BARS[activity] if activity is not None else (" ", " ", StyleRole.TEXT)
+        yield (letter if is_ascii else glyph) * len(list(same)), role
+
+
+def _levels(charges: Sequence[ChargeTotal], low: float, is_ascii: bool) -> tuple[Run, Run]:
+    last, lowest = charges[-1].last, min(one.low for one in charges)
+    role = StyleRole.ALARM if lowest < low else StyleRole.DIM
+    mark = ("v" if is_ascii else "▾") if lowest < low else " "
+    return (f"{last:4.0f}% ", StyleRole.TEXT), (f"{mark}{lowest:3.0f}% ", role)
+
+
+def _curve(charges: Sequence[ChargeTotal], parts: int, is_ascii: bool) -> str:
+    signs, cells = DIGITS if is_ascii else LEVELS, [" "] * parts
+    for one in charges:
+        cells[one.part] = signs[min(len(signs) - 1, max(0, int(one.last / 100.0 * len(signs))))]
+    return "".join(cells)
+
+
+def _lasts(guess: BatteryForecast | None) -> str:
+    return "" if guess is None else f"empty in {age(guess.empty_in)}"
+
+
+def _by_alarm(shown: ShownShift) -> list[list[AlarmLife]]:
+    found: dict[tuple[str, str], list[AlarmLife]] = {}
+    for life in shown.alarms:
+        found.setdefault((life.source, life.kind), []).append(life)
+    return list(found.values())
+
+
+def _span(life: AlarmLife, time: Division) -> tuple[float, float]:
+    over = life.returned if life.returned is not None else life.ended
+    return max(life.raised, time.since), min(time.until if over is None else over, time.until)
+
+
+def _held(life: AlarmLife, time: Division) -> float:
+    began, ended = _span(life, time)
+    return max(0.0, ended - began)
+
+
+def _held_cells(lives: Sequence[AlarmLife], time: Division, is_ascii: bool) -> list[Run]:
+    cells = [False] * time.parts
+    for life in lives:
+        began, ended = _span(life, time)
+        for part in range(time.part(began), time.part(ended) + 1):
+            cells[part] = True
+    held, free = (HELD[1], ".") if is_ascii else (HELD[0], "·")
+    return [
+        ((held if is_held else free) * len(list(same)), StyleRole.ALARM if is_held else StyleRole.DIM)
+        for is_held, same in groupby(cells)
+    ]

@@ -1,0 +1,42 @@
+"""The first and the last line of the history: its pages and its time, and the keys of the open page."""
+
+from collections.abc import Mapping
+
+from fleet_tui.keys import HISTORY_PAGES
+from fleet_tui.keys.key import key_name
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.table import Run
+
+OPENABLE = ("Events", "Alarms")
+"""Pages whose rows begin at a moment."""
+HINTS = (
+    ("history_filter", "filter"),
+    ("history_next_page", "page"),
+    ("history_earlier", "earlier"),
+    ("history_longer", "longer"),
+    ("history_leave", "back"),
+)
+
+
+def page_runs(page: int, span: str, until: str) -> tuple[list[Run], list[Run]]:
+    """Return the title, all pages, the open one in brackets; at the right the time that is shown."""
+    runs: list[Run] = [("History ", StyleRole.TITLE)]
+    for number, name in enumerate(HISTORY_PAGES, 1):
+        is_shown = number == page
+        text = f"[{number} {name}]" if is_shown else f" {number} {name} "
+        runs.append((text, StyleRole.TITLE_FOCUSED if is_shown else StyleRole.DIM))
+    return runs, [(f"{span} to {until} ", StyleRole.TEXT)]
+
+
+def foot_runs(keys: Mapping[str, tuple[str, ...]], page: str, said: str) -> tuple[list[Run], list[Run]]:
+    """Return the response to the last key, else the keys, at the right."""
+    if said:
+        return [(sanitize(said), StyleRole.WARN)], []
+    own = [("history_replay", "recording")] if page in OPENABLE else []
+    own += [("history_floor", "floor")] if page == "Places" else []
+    runs: list[Run] = []
+    for id_, word in [*own, *HINTS]:
+        if keys[id_]:
+            runs += [(f" {key_name(keys[id_][0])} ", StyleRole.KEY), (f"{word} ", StyleRole.DIM)]
+    return [], runs
