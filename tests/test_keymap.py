@@ -45,6 +45,7 @@ PROMISED = {
     "all_orders": ["*"],
     "why": ["w"],
     "diagnostics": ["d"],
+    "history": ["H"],
     "bundle": ["b"],
     "programs": ["J"],
     "acknowledge": ["a"],
@@ -92,7 +93,7 @@ def test_no_promised_key_of_the_console_does_something_else() -> None:
         for key in KEYS
         if key.id not in PROMISED
         and not key.pane.is_mode
-        and key.pane not in (Pane.ROWS, Pane.DIAGNOSTICS, Pane.RECORDING)
+        and key.pane not in (Pane.ROWS, Pane.DIAGNOSTICS, Pane.HISTORY, Pane.RECORDING)
     ]
     assert [key.id for key in others if promised & set(key.keys)] == []
 

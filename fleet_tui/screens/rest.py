@@ -98,7 +98,6 @@ class Rest:
         self.save = SaveCommand(
             screen.files, self.confirm.ask, lambda line: self.palette.show(line), notices.say
         )
-        self.note = NoteCommand(screen.files, notices.say)
         offers = Offers(
             store, dispatch, navigation, screen.session, self.save, settings, partial(_run, screen)
         )
@@ -115,6 +114,7 @@ class Rest:
         pages = Pages(lambda: store.state, screen.backend, settings.clock)
         self.diagnostics = Diagnostics(pages, screen.backend, settings.keys)
         self.history = history_overlay(screen, self)
+        self.note = NoteCommand(screen.files, screen.notices.say)
         self.styled = [self.map, self.audit_log.rows, self.diagnostics, *self.key_help.views]
         self.styled += [self.programs, self.routines, *self.small_maps, self.robot_page, self.history]
 

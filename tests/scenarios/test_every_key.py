@@ -1,19 +1,23 @@
 """Every key of the help has its effect, each in a console of its own mode."""
 
+import time
 from pathlib import Path
 
 import pytest
 from msgspec.structs import replace
 
 from fleet_tui.app import FleetApp
+from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.keys import Pane
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import Console, console
 from tests.support.key_effects import Presses, close_all, focus, overlays
 from tests.support.nav2_site import nav2_site
+from tests.support.past import kept_history, put
 from tests.support.replay_console import replayed
 from tests.support.scenario import plant
+from tests.support.shift import shift as past_shift
 from tests.support.tapes import shift
 from tests.support.watched_store import config_of
 
@@ -21,7 +25,8 @@ ROBOTS = 9
 EVERYWHERE = {
     **dict.fromkeys(("help", "help_anywhere", "palette", "order", "why", "robot_page"), "overlay"),
     **dict.fromkeys(
-        ("cancel", "clear", "resume_all", "diagnostics", "audit", "programs", "routines"), "overlay"
+        ("cancel", "clear", "resume_all", "diagnostics", "audit", "history", "programs", "routines"),
+        "overlay",
     ),
     **dict.fromkeys(("pause", "resume", "pause_all", "pause_all_anywhere"), "sent"),
     **{f"{step}_robot{plain}": "robot" for step in ("next", "previous") for plain in ("", "_plain")},
@@ -100,6 +105,15 @@ OF_DIAGNOSTICS = (
 )
 
 
+OF_HISTORY = tuple(
+    f"history_{name}"
+    for name in (
+        *("events", "robots", "batteries", "alarms", "places", "next_page", "previous_page", "filter"),
+        *("earlier", "later", "longer", "shorter", "floor", "replay", "leave"),
+    )
+)
+
+
 async def test_every_key_of_the_console_the_map_and_the_tables(monkeypatch: pytest.MonkeyPatch) -> None:
     called: list[str] = []
     for name in ("exit", "action_suspend_process", "action_repaint"):
@@ -145,6 +159,26 @@ async def test_every_key_of_diagnostics(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2, 2)) as it:
         effects = dict.fromkeys(OF_DIAGNOSTICS, "diagnostics")
         await Presses(it, opened).each((Pane.DIAGNOSTICS,), effects, first)
+
+
+async def test_every_key_of_the_history(server: RosbridgeServer, tmp_path: Path) -> None:
+    async def opened(it: Console) -> None:
+        if "history" not in overlays(it):
+            await it.press("H")
+        await it.press("1" if focus(it) == "history-rows" else "escape")
+        await it.shows("robot_0 order 1", "history-rows")
+
+    put(tmp_path, past_shift(time.time() - 3600))
+    files = ConsoleFiles()
+    first = {
+        "history_events": ("2",),
+        "history_shorter": ("-", "-"),
+        "history_later": (",",),
+        "history_floor": ("5",),
+    }
+    with kept_history(tmp_path) as files.history:
+        async with console(config_of(server.url, 2, 2), files=files) as it:
+            await Presses(it, opened).each((Pane.HISTORY,), dict.fromkeys(OF_HISTORY, "history"), first)
 
 
 async def test_every_key_of_the_graph_editor(server: RosbridgeServer) -> None:

@@ -35,6 +35,8 @@ def _placed(it: Console) -> object:
     return overlays(it), mode and mode.yaw, it.app.main.notices.text
 
 
+HISTORY_PANES = ("history-pages", "history-rows", "history-keys")
+
 PARTS: Mapping[str, Part] = {
     "overlay": overlays,
     "focus": focus,
@@ -60,6 +62,7 @@ PARTS: Mapping[str, Part] = {
     "draft": _drawing,
     "place": _placed,
     "diagnostics": _diagnostics,
+    "history": lambda it: (*map(it.pane, HISTORY_PANES), overlays(it), focus(it)),
     "time": lambda it: (it.pane("time-line"), overlays(it)),
 }
 

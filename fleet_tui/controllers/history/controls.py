@@ -14,6 +14,7 @@ from fleet_tui.keys import HISTORY_PAGES
 from fleet_tui.rules.history.division import divided
 from fleet_tui.view.history.shift import ShownShift
 from fleet_tui.view.history.tables import moment_of
+from fleet_tui.widgets.rows_pane import RowsPane
 
 HOUR = 3600.0
 SPANS = {"1 h": HOUR, "8 h": 8 * HOUR, "24 h": 24 * HOUR, "7 d": 168 * HOUR, "30 d": 720 * HOUR}
@@ -27,9 +28,8 @@ NO_HISTORY = "this console keeps no history: set days in [history]"
 class HistoryView(Protocol):
     """The overlay, as its controls see it."""
 
-    @property
-    def cursor(self) -> Hashable:
-        """Return the key of the marked row."""
+    rows: RowsPane
+    """The rows of the open page."""
 
     @property
     def parts(self) -> int:
@@ -143,7 +143,7 @@ class HistoryControls:
 
     def replay(self) -> None:
         """Open the recording at the time of the marked row."""
-        moment = moment_of(self._view.cursor)
+        moment = moment_of(self._view.rows.listing.cursor)
         if moment is None:
             self.notice = "mark an event or an alarm: it is opened at its time"
             self._view.look()

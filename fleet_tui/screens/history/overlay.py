@@ -1,6 +1,6 @@
 """The history: events, what robots did, batteries, alarms and blocked places of a time."""
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Mapping
 from functools import partial
 from typing import TYPE_CHECKING, ClassVar
 
@@ -131,11 +131,6 @@ class HistoryOverlay(Overlay):
         if self.is_open:
             self._controls.read()
             self.look()
-
-    @property
-    def cursor(self) -> Hashable:
-        """Return the key of the marked row."""
-        return self.rows.listing.cursor
 
     @property
     def parts(self) -> int:

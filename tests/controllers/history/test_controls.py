@@ -1,0 +1,100 @@
+"""Page, time and what Enter opens, without a screen."""
+
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.controllers.history.controls import NO_HISTORY, SPANS, HistoryControls, words_of
+from fleet_tui.controllers.history.replaying import PastReplay
+from fleet_tui.widgets.rows_pane import RowsPane
+from tests.support.past import kept_history, put
+from tests.support.shift import shift
+
+
+class View:
+    """An overlay that only remembers."""
+
+    def __init__(self) -> None:
+        self.rows, self.parts, self.looks, self.went = RowsPane(id="rows"), 40, 0, list[str]()
+
+    def look(self) -> None:
+        self.looks += 1
+
+    def open_filter(self) -> None:
+        self.went.append("filter")
+
+    def put_filter(self, text: str) -> None:
+        self.went.append(text)
+
+    def back(self) -> None:
+        self.went.append("back")
+
+
+Made = tuple[HistoryControls, View]
+
+
+@pytest.fixture
+def made(tmp_path: Path) -> Made:
+    def at_once(work: Callable[[], Any], then: Callable[[Any], None]) -> None:
+        then(work())
+
+    files, view = ConsoleFiles(), View()
+    replaying = PastReplay(files, tmp_path, lambda: "", lambda _command: "")
+    return HistoryControls(view, files, replaying, at_once, lambda: 20.0), view
+
+
+def test_without_a_history_it_says_so(made: Made) -> None:
+    controls, view = made
+    controls.page(1)
+    assert controls.shown.problem == NO_HISTORY and view.looks
+
+
+def test_a_young_history_is_shown_at_its_own_length(made: Made, tmp_path: Path) -> None:
+    controls, _ = made
+    put(tmp_path, shift(time.time() - 3000))
+    with kept_history(tmp_path) as writer:
+        controls._files.history = writer
+        controls.page(1)
+        assert (
+            controls.span == "1 h" and controls.shown.time.until - controls.shown.time.since == SPANS["1 h"]
+        )
+        for _ in range(9):
+            controls.stretch(1)
+        assert controls.span == "30 d"
+        controls.step_page(-1)
+        assert controls.name == "Places" and controls.shown.places
+        controls.step_page(1)
+        assert controls.name == "Events" and controls.shown.events
+
+
+def test_a_shift_to_later_ends_now_again(made: Made) -> None:
+    controls, _ = made
+    controls.shift(-1)
+    assert 0.0 < controls.until < time.time()
+    controls.shift(1)
+    controls.shift(1)
+    assert controls.until == 0.0
+
+
+def test_what_enter_opens(made: Made) -> None:
+    controls, view = made
+    controls.page(3)
+    controls.choose("robot_1")
+    assert controls.chart == "robot_1"
+    controls.leave()
+    assert controls.chart == "" and view.went == []
+    controls.page(2)
+    controls.choose("robot_1")
+    assert view.went == ["robot_1"] and controls.name == "Events"
+    controls.replay()
+    assert controls.notice.startswith("mark an event or an alarm")
+    controls.leave()
+    assert view.went[-1] == "back"
+
+
+def test_words_are_compared_without_case() -> None:
+    assert words_of("  Robot_1 !LOST ") == ["robot_1", "!lost"]

@@ -1,0 +1,60 @@
+"""From a moment of the history into the recording that covers it."""
+
+import math
+import sys
+from collections.abc import Sequence
+from datetime import datetime
+from pathlib import Path
+
+import pytest
+
+from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.controllers.history.replaying import BEFORE, PastReplay, run_in_terminal
+from fleet_tui.recording.indexing import header_of
+from tests.support.tapes import shift
+
+
+def local(at: float) -> str:
+    return datetime.fromtimestamp(at).isoformat(timespec="seconds")
+
+
+def test_it_is_opened_shortly_before_the_moment_and_not_before_its_begin(tmp_path: Path) -> None:
+    tape = tmp_path / "recordings" / "a.jsonl.gz"
+    tape.parent.mkdir()
+    shift(tape)
+    begun, ran = header_of(tape).wall, list[Sequence[str]]()
+
+    def run(command: Sequence[str]) -> str:
+        ran.append(command)
+        return "closed"
+
+    replaying = PastReplay(ConsoleFiles(), tmp_path, lambda: "", run)
+    found = replaying.find(begun + 1)
+    assert found == (tape, begun) and replaying.find(begun - 100) is None
+    assert replaying.open((tape, begun), begun + 100) == "closed"
+    assert ran[0][:3] == [sys.executable, "-m", "fleet_tui"]
+    assert ran[0][3:] == ["replay", str(tape), "--at", local(math.ceil(begun + 100 - BEFORE))]
+    replaying.open((tape, begun), begun + 1)
+    assert ran[1][-1] >= local(begun)
+
+
+def test_a_console_that_can_not_be_left_alone_says_the_command(tmp_path: Path) -> None:
+    def never(_command: Sequence[str]) -> str:
+        raise AssertionError
+
+    replaying = PastReplay(ConsoleFiles(), tmp_path, lambda: "a routine runs here", never)
+    said = replaying.open((tmp_path / "a b.jsonl", 0.0), 50.0)
+    assert said.startswith("a routine runs here: in another terminal: fleet-tui replay '")
+    assert replaying.open(None, 50.0).startswith("no recording covers this moment")
+
+
+@pytest.mark.parametrize(
+    ("code", "said"),
+    [
+        ("pass", ""),
+        ("import sys; print('x'); sys.exit(3)", ""),
+        ("import sys; sys.exit('fleet-tui: no')", "fleet-tui: no"),
+    ],
+)
+def test_the_error_of_a_command_is_said(code: str, said: str) -> None:
+    assert run_in_terminal([sys.executable, "-c", code]) == said

@@ -1,0 +1,24 @@
+"""First and last line of the history."""
+
+from fleet_tui.keymap import keymap
+from fleet_tui.view.lines.history import foot_runs, page_runs
+from tests.support.fleets import text_of
+
+KEYS, _ = keymap({})
+
+
+def test_the_open_page_is_in_brackets_and_the_time_at_the_right() -> None:
+    pages, time = page_runs(2, "8 h", "now")
+    assert text_of(pages) == "History  1 Events [2 Robots] 3 Batteries  4 Alarms  5 Places "
+    assert text_of(time) == "8 h to now "
+
+
+def test_only_pages_with_moments_offer_the_recording() -> None:
+    for page, first in (("Events", " o recording "), ("Alarms", " o recording "), ("Places", " f floor ")):
+        assert text_of(foot_runs(KEYS, page, "")[1]).startswith(first)
+    assert text_of(foot_runs(KEYS, "Robots", "")[1]).startswith(" / filter ")
+
+
+def test_an_answer_takes_the_place_of_the_keys() -> None:
+    said, keys = foot_runs(KEYS, "Events", "no recording \x1b[2J")
+    assert text_of(said) == "no recording ␛[2J" and keys == []
