@@ -83,8 +83,19 @@ def hints(
         for key in offered
     ]
     offered.sort(key=lambda key: (OF_ROWS.get(focused) != key.id, *_rank(key, pane)))
+    offered = _alarm_first(offered)
     left = [key for key in offered if key.pane in (pane, Pane.CONSOLE) and not key.always]
     return left, [key for key in offered if key.always]
+
+
+def _alarm_first(offered: list[Key[Any]]) -> list[Key[Any]]:
+    """Return the keys with that of an alarm before the one to resume all: the first line has the pauses."""
+    ids = [key.id for key in offered]
+    if not {"acknowledge", "resume_all"} <= set(ids):
+        return offered
+    resume_all = offered.pop(ids.index("resume_all"))
+    offered.insert([key.id for key in offered].index("acknowledge") + 1, resume_all)
+    return offered
 
 
 def _rank(key: Key[Any], pane: Pane) -> tuple[bool, ...]:
