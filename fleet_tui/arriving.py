@@ -1,15 +1,30 @@
-"""Opens the console: on a configuration, on the robots behind an address, or after asking for one."""
+"""Opens the console: on a configuration, the robots behind an address or simulated ones, or after asking."""
 
 import os
-from typing import TYPE_CHECKING
+import sys
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING, NamedTuple
 
-from fleet_tui.config.load import find, load
+from fleet_tui.adapters.registry import DEFAULT_KIND
+from fleet_tui.config.load import find, load, load_if_any
 from fleet_tui.errors import ConfigError, NoConfigError
 from fleet_tui.log_file import log_to_file
 from fleet_tui.terminal.detect import IN_BROWSER, need_terminal
 
 if TYPE_CHECKING:
-    from fleet_tui.discovery.site import DiscoveredSite
+    from fleet_tui.entry import Chosen
+
+
+class SimulatedFleet(NamedTuple):
+    """The robots of a demo; `ros` empty: the usual version of their kind."""
+
+    robots: int = 3
+    floors: int = 2
+    faults: str = ""
+    speed: float = 1.0
+    ros: str = ""
+    kind: str = DEFAULT_KIND
 
 
 def open_with(
@@ -24,17 +39,36 @@ def open_with(
     except NoConfigError:
         config = None
     if config is None:
-        site = _arrive(url, read_only, drawing, debug)
-        if site is None:
+        chosen = _arrive(url, read_only, drawing, debug)
+        if isinstance(chosen, str):
+            open_demo(SimulatedFleet(), None, read_only, drawing, debug)
             return
-        config = site.config
+        if chosen is None:
+            return
+        site, config = chosen, chosen.config
     from fleet_tui.console import open_console
 
     open_console(config, read_only, drawing, debug, site=site)
 
 
-def _arrive(url: str | None, read_only: bool, drawing: str | None, debug: bool) -> "DiscoveredSite | None":
-    """Discover the site, and ask a person about uncertain settings; None if they leave."""
+def open_demo(
+    fleet: SimulatedFleet, config_file: str | None, read_only: bool, drawing: str | None, debug: bool
+) -> None:
+    """Run the console on a simulated fleet, with theme and keys of the user's configuration, if there is one.
+    Raises FleetError if it can't start."""
+    from fleet_tui.demo import demo_config, simulated
+
+    with TemporaryDirectory(prefix="fleet-tui-") as folder, simulated(*fleet) as (first, *further):
+        from fleet_tui.console import open_console
+
+        found = load_if_any(config_file)
+        robots, floors, _, _, ros, kind = fleet
+        config = demo_config(found, first, robots, floors, ros, kind, Path(folder), further)
+        open_console(config, read_only, drawing, debug, demo=True)
+
+
+def _arrive(url: str | None, read_only: bool, drawing: str | None, debug: bool) -> "Chosen":
+    """Discover the site, and ask a person about uncertain settings, or without an address for a fleet."""
     from fleet_tui.discovery.address import bridge_at
     from fleet_tui.discovery.awaiting import Discovering
 
@@ -51,4 +85,16 @@ def _arrive(url: str | None, read_only: bool, drawing: str | None, debug: bool) 
             raise ConfigError(site.unclear)
         if certain or IN_BROWSER in os.environ:
             return site
-    return ask_first(site, drawing)
+    chosen = ask_first(site, drawing)
+    if chosen is None and site is None:
+        _repeat_commands()
+    return chosen
+
+
+def _repeat_commands() -> None:
+    """Print the commands that the first-run screen has shown: it is gone with the terminal's other screen."""
+    from fleet_tui.screens.first_run import LOCAL
+    from fleet_tui.view.tables.arrival import commands
+
+    for line, effect in commands(LOCAL):
+        sys.stdout.write(f"{line:<47} {effect}\n")

@@ -21,6 +21,8 @@ from fleet_tui.config.schema import Config, Ui
 from fleet_tui.config.start import initial_state
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.errors import ConfigError, did_you_mean
+from fleet_tui.keymap import keymap
+from fleet_tui.keys.key import key_name
 from fleet_tui.log_file import log_to_file, state_folder
 from fleet_tui.maps.draft_file import draft_of
 from fleet_tui.recording.incident import pack as pack_incident
@@ -33,6 +35,7 @@ from fleet_tui.view.map.drawing import Drawing
 
 if TYPE_CHECKING:
     from fleet_tui.discovery.site import DiscoveredSite
+    from fleet_tui.entry import Chosen
     from fleet_tui.recording.play.player import Player
     from fleet_tui.recording.recordings import Recordings
 
@@ -63,12 +66,20 @@ def open_console(
     if read_only:
         config = watching(config)
     store = Store(initial_state(config, time.monotonic()))
-    arrived = "" if demo else _arrived(config, site)
+    arrived = _first_steps(config) if demo else _arrived(config, site)
     with ExitStack() as until_the_end:
         files = _files(config, store, demo, saving, until_the_end)
         backend = LiveBackend(config, store, partial(_connect, files, None if demo else state_folder()))
         make = partial(FleetApp, config, store, backend=backend, files=files)
         _to_the_end(_ready(config, drawing, debug, make, arrived))
+
+
+def _first_steps(config: Config) -> str:
+    """Return what a newcomer to the simulated fleet can try: its floors have these places."""
+    if config.operator.read_only:
+        return "simulated fleet, read-only"
+    order, *_ = keymap(config.keys)[0]["order"]
+    return f"simulated fleet. Try an order: {key_name(order)}, type Base, Enter, type Cons, Enter"
 
 
 def _arrived(config: Config, site: "DiscoveredSite | None") -> str:
@@ -122,9 +133,8 @@ def _connect(
     recorded(files.recordings, folder, config, store, on_ready)
 
 
-def ask_first(site: "DiscoveredSite | None", drawing: str | None) -> "DiscoveredSite | None":
-    """Run the screens before the console: uncertain settings of a site, or the choice of an address. Return
-    the result, None if the operator left."""
+def ask_first(site: "DiscoveredSite | None", drawing: str | None) -> "Chosen":
+    """Run the screens before the console: uncertain settings of a site, or the choice of a fleet."""
     from fleet_tui.entry import EntryApp
 
     theme = load_themes(user_folder() / "themes")[0][Ui().theme]
@@ -205,7 +215,7 @@ def _ready(
     for warning in warnings:
         LOG.warning("%s", warning)
     more = f" and {len(warnings) - 1} more" if warnings[1:] else ""
-    message = "; ".join([*([message] if message else []), *(f"{one}{more}" for one in warnings[:1])])
+    message = "; ".join([*(f"{one}{more}" for one in warnings[:1]), *filter(None, [message])])
     mode, colour = drawing_for(drawing or config.ui.drawing), has_colour()
     app = make(themes, mode, colour, terminal=description(mode, colour), message=message)
     if mode is Drawing.ASCII and not has_unicode():

@@ -2,7 +2,7 @@
 
 import asyncio
 from collections.abc import Sequence
-from typing import ClassVar
+from typing import ClassVar, Literal
 
 from textual.binding import BindingType
 from textual.screen import Screen
@@ -14,6 +14,9 @@ from fleet_tui.screens.first_run import LOCAL, FirstRun
 from fleet_tui.terminal.ending import leave_on_signals, terminal_restorer
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.themes import FleetTheme
+
+Chosen = DiscoveredSite | Literal["demo"] | None
+"""The site to open the console on, or a simulated fleet, or None: the operator left."""
 
 
 class EntryApp(LeanApp, inherit_bindings=False):
@@ -38,8 +41,7 @@ class EntryApp(LeanApp, inherit_bindings=False):
         self.theme = f"fleet-{theme.name}"
         self._roles, self._start, self._places, self._address = theme.styles(colour), site, places, address
         self._restore = terminal_restorer()
-        self.chosen: DiscoveredSite | None = None
-        """The site to open the console on, None if the operator left."""
+        self.chosen: Chosen = None
 
     def get_default_screen(self) -> Screen[None]:
         """Return the choices of a known site, else the first-run screen."""
@@ -52,14 +54,14 @@ class EntryApp(LeanApp, inherit_bindings=False):
         if not self.is_headless:
             leave_on_signals(asyncio.get_running_loop(), self.exit, self._restore)
 
-    def _found(self, site: DiscoveredSite | None) -> None:
-        if site is not None and (site.choices or site.lacks):
-            self.push_screen(Arrival(self._roles, site, self._end))
+    def _found(self, chosen: Chosen) -> None:
+        if isinstance(chosen, DiscoveredSite) and (chosen.choices or chosen.lacks):
+            self.push_screen(Arrival(self._roles, chosen, self._end))
         else:
-            self._end(site)
+            self._end(chosen)
 
-    def _end(self, site: DiscoveredSite | None) -> None:
-        self.chosen = site
+    def _end(self, chosen: Chosen) -> None:
+        self.chosen = chosen
         self.exit()
 
     def action_nothing(self) -> None:

@@ -45,9 +45,10 @@ class GraphError(FleetError):
 
 
 def is_address(word: str) -> bool:
-    """Tell whether a word can only be an address: it has a scheme, or a host and a port."""
+    """Tell whether a word can only be an address: it has a scheme, a host and a port, or four numbers."""
     host, colon, rest = word.rpartition(":")
-    return "://" in word or bool(host and colon and rest.partition("/")[0].isdecimal())
+    is_host = word == "localhost" or (word.count(".") == 3 and word.replace(".", "").isdecimal())
+    return is_host or "://" in word or bool(host and colon and rest.partition("/")[0].isdecimal())
 
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:

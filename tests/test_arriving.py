@@ -62,6 +62,7 @@ def test_an_address_is_enough(terminals: Terminals, kind: str) -> None:
     [
         ("ws://127.0.0.1:9", 3, "connection refused: start rosbridge on it"),
         ("robot:9090", 2, "did you mean ws://robot:9090?"),
+        ("127.0.0.1", 2, "did you mean ws://127.0.0.1:9090?"),
         ("mqtt://robot:1883", 2, "MQTT is not supported yet"),
     ],
 )
@@ -94,9 +95,23 @@ def test_without_a_configuration_it_asks_where_to_go(terminals: Terminals, more:
         assert first.child.returncode == 0
 
 
-def test_leaving_it_opens_nothing(terminals: Terminals) -> None:
+def test_leaving_it_opens_nothing_and_keeps_the_commands_in_sight(terminals: Terminals) -> None:
     first = terminals.open()
     first.shows("no configuration found")
+    first.press("q")
+    first.ends()
+    first.until(first.is_restored, what="the terminal restored")
+    assert first.child.returncode == 0
+    first.until(lambda: b"find what is wrong" in first.sent.rpartition(OFF)[2], what="the commands")
+    assert b"fleet-tui demo" in first.sent.rpartition(OFF)[2]
+
+
+def test_one_key_opens_a_simulated_fleet(terminals: Terminals) -> None:
+    first = terminals.open()
+    first.shows("d demo")
+    first.press("d")
+    first.shows("3 of 3 online")
+    first.shows("simulated fleet. Try an order: o, type Base, Enter, type Cons, Enter")
     first.press("q")
     first.ends()
     first.until(first.is_restored, what="the terminal restored")

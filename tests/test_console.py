@@ -54,6 +54,22 @@ def test_the_console_watches_where_it_was_told_to_and_names_what_is_wrong_with_a
     assert app.main.notices.text.startswith("theme ")
 
 
+@pytest.mark.parametrize(
+    ("keys", "read_only", "said"),
+    [
+        ({}, False, "simulated fleet. Try an order: o, type Base, Enter, type Cons, Enter"),
+        ({"order": "ctrl+o"}, False, "Try an order: Ctrl-O, type Base"),
+        ({}, True, "simulated fleet, read-only"),
+    ],
+)
+def test_a_simulated_fleet_names_the_first_thing_to_try(
+    opened: list[LeanApp], keys: dict[str, str], read_only: bool, said: str
+) -> None:
+    open_console(replace(config_of("ws://site:9090"), keys=keys), read_only, "ascii", False, demo=True)
+    (app,) = opened
+    assert isinstance(app, FleetApp) and said in app.main.notices.text
+
+
 def test_without_unicode_the_driver_sends_ascii(
     opened: list[LeanApp], monkeypatch: pytest.MonkeyPatch
 ) -> None:

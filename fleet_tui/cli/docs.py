@@ -3,7 +3,8 @@
 import re
 import shutil
 import sys
-from collections.abc import Mapping
+import textwrap
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 import click
@@ -19,6 +20,9 @@ WIDEST = 110
 _FENCE = re.compile(r"^( *```)\w+", re.MULTILINE)
 _IMAGE = re.compile(r"^!\[.*\n", re.MULTILINE)
 _PAGE_LINK = re.compile(r"\[([^\]]+)\]\((?:\.\./|docs/)?([\w-]+)\.md[^)]*\)")
+_SUBJECT = re.compile(r"^For [^:]+: (.+?)\.(?: |$)")
+_WHOLE_LINK = re.compile(r"\]\((?:\.\./)?([\w-]+)\.md\)")
+_LINK = re.compile(r"\[([^\]]+)\]\([^)]*\)")
 _OWN_LINK = re.compile(r"\[([^\]]+)\]\(#[^)]*\)")
 
 
@@ -45,7 +49,7 @@ def docs(page: str | None) -> None:
     """Show a page of the documentation, or list the pages. On a terminal in a pager, else as Markdown."""
     known = pages()
     if page is None:
-        click.echo(_listed(known))
+        click.echo(_listed(known, min(shutil.get_terminal_size().columns, WIDEST)))
     elif page not in known:
         raise click.UsageError(f"unknown page {page!r}{did_you_mean(page, known)}; fleet-tui docs lists them")
     elif sys.stdout.isatty():
@@ -54,16 +58,37 @@ def docs(page: str | None) -> None:
         click.echo(known[page].read_text(encoding="utf-8"), nl=False)
 
 
-def _listed(known: Mapping[str, Path]) -> str:
-    """Return a line for each page: its name and its title."""
-    width = max(map(len, known)) + 2
-    lines = [f"{name:<{width}}{_title(path)}" for name, path in known.items() if name != "index"]
-    return "\n".join([*lines, "", "Read one with: fleet-tui docs PAGE. Begin with: fleet-tui docs tutorial"])
+def _listed(known: Mapping[str, Path], width: int) -> str:
+    """Return the pages by purpose: the name of each, and the subject that its first sentence tells."""
+    names = max(map(len, known)) + 4
+    lines = []
+    for purpose, listed in _by_purpose(known):
+        about = [(f"  {name}", _about(known[name], width - names)) for name in listed]
+        lines += [f"{purpose}:", *(f"{name:<{names}}{text}" for name, text in about), ""]
+    return "\n".join([*lines, "Read one with: fleet-tui docs PAGE. Begin with: fleet-tui docs tutorial"])
 
 
-def _title(path: Path) -> str:
-    with path.open(encoding="utf-8") as file:
-        return file.readline().removeprefix("# ").replace("`", "").strip()
+def _by_purpose(known: Mapping[str, Path]) -> Iterator[tuple[str, list[str]]]:
+    """Yield the headings of the index, each with the names of the pages that are linked there as a whole; a
+    page belongs to the first."""
+    left = set(known)
+    for section in known["index"].read_text(encoding="utf-8").split("\n## ")[1:]:
+        heading, _, text = section.partition("\n")
+        names = [name for name in map(str.casefold, _WHOLE_LINK.findall(text)) if name in left]
+        left -= set(names)
+        yield heading, list(dict.fromkeys(names))
+
+
+def _about(path: Path, width: int) -> str:
+    """Return the subject of a page, as much of it as fits: the page begins with `For READERS: SUBJECT.`"""
+    opening = " ".join(path.read_text(encoding="utf-8").split("\n\n")[1].split())
+    subject = _SUBJECT.search(opening)
+    text, *parts = _LINK.sub(r"\1", subject[1] if subject else opening).replace("`", "").split(", ")
+    for part in parts:
+        if len(text) + len(part) + 2 > width:
+            break
+        text = f"{text}, {part}"
+    return textwrap.shorten(text, width, placeholder=" ...")
 
 
 def _rendered(text: str) -> str:
@@ -72,8 +97,11 @@ def _rendered(text: str) -> str:
     from rich.markdown import Markdown
     from rich.theme import Theme
 
-    text = _FENCE.sub(r"\1", _IMAGE.sub("", text))
+    text, other = _FENCE.sub(r"\1", _IMAGE.sub("", text)), _PAGE_LINK.search(text)
     text = _OWN_LINK.sub(r"\1", _PAGE_LINK.sub(lambda link: f"{link[1]} [{link[2].casefold()}]", text))
+    if other:
+        name = other[2].casefold()
+        text = f"{text}\n---\n\n[{name}] is another page: `fleet-tui docs {name}`\n"
     width = min(shutil.get_terminal_size().columns, WIDEST)
     console = Console(width=width, force_terminal=True, theme=Theme({"markdown.code": "bold"}))
     with console.capture() as captured:

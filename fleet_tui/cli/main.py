@@ -27,8 +27,8 @@ SECTIONS = {
         *("check", "kinds", "map", "graph", "mapping", "set-pose", "localise", "settle"),
         *("store-map", "store-pose-graph"),
     ),
-    "Logs and recordings": ("audit", "record", "replay"),
-    "Other ways to use it": ("serve", "sim", "docs", "man", "completion"),
+    "Logs and recordings": ("history", "report", "audit", "record", "replay"),
+    "Other ways to use it": ("serve", "metrics", "sim", "docs", "man", "completion"),
 }
 """The headings of the help with their commands."""
 
@@ -59,6 +59,10 @@ class Commands(NearestGroup):
     def sections(self, ctx: click.Context) -> Mapping[str, Sequence[str]]:
         """Return the commands by purpose, those a newcomer needs first."""
         return SECTIONS
+
+    def otherwise(self, word: str) -> str:
+        """Return the way to write an address: the word may be the name of a host."""
+        return "; an address begins with ws://, for example fleet-tui ws://robot-server:9090"
 
     def _others(self) -> dict[str, click.Command]:
         from fleet_tui.cli.commands import headless

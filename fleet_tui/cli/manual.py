@@ -62,7 +62,7 @@ the folder to which the single file unpacks itself
 @click.command(cls=ExampleCommand)
 @click.pass_context
 def man(ctx: click.Context) -> None:
-    """Show the manual page. In a pipe or into a file it prints its source: fleet-tui man > fleet-tui.1"""
+    """Show the manual page. In a pipe or into a file it prints its source."""
     page = manual(ctx.find_root())
     if sys.stdout.isatty() and shutil.which("man"):
         subprocess.run(["man", "-l", "-"], input=page, text=True, check=False)

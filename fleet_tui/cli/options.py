@@ -40,8 +40,13 @@ class NearestGroup(click.Group):
         """Return the command, or suggest one."""
         is_unknown = self.get_command(ctx, args[0]) is None and not args[0].startswith("-")
         if is_unknown and not ctx.resilient_parsing:
-            ctx.fail(f"unknown command {args[0]!r}{did_you_mean(args[0], self.list_commands(ctx))}")
+            near = did_you_mean(args[0], self.list_commands(ctx))
+            ctx.fail(f"unknown command {args[0]!r}{near or self.otherwise(args[0])}")
         return super().resolve_command(ctx, args)
+
+    def otherwise(self, word: str) -> str:
+        """Return the end of the message about a word that is similar to no command."""
+        return ""
 
     def sections(self, ctx: click.Context) -> Mapping[str, Sequence[str]]:
         """Return the names of the commands under the headings of the help."""

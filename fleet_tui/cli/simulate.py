@@ -3,17 +3,14 @@
 from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any, TypeVar
 
 import click
 
+from fleet_tui.arriving import SimulatedFleet, open_demo
 from fleet_tui.cli.fault_option import ALL_FAULTS, USUAL, fault_option
 from fleet_tui.cli.offers import one_of
 from fleet_tui.cli.options import NearestGroup, NumberRange, appearance, merged, screen, without_config
-from fleet_tui.config.load import load_if_any
-from fleet_tui.demo import demo_config
-from fleet_tui.demo import simulated as running
 from fleet_tui.errors import did_you_mean
 from fleet_tui.simulator.faults import parse_faults_of
 from fleet_tui.simulator.kinds import KINDS
@@ -90,8 +87,8 @@ def _count(option: str, most: int, usual: int, help_: str) -> Callable[[F], F]:
     return click.option(option, type=numbers, metavar="N", default=usual, show_default=True, help=help_)
 
 
-_robots = _count("--robots", 500, 3, "Number of robots.")
-_floors = _count("--floors", 20, 2, "Number of floors.")
+_robots = _count("--robots", 500, SimulatedFleet().robots, "Number of robots.")
+_floors = _count("--floors", 20, SimulatedFleet().floors, "Number of floors.")
 
 
 def _check(kind: str, robots: int, ros: str | None) -> None:
@@ -129,16 +126,8 @@ def demo(
     """Open the console on a simulated fleet. No ROS, no network."""
     _check(kind, robots, ros)
     parse_faults_of(fault, faults_of(site_of(kind, robots, ros or "")))
-    with (
-        TemporaryDirectory(prefix="fleet-tui-") as folder,
-        running(robots, floors, fault, speed, ros or "", kind) as urls,
-    ):
-        from fleet_tui.console import open_console
-
-        found = load_if_any(config_file)
-        first, *further = urls
-        config = demo_config(found, first, robots, floors, ros or "", kind, Path(folder), further)
-        open_console(config, read_only, drawing, debug, demo=True)
+    fleet = SimulatedFleet(robots, floors, fault, speed, ros or "", kind)
+    open_demo(fleet, config_file, read_only, drawing, debug)
 
 
 @simulated.command(epilog=ALL_FAULTS)

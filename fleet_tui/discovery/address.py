@@ -7,6 +7,8 @@ from fleet_tui.config.schema import DEFAULT_LINK, Config, Link, RobotEntry
 from fleet_tui.errors import ConfigError, is_address
 
 _WEB = {"http": "ws", "https": "wss"}
+USUAL_PORT = 9090
+"""The port of rosbridge where nobody has changed it."""
 
 
 def bridge_at(url: str, known: Link | None = None) -> Link:
@@ -33,7 +35,7 @@ def _meant(bridge: Link, scheme: str, rest: str) -> str:
     if scheme.lower() in _WEB and rest:
         meant = f"{_WEB[scheme.lower()]}://{rest}"
     elif "://" not in bridge.url and is_address(bridge.url):
-        meant = f"ws://{bridge.url}"
+        meant = f"ws://{bridge.url}" if ":" in bridge.url else f"ws://{bridge.url}:{USUAL_PORT}"
     else:
         return ""
     return f"{bridge.shown} is not a rosbridge address: did you mean {Link(meant).shown}?"

@@ -35,8 +35,11 @@ def summary(findings: Sequence[Finding], width: int = 0) -> str:
     counts = Counter(finding.verdict for finding in findings)
     text = ", ".join(f"{counts[verdict]} {verdict.value}" for verdict in Verdict if counts[verdict])
     first = next((finding for finding in findings if finding.is_failure), None)
+    warned = [f"{one.subject} {one.check}" for one in findings if one.verdict is Verdict.WARN]
     if first is not None:
         text = f"{text}. Start with {first.subject} {first.check}: {first.measured}"
+    elif warned:
+        text = f"{text}: {listed(warned)}"
     text = sanitize(text + _left_out(findings))
     return "\n".join(textwrap.wrap(text, width, break_on_hyphens=False)) if width else text
 

@@ -3,7 +3,7 @@ opens nothing by itself."""
 
 import asyncio
 from collections.abc import Callable, Mapping, Sequence
-from typing import ClassVar
+from typing import ClassVar, Literal
 
 from rich.style import Style
 from textual.app import ComposeResult
@@ -18,7 +18,7 @@ from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrival import Asked, Rows, first_run_rows
 from fleet_tui.widgets.field import Field
 
-KEYS = (("enter", "open"), ("a", "other address"), ("r", "retry"), ("q", "quit"))
+KEYS = (("enter", "open"), ("a", "other address"), ("d", "demo"), ("r", "retry"), ("q", "quit"))
 BEGUN = "ws://"
 LOCAL = "ws://127.0.0.1:9090"
 EVERY = 0.1
@@ -32,6 +32,7 @@ class FirstRun(RowsScreen):
         ("enter", "open", "Open the console"),
         # Before all else: the next key, which may already be in the queue, belongs to the field.
         Binding("a", "address", "Enter another address", priority=True),
+        ("d", "demo", "Open a simulated fleet"),
         ("r", "ask", "Retry"),
         ("q,escape", "leave", "Quit"),
     ]
@@ -40,7 +41,7 @@ class FirstRun(RowsScreen):
         self,
         styles: Mapping[StyleRole, Style],
         places: Sequence[tuple[str, str]],
-        done: Callable[[DiscoveredSite | None], None],
+        done: Callable[[DiscoveredSite | Literal["demo"] | None], None],
         address: str = LOCAL,
     ) -> None:
         super().__init__(styles, KEYS)
@@ -96,6 +97,10 @@ class FirstRun(RowsScreen):
         """Open the console on the discovered robots."""
         if self._site is not None:
             self._done(self._site)
+
+    def action_demo(self) -> None:
+        """Leave for a simulated fleet."""
+        self._done("demo")
 
     def action_leave(self) -> None:
         """Leave without opening a console."""

@@ -11,7 +11,6 @@ from fleet_tui.screens.overlay import Overlay
 from fleet_tui.view.help.layout import help_lines
 from fleet_tui.view.help.pages import Pages, tabs
 from fleet_tui.view.help.section import HelpRow, HelpSection, search
-from fleet_tui.view.roles import StyleRole
 from fleet_tui.widgets.field import Field, Keys
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.messages import ButtonPressed
@@ -19,6 +18,7 @@ from fleet_tui.widgets.text_view import TextView
 
 FRAME = 4
 """Lines of the box besides its text: the border, the search, the names of the pages."""
+ELSEWHERE = "Try a shorter or another word. The whole manual: fleet-tui docs, in a shell."
 
 
 class Help(Overlay):
@@ -42,7 +42,9 @@ class Help(Overlay):
             "pageup": partial(self._text.scroll_pages, -1),
             "pagedown": partial(self._text.scroll_pages, 1),
         }
-        yield Field(keys, id="search", placeholder="type to search all pages; Tab: next page; Esc: close")
+        yield Field(
+            keys, id="search", placeholder="type to search all pages; Tab: next page; PgDn: more; Esc: close"
+        )
         yield self._tabs
         yield self._text
 
@@ -84,8 +86,7 @@ class Help(Overlay):
             every = {id(one): one for sections in self._pages.values() for one in sections}
             sections = search(every.values(), wanted)
         if not sections:
-            nothing = HelpRow(((f"nothing matches {wanted!r}", StyleRole.TEXT),), "")
-            sections = [HelpSection("", (nothing,))]
+            sections = [HelpSection(f"nothing matches {wanted!r}", (HelpRow((), ELSEWHERE),))]
         runs, buttons = tabs(self._pages, "" if wanted else self._page)
         self._tabs.show(runs, buttons=buttons)
         self._text.show(partial(help_lines, sections))

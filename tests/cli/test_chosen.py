@@ -83,6 +83,7 @@ async def test_a_config_and_an_address_are_two_fleets(server: RosbridgeServer, t
         ),
         ("https://robot/x", 2, "did you mean wss://robot/x?"),
         ("robot:9090", 2, "robot:9090 is not a rosbridge address: did you mean ws://robot:9090?"),
+        ("localhost", 2, "localhost is not a rosbridge address: did you mean ws://localhost:9090?"),
         ("mqtt://robot:1883", 2, "MQTT is not supported yet"),
         ("mqtts://robot", 2, "MQTT is not supported yet"),
         ("ftp://robot", 2, "is not an address, expected e.g. ws://HOST:9090"),

@@ -13,13 +13,26 @@ from tests.support.in_pty import Terminal
 ROOT = Path(__file__).parents[2]
 
 
-def test_every_page_is_listed_with_its_title(tmp_path: Path) -> None:
+def test_every_page_is_listed_once_under_its_purpose_with_its_subject(tmp_path: Path) -> None:
     done = run("docs", cwd=tmp_path)
     assert done.returncode == 0
-    for line in ("tutorial       Tutorial: the first robot", "security       Security"):
-        assert line in done.stdout.splitlines()
+    lines = done.stdout.splitlines()
+    assert lines[:2] == [
+        "Tutorial:",
+        "  tutorial       first a simulated fleet, then your own robots, in ten minutes",
+    ]
+    assert lines.index("How-to:") < lines.index("Reference:") < lines.index("Design:")
+    assert "  connect        Nav2 step by step, the settings for ROS 2, route graphs" in lines
     names = {path.stem for path in (ROOT / "docs").glob("*.md")}
     assert set(pages()) == names | {"security", "changelog"}
+    listed = [line.split()[0] for line in lines if re.match(r"  \S", line)]
+    assert sorted(listed) == sorted({*pages()} - {"index"})
+    assert max(map(len, lines)) <= 80
+
+
+def test_every_page_begins_with_its_readers_and_its_subject() -> None:
+    openings = {name: " ".join(path.read_text().split("\n\n")[1].split()) for name, path in pages().items()}
+    assert [name for name in openings if not re.match(r"For [^:.]+: .+\.", openings[name])] == ["index"]
 
 
 def test_in_a_pipe_a_page_is_markdown(tmp_path: Path) -> None:
@@ -37,6 +50,7 @@ def test_on_a_terminal_a_page_is_text_without_markup(tmp_path: Path, monkeypatch
     terminal = Terminal([sys.executable, "-m", "fleet_tui", "docs", "tutorial"], tmp_path)
     try:
         terminal.wait_for("Connect a stack [connect]: ")
+        terminal.wait_for("[installing] is another page: fleet-tui docs installing")
     finally:
         terminal.close()
 

@@ -67,6 +67,8 @@ def test_an_option_that_a_command_would_ignore_is_refused(tmp_path: Path) -> Non
         (["--config", "ws://a"], ["--config", "ws://a"]),
         (["--config=x", "ws://a"], ["--config=x", "--url=ws://a"]),
         (["status", "ws://a"], ["status", "ws://a"]),
+        (["10.0.0.7"], ["--url=10.0.0.7"]),
+        (["robot-server"], ["robot-server"]),
         ([], []),
     ],
 )

@@ -33,7 +33,7 @@ async def test_what_is_not_certain_is_chosen_first(size: tuple[int, int]) -> Non
         await it.shows("/{robot}/pose_b", "< roof", "2 of 2")
         await it.pilot.press("enter")
         await it.ended()
-        assert it.app.chosen is not None
+        assert isinstance(it.app.chosen, DiscoveredSite)
         config = it.app.chosen.config
         assert config.profile.topics["pose"] == "/{robot}/pose_b"
         assert config.robots[0].floors == ["roof"]

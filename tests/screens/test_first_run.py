@@ -2,6 +2,7 @@
 
 import pytest
 
+from fleet_tui.discovery.site import DiscoveredSite
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.entry_app import SIZES, entry
 
@@ -16,15 +17,17 @@ async def test_it_names_the_places_the_robots_and_the_keys(
         await it.shows(
             server.url, "2 robots (oh_ressources), 2 floors", "robot_0, robot_1", "floor_0, floor_1"
         )
-        await it.shows("fleet-tui demo", "fleet-tui config init", "fleet-tui doctor --url URL")
-        await it.shows("enter open", "a other address", "r retry", "q quit", "Enter opens the console")
+        await it.shows("fleet-tui demo", "fleet-tui config init", f"fleet-tui doctor --url {server.url}")
+        await it.shows(
+            "enter open", "a other address", "d demo", "r retry", "q quit", "Enter opens the console"
+        )
         assert not server.bridge.services.calls and {one["op"] for one in server.bridge.received} <= {
             "call_service",
             "subscribe",
         }
         await it.pilot.press("enter")
         await it.ended()
-        assert it.app.chosen is not None and len(it.app.chosen.config.robots) == 2
+        assert isinstance(it.app.chosen, DiscoveredSite) and len(it.app.chosen.config.robots) == 2
 
 
 @pytest.mark.parametrize("size", SIZES)
@@ -43,6 +46,14 @@ async def test_it_says_why_nothing_is_there_and_opens_nothing(size: tuple[int, i
         await it.pilot.press("q")
         await it.ended()
         assert it.app.chosen is None
+
+
+async def test_one_key_leads_to_simulated_robots() -> None:
+    async with entry(address="ws://127.0.0.1:9") as it:
+        await it.shows("d demo", "d opens a simulated fleet")
+        await it.pilot.press("d")
+        await it.ended()
+        assert it.app.chosen == "demo"
 
 
 async def test_another_address(server: RosbridgeServer) -> None:

@@ -24,21 +24,21 @@ async def test_it_opens_on_all_tasks_at_once(server: RosbridgeServer, size: tupl
         assert "P F12" in shown(it) and "robot_1" not in shown(it)
 
 
-async def test_at_80_by_24_the_tasks_are_two_screens(server: RosbridgeServer) -> None:
+async def test_at_80_by_24_the_tasks_are_three_screens(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1), (80, 24)) as it:
         await it.press("?")
         await it.shows("Send an order", "help-text")
-        first = shown(it)
+        assert "Stop a robot" in shown(it) and "Choose a robot or a floor" in shown(it)
         await it.press("pagedown")
         await it.hides("Send an order")
-        second = shown(it)
-        assert all((task in first) is not (task in second) for task in TASKS)
-        assert second.startswith("Look around on the map"), "no task is divided"
-        assert "One level back; quit" in second
+        assert "Look around on the map" in shown(it)
         await it.press("pagedown")
-        assert shown(it) == second
+        await it.shows("Quit", "help-text")
+        last = shown(it)
+        await it.press("pagedown")
+        assert shown(it) == last
         await it.press("up")
-        assert shown(it).splitlines()[1:] == second.splitlines()[:-1]
+        assert shown(it).splitlines()[1:] == last.splitlines()[:-1]
 
 
 async def test_tab_and_clicks_turn_the_pages(server: RosbridgeServer) -> None:
@@ -72,6 +72,28 @@ async def test_typing_searches_tasks_keys_and_legend(server: RosbridgeServer) ->
         assert "⌂ Dock" in shown(it) and "Pause" not in shown(it)
         await it.type("zzz")
         await it.shows("nothing matches 'legendzzz'", "help-text")
+        assert "Try a shorter or another word" in shown(it)
+
+
+@pytest.mark.parametrize(
+    ("typed", "found"),
+    [
+        ("stuck", "Explain why"),
+        ("deliver", "Open the order form"),
+        ("emergency", "Pause all robots"),
+        ("exit", "Quit"),
+        ("theme", "Open the command palette"),
+        ("offline", "Open diagnostics"),
+        ("save", "save config.toml"),
+    ],
+)
+async def test_words_that_people_bring_find_keys_of_other_words(
+    server: RosbridgeServer, typed: str, found: str
+) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("?")
+        await it.type(typed)
+        await it.shows(found, "help-text")
 
 
 async def test_the_legend_is_drawn_as_the_map(server: RosbridgeServer) -> None:

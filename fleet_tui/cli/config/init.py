@@ -42,14 +42,14 @@ def write(text: str, output: str, force: bool, say: Callable[[str], None]) -> No
 def next_steps(site: DiscoveredSite | None, output: str) -> Iterator[str]:
     """Return the findings, with every uncertain setting, and what to do next."""
     if site is None:
-        edit = "set the address of your rosbridge and your robots, then "
+        edit = "set the address of your rosbridge and your robots, then type: "
     else:
         yield f"{site.bridge.shown}: {site.summary}"
         yield from (f"warning: {line}" for line in site.warnings)
-        edit = "correct what is uncertain, then " if site.warnings else ""
+        edit = "correct what is uncertain, then type: " if site.warnings else ""
     if not output:
-        yield f"Next: write it with --output config.toml, {edit}type: fleet-tui check && fleet-tui"
+        yield f"Next: write it with --output config.toml, {edit}fleet-tui check && fleet-tui"
         return
     file = shlex.quote(output)
     check, config = ("", "") if output == "config.toml" else (f" {file}", f" --config {file}")
-    yield f"wrote {output}. Next: {edit}type: fleet-tui check{check} && fleet-tui{config}"
+    yield f"wrote {output}. Next: {edit}fleet-tui check{check} && fleet-tui{config}"

@@ -7,12 +7,14 @@ from typing import Any
 
 import click
 
+from fleet_tui.cli.offers import one_of
 from fleet_tui.cli.options import FileName, NearestGroup, NumberRange, merged, without_config
 from fleet_tui.errors import GraphError, MapError
 from fleet_tui.text.limits import truncate
 from fleet_tui.text.sanitize import sanitize
 
 FORMATS = ("native", "oh", "rmf", "rmf-building", "geojson", "lif", "opentcs")
+WRITABLE = ("native", "oh", "rmf", "geojson", "lif")
 REFUSED = 2
 
 _READING = (
@@ -103,7 +105,13 @@ def diff(**options: Any) -> int:
 @graph.command()
 @click.argument("source", metavar="IN", type=FileName())
 @click.argument("target", metavar="OUT", type=FileName())
-@click.option("--to", type=click.Choice(FORMATS), help="Format to write; else by OUT.")
+@click.option(
+    "--to",
+    type=click.Choice(FORMATS),  # the answer to the others says that they can only be read
+    metavar=f"[{'|'.join(WRITABLE)}]",
+    shell_complete=one_of(WRITABLE),
+    help="Format to write; else by OUT.",
+)
 @from_format
 @reading
 def convert(**options: Any) -> int:

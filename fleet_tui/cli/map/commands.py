@@ -22,7 +22,7 @@ WITHIN = 10.0
 
 @click.group("map", cls=NearestGroup)
 def map_group() -> None:
-    """Show, save or make maps. Of a file (map_server YAML, PGM, PNG), or live behind a bridge."""
+    """Show, save or make maps. Reads files (map_server YAML, PGM, PNG) and live maps."""
 
 
 def _source(command: Callable[..., None]) -> Callable[..., None]:

@@ -84,7 +84,7 @@ def _configured(config_file: str | None, debug: bool) -> Config:
     log_to_file(debug)
     config = load(find(config_file))
     if not config.programs:
-        raise ConfigError([f"{config.path}: no [[programs]]: see: fleet-tui docs programs"])
+        raise ConfigError([f"{config.path}: no [[programs]], see: fleet-tui docs programs"])
     return config
 
 

@@ -3,9 +3,10 @@
 from collections.abc import Collection, Mapping, Sequence
 
 from fleet_tui.keys import KEYS, Pane, outdone
-from fleet_tui.model.kind import Kind
+from fleet_tui.model.kind import GOAL, LOCALISE, MAP_SAVE, MAPPING, POSE, SETTLE, Kind
 from fleet_tui.view.help.legend import legend
 from fleet_tui.view.help.section import HelpRow, HelpSection, key_row
+from fleet_tui.view.help.synonyms import SYNONYMS
 from fleet_tui.view.help.tasks import ROBOTS, tasks
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.roles import StyleRole
@@ -38,8 +39,25 @@ TYPED = {
     "clear": (("clear robot_0", "all its orders"),),
     "pause": (("pause robot_0, pause all", "immediately"),),
     "resume": (("resume robot_0, resume all", "immediately"),),
+    GOAL: (
+        ("goto robot_0 Base", "to a place"),
+        ("goto robot_0 3.5 2 90", "to a point: m, degrees"),
+    ),
+    POSE: (("set-pose robot_0 3.5 2 90", "its pose: m, degrees"),),
+    LOCALISE: (("localise robot_0", "search the whole map"),),
+    SETTLE: (("settle robot_0", "refine its pose, standing"),),
+    MAPPING: (("mapping robot_0 on", "mapping on, or off"),),
+    MAP_SAVE: (("store-map robot_0 hall", "a map on its own disk"),),
 }
 """Examples of typed commands and their meaning, by the verb that a kind must accept."""
+
+ALWAYS = (
+    ("robot_1, Base, floor_1", "go there"),
+    ("save config.toml", "write the configuration"),
+    ("save-map hall.yaml", "write the shown map"),
+    ("theme, record, arm, ...", "any action, by a word"),
+)
+"""Examples of typed lines that need no robot."""
 
 NOTES = (
     "Robots go by name or number, places by label or id; id=7 is always the id.",
@@ -83,17 +101,17 @@ def _section(pane: Pane, keys: Mapping[str, tuple[str, ...]], hidden: Collection
         if key.id == ROBOTS[0]:
             rows.append(key_row(ROBOTS, "Select a robot by its number in the configuration", keys, 9))
         else:
-            rows.append(key_row([key.id, *filter(None, [key.instead_of])], key.text, keys, 9))
+            ids = [key.id, *filter(None, [key.instead_of])]
+            rows.append(key_row(ids, key.text, keys, 9, SYNONYMS.get(key.id, "")))
     return HelpSection(pane.value, tuple(rows))
 
 
 def _typed(kind: Kind) -> HelpSection:
     alone = "cargo on board" if "cargo" in kind.reports else "directly"
+    accepted = [example for verb, examples in TYPED.items() if kind.can(verb) for example in examples]
     rows = [
         HelpRow(((example, StyleRole.KEY),), text.format(alone=alone))
-        for verb, examples in TYPED.items()
-        if kind.can(verb)
-        for example, text in examples
+        for example, text in (*accepted, *ALWAYS)
     ]
     return HelpSection("Typed commands: Tab completes, Enter sends", tuple(rows))
 

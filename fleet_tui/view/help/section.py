@@ -27,15 +27,17 @@ class HelpSection(Struct, frozen=True):
     rows: tuple[HelpRow, ...]
 
 
-def key_row(ids: Iterable[str], text: str, keys: Mapping[str, tuple[str, ...]], most: int) -> HelpRow:
-    """Return the row of one or more keys, with at most `most` keys of each id."""
+def key_row(
+    ids: Iterable[str], text: str, keys: Mapping[str, tuple[str, ...]], most: int, also: str = ""
+) -> HelpRow:
+    """Return the row of one or more keys, with at most `most` keys of each id. `also`: words that find it."""
     ids = tuple(ids)
     every = [key for id_ in ids for key in keys[id_]]
     names = " ".join(key_name(key) for id_ in ids for key in keys[id_][:most])
     for listed, short in _RANGES.items():
         names = names.replace(listed, short)
     mark = (names, StyleRole.KEY) if names else ("palette", StyleRole.DIM)
-    return HelpRow((mark,), text, (*ids, *every))
+    return HelpRow((mark,), text, (*ids, *every, also))
 
 
 def search(sections: Iterable[HelpSection], wanted: str) -> list[HelpSection]:

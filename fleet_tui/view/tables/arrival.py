@@ -10,12 +10,6 @@ from fleet_tui.view.tables.table import Run, column, cut
 
 Rows = list[tuple[Run, ...]]
 
-COMMANDS = (
-    ("fleet-tui demo", "try it on simulated robots"),
-    ("fleet-tui config init", "print an example to edit"),
-    ("fleet-tui doctor --url URL", "find what is wrong on the way"),
-)
-
 _COUNT = 11  # cells
 _ROOMY = 18  # rows
 
@@ -39,23 +33,32 @@ class Line(NamedTuple):
     of: int
 
 
+def commands(address: str) -> tuple[tuple[str, str], ...]:
+    """Return commands that need no configuration, with their effects."""
+    return (
+        ("fleet-tui demo", "try it on simulated robots"),
+        ("fleet-tui config init", "print an example to edit"),
+        (f"fleet-tui doctor --url {address}", "find what is wrong"),
+    )
+
+
 def first_run_rows(places: Sequence[tuple[str, str]], asked: Asked, width: int, height: int) -> Rows:
     """Return the searched paths, the findings at an address, and the possible actions."""
     is_roomy = height >= _ROOMY
     about = "watch and command robots over rosbridge" if is_roomy else "no configuration found"
     rows: Rows = [((" fleet-tui", StyleRole.TITLE_FOCUSED), (f"  {about}", StyleRole.TEXT))]
     if is_roomy:
-        rows += [(), ((" There is no fleet to open yet: no configuration found", StyleRole.TEXT),)]
+        rows += [(), ((" No fleet is set up here: no configuration found", StyleRole.TEXT),)]
     rows += _pairs(places, StyleRole.TEXT)
     rows += [(), *_asked(asked, width), ()]
     if is_roomy:
-        rows.append(((" Or leave with q and type one of these:", StyleRole.TEXT),))
-    rows += _pairs(COMMANDS, StyleRole.KEY)
+        rows.append(((" d opens a simulated fleet. In a shell:", StyleRole.TEXT),))
+    rows += _pairs(commands(asked.address), StyleRole.KEY)
     return _fitted(rows, width, height)
 
 
 def _pairs(pairs: Sequence[tuple[str, str]], role: StyleRole) -> Iterator[tuple[Run, ...]]:
-    wide = column((sanitize(name) for name, _ in pairs), at_most=40)
+    wide = column((sanitize(name) for name, _ in pairs), at_most=50)
     for name, text in pairs:
         yield (f"   {fit(sanitize(name), wide)}", role), (f"  {text}", StyleRole.DIM)
 

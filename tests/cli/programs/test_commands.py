@@ -33,7 +33,7 @@ def test_mistakes_are_usage(tmp_path: Path) -> None:
 def test_a_configuration_without_programs_says_where_to_read(tmp_path: Path) -> None:
     (tmp_path / "config.toml").write_text(FLEET)
     ended = run("programs", cwd=tmp_path)
-    assert ended.returncode == 2 and "no [[programs]]: see: fleet-tui docs programs" in ended.stderr
+    assert ended.returncode == 2 and "no [[programs]], see: fleet-tui docs programs" in ended.stderr
     (tmp_path / "other.toml").write_text(FLEET + PROGRAM)
     for args in (("--config", "other.toml", "programs"), ("programs", "--config", "other.toml")):
         assert run(*args, cwd=tmp_path).returncode == 0

@@ -9,7 +9,7 @@ from fleet_tui.view.help.pages import Pages, help_pages, tabs
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.tables.table import width_of
 from tests.support.fleets import text_of
-from tests.support.kinds import BARE, FULL, KEYS
+from tests.support.kinds import BARE, FULL, KEEPING, KEYS
 
 
 def pages(pane: Pane = Pane.MAP, kind: Kind = FULL, hidden: frozenset[str] = frozenset()) -> Pages:
@@ -44,6 +44,8 @@ def test_help_tells_of_what_can_be_typed() -> None:
     assert [word for word in ("pause", "cancel", "clear", "cargo") if word in bare] == []
     assert "directly to B" in bare
     assert "terminal: xterm" in text(pages(), "Commands")
+    assert "goto robot_0" not in text(pages(), "Commands") and "save config.toml" in text(pages(), "Commands")
+    assert "goto robot_0 3.5 2 90" in text(pages(kind=KEEPING), "Commands")
 
 
 def test_tabs_have_their_cells() -> None:
