@@ -129,7 +129,8 @@ class Panes(Container):
         self._wanted = Wanted(*(table.lines for table in tables)), covered
         self.share_out()
         fleet, alarms, queue = tables
-        if self._fleet_pace.is_due((robot, self.fleet.size, fleet.title, fleet.keys)):
+        arranged = self.fleet.arrangement.notes(len(fleet.rows))  # not the counts: those change all the time
+        if self._fleet_pace.is_due((robot, self.fleet.size, arranged, fleet.keys)):
             self.fleet.show(fleet)
         self.alarms.show(alarms)
         self.queue.show(queue)
