@@ -5,7 +5,7 @@ from textwrap import wrap
 from typing import ClassVar
 
 from textual.app import ComposeResult
-from textual.binding import BindingType
+from textual.binding import Binding, BindingType
 from textual.content import Content
 from textual.widgets import Static
 
@@ -14,6 +14,14 @@ from fleet_tui.rules.localisation.match import Match
 from fleet_tui.screens.robot.overlay import RobotOverlay, robot_bindings
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.why import why_lines
+
+SCROLLING = (
+    Binding("down,j", "scroll_down", show=False),
+    Binding("up,k", "scroll_up", show=False),
+    Binding("pagedown", "page_down", show=False),
+    Binding("pageup", "page_up", show=False),
+)
+"""Keys that reach the reasons which a small screen has no lines for."""
 
 
 def _wrapped(lines: list[str], width: int) -> list[str]:
@@ -32,7 +40,7 @@ class Why(RobotOverlay):
     """The suggested keys work in here as they do outside."""
 
     KEY, EVERY = "why", 0.1  # as in the panes
-    BINDINGS: ClassVar[list[BindingType]] = robot_bindings("why")
+    BINDINGS: ClassVar[list[BindingType]] = [*robot_bindings("why"), *SCROLLING]
 
     def __init__(
         self,

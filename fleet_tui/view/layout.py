@@ -12,6 +12,7 @@ LEAST_BESIDE, MAP_SHARE = 78, 10 / 21
 `fleet.tcss`."""
 LEAST_PAGE = 6
 """Lines from which the robot's page and the last events are worth their place."""
+LEAST_EVENTS = 3
 WIDE_SHARE, LEAST_TABLES, WIDE_TABLES = 0.6, 77, 92
 """The map's share of a wide screen's cells, those that the tables keep if the map can use more, and those of
 tables with all their columns, which a large screen has beside its map."""
@@ -71,11 +72,11 @@ def is_beside_events(left: int, width: int, lines: int, fleet: int, column: int)
     return width >= LEAST_SHARED and left > below_page(lines, page, column)
 
 
-def below_floor(lines: int, floor: int) -> int:
-    """Return the lines for the last events below a map whose fitted floor takes `floor` lines (0 for
-    none)."""
-    left = lines - max(floor, LEAST_MAP)
-    return left if left >= LEAST_PAGE else 0
+def below_floor(lines: int, floor: int, is_narrow: bool = False) -> int:
+    """Return the lines for the last events below a map whose fitted floor takes `floor` lines (0 for none).
+    On a narrow screen few are better than a blank, and one is kept for labels beyond the walls."""
+    left = lines - max(floor + is_narrow, LEAST_MAP)
+    return left if left >= (LEAST_EVENTS if is_narrow else LEAST_PAGE) else 0
 
 
 def below_map(lines: int, wanted: Wanted, covered: int = 0) -> tuple[int, int, int]:

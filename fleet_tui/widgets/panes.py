@@ -38,6 +38,10 @@ BELOW = 2
 """Those of them below the panes: message, footer."""
 
 
+PAGE_BESIDE = 45
+"""Lines of the panes from which a robot's page has all its sections one below the other."""
+
+
 class Pace:
     """Lets a view be made again every so many seconds, and at once for another `key`."""
 
@@ -100,6 +104,12 @@ class Panes(Container):
         return self.small_maps.display or (self.maps_below.display and self._below.display)
 
     @property
+    def cells_beside_map(self) -> int:
+        """Return the cells of the tables on a screen where a robot's page fits in their place, else 0."""
+        is_large = self.screen.has_class("-wide") and self.size.height >= PAGE_BESIDE and not self._alone
+        return self.fleet.outer_size.width if is_large else 0
+
+    @property
     def views(self) -> list[RowsPane]:
         """Return the panes of rows."""
         return [*self.tables, self.page, self.recent]
@@ -109,7 +119,7 @@ class Panes(Container):
         tables: Sequence[Table],
         robot: str,
         page: Callable[[str, int], Table],
-        recent: Callable[[int], Table],
+        recent: Callable[[int, int], Table],
         covered: int = 0,
     ) -> None:
         """Show fleet, alarms and queue, and if there are lines for them the page of the selected robot and
@@ -119,14 +129,15 @@ class Panes(Container):
         self._wanted = Wanted(*(table.lines for table in tables)), covered
         self.share_out()
         fleet, alarms, queue = tables
-        if self._fleet_pace.is_due((robot, self.fleet.size, fleet.title, fleet.keys)):
+        arranged = self.fleet.arrangement.notes(len(fleet.rows))  # not the counts: those change all the time
+        if self._fleet_pace.is_due((robot, self.fleet.size, arranged, fleet.keys)):
             self.fleet.show(fleet)
         self.alarms.show(alarms)
         self.queue.show(queue)
         if self.page.size.height and self._page_pace.is_due((robot, self.page.size)):
             self.page.show(page(robot, self.page.row_width))
         if self.recent.size.height and self._recent_pace.is_due(self.recent.size):
-            self.recent.show(recent(self.recent.size.height - 1))
+            self.recent.show(recent(self.recent.size.height - 1, self.recent.row_width))
 
     def show_map(self, view: "MapView", scene: "Scene") -> None:
         """Show a scene on the map, which is drawn once its height is that for its floor."""
@@ -142,11 +153,13 @@ class Panes(Container):
         `lines`: those of the floor as a whole. Tell whether the map gets another height, and so a resize."""
         if not self.is_attached:
             return False  # the console ends
-        is_free = self.screen.has_class("-wide") and not self._is_small and not self._alone
+        is_wide, is_beside = self.screen.has_class("-wide"), self.screen.has_class("-beside")
+        is_free = lines and (is_wide or is_beside) and not self._is_small and not self._alone
         above = [part for part in self.floor.children if part.id in ("simple", "camera") and part.display]
         space = self.floor.size.height - sum(part.outer_size.height for part in above)
-        self._left = below_floor(space, lines) if is_free and lines else 0
-        left = max(self._left, self._wanted[1]) if is_free and lines else 0
+        self._left = below_floor(space, lines, is_beside) if is_free else 0
+        # On a narrow screen an overlay is below all panes.
+        left = max(self._left, self._wanted[1]) if is_free and is_wide else self._left
         if left == self._recent_lines:
             return False
         self._recent_lines = left

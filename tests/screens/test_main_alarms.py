@@ -85,3 +85,20 @@ async def test_an_acknowledgement_after_a_choice_is_of_that_robot(server: Rosbri
         chosen = it.app.main.navigation.robot
         await it.press("a")
         await it.shows(f"acknowledged: obstacle alarm of {chosen}")
+
+
+async def test_the_marked_alarm_is_the_one_that_keys_mean(server: RosbridgeServer) -> None:
+    """A more urgent alarm comes above it and takes none of them away."""
+    server.bridge.muted.update(("/robot_0/obstacle", "/robot_1/obstacle", "/robot_1/battery"))
+    async with console(config_of(server.url, 2, 2), (120, 40)) as it:
+        server.bridge.publish_raw("/robot_1/battery", {"data": 5.0})
+        await it.shows("▸▲ new  medium robot_1", "alarms")
+        server.bridge.publish_raw("/robot_0/obstacle", {"data": 44.2})
+        await it.shows("▲ new  high   robot_0", "alarms")
+        assert "robot_1: Send it to a charger" in it.pane("alarms") and "a ack robot_1" in it.text
+        await it.press("!")
+        assert it.app.main.navigation.robot == "robot_1"
+        await it.press("!")
+        assert it.app.main.navigation.robot == "robot_0"
+        await it.shows("▸▲ new  high   robot_0", "alarms")
+        await it.shows("robot_0: Clear the path", "alarms")

@@ -113,6 +113,24 @@ async def test_long_lines_go_on_as_far_in_as_they_began(server: RosbridgeServer)
         await it.shows("\n│     a charger ")
 
 
+async def test_reasons_that_a_small_screen_cuts_are_reached_by_scrolling(server: RosbridgeServer) -> None:
+    plant(server, "battery:robot_0,obstacle:robot_0")
+    async with console(config_of(server.url, 1, 1), (60, 16)) as it:
+        await it.press("w")
+        await it.shows("1. obstacle")
+        await it.hides("3. ")
+        await it.press(*["down"] * 9)
+        await it.shows("3. ")
+        await it.press(*["k"] * 9)
+        await it.shows("1. obstacle")
+
+
+async def test_the_outcome_of_a_key_is_in_view_below_it(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1, 1), (80, 24)) as it:
+        await it.press("w", "p")
+        await it.shows("robot_0 pause: ")
+
+
 @pytest.mark.parametrize("key", ["w", "i"])
 async def test_an_alarm_is_acknowledged_where_it_is_read(server: RosbridgeServer, key: str) -> None:
     async with console(config_of(server.url, 2)) as it:

@@ -10,6 +10,7 @@ from fleet_tui.view.layout import (
     LEAST_TABLES,
     Wanted,
     below_buttons,
+    below_floor,
     below_map,
     below_page,
     beside_map,
@@ -87,6 +88,12 @@ def test_small_maps_are_where_they_are_larger_and_stay_there() -> None:
     assert not is_beside_events(16, 123, 57, 5, 77), "3 robots"
     assert not is_beside_events(12, 72, 37, 5, 48), "a map too narrow for both"
     assert not is_beside_events(0, 123, 57, 32, 77)
+
+
+def test_last_events_fill_what_a_narrow_floor_leaves_from_three_lines_on() -> None:
+    assert below_floor(21, 16, is_narrow=True) == 4
+    assert below_floor(21, 18, is_narrow=True) == 0
+    assert below_floor(21, 16) == 0 and below_floor(57, 41) == 16
 
 
 def test_more_alarms_have_more_lines() -> None:

@@ -19,6 +19,7 @@ from fleet_tui.rules.why.traffic import in_the_way, next_stop, vertex_here
 from fleet_tui.text.details import detail_text
 from fleet_tui.text.durations import age
 
+REJECTED = "Check that its navigation is active: `fleet-tui doctor` asks it"
 LOOK = "Go and look at it: wheels, emergency stop, manual mode"
 
 
@@ -34,7 +35,15 @@ def command(state: FleetState, robot: Robot) -> Reason | None:
     evidence = record.detail or f"issued {age(state.now - record.issued_at)} ago"
     strength = Strength.LIKELY if robot.orders.open else Strength.CERTAIN
     keys = (verb,) if failed else ()
-    return Reason(f"{verb}: {record.stage.value}", evidence, strength, since=record.at, keys=keys)
+    is_rejected = robot.kind.keeps_goals and record.stage is Stage.REFUSED
+    return Reason(
+        f"{verb}: {record.stage.value}",
+        evidence,
+        strength,
+        since=record.at,
+        keys=keys,
+        remedy=REJECTED if is_rejected else "",
+    )
 
 
 def failed_order(state: FleetState, robot: Robot) -> Reason | None:

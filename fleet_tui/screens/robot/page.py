@@ -36,7 +36,7 @@ def robot_page_overlay(screen: "MainScreen", rest: "Rest") -> "RobotPage":
         screen.settings.clock,
         lambda: rest.map.picture.options.drawing,
     )
-    return RobotPage(source, lambda robot: rest.robots.menu(robot))
+    return RobotPage(source, lambda robot: rest.robots.menu(robot), lambda: screen.panes.cells_beside_map)
 
 
 class PageScrolling:
@@ -68,10 +68,13 @@ class RobotPage(ReturningOverlay, RobotOverlay, can_focus=True):
         *bindings(Pane.ROWS),
     ]
 
-    def __init__(self, source: PageSource, menu: Callable[[str], None]) -> None:
-        """`menu` opens that of a robot."""
+    def __init__(
+        self, source: PageSource, menu: Callable[[str], None], beside: Callable[[], int] = lambda: 0
+    ) -> None:
+        """`menu` opens that of a robot; `beside` returns the cells of the tables if the page has space there,
+        else 0: then it covers the map, too."""
         super().__init__(id="robot-page")
-        self._source = source
+        self._source, self._beside = source, beside
         self._pace = Pace(READ_EVERY)
         self._name, self._second = "", 0
         self._title = LineView(id="robot-page-title", keep_right=True)
@@ -99,8 +102,14 @@ class RobotPage(ReturningOverlay, RobotOverlay, can_focus=True):
     def show(self) -> None:
         """Open on the selected robot."""
         self._name = ""
+        self._place()
         self.begin()
         self.look()
+
+    def _place(self) -> None:
+        """Leave the map in view where the tables' place is enough."""
+        self.styles.dock = "right"
+        self.styles.width = self._beside() or "100%"
 
     def look(self) -> None:
         """Show the newest state, of another robot from the top."""
@@ -126,6 +135,7 @@ class RobotPage(ReturningOverlay, RobotOverlay, can_focus=True):
     def on_resize(self) -> None:
         """Fill it at its new size."""
         if self.is_open:
+            self._place()
             self.look()
 
     def action_key(self, id_: str) -> None:

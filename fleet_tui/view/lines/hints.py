@@ -36,14 +36,17 @@ def hidden_keys(state: FleetState, selected: str) -> set[str]:
 def idle_hints(state: FleetState, selected: str = "") -> set[str]:
     """Return the ids of keys that the footer need not name now, without a link those of commands, too."""
     idle = set() if in_trouble(state) else {"next_trouble"}
-    reached = [one for one in state.robots.values() if state.links[one.link].phase is Phase.UP]
-    for key in KEYS:
-        meant = reached if key.of_any else [one for one in reached if one.name == selected]
-        if selected and key.commands and not meant:
-            idle.add(key.id)
+    if selected and any(link.phase is not Phase.UP for link in state.links.values()):
+        idle |= _unreachable(state, selected)
     if not any(map(state.is_paused, state.robots.values())):
         idle.add("resume_all")
     return idle if unacknowledged(state) else {*idle, "acknowledge"}
+
+
+def _unreachable(state: FleetState, selected: str) -> set[str]:
+    """Return the ids of the keys whose commands would not be sent now."""
+    reached = [one.name for one in state.robots.values() if state.links[one.link].phase is Phase.UP]
+    return {key.id for key in KEYS if key.commands and not (reached if key.of_any else selected in reached)}
 
 
 def other_alarmed(marked: Hashable | None, selected: str) -> str:
@@ -83,8 +86,19 @@ def hints(
         for key in offered
     ]
     offered.sort(key=lambda key: (OF_ROWS.get(focused) != key.id, *_rank(key, pane)))
+    offered = _alarm_first(offered)
     left = [key for key in offered if key.pane in (pane, Pane.CONSOLE) and not key.always]
     return left, [key for key in offered if key.always]
+
+
+def _alarm_first(offered: list[Key[Any]]) -> list[Key[Any]]:
+    """Return the keys with that of an alarm before the one to resume all: the first line has the pauses."""
+    ids = [key.id for key in offered]
+    if not {"acknowledge", "resume_all"} <= set(ids):
+        return offered
+    resume_all = offered.pop(ids.index("resume_all"))
+    offered.insert([key.id for key in offered].index("acknowledge") + 1, resume_all)
+    return offered
 
 
 def _rank(key: Key[Any], pane: Pane) -> tuple[bool, ...]:

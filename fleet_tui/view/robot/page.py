@@ -29,6 +29,8 @@ COLUMNS_FROM = 110
 """Cells from which all sections are in two columns."""
 BESIDE_FROM = 74
 """Cells from which the curve is beside the state."""
+BELOW_FROM = 40
+"""Lines from which it is below the state, as wide as the page."""
 BETWEEN = 1
 LOW_CURVE, HIGH_CURVE = 8, 18
 HOURS_MINUTES = 5
@@ -71,8 +73,9 @@ def page_lines(content: PageContent, width: int, height: int) -> list[Line]:
             _drawn((state, route, orders), left), _drawn((curve, alarms, commands), right), left, right
         )
     rest = _drawn((route, orders, alarms, commands), width)
-    if width < BESIDE_FROM:
-        return [*_drawn((state, _battery(content, width, LOW_CURVE)), width), *rest]
+    if width < BESIDE_FROM or height >= BELOW_FROM:
+        lines = max(LOW_CURVE, min(HIGH_CURVE, height // 4))
+        return [*_drawn((state, _battery(content, width, lines)), width), *rest]
     right = width - STATE - BETWEEN
     above = _battery(content, right, max(LOW_CURVE, len(state.lines)))
     return [*_beside(state.drawn(STATE), above.drawn(right), STATE, right), *rest]

@@ -18,8 +18,8 @@ COUNTED = {
     Activity.CHARGING: StyleRole.DIM,
 }
 """What robots online do: first what a person looks for, which stays where not all fits."""
-BESIDE = len("─ Fleet  ─")
-"""Cells of the title beside the counts."""
+BESIDE = len("─ Fleet    -  of  ─")
+"""Cells of the title beside the counts, and beside the numbers of the rows in view."""
 
 
 def fleet_counts(state: FleetState, width: int) -> list[Run]:
@@ -30,10 +30,11 @@ def fleet_counts(state: FleetState, width: int) -> list[Run]:
     found = Counter(one for one, is_listed in done if is_listed or one is not Activity.IDLE)
     online = len(robots) - found[Activity.OFFLINE]
     runs: list[Run] = [(f" {online} of {len(robots)} online", StyleRole.DIM)]
+    left = width - BESIDE - 3 * len(str(len(robots)))
     counts = [(f"{found[one]} {one.value}", role) for one, role in COUNTED.items() if found[one]]
     for place, (text, role) in enumerate(counts):
         more: list[Run] = [(", " if place else ": ", StyleRole.DIM), (text, role)]
-        if BESIDE + width_of([*runs, *more]) > width:
+        if width_of([*runs, *more]) > left:
             break
         runs += more
     return runs

@@ -16,22 +16,26 @@ from fleet_tui.rules.commands.follow_up import seen_end
 from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.view.lines.commands import TROUBLE, command_text, stage_text
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.missions import whose_mission
+from fleet_tui.view.tables.missions import destinations, whose_mission
 from fleet_tui.view.tables.table import Row, Run, Table, column
 
 Event = tuple[float, str, Callable[[], tuple[Run, ...]]]
 """Unix seconds, its robot or other source, and what happened: only the newest ones are written out."""
 
+WHOLE, HOURS_MINUTES = 60, 5
+"""Cells of a pane from which times have seconds, and those of a time without them."""
 FAILED = frozenset({*TROUBLE, Stage.LOST, Stage.FAILED})
 
 
-def recent_table(state: FleetState, clock: Callable[[float], str], lines: int) -> Table:
-    """Return the newest events, at most `lines` of them; `clock` formats Unix seconds as a local time."""
-    found = [*_alarms(state), *_links(state), *_commands(state), *_orders(state)]
+def recent_table(state: FleetState, clock: Callable[[float], str], lines: int, width: int = WHOLE) -> Table:
+    """Return the newest events, at most `lines` of them. `clock` formats Unix seconds as a local time, which
+    has no seconds in a pane of few cells."""
+    found = [*_alarms(state), *_links(state), *_commands(state), *_orders(state, width < WHOLE)]
     newest = nlargest(lines, found, key=lambda event: event[0])
     sources = column((source for _, source, _ in newest), 7, 14) + 1
+    shown = None if width >= WHOLE else HOURS_MINUTES
     rows = tuple(
-        Row(None, ((f"{clock(at)} ", StyleRole.DIM), (fit(source, sources), StyleRole.DIM), *runs()))
+        Row(None, ((f"{clock(at)[:shown]} ", StyleRole.DIM), (fit(source, sources), StyleRole.DIM), *runs()))
         for at, source, runs in newest
     )
     return Table((("Recent", StyleRole.TITLE),), rows, "nothing yet")
@@ -86,23 +90,31 @@ def _batch(state: FleetState, batch: list[CommandRecord]) -> tuple[Run, ...]:
     return _said(f"{name}: {outcome}", worst)
 
 
-def _orders(state: FleetState) -> Iterator[Event]:
+def _orders(state: FleetState, is_narrow: bool) -> Iterator[Event]:
     for robot in state.robots.values():
         for gone in robot.gone:
-            yield state.wall - (state.now - gone.at), robot.name, partial(_order, state, robot, gone)
+            at = state.wall - (state.now - gone.at)
+            yield at, robot.name, partial(_order, state, robot, gone, is_narrow)
         for trace in robot.traces.values():
             if trace.began_at is not None:
-                began = partial(_begun, state, robot, trace.order)
+                began = partial(_begun, state, robot, trace.order, is_narrow)
                 yield state.wall - (state.now - trace.began_at), robot.name, began
 
 
-def _begun(state: FleetState, robot: Robot, order: Order) -> tuple[Run, ...]:
-    return ((f"{whose_mission(state, robot, order)}: started", StyleRole.DIM),)
+def _begun(state: FleetState, robot: Robot, order: Order, is_narrow: bool) -> tuple[Run, ...]:
+    return ((_what(state, robot, order, "started", is_narrow), StyleRole.DIM),)
 
 
-def _order(state: FleetState, robot: Robot, gone: GoneOrder) -> tuple[Run, ...]:
+def _order(state: FleetState, robot: Robot, gone: GoneOrder, is_narrow: bool) -> tuple[Run, ...]:
     stage = seen_end(state, robot.name, gone)
-    return _said(f"{whose_mission(state, robot, gone.order)}: {stage.value}", stage)
+    return _said(_what(state, robot, gone.order, stage.value, is_narrow), stage)
+
+
+def _what(state: FleetState, robot: Robot, order: Order, happened: str, is_narrow: bool) -> str:
+    """Return what happened to an order; in a narrow pane, where the end is cut, that is first."""
+    if is_narrow:
+        return f"{happened} {destinations(robot, order) or whose_mission(state, robot, order)}"
+    return f"{whose_mission(state, robot, order)}: {happened}"
 
 
 def _said(text: str, stage: Stage) -> tuple[Run, ...]:

@@ -8,11 +8,14 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.model.order import Order, at_vertices
 from fleet_tui.model.order_life import GoneOrder
+from fleet_tui.rules.why.orders import REJECTED
 from fleet_tui.rules.why.reason import Reason
 from fleet_tui.rules.why.why import reasons
 from tests.support.fleets import (
     R0,
     T0,
+    commanded,
+    place_order,
     pose,
     queue,
     reduced,
@@ -21,11 +24,21 @@ from tests.support.fleets import (
 from tests.support.kinds import FULL, GOALS, moved
 from tests.support.situations import driving, first, names
 
+KEEPS = replace(GOALS, keeps_goals=True)
+
 
 def test_a_refusal_stands_in_the_robots_own_words_for_half_a_minute() -> None:
     planted = driving("refuse")
     assert first(planted).evidence == "REJECTED: the simulator was asked to refuse"
     assert first(planted.run(40)).name == "no orders"
+
+
+def test_a_rejected_goal_has_the_remedy_for_navigation_that_is_not_active() -> None:
+    given = commanded(1, place_order(R0, 1, 2), Stage.SENT, Stage.REFUSED, at=T0 + 9, detail="goal rejected")
+    for kind, remedy in ((KEEPS, REJECTED), (FULL, "")):
+        refused = reduced(moved(kind), pose(T0 + 9), queue(T0 + 9), *given, tick(T0 + 9))
+        found = reasons(refused, refused.robots[R0])[0]
+        assert (found.name, found.remedy) == ("order: refused", remedy)
 
 
 def test_an_idle_robot_at_the_charger_has_no_orders_first() -> None:

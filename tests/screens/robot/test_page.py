@@ -33,6 +33,23 @@ async def test_it_has_the_whole_screen_but_the_usual_lines(
         await it.hides("─ Battery")
 
 
+async def test_the_map_stays_in_view_where_the_tables_have_space_for_the_page(
+    server: RosbridgeServer,
+) -> None:
+    async with console(config_of(server.url, 2, 2), (200, 60)) as it:
+        await it.press("i")
+        await it.shows("100 %", TEXT)
+        page, picture = it.app.main.rest.robot_page.region, it.app.main.query_one("#map").region
+        assert picture.right <= page.x and page.right == 200
+        assert (
+            it.pane(TEXT).index("─ State") < it.pane(TEXT).index("─ Battery") < it.pane(TEXT).index("─ Route")
+        )
+    async with console(config_of(server.url, 2, 2), (200, 40)) as it:
+        await it.press("i")
+        await it.shows("100 %", TEXT)
+        assert it.app.main.rest.robot_page.region.width == 200
+
+
 async def test_it_goes_on_to_the_next_robot_from_the_top(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2), (80, 24)) as it:
         await it.press("i", "pagedown")

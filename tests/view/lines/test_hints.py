@@ -6,6 +6,7 @@ import pytest
 
 from fleet_tui.keymap import keymap
 from fleet_tui.keys import Pane
+from fleet_tui.model.events import PausedReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import PAUSE, Kind
 from fleet_tui.view.lines.hints import footer, hidden_keys, hints, idle_hints
@@ -74,6 +75,15 @@ def test_the_footer_names_whose_alarm_is_acknowledged() -> None:
     )
     assert " a ack  " in shown(trouble, "robot_with_a_long_name", 80)
     assert " a ack" not in shown(fleet())
+
+
+def test_an_alarm_is_hinted_before_the_end_of_a_pause() -> None:
+    paused = PausedReported(R0, T0, True)
+    trouble = reduced(fleet(), link_up(T0), paused, battery(T0, 5.0), tick(T0))
+    for width, kept in ((80, ("acknowledge",)), (120, ("acknowledge", "resume_all"))):
+        left, right = hints(KEYS, Pane.MAP, hidden=idle_hints(trouble, R0))
+        shown = [button.name for button in footer(left, right, KEYS, width)[1]]
+        assert tuple(name for name in shown if name in ("acknowledge", "resume_all")) == kept
 
 
 def test_without_a_link_no_command_is_offered_as_if_it_would_be_sent() -> None:

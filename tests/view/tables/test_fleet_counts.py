@@ -26,6 +26,6 @@ def test_what_the_robots_do_is_counted_and_what_is_odd_is_first_and_coloured() -
 
 def test_in_a_narrow_title_whole_counts_are_left_out_from_the_end() -> None:
     whole = " 4 of 5 online: 1 blocked, 1 driving"
-    assert text_of(fleet_counts(working(), BESIDE + len(whole))) == whole
-    assert text_of(fleet_counts(working(), BESIDE + len(whole) - 1)) == " 4 of 5 online: 1 blocked"
+    assert text_of(fleet_counts(working(), BESIDE + 3 + len(whole))) == whole
+    assert text_of(fleet_counts(working(), BESIDE + 3 + len(whole) - 1)) == " 4 of 5 online: 1 blocked"
     assert text_of(fleet_counts(working(), 20)) == " 4 of 5 online"

@@ -42,6 +42,12 @@ def test_an_order_that_ended_has_a_line_with_the_time_of_its_end() -> None:
     assert lines(reduced(DRIVEN, tick(T0 + 2))) == [f"1 {R0} Base -> Store: lost"]
 
 
+def test_a_narrow_pane_has_what_happened_first_and_times_without_seconds() -> None:
+    state = reduced(DRIVEN, tick(T0 + 2))
+    (row,) = recent_table(state, lambda _wall: "12:04:31", 9, width=38).rows
+    assert " ".join(text_of(row.runs).split()) == f"12:04 {R0} lost -> Store"
+
+
 def test_an_order_that_was_cancelled_here_is_not_lost() -> None:
     given = commanded(1, CancelOrder(R0, "4"), Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED, at=T0 + 0.5)
     listed = reduced(fleet(), link_up(T0), *NAMED, queue(T0, (4, 1, 2, "W"), current=4))
