@@ -38,7 +38,7 @@ def _end(code: int, *lines: str) -> NoReturn:
 
 
 def _folded(line: str) -> str:
-    """Return a line folded between its words at the terminal's width; elsewhere, for scripts, it stays whole."""
+    """Return a line folded between words at the terminal's width; elsewhere, for scripts, it stays whole."""
     columns = os.get_terminal_size(sys.stderr.fileno()).columns if sys.stderr.isatty() else 0
     if len(line) <= columns or columns == 0:
         return line
