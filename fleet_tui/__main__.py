@@ -66,6 +66,8 @@ def _run_command() -> None:
     except click.ClickException as problem:
         message = f"fleet-tui: {problem.format_message()}".splitlines()
         context = problem.ctx if isinstance(problem, click.UsageError) else None
+        if context and isinstance(problem, click.MissingParameter):
+            message += context.get_usage().splitlines()
         _end(2, *message, *([f"Run {context.command_path} --help for usage."] if context else []))
 
 
