@@ -49,14 +49,15 @@ class AuditReader:
                 files.setdefault(os.fstat(file.fileno()).st_ino, file)
             for file in files.values():
                 for line in _lines_backwards(file):
-                    record = _decoded(line)
+                    record = decoded(line)
                     if record is None:
                         self.unreadable += bool(line.strip())
                     else:
                         yield record
 
 
-def _decoded(line: bytes) -> AuditRecord | None:
+def decoded(line: bytes) -> AuditRecord | None:
+    """Return the record of a line, also of an older version; None for another text."""
     try:
         return _DECODER.decode(line)
     except msgspec.ValidationError:

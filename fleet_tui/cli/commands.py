@@ -11,6 +11,7 @@ from fleet_tui.cli.config.commands import config
 from fleet_tui.cli.docs import docs
 from fleet_tui.cli.duration import DurationParam
 from fleet_tui.cli.graph.commands import graph
+from fleet_tui.cli.history.commands import shift
 from fleet_tui.cli.kinds import kinds as list_kinds
 from fleet_tui.cli.manual import man
 from fleet_tui.cli.map.commands import map_group
@@ -29,7 +30,8 @@ def headless() -> None:
     """Group of the commands, which the command line lists as its own."""
 
 
-for command in (config, graph, map_group, programs, routine, docs, man, *orders.commands.values()):
+groups = (*orders.commands.values(), *shift.commands.values())
+for command in (config, graph, map_group, programs, routine, docs, man, *groups):
     headless.add_command(command)
 
 

@@ -143,6 +143,15 @@ EXAMPLES: Mapping[str, tuple[Example, ...]] = {
     ),
     "routine list": (("fleet-tui routine list", "the routines in the folder of the configuration"),),
     "routine install": (("fleet-tui routine install morning --print", "show its timer without writing it"),),
+    "history": (
+        ("fleet-tui history --robot robot_0 --since 2h", "what happened to one robot"),
+        ("fleet-tui history --since 7d lost", "every event of a week with this word"),
+        ("fleet-tui history --collect", "write the history where no console stays open"),
+    ),
+    "report": (
+        ("fleet-tui report --output shift.html", "the last eight hours"),
+        ("fleet-tui report --since 30d --output month.html", "a month"),
+    ),
     "audit": (
         ("fleet-tui audit --robot robot_0 --since 2h", "the commands of the last two hours"),
         ("fleet-tui audit --since 7d --csv > week.csv", "a week for a spreadsheet"),
@@ -154,6 +163,9 @@ EXAMPLES: Mapping[str, tuple[Example, ...]] = {
     "replay": (
         ("fleet-tui replay shift.jsonl.gz --at 12:04:31", "from this time of day"),
         ("fleet-tui replay shift.jsonl.gz --speed 8", "eight times as fast"),
+    ),
+    "metrics": (
+        ("fleet-tui metrics & curl -s localhost:9464/metrics | grep ^fleet_robot", "the figures of robots"),
     ),
     "serve": (
         ("fleet-tui serve", "watch at http://127.0.0.1:8000"),

@@ -27,8 +27,8 @@ SECTIONS = {
         *("check", "kinds", "map", "graph", "mapping", "set-pose", "localise", "settle"),
         *("store-map", "store-pose-graph"),
     ),
-    "Logs and recordings": ("audit", "record", "replay"),
-    "Other ways to use it": ("serve", "sim", "docs", "man", "completion"),
+    "Logs and recordings": ("history", "report", "audit", "record", "replay"),
+    "Other ways to use it": ("serve", "metrics", "sim", "docs", "man", "completion"),
 }
 """The headings of the help with their commands."""
 

@@ -44,7 +44,8 @@ class Ended(Exception):  # noqa: N818  # asked for from outside, no error
 
 
 @contextmanager
-def _ended_by_signals() -> Iterator[None]:
+def ended_by_signals() -> Iterator[None]:
+    """Raise Ended at a signal that asks a process to end."""
     # Under nohup it continues after its terminal is closed.
     numbers = [one for one in ENDING if signal.getsignal(one) is not signal.SIG_IGN]
 
@@ -144,14 +145,14 @@ def record(
     """Record for a number of seconds, until SIGTERM or Ctrl-C; return the exit code. Without a link within
     `timeout` seconds it ends. Raises RecordingError if the file can't be created, ConfigError for an
     unsafe secret."""
-    config = _watching(config)
+    config = only_watching(config)
     store = WaitingStore(initial_state(config, time.monotonic()))
     taps, origin = Taps(), new_origin(config)
     recorder = taps.attach(Recorder(path, config, store, origin, limits))
     shown = sanitize(str(path))
     say(f"recording to {shown}; replay with: fleet-tui replay {shlex.quote(shown)}")
     watch = _Watch(recorder, say, is_live)
-    with _ended_by_signals():
+    with ended_by_signals():
         try:
             with (
                 history_of(state_folder(), config, store, origin),
@@ -169,7 +170,7 @@ def record(
     return FINE if watch.had_link else NO_LINK
 
 
-def _watching(config: Config) -> Config:
+def only_watching(config: Config) -> Config:
     """Return the configuration of a console that only watches. Before a file is created: raises ConfigError
     for an unsafe secret."""
     config = watching(config)

@@ -21,6 +21,7 @@ CREATE TABLE orders (
   queued REAL NOT NULL, begun REAL, ended REAL, stage TEXT NOT NULL, reason TEXT NOT NULL,
   operator TEXT NOT NULL, run TEXT NOT NULL, request INTEGER);
 CREATE INDEX orders_by_time ON orders (queued);
+CREATE INDEX orders_by_end ON orders (ended, way, robot, stage, begun);
 CREATE INDEX orders_by_robot ON orders (robot, queued);
 CREATE INDEX orders_open ON orders (robot, name) WHERE ended IS NULL;
 CREATE TABLE commands (
@@ -44,6 +45,9 @@ CREATE TABLE hours (
   PRIMARY KEY (robot, hour, activity)) WITHOUT ROWID;
 CREATE TABLE charges (
   robot TEXT NOT NULL, at REAL NOT NULL, percent REAL NOT NULL, PRIMARY KEY (robot, at)) WITHOUT ROWID;
+CREATE TABLE charge_hours (
+  robot TEXT NOT NULL, hour INTEGER NOT NULL, low REAL NOT NULL, last REAL NOT NULL,
+  PRIMARY KEY (robot, hour)) WITHOUT ROWID;
 CREATE TABLE notes (at REAL NOT NULL, operator TEXT NOT NULL, text TEXT NOT NULL);
 CREATE INDEX notes_by_time ON notes (at);
 """
@@ -108,6 +112,12 @@ def opened_to_read(path: Path) -> Iterator[sqlite3.Connection]:
         sqlite3.connect(f"{path.absolute().as_uri()}?mode=ro", uri=True, timeout=BUSY_MS / 1000)
     ) as database:
         yield database
+
+
+def is_empty(database: sqlite3.Connection) -> bool:
+    """Tell whether its first writer has not made its tables yet. Raises sqlite3.Error."""
+    (version,) = database.execute("PRAGMA user_version").fetchone()
+    return bool(version == 0)
 
 
 def is_damaged(problem: sqlite3.Error) -> bool:

@@ -1,7 +1,7 @@
 """Reads a history, also while a console writes it."""
 
 import sqlite3
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from typing import Any, TypeVar
 
 from msgspec import Struct
@@ -12,6 +12,11 @@ from fleet_tui.rules.history.observing import HOUR
 
 S = TypeVar("S", bound=Struct)
 
+OBSERVED = (
+    "robot IN (SELECT DISTINCT robot FROM hours WHERE hour >= :since / 3600 - 1 AND hour <= :until / 3600)"
+)
+"""Limits a query to the robots that were observed in a time: their name is the first column of the keys."""
+
 MOST = 100_000
 """Rows of one answer at most, the newest."""
 
@@ -21,11 +26,15 @@ class History:
     sqlite3.Error."""
 
     def __init__(self, database: sqlite3.Connection) -> None:
-        self._database = database
+        self.database = database
 
-    def orders(self, since: float, until: float, robot: str = "") -> list[PastOrder]:
-        """Return the orders that were queued, driven or ended in a time."""
-        wanted = "(queued < :until AND (ended IS NULL OR ended >= :since))"
+    def orders(
+        self, since: float, until: float, robot: str = "", stages: Collection[str] = ()
+    ) -> list[PastOrder]:
+        """Return the orders that were queued, driven or ended in a time; with `stages` those ended so."""
+        wanted = "queued < :until AND (ended IS NULL OR ended >= :since)"
+        if stages:
+            wanted = f"ended >= :since AND ended < :until{_at(stages)}"
         return self._rows(PastOrder, "orders", ORDER, wanted, "queued", since, until, robot)
 
     def alarms(self, since: float, until: float, robot: str = "") -> list[AlarmLife]:
@@ -33,36 +42,47 @@ class History:
         wanted = "(raised < :until AND (ended IS NULL OR ended >= :since))"
         return self._rows(AlarmLife, "alarms", ALARM, wanted, "raised", since, until, robot, "source")
 
-    def commands(self, since: float, until: float, robot: str = "") -> list[PastCommand]:
-        """Return the commands that were given in a time."""
-        wanted = "at >= :since AND at < :until"
+    def commands(
+        self, since: float, until: float, robot: str = "", stages: Collection[str] = ()
+    ) -> list[PastCommand]:
+        """Return the commands that were given in a time, with `stages` only those that ended so."""
+        wanted = f"at >= :since AND at < :until{_at(stages)}"
         return self._rows(PastCommand, "commands", COMMAND, wanted, "at", since, until, robot)
 
     def links(self, since: float, until: float) -> list[LinkChange]:
         """Return the changes of links in a time, and the last one of each before it."""
         before = "SELECT max(at), link, is_up, reason FROM links WHERE at < ? GROUP BY link"
         within = "SELECT at, link, is_up, reason FROM links WHERE at >= ? AND at < ? ORDER BY at"
-        rows = [*self._database.execute(before, (since,)), *self._database.execute(within, (since, until))]
+        rows = [*self.database.execute(before, (since,)), *self.database.execute(within, (since, until))]
         return [LinkChange(link, at, bool(is_up), reason) for at, link, is_up, reason in rows]
 
     def notes(self, since: float, until: float) -> list[Note]:
         """Return the remarks of operators in a time."""
-        rows = self._database.execute(
+        rows = self.database.execute(
             "SELECT at, operator, text FROM notes WHERE at >= ? AND at < ? ORDER BY at", (since, until)
         )
         return [Note(*row) for row in rows]
 
     def robots(self, since: float, until: float) -> list[str]:
         """Return the names of the robots that were observed in a time."""
-        rows = self._database.execute(
+        rows = self.database.execute(
             "SELECT DISTINCT robot FROM hours WHERE hour >= ? AND hour <= ?",
             (int(since // HOUR), int(until // HOUR)),
         )
         return [row[0] for row in rows]
 
+    def watched_until(self) -> float | None:
+        """Return when anybody last observed a robot, None for never."""
+        (last,) = self.database.execute("SELECT max(hour) FROM hours").fetchone()
+        if last is None:
+            return None
+        query = f"SELECT max(ended) FROM spans WHERE {OBSERVED} AND began >= :since - 3600.0"
+        (ended,) = self.database.execute(query, {"since": last * HOUR, "until": (last + 1) * HOUR}).fetchone()
+        return None if ended is None else float(ended)
+
     def spans(self, robot: str, since: float, until: float) -> list[Span]:
         """Return what a robot did in a time, cut at full hours; the first may have begun before."""
-        rows = self._database.execute(
+        rows = self.database.execute(
             "SELECT robot, activity, began, ended, floor, x, y FROM spans"
             " WHERE robot = ? AND began > ? AND began < ? AND ended >= ? ORDER BY began",
             (robot, since - HOUR, until, since),
@@ -71,7 +91,7 @@ class History:
 
     def blocked(self, since: float, until: float) -> list[Span]:
         """Return the times in which any robot was blocked."""
-        rows = self._database.execute(
+        rows = self.database.execute(
             "SELECT robot, activity, began, ended, floor, x, y FROM spans"
             " WHERE activity = 'blocked' AND began > ? AND began < ? AND ended >= ? ORDER BY began",
             (since - HOUR, until, since),
@@ -80,7 +100,7 @@ class History:
 
     def seconds(self, robot: str, since: float, until: float) -> dict[int, dict[Activity, float]]:
         """Return the seconds of each activity of a robot by hour (Unix seconds // 3600), whole hours."""
-        rows = self._database.execute(
+        rows = self.database.execute(
             "SELECT hour, activity, seconds FROM hours WHERE robot = ? AND hour >= ? AND hour <= ?",
             (robot, int(since // HOUR), int(until // HOUR)),
         )
@@ -91,7 +111,7 @@ class History:
 
     def charges(self, robot: str, since: float, until: float) -> list[Charge]:
         """Return the battery of a robot in a time."""
-        rows = self._database.execute(
+        rows = self.database.execute(
             "SELECT robot, at, percent FROM charges WHERE robot = ? AND at >= ? AND at < ? ORDER BY at",
             (robot, since, until),
         )
@@ -112,7 +132,7 @@ class History:
         of_robot = f" AND {named} = :robot" if robot else ""
         query = f"SELECT {', '.join(columns)} FROM {table} WHERE {wanted}{of_robot} ORDER BY {by} DESC"
         values = {"since": since, "until": until, "robot": robot}
-        rows: Iterator[Any] = self._database.execute(f"{query} LIMIT {MOST}", values)
+        rows: Iterator[Any] = self.database.execute(f"{query} LIMIT {MOST}", values)
         return [kind(*row) for row in rows][::-1]
 
 
@@ -122,6 +142,12 @@ ALARM = (
     *("operator", "count"),
 )
 COMMAND = ("at", "operator", "robot", "what", "way", "stage", "reason")
+
+
+def _at(stages: Collection[str]) -> str:
+    """Return a condition on stages, which are words of this program."""
+    quoted = ", ".join(f"'{stage}'" for stage in sorted(stages))
+    return f" AND stage IN ({quoted})" if stages else ""
 
 
 def _span(row: Sequence[Any]) -> Span:

@@ -14,6 +14,8 @@ from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from msgspec import structs
+
 from fleet_tui.audit.entries import Origin, alarm_records, command_records
 from fleet_tui.audit.file import FILE_NAME
 from fleet_tui.config.schema import Config, HistoryConfig
@@ -24,8 +26,9 @@ from fleet_tui.history.database import (
     put_aside,
     transaction,
 )
+from fleet_tui.history.pruning import DAY, shrink
 from fleet_tui.history.rebuilding import rebuild
-from fleet_tui.history.writing import end_unseen, prune, write
+from fleet_tui.history.writing import end_unseen, end_unseen_alarms, write
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Note
@@ -39,11 +42,8 @@ EVERY = 1.0
 WAITING = 50_000
 """Facts that wait for a writable disk; of more the oldest are lost, and counted."""
 PRUNE_EVERY = 3600.0
-DAY = 86_400.0
 LAST_CHANCE = 1.0
 """Seconds at the end after which an unresponsive disk is given up."""
-PARTS = (1.0, 0.75, 0.5, 0.25, 0.1)
-"""Parts of the days that are kept, until the file is small enough."""
 MOVES_CLOCK = 3600.0
 """Seconds by which a clock may jump before nothing is removed by its time any more."""
 
@@ -62,6 +62,7 @@ class HistoryWriter:
         self._lock: int | None = None
         self._observer = Observer()
         self._seen: set[str] = set()
+        self._has_ended_alarms = False
         self._pruned = -PRUNE_EVERY
         self._clock = time.time() - time.monotonic()
         self._closing = threading.Event()
@@ -114,7 +115,11 @@ class HistoryWriter:
 
     def _collect(self) -> None:
         """Take what happened since the last time."""
-        observes = self._observes()
+        observed, observes = self._lock is not None, self._observes()
+        if observes and not observed:  # what another console raised goes on here
+            state, wall = self._store.state, time.time()
+            before = structs.replace(state, alarms=())
+            self._facts.extend(alarm_records(self._origin, before, state, wall))
         while self._changes:
             before, after, at, wall = self._changes.popleft()
             for record in command_records(self._origin, before, after, partial(_wall, at, wall)):
@@ -178,9 +183,14 @@ class HistoryWriter:
         return self._database
 
     def _end_unseen(self, database: sqlite3.Connection) -> None:
-        """At the first queue of a robot: end what ended unobserved."""
+        """Of what was open when nobody watched end all alarms, and the orders that no queue lists."""
+        if self._lock is None:
+            return
+        if not self._has_ended_alarms:
+            end_unseen_alarms(database, time.time())
+            self._has_ended_alarms = True
         for robot in self._store.state.robots.values():
-            if robot.queue is not None and robot.name not in self._seen and self._lock is not None:
+            if robot.queue is not None and robot.name not in self._seen:
                 end_unseen(database, robot.name, set(robot.traces))
                 self._seen.add(robot.name)
 
@@ -209,23 +219,11 @@ class HistoryWriter:
         wall = time.time()
         if abs(wall - now - self._clock) > MOVES_CLOCK:
             return
-        for part in PARTS:
-            with transaction(database):
-                prune(database, wall - part * self._config.days * DAY)
-            database.execute("PRAGMA incremental_vacuum").fetchall()
-            if _bytes_of(database) <= self._config.megabytes * 1e6:
-                return
+        shrink(database, wall, self._config)
 
 
 def _wall(now: float, wall: float, at: float) -> float:
     return wall - (now - at)
-
-
-def _bytes_of(database: sqlite3.Connection) -> int:
-    (pages,), (size,) = (
-        database.execute(f"PRAGMA {name}").fetchone() for name in ("page_count", "page_size")
-    )
-    return int(pages) * int(size)
 
 
 @contextmanager

@@ -20,9 +20,7 @@ def write(database: sqlite3.Connection, fact: Fact | Note | AuditRecord, run: st
         case Span():
             _write_span(database, fact)
         case Charge():
-            database.execute(
-                "INSERT OR REPLACE INTO charges VALUES (?, ?, ?)", (fact.robot, fact.at, fact.percent)
-            )
+            _write_charge(database, fact)
         case OrderChange():
             _write_order(database, fact, run, operator if fact.request is not None else "")
         case LinkChange():
@@ -51,6 +49,17 @@ def _write_span(database: sqlite3.Connection, span: Span) -> None:
         "INSERT INTO hours VALUES (?, ?, ?, ?)"
         " ON CONFLICT DO UPDATE SET seconds = seconds + excluded.seconds",
         (span.robot, int(span.began // HOUR), span.activity.value, new),
+    )
+
+
+def _write_charge(database: sqlite3.Connection, charge: Charge) -> None:
+    database.execute(
+        "INSERT OR REPLACE INTO charges VALUES (?, ?, ?)", (charge.robot, charge.at, charge.percent)
+    )
+    database.execute(
+        "INSERT INTO charge_hours VALUES (?, ?, ?, ?)"
+        " ON CONFLICT DO UPDATE SET low = min(low, excluded.low), last = excluded.last",
+        (charge.robot, int(charge.at // HOUR), charge.percent, charge.percent),
     )
 
 
@@ -104,6 +113,17 @@ def end_unseen(database: sqlite3.Connection, robot: str, still: set[str]) -> Non
             )
 
 
+def end_unseen_alarms(database: sqlite3.Connection, at: float) -> None:
+    """End the alarms that were held when their console ended, at a moment or when anybody last watched: such
+    an alarm never returned."""
+    database.execute(
+        "UPDATE alarms SET ended = max(raised, min(:at, coalesce((SELECT max(ended) FROM spans), :at)))"
+        " WHERE ended IS NULL AND returned IS NULL",
+        {"at": at},
+    )
+    database.execute("UPDATE alarms SET ended = returned WHERE ended IS NULL")
+
+
 def write_record(database: sqlite3.Connection, record: AuditRecord) -> None:
     """Write a record of the audit log: a step of a command or of an alarm."""
     at = datetime.fromisoformat(record.time).timestamp()
@@ -150,17 +170,3 @@ def _write_alarm(database: sqlite3.Connection, record: AuditRecord, at: float) -
     if "cleared" in change:
         database.execute("UPDATE alarms SET ended = ?, returned = coalesce(returned, ?)" + said, (at, at))
     database.execute("UPDATE alarms SET count = max(count, ?)" + said, (record.count,))
-
-
-def prune(database: sqlite3.Connection, before: float) -> None:
-    """Remove what is older than a moment, and give its space back."""
-    for table, column in (
-        *(("orders", "queued"), ("commands", "at"), ("alarms", "raised")),
-        *(("links", "at"), ("notes", "at")),
-    ):
-        database.execute(f"DELETE FROM {table} WHERE {column} < ?", (before,))
-    for table, column in (("spans", "began"), ("charges", "at")):
-        # By robot: so the tables need no further index, which would be as large as they are.
-        robots = "robot IN (SELECT DISTINCT robot FROM hours)"
-        database.execute(f"DELETE FROM {table} WHERE {robots} AND {column} < ?", (before,))
-    database.execute("DELETE FROM hours WHERE hour < ?", (int(before // HOUR),))

@@ -60,6 +60,11 @@ class RouteGraph(Struct, frozen=True, dict=True):
                 found[edge.end].append((edge.start, length))
         return {id_: tuple(ways) for id_, ways in found.items()}
 
+    @cached_property
+    def chargers(self) -> tuple[Vertex, ...]:
+        """Return the vertices at which robots charge."""
+        return tuple(vertex for vertex in self.vertices.values() if vertex.role is Role.DOCKING)
+
     def path(self, start: str, end: str) -> tuple[str, ...]:
         """The shortest path as vertex ids, both ends included; empty if none exists."""
         if start not in self.vertices or end not in self.vertices:

@@ -144,12 +144,13 @@ def _choose_robot(screen: "MainScreen", number: int) -> None:
 
 
 def _next_trouble(screen: "MainScreen") -> None:
-    robot = next_in_trouble(screen.store.state, screen.navigation.robot)
+    state, marked = screen.store.state, screen.alarms.listing.cursor
+    robot = next_in_trouble(state, screen.navigation.robot, marked)
     if robot:
         screen.navigation.find_robot(robot)
     else:
         # Those of links: their robots have none of their own.
-        others = [f"{one.condition.source} {one.text}" for one in screen.store.state.alarms if one.holds]
+        others = [f"{one.condition.source} {one.text}" for one in state.alarms if one.holds]
         screen.notices.say(sanitize(others[0]) if others else "no robot has an alarm, all have a pose")
 
 

@@ -29,7 +29,7 @@ from fleet_tui.state.store import Store
 from fleet_tui.view.lines.commands import message_line
 from fleet_tui.view.lines.hints import hidden_keys, idle_hints, other_alarmed
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.alarms import alarm_table, unacknowledged
+from fleet_tui.view.tables.alarms import alarm_of, alarm_table, unacknowledged
 from fleet_tui.view.tables.fleet import fleet_table
 from fleet_tui.view.tables.queue import queue_table
 from fleet_tui.view.tables.recent import recent_table
@@ -144,7 +144,7 @@ class MainScreen(Screen[None]):
         if pane is self.fleet:
             return fleet_table(state, robot, *arranged)
         if pane is self.alarms:
-            return alarm_table(state, self.settings.clock, *arranged)
+            return alarm_table(state, self.settings.clock, *arranged, pane.listing.cursor)
         return queue_table(state, robot, self.shows_all_orders, *arranged)
 
     def show_rows(self, pane: RowsPane, sought: str = "") -> None:
@@ -156,7 +156,7 @@ class MainScreen(Screen[None]):
 
     def _show_hints(self, state: FleetState, robot: str) -> None:
         pane = Pane.ANYWHERE if self._in_overlay() else self.focused_pane()
-        idle = idle_hints(state) | (self.rest.snap.idle_keys if self.is_complete else set())
+        idle = idle_hints(state, robot) | (self.rest.snap.idle_keys if self.is_complete else set())
         about = self.focused.KEY if isinstance(self.focused, RobotOverlay) else ""
         hidden = hidden_keys(state, robot) | idle | self.unoffered | {about}
         focused = (self.focused and self.focused.id) or ""
@@ -167,9 +167,8 @@ class MainScreen(Screen[None]):
     def _mark_robot(self, robot: str) -> None:
         """Put the cursors of fleet and alarms on a robot; they are drawn with the next rows."""
         self.fleet.listing.cursor = robot
-        # An acknowledgement after a choice means that robot.
-        for key in [one for one in unacknowledged(self.store.state) if one[0] == robot][:1]:
-            self.alarms.listing.cursor = key
+        if (key := alarm_of(self.store.state, robot)) is not None:
+            self.alarms.listing.cursor = key  # an acknowledgement after a choice means that robot
 
     def _show_floor(self, state: FleetState) -> None:
         from fleet_tui.screens.ordering.route_line import show_route

@@ -22,7 +22,7 @@ LINES = [
     ('fleet-tui gr""', {"graph"}),
     ('fleet-tui graph ""', {"lint", "diff", "convert", "show"}),
     ('fleet-tui graph convert --t""', {"--to"}),
-    ('fleet-tui graph convert --to rmf""', {"rmf", "rmf-building"}),
+    ('fleet-tui graph convert --to rmf""', {"rmf"}),
     ('fleet-tui demo --kind ""', {"oh_ressources", "nav2", "move_base", "mixed"}),
     ('fleet-tui docs status""', {"status-json"}),
     ('fleet-tui completion ""', {"bash", "zsh", "fish"}),

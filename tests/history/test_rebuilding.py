@@ -44,7 +44,7 @@ def rebuilt(folder: Path, *records: AuditRecord, since: float = 0.0) -> History:
 
 def test_commands_orders_and_alarms_come_back(tmp_path: Path) -> None:
     found = rebuilt(tmp_path, *LIFE)
-    with closing(found._database):
+    with closing(found.database):
         (command,), (order,), (alarm,) = found.commands(*ALL), found.orders(*ALL), found.alarms(*ALL)
         assert (command.stage, command.way, command.operator) == ("done", "Base -> 2", "ana")
         assert (order.order, order.queued, order.ended, order.stage) == ("7", 101.0, 110.0, "done")
@@ -55,14 +55,14 @@ def test_commands_orders_and_alarms_come_back(tmp_path: Path) -> None:
 def test_what_is_not_ours_stays_away(tmp_path: Path) -> None:
     foreign = [step(100.0, "sent", robot="robot_9"), replace(LIFE[0], demo=True)]
     found = rebuilt(tmp_path, *foreign, step(5.0, "sent"), since=50.0)
-    with closing(found._database):
+    with closing(found.database):
         assert found.commands(*ALL) == []
 
 
 def test_a_torn_log_gives_what_is_readable(tmp_path: Path) -> None:
     (tmp_path / FILE_NAME).write_bytes(b'{"version":2,"time":"20')
     found = rebuilt(tmp_path, *LIFE)
-    with closing(found._database):
+    with closing(found.database):
         assert len(found.commands(*ALL)) == 1
 
 

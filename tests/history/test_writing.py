@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from fleet_tui.history.database import SCHEMA, open_to_write
 from fleet_tui.history.reading import History
-from fleet_tui.history.writing import UNSEEN, end_unseen, prune, write
+from fleet_tui.history.writing import UNSEEN, end_unseen, end_unseen_alarms, write
 from fleet_tui.model.history.facts import Activity, Charge, LinkChange, Note, OrderChange, Span
 from fleet_tui.rules.history.observing import HOUR, Fact
 from tests.support.records import ANA
@@ -60,6 +60,20 @@ def test_what_ended_unobserved_is_said_and_what_is_still_listed_goes_on(database
     assert [(order.order, order.stage, order.ended) for order in History(database).orders(*ALL)] == [
         ("7", UNSEEN, 12.0),
         ("8", "queued", None),
+    ]
+
+
+def test_an_alarm_of_a_console_that_was_killed_ends_when_anybody_last_watched(
+    database: sqlite3.Connection,
+) -> None:
+    for source, at in (("before", 50.0), ("after", 90.0)):
+        told = {"kind": "alarm", "what": "stuck", "robot": source, "priority": "high"}
+        write(database, ANA.record(at, change="raised", **told), "run1", "ana")
+    put(database, Span("robot_0", Activity.DRIVING, 10.0, 80.0))
+    end_unseen_alarms(database, 1000.0)
+    assert [(one.returned, one.ended) for one in History(database).alarms(*ALL)] == [
+        (None, 80.0),
+        (None, 90.0),
     ]
 
 
@@ -143,25 +157,3 @@ def test_an_alarm_from_raised_to_cleared_and_raised_once_more(database: sqlite3.
     assert (first.raised, first.acknowledged, first.returned, first.ended) == (100.0, 103.0, 104.0, 104.0)
     assert (first.operator, first.priority, first.count) == ("ana", "high", 2)
     assert (second.raised, second.acknowledged, second.ended) == (200.0, None, None)
-
-
-def test_what_is_too_old_goes_from_every_table(database: sqlite3.Connection) -> None:
-    facts = [
-        fact
-        for at in (HOUR, 9 * HOUR)
-        for fact in (
-            change("done", at),
-            Span("robot_0", Activity.DRIVING, at, at + 5),
-            Charge("robot_0", at, 80.0),
-            LinkChange("rosbridge", at, True),
-            Note(at, "ana", "x"),
-        )
-    ]
-    found = put(database, *facts)
-    alarm(database, "raised", HOUR)
-    write(database, ANA.record(HOUR, kind="command", what="pause", change="sent", id=1), "run1", "ana")
-    prune(database, 5 * HOUR)
-    assert (found.commands(*ALL), found.alarms(*ALL)) == ([], [])
-    assert {len(rows) for rows in (found.orders(*ALL), found.links(*ALL), found.notes(*ALL))} == {1}
-    assert {len(found.spans("robot_0", *ALL)), len(found.charges("robot_0", *ALL))} == {1}
-    assert list(found.seconds("robot_0", *ALL)) == [9]

@@ -94,6 +94,14 @@ class Browser:
         bar = "document.getElementById('notice')"
         return str(await self.evaluate(f"{bar}.hidden ? '' : {bar}.innerText"))
 
+    async def until_true(self, code: str) -> None:
+        """Wait until JavaScript holds in the page."""
+
+        async def look() -> str:
+            return str(bool(await self.evaluate(f"Boolean({code})")))
+
+        await self._until(look, lambda text: text == "True")
+
     async def shows(self, detail: str) -> str:
         return await self._until(self.text, lambda text: detail in text)
 

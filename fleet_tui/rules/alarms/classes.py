@@ -79,6 +79,13 @@ CLASSES = {
         "Pause it and set its pose; without a pose check its localisation",
         2,
     ),
+    "navigation": AlarmClass(
+        "medium",
+        "the robot reports, but its navigation gives no feedback on the current order any more",
+        "the order is not carried out, and cancelling it has no effect",
+        "Restart the robot's navigation, then give the order again",
+        5,
+    ),
     "held": AlarmClass(
         "low",
         "orders wait in this console; medium if another client took over the robot",
@@ -102,7 +109,7 @@ CLASSES = {
     ),
     "battery": AlarmClass(
         "low",
-        "below `battery_low`; medium below `battery_critical`",
+        "below `battery_low`, at a charger for half an hour; medium below `battery_critical`",
         "the robot may stop on its way",
         "Send it to a charger",
         20,

@@ -4,6 +4,7 @@ A rule returns None while all is well. `active` are the conditions of the last c
 its dead band, and conditions from before a link loss continue.
 """
 
+import math
 from collections.abc import Iterator
 
 from fleet_tui.model.alarm import Condition, Priority
@@ -12,7 +13,9 @@ from fleet_tui.model.link import NO_WAY, LinkState, Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
 from fleet_tui.rules.alarms.navigation import NAVIGATION_RULES
+from fleet_tui.rules.battery.charging import charger_of
 from fleet_tui.rules.commands.failures import failed_commands
+from fleet_tui.rules.feedback import feedback_ceased_at
 from fleet_tui.rules.lag import BEHIND
 from fleet_tui.text.durations import age, duration
 
@@ -22,6 +25,8 @@ over."""
 BEHIND_FOR = 2.0
 """Seconds for which the console or a bridge must be behind: a map may take a moment."""
 OVERLOADED = "bridge overloaded: use fewer topics, lower rates or a second bridge"
+CHARGES_WITHIN = 1800.0
+"""Seconds at a charger after which a battery that is still low needs a person."""
 STILL = 2.0
 """Seconds without a step after which a robot counts as standing."""
 
@@ -40,7 +45,7 @@ def obstacle(state: FleetState, robot: Robot, _active: ActiveConditions) -> Cond
 
 
 def battery(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
-    """Raise below a limit, or until above its dead band."""
+    """Raise below a limit, or until above its dead band; at a charger only if that does not help."""
     limits, reading = state.limits, robot.battery
     if reading is None or reading.value >= limits.battery_low + limits.battery_band:
         return None
@@ -53,8 +58,12 @@ def battery(state: FleetState, robot: Robot, active: ActiveConditions) -> Condit
     text = f"battery {int(reading.value)} %"
     if state.is_old(robot, "battery"):
         text += f", {age(state.now - reading.at)} ago"
+    due = -math.inf
+    if robot.standing is not None and charger_of(state, robot) is not None:
+        due = robot.standing.at + CHARGES_WITHIN
+        text += f" after {age(state.now - robot.standing.at)} at the charger"
     priority = Priority.MEDIUM if reading.value < critical else Priority.LOW
-    return Condition(robot.name, "battery", priority, text, "battery recovered")
+    return Condition(robot.name, "battery", priority, text, "battery charging or recovered", due)
 
 
 def pause(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
@@ -87,6 +96,7 @@ def stuck(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
     known = state.is_fresh(robot, "pose")
     # An obstacle explains it only where that is an alarm: contact that comes and goes may never be one.
     explained = not known or obstacle(state, robot, active) is not None
+    explained = explained or feedback_ceased_at(state, robot) is not None
     if explained and not was_active(active, robot.name, robot.link, "stuck"):
         return None
     text = f"{'paused, ' * is_paused}no movement for {age(state.now - place.at)} (order {order.id})"

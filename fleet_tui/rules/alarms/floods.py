@@ -29,6 +29,7 @@ FLOODS = {
     "stuck": Flood("with an order, not moving", "no longer stuck", Priority.MEDIUM),
     "pause": Flood("in a long pause", "pauses ended", Priority.LOW),
     "localisation": Flood("unsure of their position", "localisation recovered", Priority.MEDIUM),
+    "navigation": Flood("with silent navigation", "navigation reports again", Priority.MEDIUM),
     "data": Flood("with bad data", "no new bad data", Priority.LOW),
 }
 

@@ -1,4 +1,4 @@
-"""Alarm rules for navigating robots: blocked, lost on its map, orders held or failed."""
+"""Alarm rules for navigating robots: blocked, lost on its map, silent, orders held or failed."""
 
 from fleet_tui.model.alarm import Condition, Priority
 from fleet_tui.model.commands import Stage
@@ -8,6 +8,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
 from fleet_tui.rules.commands.failures import FAILED_FOR
 from fleet_tui.rules.commands.local_queue import HELD_BY_OTHERS, orders_to_save
+from fleet_tui.rules.feedback import feedback_ceased_at
 from fleet_tui.text.details import detail_text
 from fleet_tui.text.durations import age
 
@@ -68,6 +69,15 @@ def held_orders(state: FleetState, robot: Robot, _active: ActiveConditions) -> C
     return Condition(robot.name, "held", priority, text, "orders resumed")
 
 
+def silent(state: FleetState, robot: Robot, _active: ActiveConditions) -> Condition | None:
+    """Raise once the feedback on the current order has ceased: its navigation crashed, or was stopped."""
+    since, order = feedback_ceased_at(state, robot), robot.orders.current
+    if since is None or order is None:
+        return None
+    text = f"navigation silent for {age(state.now - since)} (order {order.id})"
+    return Condition(robot.name, "navigation", Priority.MEDIUM, text, "navigation reports again")
+
+
 def failed_order(state: FleetState, robot: Robot, _active: ActiveConditions) -> Condition | None:
     """Raise shortly after an order of another client failed: those of this console are commands."""
     last = robot.gone[-1] if robot.gone else None
@@ -80,4 +90,4 @@ def failed_order(state: FleetState, robot: Robot, _active: ActiveConditions) -> 
     return Condition(robot.name, "order", Priority.MEDIUM, found, text, parts=frozenset({last.order.id}))
 
 
-NAVIGATION_RULES = (blocked, not_sure_where, held_orders, failed_order)
+NAVIGATION_RULES = (blocked, not_sure_where, silent, held_orders, failed_order)

@@ -30,7 +30,7 @@ def _concerned(state: FleetState, stage: AlarmStage) -> frozenset[str]:
 
 
 def _robots(state: FleetState, alarms: Iterable[Alarm]) -> frozenset[str]:
-    named = {name for one in alarms for name in (one.condition.source, *one.condition.parts)}
+    named = {name for one in alarms for name in _whose(one)}
     return frozenset(named & state.robots.keys())
 
 
@@ -42,17 +42,31 @@ def urgency(alarm: Alarm) -> tuple[bool, bool, bool, int]:
     return is_shelved, is_over, not alarm.needs_acknowledgement, priority
 
 
-def next_in_trouble(state: FleetState, after: str) -> str:
-    """Return the next robot in trouble after this one, in the order of the alarms pane and around its end; if
-    none is, one whose alarm is shelved or whose pose is missing; empty without one."""
-    troubled, silenced = in_trouble(state), shelved(state)
-    alarms = sorted(state.alarms, key=urgency)
-    names = [name for one in alarms for name in (one.condition.source, *sorted(one.condition.parts))]
-    names = list(dict.fromkeys(name for name in names if name in troubled)) or [
+def by_urgency(state: FleetState) -> list[str]:
+    """Return the robots in trouble in the order of the alarms pane."""
+    alarms, troubled = sorted(state.alarms, key=urgency), in_trouble(state)
+    return list(dict.fromkeys(name for one in alarms for name in _whose(one) if name in troubled))
+
+
+def next_in_trouble(state: FleetState, after: str, marked: object = None) -> str:
+    """Return the robot of the marked alarm. If `after` has it, or it is no robot's, return the next one in
+    the order of the alarms pane and around its end, of those that need a person while there are some; if none
+    is in trouble, one whose alarm is shelved or whose pose is missing; empty without one."""
+    troubled, known = by_urgency(state), acknowledged(state)
+    of_marked = {name for one in state.alarms if one.key == marked for name in _whose(one)}
+    if of_marked and after not in of_marked and (found := [name for name in troubled if name in of_marked]):
+        return found[0]
+    silenced = shelved(state)
+    names = [name for name in troubled if name not in known] or troubled
+    names = names or [
         name for name, robot in state.robots.items() if name in silenced or is_missing(state, robot, "pose")
     ]
     start = names.index(after) + 1 if after in names else 0
     return names[start % len(names)] if names else ""
+
+
+def _whose(alarm: Alarm) -> list[str]:
+    return [alarm.condition.source, *sorted(alarm.condition.parts)]
 
 
 def trouble_elsewhere(state: FleetState, floor: str) -> str:

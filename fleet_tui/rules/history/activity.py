@@ -8,7 +8,7 @@ from fleet_tui.rules.why.robot import charges
 
 MOVES_WITHIN = 2.0
 """Seconds without a change of its pose for which a robot still counts as driving: it turns, it brakes."""
-OBSTRUCTIONS = frozenset({"stuck", "obstacle"})
+OBSTRUCTIONS = frozenset({"stuck", "obstacle", "blocked", "navigation"})
 """Kinds of alarms of a robot that can't drive on."""
 
 

@@ -3,9 +3,12 @@
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
 from fleet_tui.rules.commands.local_queue import foreign, orders_to_save
+from fleet_tui.rules.feedback import feedback_ceased_at
 from fleet_tui.rules.why.reason import Reason, Strength, mission
+from fleet_tui.text.durations import age
 
 
 def blocked(state: FleetState, robot: Robot) -> Reason | None:
@@ -32,6 +35,21 @@ def not_sure_where(state: FleetState, robot: Robot) -> Reason | None:
     evidence = f"localisation uncertainty {2 * robot.variance.value**0.5:.1f} m: set the robot's pose"
     return Reason(
         "localisation uncertain", evidence, Strength.LIKELY, seen=robot.variance.at, keys=("pose", "centre")
+    )
+
+
+def silent(state: FleetState, robot: Robot) -> Reason | None:
+    """Report that its navigation gives no feedback on the current order any more."""
+    since, order = feedback_ceased_at(state, robot), robot.orders.current
+    if since is None or order is None:
+        return None
+    return Reason(
+        f"navigation silent for {age(state.now - since)}",
+        f"no feedback on {mission(robot, order)}, while the robot itself reports: its navigation server has "
+        "probably crashed, or was stopped",
+        Strength.LIKELY,
+        keys=("clear", "order"),
+        remedy=CLASSES["navigation"].action,
     )
 
 
@@ -65,4 +83,4 @@ def another_client(state: FleetState, robot: Robot) -> Reason | None:
     return Reason("driven by another client", evidence, Strength.POSSIBLE, keys=("cancel",))
 
 
-NAVIGATION_REASONS = (blocked, held, not_sure_where, recovering, another_client)
+NAVIGATION_REASONS = (blocked, held, silent, not_sure_where, recovering, another_client)

@@ -2,15 +2,14 @@
 
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState, obstacle_text
-from fleet_tui.model.graph import Role
 from fleet_tui.model.link import Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.classes import CLASSES
+from fleet_tui.rules.battery.charging import charger_of
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import STANDS_AFTER, own_pause_text
 from fleet_tui.rules.movement import JUMPS_WITHIN
 from fleet_tui.rules.why.reason import Reason, Strength, name_of, stationary_since
-from fleet_tui.rules.why.traffic import graph_here, vertex_here
 from fleet_tui.text.durations import age
 from fleet_tui.text.units import ago
 
@@ -137,14 +136,12 @@ def jumps(state: FleetState, robot: Robot) -> Reason | None:
 
 def charges(state: FleetState, robot: Robot) -> Reason | None:
     """Report that it is at a charger, is not full, and drives no order."""
-    graph, here, battery = graph_here(robot), vertex_here(robot), robot.battery
-    if graph is None or here is None or battery is None or robot.orders.current is not None:
-        return None
-    if graph.vertices[here].role is not Role.DOCKING or battery.value >= FULL:
+    charger, battery = charger_of(state, robot), robot.battery
+    if charger is None or battery is None or battery.value >= FULL:
         return None
     evidence = f"at the charger, battery {int(battery.value)} %, no order active"
     since = stationary_since(robot)
-    return Reason(f"charging at {name_of(robot, here)}", evidence, Strength.LIKELY, since, battery.at)
+    return Reason(f"charging at {name_of(robot, charger.id)}", evidence, Strength.LIKELY, since, battery.at)
 
 
 def battery(state: FleetState, robot: Robot) -> Reason | None:

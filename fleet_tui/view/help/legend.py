@@ -116,6 +116,7 @@ def _tables() -> tuple[HelpRow, ...]:
         ),
         SIGNS[AlarmStage.RETURNED]: (StyleRole.DIM, "alarm that is over, not acknowledged"),
         SIGNS[AlarmStage.SHELVED]: (StyleRole.DIM, "alarm put aside for a while; robot with such an alarm"),
+        "▲H": (StyleRole.ROBOT_ALARM, "high priority in a narrow table; ▲M medium, ▲L low"),
         "suppressed": (StyleRole.DIM, "alarms that another one stands for: of its group, or of its link"),
         NOT_OURS.strip(): (text, "an order that this console did not give"),
         "lost": (alarm, "an order that the robot no longer lists, and that nobody saw end"),

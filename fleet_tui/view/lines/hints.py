@@ -9,6 +9,7 @@ from fleet_tui.keys import BY_ID, KEYS, LISTS, Key, Pane, outdone
 from fleet_tui.keys.drive import PASSES
 from fleet_tui.keys.key import key_name
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.trouble import in_trouble
 from fleet_tui.text.sanitize import sanitize
@@ -32,9 +33,14 @@ def hidden_keys(state: FleetState, selected: str) -> set[str]:
     }
 
 
-def idle_hints(state: FleetState) -> set[str]:
-    """Return the ids of keys that the footer need not name now."""
+def idle_hints(state: FleetState, selected: str = "") -> set[str]:
+    """Return the ids of keys that the footer need not name now, without a link those of commands, too."""
     idle = set() if in_trouble(state) else {"next_trouble"}
+    reached = [one for one in state.robots.values() if state.links[one.link].phase is Phase.UP]
+    for key in KEYS:
+        meant = reached if key.of_any else [one for one in reached if one.name == selected]
+        if selected and key.commands and not meant:
+            idle.add(key.id)
     if not any(map(state.is_paused, state.robots.values())):
         idle.add("resume_all")
     return idle if unacknowledged(state) else {*idle, "acknowledge"}
@@ -110,8 +116,11 @@ def footer(
     if "acknowledge" in {key.id for key in left} - {key.id for key, *_ in at_left}:
         # An alarm to acknowledge is rarer than the palette, and known by its row.
         at_right = at_right[:1]
-        left = [BY_ID[key.id] if key.id == "acknowledge" else key for key in left]
-        at_left = _whole(left, keys, width - sum(size for _, _, size in at_right))
+        shorter = [BY_ID[key.id] if key.id == "acknowledge" else key for key in left]
+        at_left = max(
+            (_whole(some, keys, width - sum(size for _, _, size in at_right)) for some in (left, shorter)),
+            key=len,
+        )
     gap = width - sum(size for _, _, size in (*at_left, *at_right))
     runs: list[Run] = []
     buttons = []

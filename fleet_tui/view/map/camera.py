@@ -96,6 +96,10 @@ class Camera:
         """Return the camera with the same centre in a view of another size in cells."""
         return replace(self, width=width, height=height)
 
+    def at_scale_of(self, other: "Camera", frame: MapFrame, own: MapFrame) -> "Camera":
+        """Return the camera with the metres per dot of another one, over a map of that `frame`."""
+        return replace(self, scale=other.scale * frame.resolution / own.resolution)
+
     def followed(self, column: float, row: float, area: Area) -> "Camera":
         """Return the camera unchanged while the point is near the middle, else centred on it within the area,
         each axis for itself: at the floor's edge the point stays far from the middle of one.

@@ -55,13 +55,19 @@ class Viewport:
     _moved: dict[str, tuple[Camera, MapFrame]] = field(default_factory=dict)
     _fitted: "dict[str, _Fitted]" = field(default_factory=dict)
     _part: Camera | None = None
+    _followed: str = ""
+    """The floor on which a robot was followed last."""
 
     def camera(self, scene: Scene) -> Camera:
         """Return the camera for the scene's floor, after following the selected robot."""
         camera = self._camera(scene)
         target = self._robot_pixel(scene) if self.follow else None
         if target is None:
+            self._followed = self._followed if self.follow else ""
             return camera
+        if self._followed != scene.floor and self._followed in self._moved:
+            camera = self._keep(scene, camera.at_scale_of(*self._moved[self._followed], scene.frame))
+        self._followed = scene.floor
         followed = camera.followed(*target, _area(scene))
         if followed != camera:
             self._keep(scene, followed)

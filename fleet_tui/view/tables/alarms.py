@@ -1,6 +1,6 @@
 """The alarm pane: conditions that need a person, and unacknowledged alarms."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from textwrap import wrap
 
 from msgspec.structs import replace
@@ -32,7 +32,7 @@ REST_AT, LEAST_REST = 2, 10
 """Cells before the rest of a long text, and those that each of its lines has at least."""
 UNBOUNDED = 10_000
 FEW = 4
-"""Alarms up to which the first has its advice in view."""
+"""Alarms up to which one of them has its advice in view."""
 
 
 def _role(alarm: Alarm) -> StyleRole:
@@ -50,13 +50,8 @@ def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float],
     if alarm.stage is AlarmStage.SHELVED:
         shelf = f" until {clock(state.wall + alarm.shelved_until - state.now)}"
     is_wide = width >= WITH_PRIORITY
-    sign = SIGNS[alarm.stage] if is_wide else SIGNS[alarm.stage][:1]
-    is_known = alarm.holds and alarm.stage is AlarmStage.ACKNOWLEDGED
-    runs: list[Run] = [(f"{sign}{shelf} ", StyleRole.WARN if is_known else role)]
-    if is_wide:
-        is_over = alarm.stage is AlarmStage.RETURNED
-        runs.append((f"{_PRIORITIES[alarm.condition.priority]} ", StyleRole.DIM if is_over else role))
     at = clock(_at(alarm))
+    runs = _signs(alarm, shelf, is_wide, role)
     runs.append((fit(alarm.condition.source, sources) + " ", StyleRole.TEXT))
     left = width - 1 - sum(cell_width(text) for text, _ in runs)
     text = _short(sanitize(alarm.text), left)
@@ -65,6 +60,18 @@ def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float],
     since = since if cell_width(text + since + count) <= left else ""
     runs += [(text, role), (since + count, StyleRole.DIM)]
     return Row(alarm.key, tuple(runs))
+
+
+def _signs(alarm: Alarm, shelf: str, is_wide: bool, role: StyleRole) -> list[Run]:
+    """Return stage and priority, in a narrow pane as a sign and a letter: of what is most urgent as a chip,
+    like a robot's on the map."""
+    sign, priority = SIGNS[alarm.stage], _PRIORITIES[alarm.condition.priority]
+    text = f"{sign}{shelf} {priority}" if is_wide else f"{sign[0]}{priority[0].upper()}{shelf}"
+    if alarm.needs_acknowledgement and alarm.holds and alarm.condition.priority is Priority.HIGH:
+        chip = text.rstrip()
+        return [(chip, StyleRole.ROBOT_ALARM), (text[len(chip) :] + " ", role)]
+    is_known = alarm.holds and alarm.stage is AlarmStage.ACKNOWLEDGED
+    return [(text + " ", StyleRole.WARN if is_known else role)]
 
 
 def _in_full(row: Row, alarm: Alarm, width: int) -> list[Row]:
@@ -103,6 +110,13 @@ def unacknowledged(state: FleetState) -> list[Key]:
     return [alarm.key for alarm in sorted(state.alarms, key=urgency) if alarm.needs_acknowledgement]
 
 
+def alarm_of(state: FleetState, robot: str) -> Key | None:
+    """Return the alarm of a robot that an acknowledgement means once it is selected: while some alarms need
+    one, only such an alarm."""
+    keys = unacknowledged(state) or [alarm.key for alarm in sorted(state.alarms, key=urgency)]
+    return next((key for key in keys if key[0] == robot), None)
+
+
 def _suppressed(state: FleetState) -> int:
     """Count the alarms that another one covers: of the robots in a group, and of those behind a link that is
     down."""
@@ -132,11 +146,12 @@ def alarm_table(
     clock: Callable[[float], str],
     width: int = UNBOUNDED,
     arrangement: RowArrangement | None = None,
+    marked: Hashable | None = None,
 ) -> Table:
     """Return every alarm for a pane of `width` cells, as arranged: those that hold, unacknowledged ones
     first, by priority; then those that are over; shelved ones last; oldest first. A row moves when it is
     acknowledged or shelved, and when it needs a person again. `clock` formats Unix seconds as a local
-    time."""
+    time. `marked` is the alarm that keys are for: of a few its advice is below them."""
     arrangement = arrangement or RowArrangement()
     alarms = arrangement.arranged(sorted(state.alarms, key=urgency), _values(clock))
     sources = column((alarm.condition.source for alarm in alarms), 7, 14 if width >= WITH_PRIORITY else 9)
@@ -145,7 +160,8 @@ def alarm_table(
     if len(alarms) == 1:
         rows = [*_in_full(rows[0], alarms[0], width), *_advice(alarms[0], width)]
     elif 1 < len(alarms) <= FEW:
-        rows = [*rows, *_advice(alarms[0], width, f"{sanitize(alarms[0].condition.source)}: ")]
+        meant = next((alarm for alarm in alarms if alarm.key == marked), alarms[0])
+        rows = [*rows, *_advice(meant, width, f"{sanitize(meant.condition.source)}: ")]
     title: list[Run] = [("Alarms", StyleRole.TITLE)]
     if state.unacknowledged:
         title.append((f" {state.unacknowledged} new", StyleRole.ALARM))

@@ -7,21 +7,23 @@ from functools import partial
 from fleet_tui.model.fleet import FleetState, is_missing, missing_text
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.alarms.trouble import acknowledged, in_trouble, shelved
+from fleet_tui.rules.alarms.trouble import acknowledged, by_urgency, shelved
 from fleet_tui.rules.commands.local_queue import all_orders
+from fleet_tui.rules.why.robot import charges
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import cell_width, fit
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrangement import RowArrangement, Value
-from fleet_tui.view.tables.fleet_columns import BAR, Columns, floor_text
+from fleet_tui.view.tables.battery import battery_bar, battery_run
+from fleet_tui.view.tables.fleet_columns import Columns, floor_text
+from fleet_tui.view.tables.fleet_counts import fleet_counts
 from fleet_tui.view.tables.missions import NOT_OURS, destinations, mission, whose_mission
 from fleet_tui.view.tables.news import failed_command, news, shortened_news
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, width_of
 
-CARGO, IDLE = "▪", "idle"
-HALF = 50.0
-"""Per cent from which a battery is not only enough, but good."""
+CARGO, IDLE, CHARGING = "▪", "idle", "charging"
+CALM = (IDLE, CHARGING)
 STILL_FROM = 5.0
 """Seconds from which a robot stands still."""
 LONG_STILL = 30.0
@@ -30,28 +32,6 @@ WHOLE_ROUTES = 26
 """Cells of the last column from which orders without a column of their own have their start, too."""
 SEEN_FROM = 2.0
 """Seconds from which the age of a robot's last message is shown."""
-
-
-def _battery(state: FleetState, robot: Robot) -> Run:
-    if robot.battery is None:
-        return "  - %" if "battery" in robot.kind.reports else " " * 5, StyleRole.DIM
-    percent = robot.battery.value
-    if not state.is_online(robot):
-        role = StyleRole.DIM
-    else:
-        high = StyleRole.GOOD if percent >= HALF else StyleRole.TEXT
-        role = StyleRole.ALARM if percent < state.limits.battery_low else high
-    # Rounded down: 19.6 is below 20, and must not read 20 in red.
-    return f"{int(percent):3d} %", role
-
-
-def _battery_bar(state: FleetState, robot: Robot) -> Run:
-    """Return the battery as a bar: quiet, unless it is low."""
-    if robot.battery is None or not math.isfinite(robot.battery.value):
-        return "", StyleRole.DIM
-    cells = math.ceil(min(max(robot.battery.value, 0.0), 100.0) / 100 * BAR)
-    role = _battery(state, robot)[1]
-    return "━" * cells + "┄" * (BAR - cells), role if role is StyleRole.ALARM else StyleRole.DIM
 
 
 def _signed(state: FleetState, robot: Robot, troubled: bool, shelved: bool) -> Run:
@@ -84,9 +64,9 @@ def _head(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: C
         (fit(robot.name, columns.name), StyleRole.ACCENT if selected else role),
     ]
     if columns.battery:
-        runs += [_battery(state, robot), (" ", role)]
+        runs += [battery_run(state, robot), (" ", role)]
     if columns.bar:
-        text, colour = _battery_bar(state, robot)
+        text, colour = battery_bar(state, robot)
         runs.append((fit(text, columns.bar), colour))
     if columns.floor:
         runs.append((fit(columns.floors[floor_text(state, robot)], columns.floor), role))
@@ -131,7 +111,9 @@ def _without_order(state: FleetState, robot: Robot) -> str:
     waiting = sum(not order.is_over for order in all_orders(state, robot))
     if robot.queue is None and not waiting:
         return missing_text(state, robot, "queue")
-    return f"{waiting} waiting" if waiting else IDLE
+    if waiting:
+        return f"{waiting} waiting"
+    return CHARGING if charges(state, robot) is not None else IDLE
 
 
 def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Columns) -> Row:
@@ -141,9 +123,7 @@ def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Co
     movement, current, order = _movement_role(state, robot), robot.orders.current, ""
     runs = shortened_news(found, columns.state + (columns.order if current is None else 0))
     if current is None:
-        waiting = _without_order(state, robot)
-        if not runs or (len(runs) == 2 * len(failed) and waiting != IDLE):  # "lost idle" would read as one
-            runs = [*runs, (waiting, StyleRole.DIM), (" ", role)]
+        runs = _with_rest(runs, _without_order(state, robot), 2 * len(failed))
     is_odd = movement is StyleRole.WARN or any(colour is StyleRole.WARN for _, colour in runs)
     if sign[1] is StyleRole.GOOD and is_odd:
         sign = sign[0], StyleRole.WARN
@@ -164,6 +144,14 @@ def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Co
         runs = [(shorter or _movement(state, robot), movement)]
     placed = _placed(order, runs, columns), role if shown is current else StyleRole.DIM
     return Row(robot.name, (*_head(state, robot, sign, selected, columns), placed, *runs))
+
+
+def _with_rest(runs: list[Run], rest: str, failed: int) -> list[Run]:
+    """Return the news of a robot without an order, if there are none but those of a command that failed with
+    its state."""
+    # "lost idle" would read as one.
+    is_told = runs and (len(runs) != failed or rest in CALM)
+    return runs if is_told else [*runs, (rest, StyleRole.DIM), (" ", StyleRole.TEXT)]
 
 
 def _placed(order: str, runs: list[Run], columns: Columns) -> str:
@@ -200,7 +188,7 @@ def _values(state: FleetState) -> tuple[Value[Robot], ...]:
     return (
         Value("robot", lambda robot: robot.name, lambda robot: natural(robot.name)),
         Value("floor", partial(floor_text, state), lambda robot: natural(floor_text(state, robot))),
-        Value("battery", lambda robot: _battery(state, robot)[0].strip(), _battery_order, is_apart=True),
+        Value("battery", lambda robot: battery_run(state, robot)[0].strip(), _battery_order, is_apart=True),
         Value("order", partial(_order_text, state), lambda robot: not robot.orders.current),
         Value("state", partial(_state_text, state), partial(_state_order, state)),
         Value("kind", lambda robot: robot.kind.name),
@@ -221,18 +209,18 @@ def _battery_order(robot: Robot) -> float:
 def fleet_table(
     state: FleetState, selected: str, width: int, arrangement: RowArrangement | None = None
 ) -> Table:
-    """The fleet for a pane of `width` cells, as arranged: robots with an alarm first, then those in shelved
-    trouble or without a pose, else in the order of the config."""
+    """The fleet for a pane of `width` cells, as arranged: robots with an alarm first, in the order of the
+    alarms pane, then those in shelved trouble or without a pose, else in the order of the config."""
     arrangement = arrangement or RowArrangement()
-    troubled, silenced, seen = in_trouble(state), shelved(state), acknowledged(state)
+    silenced, seen = shelved(state), acknowledged(state)
+    troubled = {name: place for place, name in enumerate(by_urgency(state))}
 
     def calm(robot: Robot) -> int:
         is_odd = robot.name in silenced or is_missing(state, robot, "pose")
-        return 0 if robot.name in troubled else 1 if is_odd else 2
+        return troubled.get(robot.name, len(troubled) if is_odd else len(troubled) + 1)
 
     everyone = sorted(state.robots.values(), key=calm)
     robots = arrangement.arranged(everyone, _values(state), lambda robot: robot.name, state.now)
-    online = sum(map(state.is_online, state.robots.values()))
     columns = Columns.of(state, width)
 
     def row(place: int) -> Row:
@@ -243,7 +231,8 @@ def fleet_table(
 
     rows = LateRows([robot.name for robot in robots], row)
     total = len(state.robots)
+    notes = arrangement.notes(len(rows))
     # Filtered it is about other numbers.
-    counted = [] if arrangement.typed else [(f" {online} of {total} online", StyleRole.DIM)]
-    told = (("Fleet", StyleRole.TITLE), *counted, *arrangement.notes(len(rows)))
+    counted = [] if arrangement.typed else fleet_counts(state, width - width_of(notes))
+    told = (("Fleet", StyleRole.TITLE), *counted, *notes)
     return Table(told, rows, arrangement.no_match, head=columns.head, unfiltered=total)

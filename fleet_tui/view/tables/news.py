@@ -11,6 +11,7 @@ from fleet_tui.rules.alarms.navigation import LOST_ABOVE
 from fleet_tui.rules.alarms.trouble import in_trouble, shelved
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import own_pause_text
+from fleet_tui.rules.feedback import feedback_ceased_at
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
@@ -55,10 +56,7 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     if contact is not None and not is_old:
         is_alarm = obstacle_lasts(state, robot) and robot.name not in shelved(state)
         yield obstacle_text(state, robot, contact), StyleRole.ALARM if is_alarm else StyleRole.WARN
-    if robot.blocked is not None and robot.blocked.value.is_stopped and state.is_fresh(robot, "blocked"):
-        yield blocked_text(robot.blocked.value, state.now), StyleRole.ALARM
-    if robot.variance is not None and robot.variance.value > LOST_ABOVE:
-        yield "pose uncertain", StyleRole.WARN
+    yield from _navigation(state, robot)
     if state.is_paused(robot) and robot.last_received is not None:
         yield _paused(state, robot), StyleRole.WARN
     if contact is not None and is_old:
@@ -67,6 +65,15 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
         yield from _old(state, robot)
     if is_news(state, robot.fault_at):
         yield f"bad data x{robot.faults}", StyleRole.WARN
+
+
+def _navigation(state: FleetState, robot: Robot) -> Iterator[Run]:
+    if robot.blocked is not None and robot.blocked.value.is_stopped and state.is_fresh(robot, "blocked"):
+        yield blocked_text(robot.blocked.value, state.now), StyleRole.ALARM
+    if feedback_ceased_at(state, robot) is not None:
+        yield "navigation silent", StyleRole.ALARM
+    if robot.variance is not None and robot.variance.value > LOST_ABOVE:
+        yield "pose uncertain", StyleRole.WARN
 
 
 def _short(text: str) -> str:

@@ -56,7 +56,7 @@ def test_a_battery_around_its_limit_is_one_alarm_that_never_ends_in_the_band() -
     assert [(one.key, one.count) for one in state.alarms] == [((R0, "battery"), 1)]
     assert alarm(state, "battery").text == "battery 19 %"
     state = reduced(state, battery(T0 + 397, 22.0), tick(T0 + 397))
-    assert alarm(state, "battery").text == "battery recovered"
+    assert alarm(state, "battery").text == "battery charging or recovered"
     # Left once, the band is no reason to come back.
     state = reduced(state, battery(T0 + 398, 21.0), tick(T0 + 398), tick(T0 + 401))
     assert (R0, "battery") not in alarms(state)

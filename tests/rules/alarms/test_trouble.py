@@ -4,12 +4,13 @@ from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.alarms.trouble import (
     acknowledged,
+    by_urgency,
     in_trouble,
     next_in_trouble,
     shelved,
     trouble_elsewhere,
 )
-from tests.support.fleets import F0, R0, T0, battery, fleet, link_lost, link_up, pose, reduced, tick
+from tests.support.fleets import F0, LINK, R0, T0, battery, fleet, link_lost, link_up, pose, reduced, tick
 
 F1 = F0.replace("0", "1")
 
@@ -41,6 +42,26 @@ def test_the_next_one_in_trouble_is_the_next_row_of_the_alarms() -> None:
     assert next_in_trouble(state, R0) == "robot_1" and next_in_trouble(state, "robot_1") == R0
     first = reduced(state, AlarmAcknowledged(R0, "battery"))
     assert next_in_trouble(first, "robot_2") == "robot_1", "who needs a person is first"
+
+
+def test_the_marked_alarm_is_the_next_one_until_its_robot_is_selected() -> None:
+    state = reduced(
+        fleet(4),
+        link_up(T0),
+        *(battery(T0, 15.0, robot=f"robot_{number}") for number in (0, 1, 2)),
+        battery(T0, 5.0, robot="robot_3"),
+        tick(T0),
+    )
+    assert by_urgency(state) == ["robot_3", R0, "robot_1", "robot_2"]
+    assert next_in_trouble(state, R0, marked=("robot_2", "battery")) == "robot_2"
+    assert next_in_trouble(state, "robot_2", marked=("robot_2", "battery")) == "robot_3"
+    assert next_in_trouble(state, R0, marked=(LINK, "link")) == "robot_1"
+
+
+def test_what_is_acknowledged_waits_until_nobody_needs_a_person() -> None:
+    state = reduced(low(R0, "robot_1"), AlarmAcknowledged(R0, "battery"))
+    assert next_in_trouble(state, "robot_1") == "robot_1"
+    assert next_in_trouble(reduced(state, AlarmAcknowledged()), "robot_1") == R0
 
 
 def test_trouble_whose_alarm_is_shelved_is_known_until_it_ends() -> None:

@@ -9,9 +9,21 @@ from fleet_tui.model.kind import Kind
 from fleet_tui.model.navigation import Blocked, Progress
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
-from fleet_tui.rules.why.navigation import another_client, blocked, held, not_sure_where, recovering
+from fleet_tui.rules.why.navigation import another_client, blocked, held, not_sure_where, recovering, silent
 from fleet_tui.rules.why.reason import Strength
-from tests.support.fleets import R0, T0, commanded, fleet, of_kinds, place_order, queue, reduced, tick
+from tests.support.fleets import (
+    R0,
+    T0,
+    commanded,
+    fleet,
+    link_up,
+    of_kinds,
+    place_order,
+    pose,
+    queue,
+    reduced,
+    tick,
+)
 
 KEEPS = Kind("keeps", keeps_goals=True)
 
@@ -72,3 +84,11 @@ def test_a_goal_of_another_client_is_named_for_robots_without_a_queue_of_their_o
     found = another_client(*known(goals))
     assert found is not None and found.evidence == "order 7, 1? -> 2? was not sent by this console"
     assert another_client(*known(state)) is None
+
+
+def test_navigation_that_ceased_to_report_is_the_reason_with_its_remedy() -> None:
+    before = reduced(fleet(), link_up(T0), queue(T0, (7, 1, 2, "W"), current=7), pose(T0 + 40), tick(T0 + 40))
+    found = silent(*known(before, progress=Reading(Progress("7"), T0 + 2)))
+    assert found is not None and found.name == "navigation silent for 38 s"
+    assert "probably crashed" in found.evidence and "Restart the robot's navigation" in found.remedy
+    assert silent(*known(before)) is None

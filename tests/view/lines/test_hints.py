@@ -10,7 +10,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import PAUSE, Kind
 from fleet_tui.view.lines.hints import footer, hidden_keys, hints, idle_hints
 from fleet_tui.view.tables.table import width_of
-from tests.support.fleets import R0, T0, battery, fleet, link_up, reduced, text_of, tick
+from tests.support.fleets import R0, T0, battery, fleet, link_lost, link_up, reduced, text_of, tick
 from tests.support.kinds import BARE, FULL, KEYS, LATE, received
 
 Keys = dict[str, tuple[str, ...]]
@@ -63,13 +63,28 @@ def test_a_focused_table_hints_its_filter_and_marks_after_what_everyone_needs() 
 def test_the_footer_names_whose_alarm_is_acknowledged() -> None:
     trouble = reduced(fleet(), link_up(T0), battery(T0, 5.0), tick(T0))
 
-    def shown(state: FleetState, alarmed: str = "") -> str:
+    def shown(state: FleetState, alarmed: str = "", width: int = 120) -> str:
         return text_of(
-            footer(*hints(KEYS, Pane.MAP, hidden=idle_hints(state), alarmed=alarmed), KEYS, 120)[0]
+            footer(*hints(KEYS, Pane.MAP, hidden=idle_hints(state), alarmed=alarmed), KEYS, width)[0]
         )
 
     assert " a ack  " in shown(trouble) and " a ack robot_7␛  " in shown(trouble, "robot_7\x1b")
+    assert " a ack robot_7 " in shown(trouble, "robot_7", 80) and "command" not in shown(
+        trouble, "robot_7", 80
+    )
+    assert " a ack  " in shown(trouble, "robot_with_a_long_name", 80)
     assert " a ack" not in shown(fleet())
+
+
+def test_without_a_link_no_command_is_offered_as_if_it_would_be_sent() -> None:
+    def shown(state: FleetState) -> str:
+        return text_of(footer(*hints(KEYS, Pane.MAP, hidden=idle_hints(state, R0)), KEYS, 200)[0])
+
+    lost = shown(reduced(fleet(), link_up(T0), battery(T0), link_lost(T0 + 1)))
+    back = shown(reduced(fleet(), link_up(T0), battery(T0), link_lost(T0 + 1), link_up(T0 + 2)))
+    for word in (" o order ", " p pause ", " P pause all ", " x cancel "):
+        assert word not in lost and word in back
+    assert lost.startswith(" w why ")
 
 
 @pytest.mark.parametrize("pane", list(Pane))

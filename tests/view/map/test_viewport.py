@@ -59,6 +59,23 @@ def test_over_a_map_that_grows_the_view_rarely_moves_and_always_shows_all_of_it(
     assert 0 < moves <= 8
 
 
+def test_a_robot_followed_on_another_floor_keeps_the_zoom() -> None:
+    it, hall = view(follow=True), scene(ROBOT)
+    finer = MapFrame(0.025, 800, 400, Pose(0.0, 0.0))
+    cellar = Scene("cellar", finer, robots=(SceneRobot("robot_0", 1, Pose(15.0, 5.0), selected=True),))
+    whole = it.camera(cellar)
+    it.camera(hall)
+    it.zoom(hall, 4.0)
+    near = it.camera(hall)
+    camera = it.camera(cellar)
+    assert camera.scale * finer.resolution == pytest.approx(near.scale * FRAME.resolution)
+    assert camera.scale < whole.scale and camera.shows(*camera.to_cell(*finer.to_pixel(15.0, 5.0)))
+    it.fit(hall)
+    whole = it.camera(hall)
+    it.follow = True
+    assert it.camera(hall).scale == whole.scale == view().camera(hall).scale
+
+
 def test_a_view_that_follows_keeps_the_robot_in_it_until_it_is_moved_by_hand() -> None:
     it, hall = view(follow=True), scene(ROBOT)
     it.zoom(hall, 8.0)

@@ -5,7 +5,7 @@ from msgspec.structs import replace
 from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.alarms import alarm_table, unacknowledged
+from fleet_tui.view.tables.alarms import alarm_of, alarm_table, unacknowledged
 from fleet_tui.view.tables.arrangement import RowArrangement
 from fleet_tui.view.tables.listing import Listing
 from tests.support.alarms import without_poses
@@ -58,9 +58,9 @@ def test_seen_over_and_come_again() -> None:
     assert texts(seen)[0].startswith("△ seen low    robot_0 battery 15 %")
     assert text_of(alarm_table(seen, clock).title) == "Alarms"
     over = reduced(state, battery(T0 + 1, 60.0), tick(T0 + 1))
-    assert texts(over)[0].startswith("▲ new  low    robot_0 battery recovered")
+    assert texts(over)[0].startswith("▲ new  low    robot_0 battery charging or recovered")
     over = reduced(over, battery(T0 + 4, 60.0), tick(T0 + 4))
-    assert texts(over)[0].startswith("▽ over low    robot_0 battery recovered")
+    assert texts(over)[0].startswith("▽ over low    robot_0 battery charging or recovered")
     again = reduced(over, battery(T0 + 5, 9.0), tick(T0 + 5))
     assert texts(again)[0] == f"▲ new  medium robot_0 battery 9 % {state.wall:.0f} x2"
 
@@ -107,7 +107,7 @@ def test_no_alarm_needs_more_than_its_word_in_48_cells() -> None:
 
 def test_an_alarm_that_is_over_leaves_the_pane_unless_its_class_is_latched() -> None:
     state = reduced(low(), battery(T0 + 1, 60.0), tick(T0 + 1))
-    assert texts(state)[0].startswith("▲ new  low    robot_0 battery recovered")
+    assert texts(state)[0].startswith("▲ new  low    robot_0 battery charging or recovered")
     assert alarm_table(state, clock).rows[0].runs[0][1] is StyleRole.DIM  # it is over: never red
     assert texts(reduced(state, battery(T0 + 4, 60.0), tick(T0 + 4))) == []
 
@@ -128,11 +128,24 @@ def test_alarms_that_another_one_stands_for_are_counted() -> None:
 def test_in_a_narrow_pane_the_reason_stays() -> None:
     state = low()
     row, advice = alarm_table(state, lambda _wall: "12:04:31", 38).rows
-    assert text_of(row.runs) == "▲ robot_0 battery 15 % 12:04"
+    assert text_of(row.runs) == "▲L robot_0 battery 15 % 12:04"
     assert text_of(advice.runs) == "  Send it to a charger" and advice.key is None
 
 
-def test_of_a_few_alarms_the_first_has_its_advice_below() -> None:
+def test_each_priority_has_its_own_sign_and_colour() -> None:
+    lost = reduced(without_poses(fleet()), link_up(T0), link_lost(T0 + 1), tick(T0 + 60))
+    for state, sign, role in (
+        (lost, "▲H", StyleRole.ROBOT_ALARM),
+        (low(percent=5.0), "▲M ", StyleRole.ALARM),
+        (low(), "▲L ", StyleRole.WARN),
+    ):
+        assert alarm_table(state, clock, 38).rows[0].runs[0] == (sign, role)
+    assert alarm_table(lost, clock, 60).rows[0].runs[0] == ("▲ new  high", StyleRole.ROBOT_ALARM)
+    seen = reduced(lost, events.AlarmAcknowledged())
+    assert alarm_table(seen, clock, 38).rows[0].runs[0] == ("△H ", StyleRole.WARN)
+
+
+def test_of_a_few_alarms_the_marked_one_has_its_advice_below() -> None:
     acknowledged = reduced(low(), events.AlarmAcknowledged(R0, "battery"))
     assert len(alarm_table(acknowledged, clock, 38).rows) == 2
     shelved = reduced(low(), events.AlarmShelved(R0, "battery", T0 + 1800))
@@ -142,6 +155,16 @@ def test_of_a_few_alarms_the_first_has_its_advice_below() -> None:
     two = reduced(fleet(2), link_up(T0), battery(T0, 5.0), battery(T0, 15.0, "robot_1"), tick(T0))
     first, second, advice = alarm_table(two, clock, 38).rows
     assert first.key and second.key and text_of(advice.runs) == "  robot_0: Send it to a charger"
+    *_, advice = alarm_table(two, clock, 38, marked=second.key).rows
+    assert text_of(advice.runs) == "  robot_1: Send it to a charger"
+
+
+def test_a_selected_robot_has_its_alarm_marked_but_none_that_needs_nobody_before_others() -> None:
+    two = reduced(fleet(3), link_up(T0), battery(T0, 5.0), battery(T0, 15.0, "robot_1"), tick(T0))
+    assert [alarm_of(two, name) for name in (R0, "robot_2")] == [(R0, "battery"), None]
+    first = reduced(two, events.AlarmAcknowledged(R0, "battery"))
+    assert alarm_of(first, R0) is None and alarm_of(first, "robot_1") == ("robot_1", "battery")
+    assert alarm_of(reduced(two, events.AlarmAcknowledged()), R0) == (R0, "battery")
 
 
 def test_a_single_alarm_that_is_cut_goes_on_in_a_second_line() -> None:

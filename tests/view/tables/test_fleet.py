@@ -231,6 +231,14 @@ def standing(seconds: float) -> FleetState:
     return reduced(fleet(), link_up(T0), pose(T0), pose(at), battery(at), ordered, tick(at + 0.4))
 
 
+def test_the_most_urgent_trouble_is_first_as_in_the_alarms_pane() -> None:
+    low = (battery(T0, 15.0), battery(T0, 5.0, "robot_2"))
+    state = reduced(fleet(3), link_up(T0), *low, tick(T0))
+    assert fleet_table(state, R0, WIDTH).keys == ["robot_2", R0, "robot_1"]
+    seen = reduced(state, events.AlarmAcknowledged("robot_2", "battery"))
+    assert fleet_table(seen, R0, WIDTH).keys == [R0, "robot_2", "robot_1"]
+
+
 def test_a_robot_stands_as_long_as_its_poses_show() -> None:
     now = standing(40.0)
     assert row(now).rstrip().endswith("still 40 s")

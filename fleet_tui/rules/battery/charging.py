@@ -1,0 +1,21 @@
+"""Robots that stand at a charger, where a low battery is on its way up."""
+
+import math
+
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.graph import Vertex
+from fleet_tui.model.robot import Robot, RobotMap
+
+AT_CHARGER = 0.5
+"""Metres within which a robot is at a charger."""
+
+
+def charger_of(state: FleetState, robot: Robot) -> Vertex | None:
+    """Return the charger that a robot without a current order is at, by a pose that still holds."""
+    graph = robot.maps.get(robot.floor or "", RobotMap()).graph
+    if graph is None or robot.pose is None or robot.orders.current is not None:
+        return None
+    here = robot.pose.value
+    near = (one for one in graph.chargers if math.dist((one.x, one.y), (here.x, here.y)) <= AT_CHARGER)
+    charger = next(near, None)
+    return charger if charger is not None and state.is_fresh(robot, "pose") else None

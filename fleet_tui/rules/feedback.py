@@ -1,0 +1,20 @@
+"""Feedback of a navigating robot on its active goal: it ceases only with the server that drives it."""
+
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import Phase
+from fleet_tui.model.robot import Robot
+
+CEASED_AFTER = 10.0
+"""Seconds without feedback, which comes many times a second while a goal is driven, until it has ceased."""
+
+
+def feedback_ceased_at(state: FleetState, robot: Robot) -> float | None:
+    """Return the time (monotonic) since which a robot that reports otherwise gives no feedback on its current
+    order; None while it does, if it never did, and if silence has another cause."""
+    order, link = robot.orders.current, state.links[robot.link]
+    if order is None or robot.progress is None or robot.progress.value.goal != order.id:
+        return None
+    if link.phase is not Phase.UP or not state.is_online(robot) or not state.is_fresh(robot, "pose"):
+        return None
+    since = max(robot.progress.at, link.since)
+    return since if state.now - since - state.behind >= CEASED_AFTER else None

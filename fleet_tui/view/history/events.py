@@ -1,0 +1,125 @@
+"""Everything that happened, as one list: orders, alarms, commands, links and notes by their time."""
+
+from collections.abc import Iterable, Sequence
+from enum import Enum
+
+from msgspec import Struct
+
+from fleet_tui.model.commands import FAILURES, Stage
+from fleet_tui.model.history.facts import LinkChange, Note
+from fleet_tui.model.history.lives import AlarmLife, PastCommand, PastOrder
+from fleet_tui.text.details import detail_text
+from fleet_tui.text.durations import age
+from fleet_tui.text.sanitize import sanitize
+
+TROUBLE = frozenset(stage.value for stage in FAILURES)
+DONE = Stage.DONE.value
+
+
+class EventKind(Enum):
+    """What an event is about; the value is typed in filters, and stands in JSON and CSV."""
+
+    ORDER = "order"
+    ALARM = "alarm"
+    COMMAND = "command"
+    LINK = "link"
+    NOTE = "note"
+
+
+class PastEvent(Struct, frozen=True):
+    """One line of a history. Unix seconds: `at` its begin, `ended` its end, None while it goes on or if it
+    has none. `subject` is the robot or link, `what` its name, `outcome` how it ended in a word or two,
+    `detail` the reason and the durations; `is_trouble`: somebody had to look."""
+
+    at: float
+    ended: float | None
+    kind: EventKind
+    subject: str
+    what: str
+    outcome: str
+    detail: str = ""
+    operator: str = ""
+    is_trouble: bool = False
+
+    @property
+    def text(self) -> str:
+        """Return it as a line without its time, which no terminal executes."""
+        by = f", by {self.operator}" if self.operator else ""
+        subject = f"{self.subject} " if self.subject else ""
+        outcome = f": {self.outcome}" if self.outcome else ""
+        return sanitize(f"{subject}{self.what}{outcome}{detail_text(self.detail)}{by}")
+
+
+def past_events(
+    orders: Iterable[PastOrder] = (),
+    alarms: Iterable[AlarmLife] = (),
+    commands: Iterable[PastCommand] = (),
+    links: Iterable[LinkChange] = (),
+    notes: Iterable[Note] = (),
+) -> list[PastEvent]:
+    """Return all as events, oldest first."""
+    events = [
+        *map(_of_order, orders),
+        *map(_of_alarm, alarms),
+        *map(_of_command, commands),
+        *map(_of_link, links),
+        *(PastEvent(note.at, None, EventKind.NOTE, "", note.text, "", "", note.operator) for note in notes),
+    ]
+    return sorted(events, key=lambda event: event.at)
+
+
+def matching(events: Iterable[PastEvent], words: Sequence[str], robot: str = "") -> list[PastEvent]:
+    """Return the events of a robot (empty: all) that contain every word, or not a `!word`."""
+    wanted = [word.casefold() for word in words if not word.startswith("!")]
+    unwanted = [word[1:].casefold() for word in words if word.startswith("!") and word[1:]]
+    found = []
+    for event in events:
+        line = f"{event.kind.value} {event.text}".casefold()
+        if robot not in ("", event.subject):
+            continue
+        if all(word in line for word in wanted) and not any(word in line for word in unwanted):
+            found.append(event)
+    return found
+
+
+def _of_order(order: PastOrder) -> PastEvent:
+    begun, ended = order.begun, order.ended
+    took = []
+    if begun is not None and begun - order.queued >= 1.0:
+        took.append(f"waited {age(begun - order.queued)}")
+    if begun is not None and ended is not None:
+        took.append(f"driven in {age(ended - begun)}")
+    # An order that is done needs no reason.
+    reason = [] if order.stage == DONE or not order.reason else [order.reason]
+    return PastEvent(
+        *(order.queued, ended, EventKind.ORDER, order.robot, f"order {order.order} {order.way}"),
+        *(order.stage, ", ".join([*reason, *took]), order.operator, order.stage in TROUBLE),
+    )
+
+
+def _of_alarm(alarm: AlarmLife) -> PastEvent:
+    over = alarm.returned if alarm.returned is not None else alarm.ended
+    lasted = f"held {age(over - alarm.raised)}" if over is not None else "still holds"
+    if alarm.returned is None and over is not None:
+        lasted = f"end not seen, held at least {age(over - alarm.raised)}"
+    seen = [f"acknowledged after {age(alarm.acknowledged - alarm.raised)}"] if alarm.acknowledged else []
+    times = [f"{alarm.count} times"] if alarm.count > 1 else []
+    return PastEvent(
+        *(alarm.raised, over, EventKind.ALARM, alarm.source, f"{alarm.kind} alarm, {alarm.text}"),
+        *(lasted, ", ".join([*times, *seen]), alarm.operator, True),
+    )
+
+
+def _of_command(command: PastCommand) -> PastEvent:
+    what = f"{command.what} {command.way}".rstrip()
+    return PastEvent(
+        *(command.at, None, EventKind.COMMAND, command.robot, what),
+        *(command.stage, command.reason, command.operator, command.stage in TROUBLE),
+    )
+
+
+def _of_link(link: LinkChange) -> PastEvent:
+    outcome = "up" if link.is_up else "lost"
+    return PastEvent(
+        link.at, None, EventKind.LINK, link.link, "link", outcome, link.reason, "", not link.is_up
+    )

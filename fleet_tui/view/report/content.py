@@ -1,0 +1,42 @@
+"""What a report tells, as values."""
+
+from collections.abc import Mapping, Sequence
+
+from msgspec import Struct
+
+from fleet_tui.model.history.facts import Note
+from fleet_tui.model.history.lives import PastCommand, PastOrder
+from fleet_tui.model.history.totals import ChargeTotal
+from fleet_tui.rules.history.division import Division
+from fleet_tui.rules.history.shift import AlarmCause, OrderCounts, RobotShift
+from fleet_tui.rules.history.timeline import Shares, Timeline
+from fleet_tui.view.report.axis import LocalTime
+from fleet_tui.view.report.heat import FloorHeat
+
+
+class ReportContent(Struct, frozen=True):
+    """A time of a site in Unix seconds. `unwatched` says since when nobody observed it, empty if somebody
+    does; `losses` are its lost and failed orders, `refusals` its commands that failed; `outages` has for each
+    link how often it was lost, and the seconds; `timeline` is for a shift, `shares` for days, one of them is
+    empty. `battery_low` is the limit in per cent."""
+
+    site: str
+    since: float
+    until: float
+    made_by: str
+    unwatched: str
+    notes: Sequence[Note]
+    robots: Sequence[RobotShift]
+    routes: Mapping[str, OrderCounts]
+    open_orders: int
+    causes: Sequence[AlarmCause]
+    outages: Mapping[str, tuple[int, float]]
+    losses: Sequence[PastOrder]
+    refusals: Sequence[PastCommand]
+    time: Division
+    timeline: Timeline
+    shares: Shares
+    charges: Mapping[str, Sequence[ChargeTotal]]
+    floors: Sequence[FloorHeat]
+    battery_low: float
+    local: LocalTime

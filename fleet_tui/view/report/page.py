@@ -1,0 +1,224 @@
+"""The page: what the next shift needs first, then figures and pictures."""
+
+from collections.abc import Callable, Sequence
+from xml.etree.ElementTree import Element, tostring
+
+from fleet_tui.model.history.facts import Activity
+from fleet_tui.rules.history.shift import OrderCounts
+from fleet_tui.text.durations import age
+from fleet_tui.view.report.batteries import batteries
+from fleet_tui.view.report.content import ReportContent
+from fleet_tui.view.report.heat import heat
+from fleet_tui.view.report.html import element, table
+from fleet_tui.view.report.style import CSS
+from fleet_tui.view.report.timeline import legend, share_picture, timeline
+
+MOST_ROWS = 40
+"""Rows of a table of single orders, commands or routes; of more the rest is counted."""
+
+ACTIVITIES = (Activity.DRIVING, Activity.BLOCKED, Activity.PAUSED, Activity.OFFLINE)
+
+
+def page(content: ReportContent) -> str:
+    """Return the whole document. It fetches nothing and runs nothing."""
+    title = f"{content.site}: {_span(content)}"
+    head = element(
+        "head",
+        element("meta", charset="utf-8"),
+        element("meta", name="viewport", content="width=device-width"),
+        # Whatever stands in a name or a note: nothing is run, nothing is fetched.
+        element(
+            "meta",
+            http_equiv="Content-Security-Policy",
+            content="default-src 'none'; style-src 'unsafe-inline'; img-src data:",
+        ),
+        element("title", title),
+        _style(),
+    )
+    parts = [part for section in SECTIONS for part in section(content)]
+    body = element("body", *_opening(content), *parts)
+    document = element("html", head, body, lang="en")
+    return f"<!DOCTYPE html>\n{tostring(document, encoding='unicode', method='html')}\n"
+
+
+def _style() -> Element:
+    style = Element("style")
+    style.text = CSS  # its own text: nothing to sanitize
+    return style
+
+
+def _span(content: ReportContent) -> str:
+    return f"{content.local.moment(content.since, True)} to {content.local.moment(content.until, True)}"
+
+
+def _opening(content: ReportContent) -> list[Element]:
+    about = f"{_span(content)} ({age(content.until - content.since)}), made by {content.made_by}"
+    opening = [element("h1", content.site), element("p", about, class_="about")]
+    if content.unwatched:
+        opening.append(element("p", content.unwatched, class_="warning"))
+    return opening
+
+
+def _notes(content: ReportContent) -> list[Element]:
+    told = [
+        element("p", f"{content.local.moment(note.at, False)} {note.operator}: {note.text}")
+        for note in content.notes
+    ]
+    none = element("p", "No notes. An operator writes one with :note TEXT.", class_="none")
+    return [element("h2", "Notes"), element("div", *(told or [none]), class_="notes")]
+
+
+def _tiles(content: ReportContent) -> list[Element]:
+    counts = [robot.orders for robot in content.robots]
+    lost = sum(one.lost for one in counts)
+    down = sum(robot.down for robot in content.robots)
+    alarms = sum(cause.count for cause in content.causes)
+    tiles = [
+        ("done", sum(one.done for one in counts), False),
+        ("of these late", sum(one.late for one in counts), False),
+        ("lost or failed", lost, lost > 0),
+        ("cancelled", sum(one.cancelled for one in counts), False),
+        ("still open", content.open_orders, False),
+        ("alarms", alarms, False),
+    ]
+    made = [_tile(name, f"{value:,}", is_bad) for name, value, is_bad in tiles]
+    made.append(_tile("downtime of all robots", age(down), False))
+    return [element("h2", "Orders and trouble"), element("div", *made, class_="tiles")]
+
+
+def _tile(name: str, value: str, is_bad: bool) -> Element:
+    return element("div", element("b", value), name, class_="bad" if is_bad else "")
+
+
+def _robots(content: ReportContent) -> list[Element]:
+    heads = ["Robot", "Done", "Late", "Lost", "Cancelled", *(one.value.capitalize() for one in ACTIVITIES)]
+    rows = [
+        [
+            *(robot.name, *_counts(robot.orders)),
+            *(_seconds(robot.seconds.get(activity, 0.0)) for activity in ACTIVITIES),
+            *(_percent(robot.last), _percent(robot.low), _seconds(robot.watched)),
+        ]
+        for robot in content.robots
+    ]
+    title = element("h2", "Robots")
+    return [
+        title,
+        table([*heads, "Battery", "Lowest", "Watched"], rows) if rows else _none("No robot was seen."),
+    ]
+
+
+def _counts(counts: OrderCounts) -> list[str]:
+    return [str(value or "") for value in (counts.done, counts.late, counts.lost, counts.cancelled)]
+
+
+def _timeline(content: ReportContent) -> list[Element]:
+    title, each = element("h2", "What the robots did"), age(content.time.step)
+    axes = content.time, content.local
+    if content.timeline:
+        said = f"Each bar is what a robot did for most of {each}. Blank: nobody watched."
+        picture = timeline(content.timeline, *axes)
+        return [title, element("p", said, class_="about"), legend(), picture]
+    if content.shares:
+        said = (
+            f"Each column is {each}: from below the part in which a robot was driving or loading, from above,"
+            " red, the part in which it was blocked, paused or offline. Without a line: nobody watched."
+        )
+        return [title, element("p", said, class_="about"), share_picture(content.shares, *axes)]
+    return []
+
+
+def _routes(content: ReportContent) -> list[Element]:
+    ways = sorted(content.routes.items(), key=lambda item: (-item[1].lost, -item[1].late, -item[1].done))
+    rows = [
+        [way, *_counts(counts), _seconds(counts.mean or 0.0), _seconds(counts.longest)]
+        for way, counts in ways[:MOST_ROWS]
+    ]
+    heads = ["Route", "Done", "Late", "Lost", "Cancelled", "Usual time", "Longest"]
+    said = "Late: took more than twice the mean time of its route, of which at least three were done."
+    return [
+        element("h2", "Routes"),
+        *([table(heads, rows), *_more(ways)] if rows else [_none("No order ended.")]),
+        element("p", said, class_="about"),
+    ]
+
+
+def _alarms(content: ReportContent) -> list[Element]:
+    rows = [
+        [
+            *(cause.kind, cause.priority, str(cause.count), str(cause.sources), _seconds(cause.seconds)),
+            *(_seconds(cause.longest), "" if cause.until_seen is None else age(cause.until_seen)),
+        ]
+        for cause in content.causes
+    ]
+    heads = ["Alarm", "Priority", "Times", "Robots, links", "Held in all", "Longest", "Seen after"]
+    return [element("h2", "Alarms by cause"), table(heads, rows, 2) if rows else _none("No alarm.")]
+
+
+def _links(content: ReportContent) -> list[Element]:
+    rows = [[name, str(count), _seconds(seconds)] for name, (count, seconds) in content.outages.items()]
+    return [element("h2", "Links"), table(["Link", "Lost", "Down"], rows)] if rows else []
+
+
+def _batteries(content: ReportContent) -> list[Element]:
+    if not content.charges:
+        return []
+    pictures = batteries(content.charges, content.time.parts, content.battery_low)
+    said = element("p", f"Dashed: {content.battery_low:.0f} %, the limit of an alarm.", class_="about")
+    return [element("h2", "Batteries"), said, pictures]
+
+
+def _floors(content: ReportContent) -> list[Element]:
+    title = element("h2", "Where robots were blocked")
+    pictures = [heat(floor) for floor in content.floors]
+    return [title, element("div", *pictures, class_="floors") if pictures else _none("No robot was blocked.")]
+
+
+def _losses(content: ReportContent) -> list[Element]:
+    rows = [
+        [
+            content.local.moment(order.ended or order.queued, False),
+            order.robot,
+            order.way,
+            order.stage,
+            order.reason,
+        ]
+        for order in content.losses[-MOST_ROWS:]
+    ]
+    heads = ["Time", "Robot", "Order", "End", "Reason"]
+    title = element("h2", "Orders that were lost or failed")
+    return [title, table(heads, rows, 9), *_more(content.losses)] if rows else []
+
+
+def _refusals(content: ReportContent) -> list[Element]:
+    rows = [
+        [
+            *(content.local.moment(command.at, False), command.operator, command.robot),
+            *(f"{command.what} {command.way}".strip(), command.stage, command.reason),
+        ]
+        for command in content.refusals[-MOST_ROWS:]
+    ]
+    heads = ["Time", "Operator", "Robot", "Command", "Outcome", "Reason"]
+    title = element("h2", "Commands that failed")
+    return [title, table(heads, rows, 9), *_more(content.refusals)] if rows else []
+
+
+SECTIONS: Sequence[Callable[[ReportContent], list[Element]]] = (
+    *(_notes, _tiles, _robots, _timeline, _losses, _routes, _alarms, _links, _batteries, _floors, _refusals),
+)
+
+
+def _more(rows: Sequence[object]) -> list[Element]:
+    more = len(rows) - MOST_ROWS
+    return [element("p", f"and {more:,} more", class_="none")] if more > 0 else []
+
+
+def _none(text: str) -> Element:
+    return element("p", text, class_="none")
+
+
+def _seconds(seconds: float) -> str:
+    return age(seconds) if seconds >= 0.5 else ""
+
+
+def _percent(level: float | None) -> str:
+    return "" if level is None else f"{level:.0f} %"

@@ -1,0 +1,39 @@
+"""The counts in the title of the fleet pane: the robots online, and what they do."""
+
+from collections import Counter
+
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.history.facts import Activity
+from fleet_tui.rules.history.activity import activity
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.table import Run, width_of
+
+COUNTED = {
+    Activity.BLOCKED: StyleRole.ALARM,
+    Activity.PAUSED: StyleRole.WARN,
+    Activity.DRIVING: StyleRole.DIM,
+    Activity.LOADING: StyleRole.DIM,
+    Activity.WAITING: StyleRole.DIM,
+    Activity.IDLE: StyleRole.DIM,
+    Activity.CHARGING: StyleRole.DIM,
+}
+"""What robots online do: first what a person looks for, which stays where not all fits."""
+BESIDE = len("─ Fleet  ─")
+"""Cells of the title beside the counts."""
+
+
+def fleet_counts(state: FleetState, width: int) -> list[Run]:
+    """Return how many robots are online and, as far as `width` cells of the title allow, what they do."""
+    robots = state.robots.values()
+    # Without a queue nobody knows whether a standing robot is idle.
+    done = [(activity(state, robot), robot.queue is not None) for robot in robots]
+    found = Counter(one for one, is_listed in done if is_listed or one is not Activity.IDLE)
+    online = len(robots) - found[Activity.OFFLINE]
+    runs: list[Run] = [(f" {online} of {len(robots)} online", StyleRole.DIM)]
+    counts = [(f"{found[one]} {one.value}", role) for one, role in COUNTED.items() if found[one]]
+    for place, (text, role) in enumerate(counts):
+        more: list[Run] = [(", " if place else ": ", StyleRole.DIM), (text, role)]
+        if BESIDE + width_of([*runs, *more]) > width:
+            break
+        runs += more
+    return runs

@@ -1,0 +1,50 @@
+"""A robot at a charger: its low battery is no trouble, until charging does not help."""
+
+from msgspec.structs import replace
+
+from fleet_tui.model.events import Event, GraphReceived
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.graph import Role, RouteGraph, Vertex
+from fleet_tui.rules.alarms.conditions import CHARGES_WITHIN
+from fleet_tui.rules.battery.charging import AT_CHARGER, charger_of
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.fleet import fleet_table
+from tests.support.fleets import F0, R0, T0, battery, fleet, link_up, pose, queue, reduced, text_of, tick
+
+CHARGER = Vertex("1", 0.0, 0.0, Role.DOCKING)
+GRAPH = GraphReceived(R0, F0, RouteGraph({"1": CHARGER, "2": Vertex("2", 5.0, 0.0)}))
+
+
+def standing(x: float, *facts: Event, seconds: float = 10.0) -> FleetState:
+    """A robot with a low battery and no order that has stood in one place for some time."""
+    end = T0 + seconds
+    first = (link_up(T0), GRAPH, pose(T0, x), queue(T0))
+    return reduced(fleet(), *first, pose(end, x), queue(end), battery(end, 12.0), *facts, tick(end))
+
+
+def at(state: FleetState) -> Vertex | None:
+    return charger_of(state, state.robots[R0])
+
+
+def test_a_robot_is_at_a_charger_by_a_pose_that_holds_and_without_an_order() -> None:
+    assert at(standing(AT_CHARGER)) == CHARGER
+    assert at(standing(AT_CHARGER + 0.1)) is None and at(standing(5.0)) is None
+    assert at(standing(0.0, queue(T0 + 10, (7, 1, 2, "W"), current=7))) is None
+    docked = standing(0.0)
+    assert at(replace(docked, now=docked.now + 60)) is None
+
+
+def test_a_low_battery_is_no_alarm_at_a_charger_and_one_beside_it() -> None:
+    assert not standing(0.0).alarms
+    assert [alarm.text for alarm in standing(5.0).alarms] == ["battery 12 %"]
+
+
+def test_a_battery_still_low_after_long_charging_is_an_alarm() -> None:
+    (alarm,) = standing(0.0, seconds=CHARGES_WITHIN + 60).alarms
+    assert alarm.text == "battery 12 % after 31 min at the charger"
+
+
+def test_the_row_of_a_charging_robot_is_calm() -> None:
+    calm, troubled = (fleet_table(standing(x), R0, 60).rows[0].runs for x in (0.0, 5.0))
+    assert "charging" in text_of(calm) and StyleRole.ALARM not in {role for _, role in calm}
+    assert "idle" in text_of(troubled) and (" 12 %", StyleRole.ALARM) in troubled

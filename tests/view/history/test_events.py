@@ -1,0 +1,69 @@
+"""The lines of a history."""
+
+from fleet_tui.model.history.facts import LinkChange, Note
+from fleet_tui.model.history.lives import AlarmLife, PastCommand, PastOrder
+from fleet_tui.view.history.events import matching, past_events
+
+ORDER = PastOrder("robot_0", "12", "Base -> Store", "floor_0", 10.0, 25.0, 85.0, "done", "driven", "ana")
+LOST = PastOrder("robot_1", "13", "-> Base", "floor_0", 11.0, None, 95.0, "lost", "left the queue", "")
+OPEN = PastOrder("robot_1", "14", "-> Base", "floor_0", 12.0, None, None, "queued", "", "")
+ALARM = AlarmLife("robot_1", "stuck", "high", "stuck for 60 s", 20.0, 80.0, 50.0, 80.0, "bo", 2)
+UNSEEN = AlarmLife("robot_1", "stuck", "high", "stuck", 20.0, None, None, 60.0, "", 1)
+HELD = AlarmLife("robot_1", "offline", "high", "silent", 99.0, None, None, None, "", 1)
+COMMAND = PastCommand(30.0, "ana", "robot_0", "pause", "", "not confirmed", "still drives")
+
+
+def texts(*args: object) -> list[str]:
+    return [event.text for event in past_events(*args)]  # type: ignore[arg-type]  # rows of each kind in turn
+
+
+def test_an_order_is_told_with_its_end_and_durations() -> None:
+    assert texts([ORDER, LOST, OPEN]) == [
+        "robot_0 order 12 Base -> Store: done (waited 15 s, driven in 60 s), by ana",
+        "robot_1 order 13 -> Base: lost (left the queue)",
+        "robot_1 order 14 -> Base: queued",
+    ]
+
+
+def test_an_alarm_is_told_with_how_long_it_held_and_who_saw_it() -> None:
+    assert texts((), [ALARM, UNSEEN, HELD]) == [
+        "robot_1 stuck alarm, stuck for 60 s: held 60 s (2 times, acknowledged after 30 s), by bo",
+        "robot_1 stuck alarm, stuck: end not seen, held at least 40 s",
+        "robot_1 offline alarm, silent: still holds",
+    ]
+
+
+def test_all_kinds_in_the_order_of_time() -> None:
+    events = past_events(
+        [ORDER],
+        [ALARM],
+        [COMMAND],
+        [LinkChange("rosbridge", 5.0, True), LinkChange("rosbridge", 40.0, False, "refused")],
+        [Note(35.0, "ana", "lift is slow")],
+    )
+    assert [event.text for event in events] == [
+        "rosbridge link: up",
+        "robot_0 order 12 Base -> Store: done (waited 15 s, driven in 60 s), by ana",
+        "robot_1 stuck alarm, stuck for 60 s: held 60 s (2 times, acknowledged after 30 s), by bo",
+        "robot_0 pause: not confirmed (still drives), by ana",
+        "lift is slow, by ana",
+        "rosbridge link: lost (refused)",
+    ]
+    assert [event.is_trouble for event in events] == [False, False, True, True, False, True]
+
+
+def test_words_and_unwanted_words_and_a_robot() -> None:
+    events = past_events([ORDER, LOST], [ALARM], [COMMAND])
+    assert [event.what for event in matching(events, ["order", "BASE"])] == [
+        "order 12 Base -> Store",
+        "order 13 -> Base",
+    ]
+    assert [event.what for event in matching(events, ["!order", "!alarm"])] == ["pause"]
+    assert [event.what for event in matching(events, [], "robot_1")] == [
+        "order 13 -> Base",
+        "stuck alarm, stuck for 60 s",
+    ]
+
+
+def test_nothing_of_it_is_executed_by_a_terminal() -> None:
+    assert texts((), (), (), (), [Note(1.0, "ana", "\x1b[2Jgone")]) == ["␛[2Jgone, by ana"]
