@@ -8,6 +8,7 @@ import logging
 import os
 import signal
 import sys
+import textwrap
 import traceback
 from typing import IO, TYPE_CHECKING, Any, NoReturn
 
@@ -32,8 +33,18 @@ def _more(count: int) -> list[str]:
 
 def _end(code: int, *lines: str) -> NoReturn:
     for line in lines:
-        sys.stderr.write(f"{sanitize(line)}\n")
+        sys.stderr.write(f"{_folded(sanitize(line))}\n")
     sys.exit(code)
+
+
+def _folded(line: str) -> str:
+    """Return a line folded between words at the terminal's width; elsewhere, for scripts, it stays whole."""
+    columns = os.get_terminal_size(sys.stderr.fileno()).columns if sys.stderr.isatty() else 0
+    if len(line) <= columns or columns == 0:
+        return line
+    return textwrap.fill(
+        line, columns, subsequent_indent="  ", break_long_words=False, break_on_hyphens=False
+    )
 
 
 def _end_saying(problem: FleetError) -> NoReturn:
@@ -55,6 +66,8 @@ def _run_command() -> None:
     except click.ClickException as problem:
         message = f"fleet-tui: {problem.format_message()}".splitlines()
         context = problem.ctx if isinstance(problem, click.UsageError) else None
+        if context and isinstance(problem, click.MissingParameter):
+            message += context.get_usage().splitlines()
         _end(2, *message, *([f"Run {context.command_path} --help for usage."] if context else []))
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from fleet_tui.adapters.registry import DEFAULT_KIND
 from fleet_tui.config.load import find, load, load_if_any
-from fleet_tui.errors import ConfigError, NoConfigError
+from fleet_tui.errors import ConfigError, LinkError, NoConfigError
 from fleet_tui.log_file import log_to_file
 from fleet_tui.terminal.detect import IN_BROWSER, need_terminal
 
@@ -73,11 +73,18 @@ def _arrive(url: str | None, read_only: bool, drawing: str | None, debug: bool) 
     from fleet_tui.discovery.awaiting import Discovering
 
     log_to_file(debug)  # messages of the network libraries must not reach the terminal
-    discovering = Discovering(bridge_at(url)) if url else None
+    bridge = bridge_at(url) if url else None
+    discovering = Discovering(bridge) if bridge else None
     from fleet_tui.console import ask_first  # takes long: discovery continues
 
     need_terminal()
-    site = discovering.result() if discovering else None
+    try:
+        site = discovering.result() if discovering else None
+    except LinkError as problem:
+        assert bridge is not None
+        raise LinkError(
+            f"{problem}. Each step of the way: fleet-tui doctor --url {bridge.shown}"
+        ) from problem
     if site is not None:
         certain = bool(site.config.robots) and not (site.choices or site.lacks)
         # A browser's tab shows a single app: no question can be asked there.

@@ -15,16 +15,19 @@ from fleet_tui.keys import KEYS, Key, Pane, outdone
 from fleet_tui.keys.key import key_name
 from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.help.synonyms import SYNONYMS
 from fleet_tui.view.lines.hints import hidden_keys
 
 
 class Offer(NamedTuple):
-    """A line of the palette and its action; the key that has it, too, and the name that it goes to."""
+    """A line of the palette and its action; the key that has it, too, the name that it goes to, and other
+    words that find it."""
 
     text: str
     do: Callable[[], object]
     key: str = ""
     name: str = ""
+    also: str = ""
 
 
 class Offers:
@@ -52,7 +55,7 @@ class Offers:
         for key in KEYS:
             if key.in_palette and key.pane in (*self._session.panes, Pane.ANYWHERE) and key.id not in hidden:
                 shown = "".join(map(key_name, self._settings.keys[key.id][:1]))
-                yield Offer(key.text, partial(self._run, key), shown)
+                yield Offer(key.text, partial(self._run, key), shown, also=SYNONYMS.get(key.id, ""))
         for name in state.robots:
             yield Offer(f"Go to robot {name}", partial(navigation.find_robot, name), name=name)
         for floor in state.floors:

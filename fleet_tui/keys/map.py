@@ -76,7 +76,7 @@ MAP: tuple[Key[Actions], ...] = (
         "pick",
         ("enter",),
         lambda do: do.map.pick(),
-        "Open the robot's menu; at the cursor order from the vertex (with cargo: to it), or select the robot",
+        "Open the robot's menu; with the map cursor: order from its vertex, or select its robot",
         pane=Pane.MAP,
     ),
 )

@@ -147,12 +147,12 @@ class MainScreen(Screen[None]):
             return alarm_table(state, self.settings.clock, *arranged, pane.listing.cursor)
         return queue_table(state, robot, self.shows_all_orders, *arranged)
 
-    def show_rows(self, pane: RowsPane) -> None:
-        """Show the newest rows of one pane; without a filter the fleet's cursor is on the selected robot
-        again, whom commands are for."""
+    def show_rows(self, pane: RowsPane, sought: str = "") -> None:
+        """Show the newest rows of one pane, with the cursor on the best for what is sought. Without a filter
+        the fleet's is on the selected robot again, whom commands are for."""
         if pane is self.fleet and not pane.arrangement.typed:
             pane.listing.cursor = self.navigation.robot
-        pane.show(self._rows_of(pane))
+        pane.show(self._rows_of(pane), sought)
 
     def _show_hints(self, state: FleetState, robot: str) -> None:
         pane = Pane.ANYWHERE if self._in_overlay() else self.focused_pane()

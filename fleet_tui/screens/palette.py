@@ -65,14 +65,17 @@ class Palette(Overlay):
 
     def _list(self) -> None:
         """List a command first, then the matches, best first; without input everything in its usual sequence.
-        Enter on an incomplete command continues typing."""
+        Enter on an incomplete command continues typing. Last are actions that other words find."""
         line = self.query_one(Field).value
         typed, command = line.strip(), self._typed_as(line)
+        entries = list(self._entries())
         offers = (Offer(*entry) for entry in command.entries)
-        found = [*offers, *_matching(typed, list(self._entries()))][:SHOWN]
-        if command.is_command:
+        found = [*offers, *_matching(typed, entries)][:SHOWN]
+        if command.is_command or not found:
             lines = [one for one in command.completed if one.strip() != typed]
             found += [Offer(sanitize(one), partial(self._go_on, one)) for one in lines[:SHOWN]]
+        if typed and not command.is_command:
+            found += [one for one in entries if rank(typed, one.also) is not None and one not in found]
         if not found and typed:
             said = command.problem or f"no match for {sanitize(typed)}: press ? for all keys"
             found = [Offer(said, partial(self._go_on, line))]

@@ -3,6 +3,8 @@
 from collections.abc import Callable, Mapping
 
 from textual import events
+from textual.geometry import Size
+from textual.reactive import Reactive
 from textual.widgets import Input
 
 from fleet_tui.text.sanitize import sanitize
@@ -16,6 +18,9 @@ class Field(Input):
     Keys already in the queue when the focus moved are forwarded to its new place: a whole order pasted in one
     packet fills the form as if it were typed.
     """
+
+    # A letter moves no other widget; Textual would lay out and paint the whole screen for each.
+    virtual_size = Reactive(Size(0, 0), layout=False)
 
     def __init__(self, on: Keys, *, id: str, placeholder: str = "") -> None:
         super().__init__(id=id, placeholder=placeholder, compact=True, select_on_focus=True)

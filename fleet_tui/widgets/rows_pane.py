@@ -35,9 +35,11 @@ class RowsPane(RunsView, can_focus=True):
         """Return the cells of a row beside the cursor's mark."""
         return max(0, self.size.width - 1)
 
-    def show(self, table: Table) -> None:
-        """Show the newest rows."""
+    def show(self, table: Table, sought: str = "") -> None:
+        """Show the newest rows, with the cursor on the one that is sought."""
         self.listing.show(table)
+        if sought:
+            self.listing.go_to_best(sought)
         self.draw()
 
     def draw(self) -> None:

@@ -105,6 +105,12 @@ def test_a_usage_error_names_the_help_of_its_command(tmp_path: Path, line: str, 
     assert run(*line.split(), cwd=tmp_path).stderr.endswith(f"\nRun {command} --help for usage.\n")
 
 
+def test_a_missing_argument_is_told_with_its_place(tmp_path: Path) -> None:
+    usage = "Usage: fleet-tui order [OPTIONS] ROBOT FROM TO [TO ...]"
+    assert usage in run("order", cwd=tmp_path).stderr.splitlines()
+    assert usage not in run("order", "--nope", cwd=tmp_path).stderr
+
+
 def test_the_console_without_a_terminal_says_so(tmp_path: Path) -> None:
     done = run(cwd=tmp_path)
     assert done.returncode == 1

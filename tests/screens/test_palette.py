@@ -1,8 +1,10 @@
 """Typed commands, chains, again and back: what is asked, what is refused, what reaches the wire."""
 
 import pytest
+from msgspec.structs import replace
 from textual.widgets import Input
 
+from fleet_tui.adapters.profile import Profile
 from fleet_tui.model.problem import Permissions
 from fleet_tui.screens.ordering.form import OrderForm
 from fleet_tui.screens.palette import Palette
@@ -222,3 +224,17 @@ async def test_an_action_is_listed_with_its_key_and_beginnings_of_words_come_fir
         rows = [row.split() for row in it.pane("requests").splitlines()]
         assert [(row[0], row[-1]) for row in rows] == [("Centre", "c"), ("Toggle", "z")]
         assert len({len(row.rstrip()) for row in it.pane("requests").splitlines()}) == 1, "one column"
+
+
+@pytest.mark.parametrize(
+    ("typed", "found"),
+    [("exit", "Quit"), ("halt", "Pause all robots immediately"), ("stuck", "Explain why"), ("got", "goto")],
+)
+async def test_words_that_people_bring_find_actions_and_the_beginning_of_a_verb_its_verb(
+    server: RosbridgeServer, typed: str, found: str
+) -> None:
+    profile = Profile(topics={"goal": "/{robot}/goal"})
+    async with console(replace(config_of(server.url, 1), profile=profile)) as it:
+        await it.press("colon")
+        await it.type(typed)
+        await it.shows(found, "requests")

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 
 from textual import events
+from textual.screen import Screen
 
 from fleet_tui.widgets.field import Field
 from tests.support.widget_app import WidgetApp
@@ -38,3 +39,17 @@ async def test_pasted_text_is_made_visible() -> None:
         field.post_message(events.Paste("Base\x1b[2J\u202e"))
         await pilot.pause()
         assert field.value.startswith("Base␛[2J") and "\u202e" not in field.value
+
+
+async def test_a_letter_lays_no_screen_out_and_a_long_text_slides() -> None:
+    """A new layout paints every widget of the screen: of a large one, that takes longer than a key may."""
+    field = Field({}, id="field")
+    async with WidgetApp(field).run_test(size=(20, 5)) as pilot:
+        field.focus()
+        await pilot.pause()
+        layouts: list[Screen[object]] = []
+        field.screen.screen_layout_refresh_signal.subscribe(field, layouts.append)
+        await pilot.press(*"abcdefghijklmnopqrstuvwxyz")
+        await pilot.pause()
+        shown = field.screen._compositor.render_strips()[field.region.y].text
+        assert layouts == [] and "xyz" in shown and "abc" not in shown

@@ -14,9 +14,10 @@ from fleet_tui.widgets.rows_pane import RowsPane
 
 
 class FilterLine(Overlay):
-    """Above the footer, in the place of the message. `show` shows the newest rows of a pane."""
+    """Above the footer, in the place of the message. `show` shows the newest rows of a pane, and the best
+    one for what is typed."""
 
-    def __init__(self, show: Callable[[RowsPane], None]) -> None:
+    def __init__(self, show: Callable[[RowsPane, str], None]) -> None:
         super().__init__(id="filter-line")
         self._show = show
         self._pane: RowsPane | None = None
@@ -52,10 +53,7 @@ class FilterLine(Overlay):
     def _apply(self, typed: str) -> None:
         if self._pane is not None and typed != self._pane.arrangement.typed:
             self._pane.arrangement.typed = typed
-            self._show(self._pane)
-            if typed:
-                self._pane.listing.go_to_best(typed)
-                self._pane.draw()
+            self._show(self._pane, typed)
 
     def _move(self, step: int) -> None:
         self._apply(self._field.value)

@@ -51,7 +51,8 @@ TASKS: dict[str, tuple[Step, ...]] = {
         (("pan_left", "pan_right", "pan_up", "pan_down"), "Pan (mouse drag)"),
         (("follow", "centre"), "Follow, or centre on the robot"),
         (("edges", "labels", "trails"), "Show edges, labels, trails"),
-        (("laser", "path"), "Show the laser scan; planned path"),
+        (("laser",), "Show the laser scan"),
+        (("path",), "Show the planned path"),
         (("next_vertex", "previous_vertex"), "Next, previous labelled vertex"),
     ),
     "Set up a site": (
