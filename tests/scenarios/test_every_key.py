@@ -9,6 +9,7 @@ from msgspec.structs import replace
 from fleet_tui.app import FleetApp
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.keys import Pane
+from fleet_tui.model.history.facts import Activity, Span
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import Console, console
@@ -168,7 +169,9 @@ async def test_every_key_of_the_history(server: RosbridgeServer, tmp_path: Path)
         await it.press("1" if focus(it) == "history-rows" else "escape")
         await it.shows("robot_0 order 1", "history-rows")
 
-    put(tmp_path, past_shift(time.time() - 3600))
+    began = time.time() - 3600
+    upstairs = Span("robot_1", Activity.BLOCKED, began, began + 100, "floor_1", 5.0, 5.0)
+    put(tmp_path, [*past_shift(began), upstairs])
     files = ConsoleFiles()
     first = {
         "history_events": ("2",),

@@ -20,6 +20,8 @@ HOUR = 3600.0
 SPANS = {"1 h": HOUR, "8 h": 8 * HOUR, "24 h": 24 * HOUR, "7 d": 168 * HOUR, "30 d": 720 * HOUR}
 """Times that are shown, in seconds."""
 USUAL = "8 h"
+NEARLY = 0.05
+"""Part of a time: one that ends so shortly ago goes on up to now."""
 NAMES = tuple(HISTORY_PAGES)
 """Pages in the order of their numbers."""
 NO_HISTORY = "this console keeps no history: set days in [history]"
@@ -102,8 +104,7 @@ class HistoryControls:
         """Show a page."""
         self.page_number, self.notice, self.chart = number, "", ""
         self.shown = ShownShift(self.shown.time, problem="reading ...")
-        self.read()
-        self._view.look()
+        self._read_and_look()
 
     def step_page(self, step: int) -> None:
         """Show the next (1) or previous (-1) page."""
@@ -115,15 +116,20 @@ class HistoryControls:
 
     def shift(self, step: int) -> None:
         """Show a later (1) or an earlier (-1) time, at last one that goes on."""
-        until = (self.until or time.time()) + step * SPANS[self.span or USUAL] / 2
-        self.until = 0.0 if until >= time.time() else until
-        self.read()
+        span, now = SPANS[self.span or USUAL], time.time()
+        until = (self.until or now) + step * span / 2
+        self.until = 0.0 if until >= now - span * NEARLY else until
+        self._read_and_look()
 
     def stretch(self, step: int) -> None:
         """Show a longer (1) or a shorter (-1) time up to the same end."""
         names = list(SPANS)
         self.span = names[min(len(names) - 1, max(0, names.index(self.span or USUAL) + step))]
+        self._read_and_look()
+
+    def _read_and_look(self) -> None:
         self.read()
+        self._view.look()  # the title says at once for which time the rows are awaited
 
     def next_floor(self) -> None:
         """Show the places of the next floor."""

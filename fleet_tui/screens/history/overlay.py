@@ -144,7 +144,7 @@ class HistoryOverlay(Overlay):
         size = self.rows.row_width, max(1, self.rows.size.height - 1)
         self.rows.show(self._pages.table(controls, words_of(field.value), size))
         until = long_moment(controls.until) if controls.until else "now"
-        self._tabs.show(*page_runs(controls.page_number, controls.span, until))
+        self._tabs.show(*page_runs(controls.page_number, controls.span, until, self._tabs.size.width))
         self._foot.show(*foot_runs(self._keys, controls.name, controls.notice))
 
     def action_key(self, id_: str) -> None:

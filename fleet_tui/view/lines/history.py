@@ -10,6 +10,8 @@ from fleet_tui.view.tables.table import Run
 
 OPENABLE = ("Events", "Alarms")
 """Pages whose rows begin at a moment."""
+ALL_FROM = 74
+"""Cells from which all pages are named."""
 HINTS = (
     ("history_filter", "filter"),
     ("history_next_page", "page"),
@@ -19,9 +21,14 @@ HINTS = (
 )
 
 
-def page_runs(page: int, span: str, until: str) -> tuple[list[Run], list[Run]]:
-    """Return the title, all pages, the open one in brackets; at the right the time that is shown."""
+def page_runs(page: int, span: str, until: str, width: int) -> tuple[list[Run], list[Run]]:
+    """Return the title, all pages, the open one in brackets, in few cells that one alone; at the right the
+    time that is shown."""
     runs: list[Run] = [("History ", StyleRole.TITLE)]
+    if width < ALL_FROM:
+        name = list(HISTORY_PAGES)[page - 1]
+        runs.append((f"[{page} of {len(HISTORY_PAGES)} {name}]", StyleRole.TITLE_FOCUSED))
+        return runs, [(f"{span} to {until} ", StyleRole.TEXT)]
     for number, name in enumerate(HISTORY_PAGES, 1):
         is_shown = number == page
         text = f"[{number} {name}]" if is_shown else f" {number} {name} "

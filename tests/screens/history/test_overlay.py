@@ -26,9 +26,10 @@ async def past_console(
     put(folder, [*shift(time.time() - 3600), *shift(time.time() - 3000, "robot_1")])
     files = ConsoleFiles()
     with kept_history(folder) as files.history:
-        async with console(config_of(server.url, 2, 2), size=size, files=files) as it:
+        wait = size[0] > 60  # of a small map no label is seen
+        async with console(config_of(server.url, 2, 2), size=size, files=files, wait=wait) as it:
             await it.press("H")
-            await it.shows("robot_0 order 1 Base -> Store: done", "history-rows")
+            await it.shows("link: up", "history-rows")
             yield it
 
 
@@ -62,7 +63,7 @@ async def test_a_filter_is_of_all_pages_and_is_cleared_first(server: RosbridgeSe
 async def test_another_time_is_read(server: RosbridgeServer, tmp_path: Path) -> None:
     async with past_console(server, tmp_path) as it:
         await it.press("minus")
-        await it.shows("24 h to now" if "8 h" in it.text else "8 h to now")
+        await it.shows("8 h to now")
         await it.press(*["plus"] * 4)
         await it.shows("1 h to now")
         await it.press("comma", "comma", "comma")

@@ -8,7 +8,8 @@ KEYS, _ = keymap({})
 
 
 def test_the_open_page_is_in_brackets_and_the_time_at_the_right() -> None:
-    pages, time = page_runs(2, "8 h", "now")
+    pages, time = page_runs(2, "8 h", "now", 80)
+    assert text_of(page_runs(2, "8 h", "now", 58)[0]) == "History [2 of 5 Robots]"
     assert text_of(pages) == "History  1 Events [2 Robots] 3 Batteries  4 Alarms  5 Places "
     assert text_of(time) == "8 h to now "
 
