@@ -3,8 +3,8 @@
 Run: python docs/pictures.py states FOLDER [NAME ...]   every state at four sizes, to be looked at
      python docs/pictures.py docs [NAME ...]            the pictures in docs/; by default all; `film` moves
 
-Needs Xvfb, xterm and xdotool, which are Debian packages of these names; without them `states` writes what
-the application exports itself.
+Needs Xvfb, xterm and xdotool, which are Debian packages of these names, and for `shift` chromium; without
+them `states` writes what the application exports itself.
 """
 
 import asyncio
@@ -197,8 +197,10 @@ DOCS = {
 """The pictures of the documentation, by name: size, console, and the keys before them."""
 
 
-MOVING = "film"
-"""The name of the moving picture."""
+MOVING, SHIFT = "film", "shift"
+"""The names of the moving picture, and of those of the history and its report."""
+LASTS = 420.0
+"""Seconds for which the history is collected that they show."""
 
 
 class Take(NamedTuple):
@@ -324,9 +326,9 @@ def states(folder: Path, names: list[str]) -> None:
 def pictures_of_docs(names: list[str]) -> None:
     """Make the named pictures that documentation pages show, or all."""
     folder = Path(__file__).parent
-    for name in names or [*DOCS, MOVING]:
-        if name == MOVING:
-            film(folder / "console.gif")
+    for name in names or [*DOCS, *WHOLE]:
+        if name in WHOLE:
+            WHOLE[name](folder)
             continue
         size, console = DOCS[name]
         with terminal(console, size):
@@ -339,8 +341,50 @@ def pictures_of_docs(names: list[str]) -> None:
             )
 
 
-def film(path: Path) -> None:
+def shift(folder: Path) -> None:
+    """Make the pictures of a history that was collected, in the console and as a report."""
+    faults = "obstacle:robot_4,battery:robot_9"
+    with TemporaryDirectory() as home, simulated(12, 2, faults, speed=6.0) as (url,):
+        config = Path(home) / "config.toml"
+        own = {"HOME": home, "XDG_STATE_HOME": home, "XDG_CONFIG_HOME": home, "LANG": "C.UTF-8"}
+        environment = {"PATH": os.environ["PATH"], "DISPLAY": os.environ["DISPLAY"], **own}
+        found = [CONSOLE, "config", "init", "--from-live", url, "--output", str(config)]
+        subprocess.run(found, env=environment, check=True)
+        collect = [CONSOLE, "history", "--collect", "--config", str(config)]
+        with subprocess.Popen(collect, env=environment) as collecting:
+            time.sleep(LASTS)
+            collecting.terminate()
+        geometry = [*TERMINAL, "-geometry", "120x26+0+0", "-e", "env", "COLORTERM=truecolor"]
+        with subprocess.Popen([*geometry, CONSOLE, "--config", str(config)], env=environment) as console:
+            time.sleep(ARRIVED)
+            press(["'H2"])
+            time.sleep(3)
+            photograph().quantize(COLOURS, dither=Image.Dither.NONE).save(
+                folder / "history.png", optimize=True
+            )
+            console.terminate()
+        page = Path(home) / "shift.html"
+        subprocess.run(
+            [CONSOLE, "report", "--since", "8m", "--output", str(page), "--config", str(config)],
+            env=environment,
+            check=True,
+        )
+        browse(page, folder / "report.png")
+
+
+def browse(page: Path, picture: Path) -> None:
+    """Make a picture of the beginning of a page in a browser."""
+    with TemporaryDirectory() as profile:
+        options = ["--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={profile}"]
+        size = ["--window-size=1040,1500", "--hide-scrollbars", f"--screenshot={picture}"]
+        subprocess.run(["chromium", *options, *size, page.as_uri()], check=True, stderr=subprocess.DEVNULL)
+    with Image.open(picture) as shot:
+        shot.convert("RGB").quantize(COLOURS, dither=Image.Dither.NONE).save(picture, optimize=True)
+
+
+def film(folder: Path) -> None:
     """Make the moving picture: an obstacle, its explanation, an order, and all that once more as a replay."""
+    path = folder / "console.gif"
     frames: list[Image.Image] = []
     with terminal(FILMED, (100, 30)):
         time.sleep(FILMED.wait)
@@ -360,6 +404,10 @@ def film(path: Path) -> None:
     palette = all_colours.quantize(COLOURS, dither=Image.Dither.NONE)
     first, *more = (frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames)
     first.save(path, save_all=True, append_images=more, duration=int(FRAME * 1000), loop=0, optimize=True)
+
+
+WHOLE = {SHIFT: shift, MOVING: film}
+"""Pictures that are more than one console in one state."""
 
 
 async def export(folder: Path) -> None:

@@ -72,10 +72,10 @@ class History:
         return [row[0] for row in rows]
 
     def begun(self) -> float | None:
-        """Return the hour in which it begins, None if no robot was observed yet."""
-        of_one = "SELECT min(hour) FROM hours WHERE robot = (SELECT robot FROM hours LIMIT 1)"
+        """Return when it begins, as the first robot shows; None if no robot was observed yet."""
+        of_one = "SELECT min(began) FROM spans WHERE robot = (SELECT robot FROM spans LIMIT 1)"
         (first,) = self.database.execute(of_one).fetchone()
-        return None if first is None else first * HOUR
+        return None if first is None else float(first)
 
     def watched_until(self) -> float | None:
         """Return when anybody last observed a robot, None for never."""

@@ -35,7 +35,7 @@ HISTORY: tuple[Key[HistoryActions], ...] = (
     _key("filter", ("/",), lambda do: do.filter(), "Filter: words, !word; a robot, a place, an outcome"),
     _key("earlier", (",",), lambda do: do.shift(-1), "Earlier, by half of the time shown"),
     _key("later", (".",), lambda do: do.shift(1), "Later; at last up to now"),
-    _key("longer", ("-",), lambda do: do.stretch(1), "Longer time: 1 h, 8 h, 24 h, 7 d, 30 d"),
+    _key("longer", ("-",), lambda do: do.stretch(1), "Longer time: 15 min, 1 h, 8 h, 24 h, 7 d, 30 d"),
     _key("shorter", ("+",), lambda do: do.stretch(-1), "Shorter time"),
     _key("floor", ("f",), lambda do: do.next_floor(), "Next floor, on the page of places"),
     _key("replay", ("o",), lambda do: do.replay(), "Open the recording at the time of the marked row"),

@@ -17,7 +17,14 @@ from fleet_tui.view.history.tables import moment_of
 from fleet_tui.widgets.rows_pane import RowsPane
 
 HOUR = 3600.0
-SPANS = {"1 h": HOUR, "8 h": 8 * HOUR, "24 h": 24 * HOUR, "7 d": 168 * HOUR, "30 d": 720 * HOUR}
+SPANS = {
+    "15 min": HOUR / 4,
+    "1 h": HOUR,
+    "8 h": 8 * HOUR,
+    "24 h": 24 * HOUR,
+    "7 d": 168 * HOUR,
+    "30 d": 720 * HOUR,
+}
 """Times that are shown, in seconds."""
 USUAL = "8 h"
 NEARLY = 0.05
@@ -94,8 +101,10 @@ class HistoryControls:
             return
         self.shown, self.is_reading = shown, False
         if not self.span:
-            is_young = shown.begun is not None and shown.time.until - shown.begun < 2 * HOUR
-            self.span = "1 h" if is_young else USUAL
+            age = shown.time.until - (shown.begun or 0.0)
+            self.span = next((name for name, seconds in SPANS.items() if seconds >= age), USUAL)
+            if SPANS[self.span] > SPANS[USUAL]:
+                self.span = USUAL
             if self.span != USUAL:
                 self.read()
         self._view.look()

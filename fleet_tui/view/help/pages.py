@@ -56,6 +56,7 @@ ALWAYS = (
     ("robot_1, Base, floor_1", "go there"),
     ("save config.toml", "write the configuration"),
     ("save-map hall.yaml", "write the shown map"),
+    ("note lift B is slow", "a note for the next shift"),
     ("theme, record, arm, ...", "any action, by a word"),
 )
 """Examples of typed lines that need no robot."""

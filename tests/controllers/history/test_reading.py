@@ -34,7 +34,7 @@ def test_every_page_is_read() -> None:
 
 def test_each_page_reads_its_own(path: Path) -> None:
     events = read_page(path, "Events", TIME, 20.0)
-    assert len(events.events) == 8 and events.timeline == {} and events.begun == 0.0
+    assert len(events.events) == 8 and events.timeline == {} and events.begun == 20.0
     robots = read_page(path, "Robots", TIME, 20.0)
     assert (
         robots.timeline["robot_0"][0] is Activity.BLOCKED and robots.timeline["robot_0"][5] is Activity.IDLE

@@ -65,11 +65,11 @@ async def test_another_time_is_read(server: RosbridgeServer, tmp_path: Path) -> 
         await it.press("minus")
         await it.shows("8 h to now")
         await it.press(*["plus"] * 4)
-        await it.shows("1 h to now")
+        await it.shows("15 min to now")
         await it.press("comma", "comma", "comma")
         await it.shows("nothing happened in this time", "history-rows")
         await it.press(*["full_stop"] * 3)
-        await it.shows("1 h to now")
+        await it.shows("15 min to now")
 
 
 async def test_enter_on_a_robot_shows_its_curve_or_its_events(
