@@ -345,7 +345,8 @@ def shift(folder: Path) -> None:
     """Make the pictures of a history that was collected, in the console and as a report."""
     faults = "obstacle:robot_4,battery:robot_9"
     with TemporaryDirectory() as home, simulated(12, 2, faults, speed=6.0) as (url,):
-        config = Path(home) / "config.toml"
+        config = Path(home) / "depot" / "config.toml"
+        config.parent.mkdir()
         own = {"HOME": home, "XDG_STATE_HOME": home, "XDG_CONFIG_HOME": home, "LANG": "C.UTF-8"}
         environment = {"PATH": os.environ["PATH"], "DISPLAY": os.environ["DISPLAY"], **own}
         found = [CONSOLE, "config", "init", "--from-live", url, "--output", str(config)]
@@ -357,6 +358,8 @@ def shift(folder: Path) -> None:
         geometry = [*TERMINAL, "-geometry", "120x26+0+0", "-e", "env", "COLORTERM=truecolor"]
         with subprocess.Popen([*geometry, CONSOLE, "--config", str(config)], env=environment) as console:
             time.sleep(ARRIVED)
+            press(["colon", "'note Lift B is slow: goods for floor_1 go by the ramp", "Return"])
+            time.sleep(3)
             press(["'H2"])
             time.sleep(3)
             photograph().quantize(COLOURS, dither=Image.Dither.NONE).save(
@@ -379,7 +382,7 @@ def browse(page: Path, picture: Path) -> None:
         size = ["--window-size=1040,1500", "--hide-scrollbars", f"--screenshot={picture}"]
         subprocess.run(["chromium", *options, *size, page.as_uri()], check=True, stderr=subprocess.DEVNULL)
     with Image.open(picture) as shot:
-        shot.convert("RGB").quantize(COLOURS, dither=Image.Dither.NONE).save(picture, optimize=True)
+        shot.convert("RGB").quantize(256, dither=Image.Dither.NONE).save(picture, optimize=True)
 
 
 def film(folder: Path) -> None:

@@ -114,7 +114,7 @@ async def test_what_a_server_says_back_is_hidden(tmp_path: Path) -> None:
     }
     assert not [suffix for suffix, content in contents.items() if b"s3same" in content]
     repeated = {suffix for suffix, content in contents.items() if b"not you: ******" in content}
-    assert repeated == {".log", ".jsonl", ".gz"}
+    assert repeated == {".log", ".jsonl", ".gz", ".sqlite"}
 
 
 @pytest.mark.parametrize("mode", [0o600, 0o644])

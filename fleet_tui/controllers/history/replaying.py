@@ -51,8 +51,8 @@ class PastReplay:
 
 
 def run_in_terminal(command: Sequence[str]) -> str:
-    """Run a command with this terminal; return its error, empty if it ended well. Links, audit log and
+    """Run a command with this terminal; return what to say if it failed, else nothing. Links, audit log and
     history go on in their threads."""
-    done = subprocess.run(command, check=False, stderr=subprocess.PIPE, text=True)
-    lines = done.stderr.strip().splitlines()
-    return lines[-1] if done.returncode and lines else ""
+    done = subprocess.run(command, check=False)
+    said = shlex.join(["fleet-tui", *command[3:]])
+    return f"it ended with status {done.returncode}; this says why: {said}" if done.returncode else ""
