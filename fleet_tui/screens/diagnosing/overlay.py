@@ -1,12 +1,10 @@
 """The diagnostics screen: a live version of `doctor`. It uses no resources while it is closed."""
 
 from collections.abc import Hashable, Mapping
-from functools import partial
 from typing import ClassVar
 
 from rich.style import Style
 from textual import on
-from textual.actions import SkipAction
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.timer import Timer
@@ -22,7 +20,7 @@ from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.view.lines.diagnostics import foot_runs, page_runs
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.widgets.bindings import bindings
-from fleet_tui.widgets.field import Field, Keys
+from fleet_tui.widgets.filter_field import FilterField
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.rows_pane import RowsPane
 
@@ -50,21 +48,15 @@ class Diagnostics(Overlay):
         self._listens = False
         self._timer: Timer | None = None
         self.rows = RowsPane(id="diagnostics-rows", choose=self._controls.choose)
+        text = "filter text; Enter keeps it, Esc clears it"
+        self._field = FilterField(self.rows, id="diagnostics-filter", placeholder=text)
         self._tabs = LineView(id="diagnostics-pages")
         self._foot = LineView(id="diagnostics-keys", keep_right=True)
 
     def compose(self) -> ComposeResult:
         """Compose the pages' names, a field that appears on use, the rows, the keys."""
-        keys: Keys = {
-            "enter": self._leave_field,
-            "escape": partial(self._leave_field, clear=True),
-            "up": partial(self.rows.move, -1),
-            "down": partial(self.rows.move, 1),
-            "pageup": partial(self.rows.move, -10),
-            "pagedown": partial(self.rows.move, 10),
-        }
         yield self._tabs
-        yield Field(keys, id="diagnostics-filter", placeholder="filter text; Enter keeps it, Esc clears it")
+        yield self._field
         yield self.rows
         yield self._foot
 
@@ -124,30 +116,15 @@ class Diagnostics(Overlay):
 
     def put_filter(self, text: str) -> None:
         """Filter the rows of the page, with the focus on the rows."""
-        field = self.query_one(Field)
-        with field.prevent(Input.Changed):
-            field.value = text
-        self._leave_field()
+        self._field.put(text)
 
     def open_filter(self) -> None:
-        """Focus the field of the filter. Raises SkipAction if it has the focus: the key is a letter of a
-        topic."""
-        field = self.query_one(Field)
-        if self.screen.focused is field:
-            raise SkipAction
-        if self._controls.current in FILTERED:
-            field.display = True
-            self.screen.set_focus(field)
+        """Focus the field of the filter, on a page that has one."""
+        if self._controls.current in FILTERED or self.screen.focused is self._field:
+            self._field.begin()
 
     @on(Input.Changed, "#diagnostics-filter")
     def _typed(self, event: Input.Changed) -> None:
         event.stop()
         self._pages.wanted[self._controls.current] = event.value.strip()
         self.look()
-
-    def _leave_field(self, clear: bool = False) -> None:
-        field = self.query_one(Field)
-        if clear:
-            field.value = ""
-        field.display = bool(field.value)
-        self.screen.set_focus(self.rows)

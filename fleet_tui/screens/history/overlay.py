@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, ClassVar
 
 from rich.style import Style
 from textual import on
-from textual.actions import SkipAction
 from textual.app import ComposeResult, SuspendNotSupported
 from textual.binding import Binding, BindingType
 from textual.timer import Timer
@@ -24,7 +23,7 @@ from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import column
 from fleet_tui.widgets.background import run_in_background
 from fleet_tui.widgets.bindings import bindings
-from fleet_tui.widgets.field import Field, Keys
+from fleet_tui.widgets.filter_field import FilterField
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.rows_pane import RowsPane
 
@@ -84,28 +83,17 @@ class HistoryOverlay(Overlay):
         self._controls = HistoryControls(self, screen.files, replaying, in_background, low)
         self._timer: Timer | None = None
         self.rows = RowsPane(id="history-rows", choose=self._controls.choose)
+        words = "words, !word; Enter keeps them, Esc clears them"
+        self._field = FilterField(self.rows, id="history-filter", placeholder=words)
         self._tabs = LineView(id="history-pages", keep_right=True)
         self._foot = LineView(id="history-keys")
 
     def compose(self) -> ComposeResult:
         """Compose the pages' names, a field that appears on use, the rows, the keys."""
-        keys: Keys = {
-            "enter": self._leave_field,
-            "escape": partial(self._leave_field, clear=True),
-            "up": partial(self.rows.move, -1),
-            "down": partial(self.rows.move, 1),
-            "pageup": partial(self.rows.move, -10),
-            "pagedown": partial(self.rows.move, 10),
-        }
         yield self._tabs
-        yield Field(keys, id="history-filter", placeholder="words, !word; Enter keeps them, Esc clears them")
+        yield self._field
         yield self.rows
         yield self._foot
-
-    def on_mount(self) -> None:
-        """Hide the field until it is used."""
-        super().on_mount()
-        self.query_one(Field).display = False
 
     def set_role_styles(self, styles: Mapping[StyleRole, Style]) -> None:
         """Change every colour."""
@@ -140,9 +128,9 @@ class HistoryOverlay(Overlay):
 
     def look(self) -> None:
         """Show what was read."""
-        controls, field = self._controls, self.query_one(Field)
+        controls = self._controls
         size = self.rows.row_width, max(1, self.rows.size.height - 1)
-        self.rows.show(self._pages.table(controls, words_of(field.value), size))
+        self.rows.show(self._pages.table(controls, words_of(self._field.value), size))
         until = long_moment(controls.until) if controls.until else "now"
         self._tabs.show(*page_runs(controls.page_number, controls.span, until, self._tabs.size.width))
         self._foot.show(*foot_runs(self._keys, controls.name, controls.notice))
@@ -152,36 +140,22 @@ class HistoryOverlay(Overlay):
         KEYS[id_].action(self._controls)
 
     def open_filter(self) -> None:
-        """Focus the field of the filter. Raises SkipAction if it has the focus: the key is a letter."""
-        field = self.query_one(Field)
-        if self.screen.focused is field:
-            raise SkipAction
-        field.display = True
-        self.screen.set_focus(field)
-
-    def back(self) -> None:
-        """Clear the filter, or close."""
-        if self.query_one(Field).value:
-            self._leave_field(clear=True)
-            self.look()
-        else:
-            self.action_close()
+        """Focus the field of the filter."""
+        self._field.begin()
 
     def put_filter(self, text: str) -> None:
         """Filter by a text, with the focus on the rows."""
-        field = self.query_one(Field)
-        with field.prevent(Input.Changed):
-            field.value = text
-        self._leave_field()
+        self._field.put(text)
+
+    def back(self) -> None:
+        """Clear the filter, or close."""
+        if self._field.value:
+            self._field.leave(clear=True)
+            self.look()
+        else:
+            self.action_close()
 
     @on(Input.Changed, "#history-filter")
     def _typed(self, event: Input.Changed) -> None:
         event.stop()
         self.look()
-
-    def _leave_field(self, clear: bool = False) -> None:
-        field = self.query_one(Field)
-        if clear:
-            field.value = ""
-        field.display = bool(field.value)
-        self.screen.set_focus(self.rows)
