@@ -70,7 +70,7 @@ class MainScreen(Screen[None]):
     ) -> None:
         super().__init__()
         self.store, self.backend, self.settings, self.files = store, backend, settings, files
-        self.is_complete = False
+        self.is_complete = self.shows_all_orders = False
         self.status, self.message = LineView(id="status"), LineView(id="message")
         self.hints = KeyLine(settings.keys, id="hints")
         self.panes = Panes()
@@ -85,7 +85,6 @@ class MainScreen(Screen[None]):
             SessionParts(self.dispatch, self.notices, files, settings, self._forget_trails)
         )
         self.unoffered = {key.id for key in KEYS if not self.session.offers(key)}
-        self.shows_all_orders = False
 
     def compose(self) -> ComposeResult:
         """Compose the panes in the order of Tab; the map and the overlays are mounted after the first
@@ -127,7 +126,8 @@ class MainScreen(Screen[None]):
         self.dispatch.release_startup()
         state, robot, clock = self.store.state, self.navigation.robot, self.settings.clock
         if self.is_complete:
-            self._show_floor(state)
+            if not self.rest.tables.filter_line.goes_first:
+                self._show_floor(state)
             self.rest.show()
         self._mark_alarm(state)
         page, recent = partial(robot_page, state, clock=clock), partial(recent_table, state, clock)

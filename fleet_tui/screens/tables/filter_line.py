@@ -1,5 +1,7 @@
 """The line in which a filter is typed: its table follows with each letter."""
 
+import math
+import time
 from collections.abc import Callable
 from functools import partial
 
@@ -10,7 +12,11 @@ from textual.widgets import Input, Label
 
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.widgets.field import Field
+from fleet_tui.widgets.panes import Pace
 from fleet_tui.widgets.rows_pane import RowsPane
+
+PAUSE, MAP_EVERY = 0.3, 0.5
+"""Seconds after a letter in which the map waits, and after which it is drawn all the same."""
 
 
 class FilterLine(Overlay):
@@ -21,6 +27,8 @@ class FilterLine(Overlay):
         super().__init__(id="filter-line")
         self._show = show
         self._pane: RowsPane | None = None
+        self._typed_at = -math.inf
+        self._map_pace = Pace(MAP_EVERY)
         steps = {"up": -1, "down": 1, "pageup": -10, "pagedown": 10}
         keys: dict[str, Callable[[], object]] = {
             key: partial(self._move, step) for key, step in steps.items()
@@ -52,8 +60,14 @@ class FilterLine(Overlay):
 
     def _apply(self, typed: str) -> None:
         if self._pane is not None and typed != self._pane.arrangement.typed:
-            self._pane.arrangement.typed = typed
+            self._pane.arrangement.typed, self._typed_at = typed, time.monotonic()
             self._show(self._pane, typed)
+
+    @property
+    def goes_first(self) -> bool:
+        """Tell whether the map has to wait: the next letter may come any moment, and hundreds of robots take
+        the time of a frame."""
+        return time.monotonic() - self._typed_at < PAUSE and not self._map_pace.is_due()
 
     def _move(self, step: int) -> None:
         self._apply(self._field.value)

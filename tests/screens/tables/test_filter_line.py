@@ -1,6 +1,13 @@
 """A filter typed over a table, from the first key to the last."""
 
+from types import SimpleNamespace
+
+import pytest
+
+from fleet_tui.screens.tables import filter_line
+from fleet_tui.screens.tables.filter_line import MAP_EVERY
 from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.widgets import panes
 from tests.support.console_pilot import Console, console
 from tests.support.watched_store import config_of
 
@@ -73,3 +80,23 @@ async def test_a_filter_that_found_nobody_leaves_the_cursor_on_the_selected_robo
             await it.type("zzz")
             await it.press(*keys)
             assert it.app.main.fleet.listing.cursor == it.app.main.navigation.robot == "robot_2"
+
+
+async def test_the_map_waits_for_a_letter_but_not_for_long(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with console(config_of(server.url, 3), wait=False) as it:
+        await it.until(lambda _: it.app.main.is_complete)
+        line = it.app.main.rest.tables.filter_line
+        assert not line.goes_first
+        await it.press("/")
+        await it.type("1")
+        typed_at = line._typed_at
+        goes_first = []
+        for seconds in (0.1, 0.2, 0.25, 0.31, 0.4):
+            monkeypatch.setattr(
+                filter_line, "time", SimpleNamespace(monotonic=lambda s=seconds: typed_at + s)
+            )
+            monkeypatch.setattr(panes, "monotonic", lambda s=seconds: typed_at + s + MAP_EVERY)
+            goes_first.append(line.goes_first)
+        assert goes_first[1:] == [True, True, False, False], "once at first, then after a pause"
