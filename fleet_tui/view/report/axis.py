@@ -24,6 +24,8 @@ STEPS = (
     *(HOUR * n for n in (1, 2, 3, 6, 12)),
     *(DAY * n for n in (1, 2, 7, 14, 30, 90, 365)),
 )
+EDGE = 20.0
+"""Units beside the right edge in which a text is left of its mark."""
 MOST = 12
 """Marks of an axis."""
 
@@ -44,5 +46,6 @@ def axis(time: Division, local: LocalTime, left: float, width: float, height: fl
     for at in marks(time, local.offset):
         x = left + width * (at - time.since) / (time.until - time.since)
         found.append(element("path", d=f"M{x:.1f},0V{height:.1f}", class_="mark"))
-        found.append(element("text", local.clock(at, is_long), x=x, y=height + 12, text_anchor="middle"))
+        anchor = "end" if x > left + width - EDGE else "middle"  # else it would be cut there
+        found.append(element("text", local.clock(at, is_long), x=x, y=height + 12, text_anchor=anchor))
     return found
