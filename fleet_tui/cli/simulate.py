@@ -1,5 +1,6 @@
 """Commands that simulate robots. The command line imports this module when one of them is used."""
 
+import sys
 from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
@@ -61,6 +62,8 @@ def _announce(graph_file: Path | None, floors: int, urls: Sequence[str]) -> None
         write_graphs(graph_file, floors)
     for url in urls:
         click.echo(url)
+    if sys.stdout.isatty():
+        click.echo(f"open it in another terminal: fleet-tui {urls[0]}; Ctrl-C ends it", err=True)
 
 
 @click.group(cls=NearestGroup)

@@ -9,13 +9,12 @@ from typing import TYPE_CHECKING, ClassVar
 from rich.style import Style
 from textual import on
 from textual.app import ComposeResult
-from textual.binding import Binding, BindingType
+from textual.binding import BindingType
 from textual.widgets import Input, Static
 
 from fleet_tui.controllers.dispatch import Ask
 from fleet_tui.controllers.programs import ProgramRequests, since_text
 from fleet_tui.controllers.typed import OpenMenu
-from fleet_tui.keys import Pane
 from fleet_tui.log_file import state_folder
 from fleet_tui.programs.arguments import log
 from fleet_tui.programs.log_tail import LogTail
@@ -23,7 +22,7 @@ from fleet_tui.programs.watch import ProgramWatch
 from fleet_tui.screens.overlay import ReturningOverlay
 from fleet_tui.view.programs.table import log_table, note, program_table
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.widgets.bindings import bindings
+from fleet_tui.widgets.bindings import overlay_bindings
 from fleet_tui.widgets.field import Field, Keys
 from fleet_tui.widgets.rows_pane import RowsPane
 
@@ -45,11 +44,7 @@ class Programs(ReturningOverlay):
 
     BINDINGS: ClassVar[list[BindingType]] = [
         ("escape,q", "close", "Close"),
-        *(
-            Binding(binding.key, "close", show=False, id=binding.id)
-            for binding in bindings(Pane.CONSOLE)
-            if isinstance(binding, Binding) and binding.id == "programs"
-        ),
+        *overlay_bindings("programs"),
     ]
 
     def __init__(self, watch: ProgramWatch, requests: ProgramRequests) -> None:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from rich.style import Style
 from textual.app import ComposeResult
-from textual.binding import Binding, BindingType
+from textual.binding import BindingType
 from textual.widgets import Static
 
 from fleet_tui.controllers.dispatch import Ask
@@ -15,13 +15,12 @@ from fleet_tui.controllers.programs import since_text
 from fleet_tui.controllers.routines.led import LedRoutines
 from fleet_tui.controllers.routines.requests import RoutineRequests
 from fleet_tui.controllers.typed import OpenMenu
-from fleet_tui.keys import Pane
 from fleet_tui.log_file import state_folder
 from fleet_tui.routines.look import RoutinePlace
 from fleet_tui.screens.overlay import ReturningOverlay
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.routines.table import routine_table, text_table
-from fleet_tui.widgets.bindings import bindings
+from fleet_tui.widgets.bindings import overlay_bindings
 from fleet_tui.widgets.rows_pane import RowsPane
 
 if TYPE_CHECKING:
@@ -50,11 +49,7 @@ class Routines(ReturningOverlay):
 
     BINDINGS: ClassVar[list[BindingType]] = [
         ("escape,q", "back", "Back"),
-        *(
-            Binding(binding.key, "close", show=False, id=binding.id)
-            for binding in bindings(Pane.CONSOLE)
-            if isinstance(binding, Binding) and binding.id == "routines"
-        ),
+        *overlay_bindings("routines"),
     ]
 
     def __init__(self, place: RoutinePlace, requests: RoutineRequests, led: LedRoutines, ask: Ask) -> None:

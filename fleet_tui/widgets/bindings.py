@@ -25,6 +25,17 @@ def bindings(pane: Pane) -> list[BindingType]:
     ]
 
 
+def overlay_bindings(own: str) -> list[BindingType]:
+    """Return the bindings of the console's keys that work in an overlay: its own by id closes it, and help,
+    which opens in its place."""
+    actions = {own: "close", "help": "screen.key('help_anywhere')"}
+    return [
+        Binding(one.key, actions[one.id or ""], show=False, id=one.id)
+        for one in bindings(Pane.CONSOLE)
+        if isinstance(one, Binding) and one.id in actions
+    ]
+
+
 def action_of(key: Key[Any]) -> str:
     """Return Textual's action string: tables and diagnostics run their own keys, the main screen the
     others."""

@@ -6,7 +6,7 @@ from typing import ClassVar
 from rich.style import Style
 from textual import on
 from textual.app import ComposeResult
-from textual.binding import Binding, BindingType
+from textual.binding import BindingType
 from textual.timer import Timer
 from textual.widgets import Input
 
@@ -19,7 +19,7 @@ from fleet_tui.terminal.display_driver import DisplayDriver
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.view.lines.diagnostics import foot_runs, page_runs
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.widgets.bindings import bindings
+from fleet_tui.widgets.bindings import bindings, overlay_bindings
 from fleet_tui.widgets.filter_field import FilterField
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.rows_pane import RowsPane
@@ -33,11 +33,7 @@ class Diagnostics(Overlay):
 
     BINDINGS: ClassVar[list[BindingType]] = [
         *bindings(Pane.DIAGNOSTICS),
-        *(
-            Binding(binding.key, "close", show=False, id=binding.id)
-            for binding in bindings(Pane.CONSOLE)
-            if isinstance(binding, Binding) and binding.id == "diagnostics"
-        ),
+        *overlay_bindings("diagnostics"),
     ]
 
     def __init__(self, pages: Pages, backend: Backend, keys: Mapping[str, tuple[str, ...]]) -> None:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, ClassVar
 from rich.style import Style
 from textual import on
 from textual.app import ComposeResult, SuspendNotSupported
-from textual.binding import Binding, BindingType
+from textual.binding import BindingType
 from textual.timer import Timer
 from textual.widgets import Input
 
@@ -22,7 +22,7 @@ from fleet_tui.view.lines.history import foot_runs, page_runs
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import column
 from fleet_tui.widgets.background import run_in_background
-from fleet_tui.widgets.bindings import bindings
+from fleet_tui.widgets.bindings import bindings, overlay_bindings
 from fleet_tui.widgets.filter_field import FilterField
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.rows_pane import RowsPane
@@ -68,11 +68,7 @@ class HistoryOverlay(Overlay):
 
     BINDINGS: ClassVar[list[BindingType]] = [
         *bindings(Pane.HISTORY),
-        *(
-            Binding(binding.key, "close", show=False, id=binding.id)
-            for binding in bindings(Pane.CONSOLE)
-            if isinstance(binding, Binding) and binding.id == "history"
-        ),
+        *overlay_bindings("history"),
     ]
 
     def __init__(self, screen: "MainScreen", pages: HistoryPages, replaying: PastReplay) -> None:

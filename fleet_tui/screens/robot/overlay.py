@@ -7,7 +7,7 @@ from textual.timer import Timer
 
 from fleet_tui.keys import BY_ID, Pane
 from fleet_tui.screens.overlay import Overlay
-from fleet_tui.widgets.bindings import action_of, bindings
+from fleet_tui.widgets.bindings import action_of, bindings, overlay_bindings
 
 
 def robot_bindings(own: str) -> list[BindingType]:
@@ -18,7 +18,8 @@ def robot_bindings(own: str) -> list[BindingType]:
     helping = [one for one in of_console if one.id not in closing and BY_ID[one.id or ""].helps]
     return [
         *(Binding(one.key, f"help_it('{one.id}')", show=False, id=one.id) for one in helping),
-        *(Binding(one.key, "close", show=False, id=one.id) for one in of_console if one.id in closing),
+        *(Binding(one.key, "close", show=False, id=one.id) for one in of_console if one.id in closing[1:]),
+        *overlay_bindings(own),
     ]
 
 
