@@ -1,6 +1,7 @@
 """From a moment of the history into the recording that covers it."""
 
 import math
+import signal
 import sys
 from collections.abc import Sequence
 from datetime import datetime
@@ -58,3 +59,10 @@ def test_a_console_that_can_not_be_left_alone_says_the_command(tmp_path: Path) -
 )
 def test_the_error_of_a_command_is_said(code: str, said: str) -> None:
     assert run_in_terminal([sys.executable, "-c", code]) == said
+
+
+def test_ctrl_c_ends_the_command_and_not_the_console() -> None:
+    code = "import os, signal; os.kill(os.getppid(), signal.SIGINT); signal.raise_signal(signal.SIGINT)"
+    before = signal.getsignal(signal.SIGINT)
+    assert run_in_terminal([sys.executable, "-c", code]) == "KeyboardInterrupt"
+    assert signal.getsignal(signal.SIGINT) is before
