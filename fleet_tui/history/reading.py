@@ -39,7 +39,8 @@ class History:
 
     def alarms(self, since: float, until: float, robot: str = "") -> list[AlarmLife]:
         """Return the alarms that were raised or held in a time."""
-        wanted = "(raised < :until AND (ended IS NULL OR ended >= :since))"
+        # One that returned holds no more, even if nobody ever acknowledges it.
+        wanted = "raised < :until AND coalesce(returned, ended, :until) >= :since"
         return self._rows(AlarmLife, "alarms", ALARM, wanted, "raised", since, until, robot, "source")
 
     def commands(
