@@ -70,7 +70,11 @@ def test_an_order_whose_vertices_get_their_names_later_is_one(database: sqlite3.
 
 
 def test_a_fact_that_no_table_can_hold_stops_no_other(database: sqlite3.Connection) -> None:
-    facts = [Charge("robot_0", 1.0, math.nan), Note(2.0, "ana", "half \udc80"), Note(3.0, "ana", "whole")]
+    facts: list[Fact | Note] = [
+        Charge("robot_0", 1.0, math.nan),
+        Note(2.0, "ana", "half \udc80"),
+        Note(3.0, "ana", "whole"),
+    ]
     write_all(database, facts, "run1", "ana")
     assert [note.text for note in History(database).notes(*ALL)] == ["whole"]
 
