@@ -73,9 +73,12 @@ class History:
         return [row[0] for row in rows]
 
     def begun(self) -> float | None:
-        """Return when it begins, as the first robot shows; None if no robot was observed yet."""
-        of_one = "SELECT min(began) FROM spans WHERE robot = (SELECT robot FROM spans LIMIT 1)"
-        (first,) = self.database.execute(of_one).fetchone()
+        """Return when a robot was first observed, None if none was yet."""
+        of_each = (
+            "SELECT min((SELECT min(began) FROM spans WHERE spans.robot = one.robot))"
+            " FROM (SELECT DISTINCT robot FROM hours) AS one"
+        )
+        (first,) = self.database.execute(of_each).fetchone()
         return None if first is None else float(first)
 
     def watched_until(self) -> float | None:

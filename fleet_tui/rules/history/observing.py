@@ -85,9 +85,12 @@ class Observer:
     def _span(self, state: FleetState, robot: Robot) -> Iterator[Span]:
         does, now, before = activity(state, robot), state.wall, self._spans.get(robot.name)
         place = (robot.floor or "", *_at(robot))
-        if before is not None and now - before.ended > SLEPT:
-            yield before
+        is_unknown = state.links[robot.link].phase is not Phase.UP  # it may work on, unseen
+        if before is not None and (is_unknown or now - before.ended > SLEPT):
+            yield self._spans.pop(robot.name)
             before = None
+        if is_unknown:
+            return
         if before is None:
             self._spans[robot.name] = Span(robot.name, does, now, now, *place)
             self._told[robot.name] = now

@@ -113,6 +113,17 @@ def test_the_time_for_which_a_machine_slept_is_nothing_that_a_robot_did() -> Non
     assert watched == 10.0
 
 
+def test_a_robot_behind_a_lost_link_may_work_on_unseen() -> None:
+    observer, state = Observer(), reduced(fleet(), link_up(T0), pose(T0), tick(T0))
+    told(observer, state)
+    state = reduced(state, tick(T0 + 1))
+    told(observer, state)
+    state = reduced(state, link_lost(T0 + 5), tick(T0 + 30))
+    assert WALL + T0 + 1 in [fact.ended for fact in told(observer, state) if isinstance(fact, Span)]
+    state = reduced(state, tick(T0 + 60))
+    assert [*told(observer, state), *observer.finish()] == []
+
+
 def test_a_battery_is_told_at_a_change_and_each_minute() -> None:
     observer, state = Observer(), reduced(fleet(), link_up(T0), pose(T0))
 
