@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Any, assert_never
 
+from msgspec.structs import replace
+
 from fleet_tui.model import commands
 from fleet_tui.model.alarm import Alarm, AlarmStage, transitions
 from fleet_tui.model.audit_record import VERSION, AuditRecord
@@ -150,6 +152,16 @@ def alarm_records(
         cleared = change.now is AlarmStage.CLEARED
         word = f"{change.word}, {AlarmStage.CLEARED.value}" if cleared else change.word
         yield _of_alarm(origin, after, change.alarm, word, wall)
+
+
+def held_records(origin: Origin, state: FleetState, wall: float) -> Iterator[AuditRecord]:
+    """Return the alarms that hold as if they were raised now: for a log that knows none of them."""
+    held = (
+        replace(one, stage=AlarmStage.UNACKNOWLEDGED)
+        for one in state.alarms
+        if one.stage is not AlarmStage.RETURNED
+    )
+    yield from alarm_records(origin, replace(state, alarms=()), replace(state, alarms=tuple(held)), wall)
 
 
 def _of_alarm(origin: Origin, state: FleetState, alarm: Alarm, change: str, wall: float) -> AuditRecord:

@@ -128,6 +128,15 @@ def is_damaged(problem: sqlite3.Error) -> bool:
     return code is not None and code & 0xFF in damaged
 
 
+def identity(path: Path) -> tuple[int, int] | None:
+    """Return what tells a file from another one of the same name, None if there is none."""
+    try:
+        stat = path.stat()
+    except OSError:
+        return None
+    return stat.st_dev, stat.st_ino
+
+
 def put_aside(path: Path, now: datetime) -> Path:
     """Rename a damaged database, with what belongs to it; return its new name. Raises OSError."""
     aside = path.with_name(f"{path.stem}-damaged-{now:%Y%m%d-%H%M%S}{SUFFIX}")

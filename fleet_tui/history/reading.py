@@ -39,7 +39,8 @@ class History:
 
     def alarms(self, since: float, until: float, robot: str = "") -> list[AlarmLife]:
         """Return the alarms that were raised or held in a time."""
-        wanted = "(raised < :until AND (ended IS NULL OR ended >= :since))"
+        # One that returned holds no more, even if nobody ever acknowledges it.
+        wanted = "raised < :until AND coalesce(returned, ended, :until) >= :since"
         return self._rows(AlarmLife, "alarms", ALARM, wanted, "raised", since, until, robot, "source")
 
     def commands(
@@ -72,9 +73,12 @@ class History:
         return [row[0] for row in rows]
 
     def begun(self) -> float | None:
-        """Return when it begins, as the first robot shows; None if no robot was observed yet."""
-        of_one = "SELECT min(began) FROM spans WHERE robot = (SELECT robot FROM spans LIMIT 1)"
-        (first,) = self.database.execute(of_one).fetchone()
+        """Return when a robot was first observed, None if none was yet."""
+        of_each = (
+            "SELECT min((SELECT min(began) FROM spans WHERE spans.robot = one.robot))"
+            " FROM (SELECT DISTINCT robot FROM hours) AS one"
+        )
+        (first,) = self.database.execute(of_each).fetchone()
         return None if first is None else float(first)
 
     def watched_until(self) -> float | None:

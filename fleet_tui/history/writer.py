@@ -1,8 +1,6 @@
 """Writes the history of a fleet in a thread of its own: a disk that hangs or is full stops nothing else."""
 
-import fcntl
 import logging
-import os
 import sqlite3
 import threading
 import time
@@ -14,13 +12,12 @@ from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from msgspec import structs
-
-from fleet_tui.audit.entries import Origin, alarm_records, command_records
+from fleet_tui.audit.entries import Origin, alarm_records, command_records, held_records
 from fleet_tui.audit.file import FILE_NAME
 from fleet_tui.config.schema import Config, HistoryConfig
 from fleet_tui.history.database import (
     history_path,
+    identity,
     is_damaged,
     open_to_write,
     put_aside,
@@ -28,7 +25,9 @@ from fleet_tui.history.database import (
 )
 from fleet_tui.history.pruning import DAY, shrink
 from fleet_tui.history.rebuilding import rebuild
-from fleet_tui.history.writing import end_unseen, end_unseen_alarms, write
+from fleet_tui.history.turn import Turn
+from fleet_tui.history.writing import end_unseen, end_unseen_alarms, write_all
+from fleet_tui.model.alarm import AlarmStep
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Note
@@ -59,7 +58,9 @@ class HistoryWriter:
         self._lost = 0
         self._changes: deque[tuple[FleetState, FleetState, float, float]] = deque(maxlen=WAITING)
         self._database: sqlite3.Connection | None = None
-        self._lock: int | None = None
+        self._file: tuple[int, int] | None = None
+        self._turn = Turn(path)
+        self._is_observing = False
         self._observer = Observer()
         self._seen: set[str] = set()
         self._has_ended_alarms = False
@@ -99,58 +100,45 @@ class HistoryWriter:
         while not self._closing.wait(EVERY):
             self._step()
         self._collect()
-        self._facts.extend(self._observer.finish() if self._lock is not None else ())
+        self._facts.extend(self._observer.finish() if self._is_observing else ())
         self._write()
         if self._database is not None:
             self._database.close()
-        if self._lock is not None:
-            os.close(self._lock)
+        self._turn.close()
 
     def _step(self) -> None:
-        try:
-            self._collect()
-        except Exception:
-            LOG.exception("history")  # a mistake of ours in one state must not end the history
-        self._write()
+        for work in (self._collect, self._write):
+            try:
+                work()
+            except Exception:
+                LOG.exception("history")  # a mistake of ours in one state must not end the history
 
     def _collect(self) -> None:
         """Take what happened since the last time."""
-        observed, observes = self._lock is not None, self._observes()
-        if observes and not observed:  # what another console raised goes on here
-            state, wall = self._store.state, time.time()
-            before = structs.replace(state, alarms=())
-            self._facts.extend(alarm_records(self._origin, before, state, wall))
+        observed, self._is_observing = self._is_observing, self._turn.take()
+        if self._is_observing and not observed:  # what another console raised goes on here
+            self._raise_held()
         while self._changes:
             before, after, at, wall = self._changes.popleft()
             for record in command_records(self._origin, before, after, partial(_wall, at, wall)):
                 self._add(record)
-            for record in alarm_records(self._origin, before, after, wall) if observes else ():
-                self._add(record)
-        if observes:
+            for record in alarm_records(self._origin, before, after, wall):
+                # An operator acknowledges here, also if another console observes.
+                if self._is_observing or record.change.startswith(AlarmStep.ACKNOWLEDGE.value):
+                    self._add(record)
+        if self._is_observing:
             for fact in self._observer.observe(self._store.state):
                 self._add(fact)
+
+    def _raise_held(self) -> None:
+        for record in held_records(self._origin, self._store.state, time.time()):
+            self._add(record)
 
     def _add(self, fact: Fact | AuditRecord) -> None:
         if len(self._facts) >= WAITING:
             self._facts.popleft()
             self._lost += 1
         self._facts.append(fact)
-
-    def _observes(self) -> bool:
-        """Tell whether this console is the one that observes; become it if no other is."""
-        if self._lock is None:
-            try:
-                self.path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
-                handle = os.open(f"{self.path}.lock", os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
-            except OSError:
-                return True  # the database will say why
-            try:
-                fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            except OSError:
-                os.close(handle)
-                return False
-            self._lock = handle
-        return True
 
     def _write(self) -> None:
         """Write all that waits, in one transaction; what could not be written waits on."""
@@ -159,8 +147,7 @@ class HistoryWriter:
             taken = list(self._facts)
             with transaction(database):
                 self._end_unseen(database)
-                for fact in taken:
-                    write(database, fact, self._origin.run, self._origin.operator)
+                write_all(database, taken, self._origin.run, self._origin.operator)
             for _ in taken:
                 self._facts.popleft()
             self._prune(database)
@@ -173,8 +160,14 @@ class HistoryWriter:
                 self._lost = 0
 
     def _opened(self) -> sqlite3.Connection:
+        if self._database is not None and self._file != identity(self.path):
+            self._database.close()  # it was deleted, or put aside by another console
+            self._database = None
         if self._database is None:
             self._database, is_new = open_to_write(self.path)
+            if is_new and self._file is not None:
+                self._begin_anew()
+            self._file = identity(self.path)
             if is_new and not self._origin.demo:
                 robots = frozenset(self._store.state.robots)
                 since = time.time() - self._config.days * DAY
@@ -182,16 +175,24 @@ class HistoryWriter:
                     rebuild(self._database, self._audit, robots, since)
         return self._database
 
+    def _begin_anew(self) -> None:
+        """Tell again what goes on: a new database knows none of it."""
+        self._observer, self._has_ended_alarms = Observer(), False
+        self._seen.clear()
+        if self._is_observing:
+            self._raise_held()
+
     def _end_unseen(self, database: sqlite3.Connection) -> None:
         """Of what was open when nobody watched end all alarms, and the orders that no queue lists."""
-        if self._lock is None:
+        if not self._turn.is_held:
             return
         if not self._has_ended_alarms:
-            end_unseen_alarms(database, time.time())
+            end_unseen_alarms(database, time.time(), self._origin.run)
             self._has_ended_alarms = True
         for robot in self._store.state.robots.values():
             if robot.queue is not None and robot.name not in self._seen:
-                end_unseen(database, robot.name, set(robot.traces))
+                # Those that this console saw leave have their end among the facts.
+                end_unseen(database, robot.name, {*robot.traces, *(one.order.id for one in robot.gone)})
                 self._seen.add(robot.name)
 
     def _failed(self, problem: sqlite3.Error | OSError) -> None:
@@ -200,7 +201,8 @@ class HistoryWriter:
             with suppress(sqlite3.Error):
                 self._database.close()
             self._database = None
-        if isinstance(problem, sqlite3.Error) and is_damaged(problem):
+        # One console only: a second one would put aside what the first has begun.
+        if isinstance(problem, sqlite3.Error) and is_damaged(problem) and self._turn.is_held:
             with suppress(OSError):
                 self.note = f"was damaged: kept as {put_aside(self.path, datetime.now().astimezone()).name}"
                 LOG.error("history: %s: %s", self.path, self.note)
@@ -213,7 +215,7 @@ class HistoryWriter:
         """Remove what is too old, and the oldest while the file is too large. A clock that jumped removes
         nothing."""
         now = time.monotonic()
-        if now - self._pruned < PRUNE_EVERY or self._lock is None:
+        if now - self._pruned < PRUNE_EVERY or not self._turn.is_held:
             return
         self._pruned = now
         wall = time.time()

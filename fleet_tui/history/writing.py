@@ -1,6 +1,8 @@
 """Facts into the tables of a history."""
 
+import logging
 import sqlite3
+from collections.abc import Iterable
 from datetime import datetime
 from typing import assert_never
 
@@ -9,9 +11,27 @@ from fleet_tui.model.commands import ORDER_ENDS
 from fleet_tui.model.history.facts import Charge, LinkChange, Note, OrderChange, Span
 from fleet_tui.rules.history.observing import BEGUN, HOUR, QUEUED, Fact
 
+LOG = logging.getLogger(__name__)
 ENDS = frozenset(stage.value for stage in ORDER_ENDS)
 UNSEEN = "end not seen"
 """The stage of an order that was open when nobody observed the fleet."""
+SAME_END = 5.0
+"""Seconds by which two consoles may differ on the end of an order."""
+
+
+MALFORMED = (sqlite3.IntegrityError, sqlite3.DataError, sqlite3.ProgrammingError, ValueError, OverflowError)
+"""Errors of one fact, not of the database."""
+
+
+def write_all(
+    database: sqlite3.Connection, facts: Iterable[Fact | Note | AuditRecord], run: str, operator: str
+) -> None:
+    """Write facts of a console's run. One that no table can hold is logged, and stops no other."""
+    for fact in facts:
+        try:
+            write(database, fact, run, operator)
+        except MALFORMED:
+            LOG.exception("history: not written: %r", fact)
 
 
 def write(database: sqlite3.Connection, fact: Fact | Note | AuditRecord, run: str, operator: str) -> None:
@@ -64,10 +84,9 @@ def _write_charge(database: sqlite3.Connection, charge: Charge) -> None:
 
 
 def _write_order(database: sqlite3.Connection, change: OrderChange, run: str, operator: str) -> None:
-    row = database.execute(
-        "SELECT id FROM orders WHERE robot = ? AND name = ? AND way = ? AND ended IS NULL",
-        (change.robot, change.order, change.way),
-    ).fetchone()
+    row = _open_order(database, change, run)
+    if change.stage in ENDS and (row is None or row[1] > change.at) and _has_ended(database, change):
+        return
     if row is None:
         _insert_order(database, change, run, operator)
         return
@@ -77,17 +96,36 @@ def _write_order(database: sqlite3.Connection, change: OrderChange, run: str, op
     stage = "" if change.stage == QUEUED else ", stage = :stage, reason = :reason"
     database.execute(
         "UPDATE orders SET operator = coalesce(nullif(:operator, ''), operator),"
-        f" request = coalesce(:request, request), run = :run{times}{stage} WHERE id = :id",
+        f" request = coalesce(:request, request), run = :run, way = :way{times}{stage} WHERE id = :id",
         {
             "operator": operator,
             "request": change.request,
             "run": run,
+            "way": change.way,
             "at": change.at,
             "stage": change.stage,
             "reason": change.reason,
             "id": row[0],
         },
     )
+
+
+def _open_order(database: sqlite3.Connection, change: OrderChange, run: str) -> tuple[int, float] | None:
+    """Return the row of an order that has not ended, and when it was queued. Its way has other names as soon
+    as a console has the labels of its vertices."""
+    found: tuple[int, float] | None = database.execute(
+        "SELECT id, queued FROM orders WHERE robot = :robot AND name = :name AND ended IS NULL"
+        " AND (way = :way OR run = :run) ORDER BY way = :way DESC",
+        {"robot": change.robot, "name": change.order, "way": change.way, "run": run},
+    ).fetchone()
+    return found
+
+
+def _has_ended(database: sqlite3.Connection, change: OrderChange) -> bool:
+    """Tell whether another console has already told this end: each sees it at its own time."""
+    query = "SELECT 1 FROM orders WHERE ended BETWEEN ? AND ? AND robot = ? AND name = ? AND stage = ?"
+    values = (change.at - SAME_END, change.at + SAME_END, change.robot, change.order, change.stage)
+    return database.execute(query, values).fetchone() is not None
 
 
 def _insert_order(database: sqlite3.Connection, change: OrderChange, run: str, operator: str) -> None:
@@ -113,15 +151,15 @@ def end_unseen(database: sqlite3.Connection, robot: str, still: set[str]) -> Non
             )
 
 
-def end_unseen_alarms(database: sqlite3.Connection, at: float) -> None:
-    """End the alarms that were held when their console ended, at a moment or when anybody last watched: such
-    an alarm never returned."""
+def end_unseen_alarms(database: sqlite3.Connection, at: float, run: str) -> None:
+    """End the alarms that were held when the console of another run ended, at a moment or when anybody last
+    watched: such an alarm never returned."""
     database.execute(
         "UPDATE alarms SET ended = max(raised, min(:at, coalesce((SELECT max(ended) FROM spans), :at)))"
-        " WHERE ended IS NULL AND returned IS NULL",
-        {"at": at},
+        " WHERE ended IS NULL AND returned IS NULL AND run != :run",
+        {"at": at, "run": run},
     )
-    database.execute("UPDATE alarms SET ended = returned WHERE ended IS NULL")
+    database.execute("UPDATE alarms SET ended = returned WHERE ended IS NULL AND run != ?", (run,))
 
 
 def write_record(database: sqlite3.Connection, record: AuditRecord) -> None:
@@ -147,26 +185,45 @@ def _write_command(database: sqlite3.Connection, record: AuditRecord, at: float)
 
 
 def _write_alarm(database: sqlite3.Connection, record: AuditRecord, at: float) -> None:
-    source = record.robot or record.link
+    """Each return ends a row, so that the time until an alarm is raised again does not count as held."""
+    source, change = record.robot or record.link, record.change
     key = (record.run, source, record.what)
-    row = database.execute(
-        "SELECT id FROM alarms WHERE run = ? AND source = ? AND kind = ? AND ended IS NULL", key
-    ).fetchone()
+    query = "SELECT id, returned FROM alarms WHERE run = ? AND source = ? AND kind = ? AND ended IS NULL"
+    row = database.execute(query, key).fetchone()
+    if row is not None and change.startswith("raised again") and row[1] is not None:
+        database.execute("UPDATE alarms SET ended = returned WHERE id = ?", row[:1])
+        row = None
+    if row is None and change.startswith("acknowledged"):
+        _acknowledge_elsewhere(database, record, at)
+        return
     if row is None:
-        database.execute(
+        count = 1 if change.startswith("raised again") else max(1, record.count)
+        cursor = database.execute(
             "INSERT INTO alarms (run, source, kind, priority, text, raised, operator, count)"
             " VALUES (?, ?, ?, ?, ?, ?, '', ?)",
-            (*key, record.priority, record.words, at, max(1, record.count)),
+            (*key, record.priority, record.words, at, count),
         )
-        row = database.execute("SELECT last_insert_rowid()").fetchone()
-    change, (id_,) = record.change, row
-    said = f" WHERE id = {id_}"
-    if change.startswith("raised again"):
-        database.execute("UPDATE alarms SET returned = NULL" + said)
+        row = (cursor.lastrowid, None)
+    said = f" WHERE id = {row[0]}"
     if change.startswith("acknowledged"):
         database.execute("UPDATE alarms SET acknowledged = ?, operator = ?" + said, (at, record.operator))
     if "returned" in change:
         database.execute("UPDATE alarms SET returned = ?" + said, (at,))
     if "cleared" in change:
         database.execute("UPDATE alarms SET ended = ?, returned = coalesce(returned, ?)" + said, (at, at))
-    database.execute("UPDATE alarms SET count = max(count, ?)" + said, (record.count,))
+    if change.startswith("worse"):
+        database.execute("UPDATE alarms SET count = max(count, ?)" + said, (record.count,))
+
+
+def _acknowledge_elsewhere(database: sqlite3.Connection, record: AuditRecord, at: float) -> None:
+    """Write that an operator of a console that does not observe has seen an alarm: the first one counts."""
+    database.execute(
+        "UPDATE alarms SET acknowledged = :at, operator = :operator WHERE acknowledged IS NULL AND id ="
+        " (SELECT max(id) FROM alarms WHERE source = :source AND kind = :kind AND ended IS NULL)",
+        {
+            "at": at,
+            "operator": record.operator,
+            "source": record.robot or record.link,
+            "kind": record.what,
+        },
+    )

@@ -58,6 +58,7 @@ def _robots(state: FleetState) -> Iterator[Metric]:
     does = {
         (one.name, each.value): float(each is now)
         for one in robots
+        if state.links[one.link].phase is Phase.UP  # else unknown
         for now in [activity(state, one)]
         for each in Activity
     }
@@ -85,9 +86,14 @@ def _links(state: FleetState, counters: Mapping[str, LinkCounter]) -> Iterator[M
     yield _gauge("fleet_link_commands", text, path, ("link",))
     text = "Seconds since its last message"
     yield _gauge("fleet_link_message_age_seconds", text, _ages(links), ("link",))
-    late = {(one.name,): one.late for one in links}
+    connected = {one.name for one in links if one.phase is Phase.UP}
+    late = {(one.name,): one.late for one in links if one.name in connected}
     yield _gauge("fleet_link_late_seconds", "Seconds by which its messages are late", late, ("link",))
-    trips = {(name,): one.round_trips.took[-1] for name, one in counters.items() if one.round_trips.took}
+    trips = {
+        (name,): counter.round_trips.took[-1]
+        for name, counter in counters.items()
+        if name in connected and counter.round_trips.took
+    }
     yield _gauge("fleet_link_round_trip_seconds", "The last round trip of a call", trips, ("link",))
 
 

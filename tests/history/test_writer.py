@@ -17,6 +17,7 @@ from fleet_tui.config.schema import HistoryConfig
 from fleet_tui.history import writer
 from fleet_tui.history.database import opened_to_read
 from fleet_tui.history.reading import History
+from fleet_tui.history.turn import Turn
 from fleet_tui.history.writer import HistoryWriter, history_of
 from fleet_tui.history.writing import write as usual
 from fleet_tui.model.commands import Stage
@@ -67,6 +68,12 @@ def rows(path: Path, table: str) -> int:
     except sqlite3.DatabaseError:
         return 0
     return int(count)
+
+
+def ended(path: Path) -> list[tuple[str, str]]:
+    with opened_to_read(path) as database:
+        orders = History(database).orders(*NOW)
+    return [(order.order, order.stage) for order in orders if order.ended is not None]
 
 
 def test_commands_orders_spans_and_notes_are_on_disk(store: Store, running: Running) -> None:
@@ -142,7 +149,7 @@ def test_a_full_disk_loses_nothing(store: Store, running: Running, monkeypatch: 
             raise sqlite3.OperationalError("database or disk is full")
         usual(database, fact, run, operator)
 
-    monkeypatch.setattr("fleet_tui.history.writer.write", write)
+    monkeypatch.setattr("fleet_tui.history.writing.write", write)
     give(store, 1, ORDER, Stage.SENT)
     eventually(lambda: history.notes)
     assert history.notes == ["history: not written: database or disk is full"]
@@ -212,3 +219,63 @@ def test_none_is_kept_for_no_days(store: Store, tmp_path: Path) -> None:
     with history_of(tmp_path, config, store, ANA) as history:
         assert history is None
     assert list(tmp_path.iterdir()) == []
+
+
+def test_an_order_that_two_consoles_saw_counts_once_when_the_second_takes_over(
+    store: Store, running: Running
+) -> None:
+    first = running(store)
+    other_store = Store(known_fleet())
+    for each in (store, other_store):
+        each.apply(queue(T0 + 1, (7, 1, 2, "P"), (8, 1, 2, "Q")))
+        each.apply(tick(T0 + 2))
+    eventually(lambda: rows(first.path, "orders") == 2)
+    store.apply(queue(T0 + 3, (8, 1, 2, "P")))
+    store.apply(tick(T0 + 3))
+    second = running(other_store, Origin("bob", "host:2", "run2"))
+    other_store.apply(queue(T0 + 4, (8, 1, 2, "P")))
+    other_store.apply(tick(T0 + 4))
+    eventually(lambda: len(ended(first.path)) == 1)
+    first.close()  # the last order ends while none of them observes
+    other_store.apply(queue(T0 + 9))
+    other_store.apply(tick(T0 + 9))
+    eventually(lambda: len(ended(first.path)) == 2)
+    second.close()
+    assert sorted(ended(first.path)) == [("7", "lost"), ("8", "lost")]
+
+
+def test_an_order_that_ended_before_the_second_console_observes_has_its_end(
+    store: Store, running: Running
+) -> None:
+    path = running(store).path
+    store.apply(queue(T0 + 1, (7, 1, 2, "Q")))
+    store.apply(tick(T0 + 2))
+    eventually(lambda: rows(path, "orders") == 1)
+    with closing(sqlite3.connect(path)) as killed:  # the first one ends without a word
+        killed.execute("UPDATE orders SET run = 'killed'")
+        killed.commit()
+    other_store = Store(known_fleet())
+    other_store.apply(queue(T0 + 1, (7, 1, 2, "Q")))
+    other_store.apply(queue(T0 + 3))
+    other_store.apply(tick(T0 + 3))
+    second = HistoryWriter(path, path, LONG, other_store, Origin("bob", "host:2", "run2"))
+    second._turn = Turn(path.with_name("other"))
+    second.start()
+    eventually(lambda: ended(path))
+    second.close()
+    assert ended(path) == [("7", "lost")]
+
+
+def test_one_that_is_deleted_begins_anew_with_what_goes_on(
+    tmp_path: Path, store: Store, running: Running
+) -> None:
+    log = AuditFile(tmp_path / FILE_NAME)
+    log.append(encode(ANA.record(time.time(), kind="command", what="pause", change="sent", id=1, robot=R0)))
+    log.close()
+    path = running(store).path
+    store.apply(queue(T0 + 1, (7, 1, 2, "Q")))
+    eventually(lambda: rows(path, "orders") == 1)
+    path.unlink()
+    eventually(lambda: rows(path, "orders") == 1)
+    assert rows(path, "commands") == 1  # from the audit log
+    assert rows(path, "links") == 1

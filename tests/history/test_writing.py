@@ -1,5 +1,6 @@
 """Facts in the tables: each once, whatever comes twice or in another sequence."""
 
+import math
 import sqlite3
 from collections.abc import Iterator
 from contextlib import closing
@@ -9,9 +10,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from fleet_tui.audit.entries import Origin
 from fleet_tui.history.database import SCHEMA, open_to_write
 from fleet_tui.history.reading import History
-from fleet_tui.history.writing import UNSEEN, end_unseen, end_unseen_alarms, write
+from fleet_tui.history.writing import UNSEEN, end_unseen, end_unseen_alarms, write, write_all
 from fleet_tui.model.history.facts import Activity, Charge, LinkChange, Note, OrderChange, Span
 from fleet_tui.rules.history.observing import HOUR, Fact
 from tests.support.records import ANA
@@ -53,6 +55,30 @@ def test_an_order_that_nobody_saw_in_the_queue_has_its_end(database: sqlite3.Con
     assert (order.queued, order.begun, order.ended) == (20.0, None, 20.0)
 
 
+def test_an_end_that_two_consoles_tell_counts_once(database: sqlite3.Connection) -> None:
+    found = put(database, change("queued", 10.0), change("done", 20.0), change("done", 21.5))
+    assert len(found.orders(*ALL)) == 1
+    # The same id, at once again: an order of its own.
+    found = put(database, change("queued", 22.0), change("done", 23.0))
+    assert [order.ended for order in found.orders(*ALL)] == [20.0, 23.0]
+
+
+def test_an_order_whose_vertices_get_their_names_later_is_one(database: sqlite3.Connection) -> None:
+    early = OrderChange("robot_0", "7", "12 -> 4", 10.0, "queued")
+    (order,) = put(database, early, change("begun", 12.0), change("done", 20.0)).orders(*ALL)
+    assert (order.way, order.stage, order.queued) == ("Base -> Store", "done", 10.0)
+
+
+def test_a_fact_that_no_table_can_hold_stops_no_other(database: sqlite3.Connection) -> None:
+    facts: list[Fact | Note] = [
+        Charge("robot_0", 1.0, math.nan),
+        Note(2.0, "ana", "half \udc80"),
+        Note(3.0, "ana", "whole"),
+    ]
+    write_all(database, facts, "run1", "ana")
+    assert [note.text for note in History(database).notes(*ALL)] == ["whole"]
+
+
 def test_what_ended_unobserved_is_said_and_what_is_still_listed_goes_on(database: sqlite3.Connection) -> None:
     put(database, change("queued", 10.0), change("queued", 11.0, order="8"), change("begun", 12.0))
     end_unseen(database, "robot_0", {"8"})
@@ -70,7 +96,7 @@ def test_an_alarm_of_a_console_that_was_killed_ends_when_anybody_last_watched(
         told = {"kind": "alarm", "what": "stuck", "robot": source, "priority": "high"}
         write(database, ANA.record(at, change="raised", **told), "run1", "ana")
     put(database, Span("robot_0", Activity.DRIVING, 10.0, 80.0))
-    end_unseen_alarms(database, 1000.0)
+    end_unseen_alarms(database, 1000.0, "run2")
     assert [(one.returned, one.ended) for one in History(database).alarms(*ALL)] == [
         (None, 80.0),
         (None, 90.0),
@@ -153,7 +179,30 @@ def test_an_alarm_from_raised_to_cleared_and_raised_once_more(database: sqlite3.
     for at, change in enumerate(("raised", "returned", "raised again", "acknowledged", "returned, cleared")):
         alarm(database, change, 100.0 + at)
     alarm(database, "raised", 200.0)
-    first, second = History(database).alarms(*ALL)
-    assert (first.raised, first.acknowledged, first.returned, first.ended) == (100.0, 103.0, 104.0, 104.0)
-    assert (first.operator, first.priority, first.count) == ("ana", "high", 2)
-    assert (second.raised, second.acknowledged, second.ended) == (200.0, None, None)
+    first, again, last = History(database).alarms(*ALL)
+    assert (first.raised, first.acknowledged, first.returned, first.ended) == (100.0, None, 101.0, 101.0)
+    assert (first.operator, first.priority, first.count) == ("", "high", 2)
+    # The time between them does not count as held.
+    assert (again.raised, again.acknowledged, again.returned, again.ended) == (102.0, 103.0, 104.0, 104.0)
+    assert (again.operator, again.count) == ("ana", 1)
+    assert (last.raised, last.acknowledged, last.ended) == (200.0, None, None)
+
+
+def test_an_alarm_that_returned_holds_no_more_though_nobody_acknowledges_it(
+    database: sqlite3.Connection,
+) -> None:
+    alarm(database, "raised", 100.0)
+    alarm(database, "returned", 110.0)
+    assert len(History(database).alarms(105.0, 200.0)) == 1
+    assert History(database).alarms(120.0, 200.0) == []
+
+
+def test_an_operator_of_a_console_that_does_not_observe_acknowledges_it(database: sqlite3.Connection) -> None:
+    alarm(database, "raised", 100.0)
+    for at, operator in ((130.0, "bob"), (140.0, "eve")):
+        seen = Origin(operator, "host:2", f"run of {operator}").record(
+            at, kind="alarm", what="stuck", change="acknowledged", robot="robot_0", priority="high", count=1
+        )
+        write(database, seen, seen.run, operator)
+    (life,) = History(database).alarms(*ALL)
+    assert (life.acknowledged, life.operator, life.ended) == (130.0, "bob", None)

@@ -64,8 +64,19 @@ def test_a_state_that_nobody_advances_says_its_age() -> None:
 
 def test_the_round_trip_is_the_last_one() -> None:
     counter = LinkCounter("rosbridge", ())
-    assert "fleet_link_round_trip_seconds" not in scraped(fleet(), rosbridge=counter)
+    up = reduced(fleet(), link_up(NOW - 9), tick(NOW))
+    assert "fleet_link_round_trip_seconds" not in scraped(up, rosbridge=counter)
     for seconds in (0.5, 0.25):
         counter.round_trips.take(seconds, NOW)
-    told = scraped(fleet(), rosbridge=counter)
+    told = scraped(up, rosbridge=counter)
     assert told["fleet_link_round_trip_seconds"] == {("rosbridge",): 0.25}
+
+
+def test_a_lost_link_tells_nothing_of_itself_or_its_robots_as_if_it_were_up() -> None:
+    counter = LinkCounter("rosbridge", ())
+    counter.round_trips.take(0.5, NOW)
+    lost = reduced(fleet(), link_up(NOW - 90), pose(NOW - 60), link_lost(NOW - 30), tick(NOW))
+    told = scraped(lost, rosbridge=counter)
+    for name in ("fleet_link_round_trip_seconds", "fleet_link_late_seconds", "fleet_robot_activity"):
+        assert name not in told
+    assert list(told["fleet_robot_online"].values()) == [0.0]

@@ -54,6 +54,7 @@ def _content(config: Config, history: History, totals: Totals, since: float, unt
         since=since,
         until=until,
         made_by=f"fleet-tui {__version__}",
+        begun=_begun(history, since),
         unwatched=unwatched(history.watched_until(), until).strip(),
         notes=history.notes(since, until),
         robots=robots,
@@ -71,6 +72,12 @@ def _content(config: Config, history: History, totals: Totals, since: float, unt
         battery_low=config.alarms.battery_low,
         local=LocalTime(_offset(until), _clock, _moment),
     )
+
+
+def _begun(history: History, since: float) -> float | None:
+    """Return when a robot was first observed, None if that was not later than the time's begin."""
+    begun = history.begun()
+    return begun if begun is not None and begun > since + 60.0 else None
 
 
 def _site(config: Config) -> str:

@@ -2,6 +2,7 @@
 
 import math
 import shlex
+import signal
 import subprocess
 import sys
 from collections.abc import Callable, Sequence
@@ -53,6 +54,12 @@ class PastReplay:
 def run_in_terminal(command: Sequence[str]) -> str:
     """Run a command with this terminal; return what to say if it failed, else nothing. Links, audit log and
     history go on in their threads."""
-    done = subprocess.run(command, check=False)
+    # Ctrl-C in this terminal is for the command: until that reads keys, it would end the console as well.
+    # A handler, unlike SIG_IGN, is not inherited.
+    before = signal.signal(signal.SIGINT, lambda *_: None)
+    try:
+        done = subprocess.run(command, check=False)
+    finally:
+        signal.signal(signal.SIGINT, before)
     said = shlex.join(["fleet-tui", *command[3:]])
     return f"it ended with status {done.returncode}; this says why: {said}" if done.returncode else ""

@@ -18,6 +18,9 @@ EVERY = 60.0
 """Seconds after which a battery is told again."""
 GOES_ON = 15.0
 """Seconds after which an activity that goes on is told again: a killed process loses no more."""
+SLEPT = 60.0
+"""Seconds between two states, by the clock, after which what was between them is unknown: the machine
+slept, or its clock was set."""
 PERCENT = 1.0
 """A change of a battery that is told at once."""
 QUEUED, BEGUN = "queued", "begun"
@@ -53,7 +56,9 @@ class Observer:
 
     def _link(self, state: FleetState, link: LinkState) -> Iterator[LinkChange]:
         is_up = link.phase is Phase.UP
-        if self._links.get(link.name, False) != is_up:
+        if link.name not in self._links and link.phase is Phase.CONNECTING:
+            return  # neither up nor down yet
+        if self._links.get(link.name) != is_up:
             yield LinkChange(link.name, _wall(state, link.since), is_up, "" if is_up else link.reason)
         self._links[link.name] = is_up
 
@@ -80,6 +85,12 @@ class Observer:
     def _span(self, state: FleetState, robot: Robot) -> Iterator[Span]:
         does, now, before = activity(state, robot), state.wall, self._spans.get(robot.name)
         place = (robot.floor or "", *_at(robot))
+        is_unknown = state.links[robot.link].phase is not Phase.UP  # it may work on, unseen
+        if before is not None and (is_unknown or now - before.ended > SLEPT):
+            yield self._spans.pop(robot.name)
+            before = None
+        if is_unknown:
+            return
         if before is None:
             self._spans[robot.name] = Span(robot.name, does, now, now, *place)
             self._told[robot.name] = now

@@ -15,15 +15,17 @@ from fleet_tui.view.report.heat import FloorHeat
 
 
 class ReportContent(Struct, frozen=True):
-    """A time of a site in Unix seconds. `unwatched` says since when nobody observed it, empty if somebody
-    does; `losses` are its lost and failed orders, `refusals` its commands that failed; `outages` has for each
-    link how often it was lost, and the seconds; `timeline` is for a shift, `shares` for days, one of them is
+    """A time of a site in Unix seconds. `begun` is when a robot was first observed, None if that was
+    before it, or never; `unwatched` says since when nobody observed it, empty if somebody does; `losses`
+    are its lost and failed orders, `refusals` its commands that failed; `outages` has for each link how
+    often it was lost, and the seconds; `timeline` is for a shift, `shares` for days, one of them is
     empty. `battery_low` is the limit in per cent."""
 
     site: str
     since: float
     until: float
     made_by: str
+    begun: float | None
     unwatched: str
     notes: Sequence[Note]
     robots: Sequence[RobotShift]

@@ -54,6 +54,9 @@ def _span(content: ReportContent) -> str:
 def _opening(content: ReportContent) -> list[Element]:
     about = f"{_span(content)} ({age(content.until - content.since)}), made by {content.made_by}"
     opening = [element("h1", content.site), element("p", about, class_="about")]
+    if content.begun is not None:
+        begins = f"Nobody watched before {content.local.moment(content.begun, True)}."
+        opening.append(element("p", begins, class_="warning"))
     if content.unwatched:
         opening.append(element("p", content.unwatched, class_="warning"))
     return opening
@@ -115,13 +118,16 @@ def _timeline(content: ReportContent) -> list[Element]:
     title, each = element("h2", "What the robots did"), age(content.time.step)
     axes = content.time, content.local
     if content.timeline:
-        said = f"Each bar is what a robot did for most of {each}. Blank: nobody watched."
+        said = (
+            f"Each bar is what a robot did for most of {each}. Blank: nobody watched, or its link was lost."
+        )
         picture = timeline(content.timeline, *axes)
         return [title, element("p", said, class_="about"), legend(), picture]
     if content.shares:
         said = (
             f"Each column is {each}: from below the part in which a robot was driving or loading, from above,"
-            " red, the part in which it was blocked, paused or offline. Without a line: nobody watched."
+            " red, the part in which it was blocked, paused or offline. Without a line: nobody watched, or"
+            " its link was lost."
         )
         return [title, element("p", said, class_="about"), share_picture(content.shares, *axes)]
     return []

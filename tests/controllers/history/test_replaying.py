@@ -1,6 +1,7 @@
 """From a moment of the history into the recording that covers it."""
 
 import math
+import signal
 import sys
 from collections.abc import Sequence
 from datetime import datetime
@@ -50,3 +51,10 @@ def test_a_failure_is_said_with_the_command() -> None:
     command = [sys.executable, "-c", "import sys; sys.exit(len(sys.argv) - 1)"]
     assert run_in_terminal(command) == ""
     assert run_in_terminal([*command, "a b"]) == "it ended with status 1; this says why: fleet-tui 'a b'"
+
+
+def test_ctrl_c_ends_the_command_and_not_the_console() -> None:
+    code = "import os, signal; os.kill(os.getppid(), signal.SIGINT); signal.raise_signal(signal.SIGINT)"
+    before = signal.getsignal(signal.SIGINT)
+    assert run_in_terminal([sys.executable, "-c", code]).startswith("it ended with status -2")
+    assert signal.getsignal(signal.SIGINT) is before

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity, Charge, LinkChange, OrderChange, Span
-from fleet_tui.rules.history.observing import EVERY, HOUR, Fact, Observer
+from fleet_tui.rules.history.observing import EVERY, HOUR, SLEPT, Fact, Observer
 from tests.support.fleets import (
     R0,
     T0,
@@ -93,6 +93,35 @@ def test_links_come_and_go() -> None:
     state = reduced(state, link_lost(T0 + 2), tick(T0 + 3))
     assert told(observer, state) == [LinkChange("rosbridge", WALL + T0 + 2, False, "connection refused")]
     assert told(observer, state) == []
+
+
+def test_a_link_that_is_down_from_the_start_is_told() -> None:
+    state = reduced(fleet(), link_lost(T0), tick(T0 + 1))
+    assert told(Observer(), state) == [LinkChange("rosbridge", WALL + T0, False, "connection refused")]
+
+
+def test_the_time_for_which_a_machine_slept_is_nothing_that_a_robot_did() -> None:
+    observer, state = Observer(), reduced(fleet(), link_up(T0), pose(T0), tick(T0))
+    told(observer, state)
+    facts: list[Fact] = []
+    for at in (T0 + 5, T0 + 5 + 2 * SLEPT, T0 + 10 + 2 * SLEPT):
+        state = reduced(state, pose(at), tick(at))
+        facts += told(observer, state)
+    facts += observer.finish()
+    spans = {fact.began: fact.ended for fact in facts if isinstance(fact, Span)}
+    watched = sum(ended - began for began, ended in spans.items())
+    assert watched == 10.0
+
+
+def test_a_robot_behind_a_lost_link_may_work_on_unseen() -> None:
+    observer, state = Observer(), reduced(fleet(), link_up(T0), pose(T0), tick(T0))
+    told(observer, state)
+    state = reduced(state, tick(T0 + 1))
+    told(observer, state)
+    state = reduced(state, link_lost(T0 + 5), tick(T0 + 30))
+    assert WALL + T0 + 1 in [fact.ended for fact in told(observer, state) if isinstance(fact, Span)]
+    state = reduced(state, tick(T0 + 60))
+    assert [*told(observer, state), *observer.finish()] == []
 
 
 def test_a_battery_is_told_at_a_change_and_each_minute() -> None:

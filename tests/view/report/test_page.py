@@ -34,6 +34,7 @@ def content(name: str = "robot_0") -> ReportContent:
         since=0.0,
         until=28_800.0,
         made_by="fleet-tui 1",
+        begun=7200.0,
         unwatched="",
         notes=[Note(100.0, name, f"{name}: lift is slow")],
         robots=[RobotShift(name, counts, seconds, 21.0, 64.0)],
@@ -119,3 +120,8 @@ def test_a_long_list_is_cut_and_says_so(losses: int, is_cut: bool) -> None:
     usual = content()
     text = "|".join(Text(page(replace(usual, losses=list(usual.losses) * losses))).lines)
     assert text.count("|t300|") == MOST_ROWS and ("|and 3 more|" in text) is is_cut
+
+
+def test_a_time_before_the_history_is_not_told_as_a_quiet_one() -> None:
+    assert "Nobody watched before" in page(content())
+    assert "Nobody watched before" not in page(replace(content(), begun=None))
