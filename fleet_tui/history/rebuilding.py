@@ -28,6 +28,19 @@ def rebuild(database: sqlite3.Connection, audit: Path, robots: frozenset[str], s
     return len(kept)
 
 
+def catch_up(database: sqlite3.Connection, audit: Path, robots: frozenset[str], since: float) -> None:
+    """Write the steps of commands since a moment once more: a console that ended while the disk was full, or
+    the file locked, could not. Raises OSError."""
+    found = []
+    for record in islice(AuditReader(audit).newest_first(), MOST):
+        if _at(record) < since:
+            break
+        if record.kind == "command" and record.robot in robots and not record.demo:
+            found.append(record)
+    for record in reversed(found):
+        write_record(database, record)
+
+
 def _is_ours(record: AuditRecord, robots: frozenset[str]) -> bool:
     return record.kind in ("command", "alarm") and (not record.robot or record.robot in robots)
 

@@ -21,12 +21,12 @@ CELL = 0.5
 
 _ORDERS = """
 WITH usual AS (
-  SELECT way, avg(ended - begun) AS mean FROM orders
+  SELECT way, avg(max(0.0, ended - begun)) AS mean FROM orders
   WHERE ended >= :since AND ended < :until AND stage = 'done' AND begun IS NOT NULL
   GROUP BY way HAVING count(*) >= :least)
 SELECT robot, way, stage, count(*),
   sum(coalesce(stage = 'done' AND ended - begun > :late * mean, 0)), count(ended - begun),
-  coalesce(sum(ended - begun), 0.0), coalesce(max(ended - begun), 0.0)
+  coalesce(sum(max(0.0, ended - begun)), 0.0), coalesce(max(0.0, max(ended - begun)), 0.0)
 FROM orders LEFT JOIN usual USING (way) WHERE ended >= :since AND ended < :until GROUP BY robot, way, stage
 """
 _HOURS = """

@@ -24,7 +24,7 @@ from fleet_tui.history.database import (
     transaction,
 )
 from fleet_tui.history.pruning import DAY, shrink
-from fleet_tui.history.rebuilding import rebuild
+from fleet_tui.history.rebuilding import catch_up, rebuild
 from fleet_tui.history.turn import Turn
 from fleet_tui.history.writing import end_unseen, end_unseen_alarms, write_all
 from fleet_tui.model.alarm import AlarmStep
@@ -38,6 +38,8 @@ LOG = logging.getLogger(__name__)
 
 EVERY = 1.0
 """Seconds between two looks at the fleet."""
+CATCHES_UP = 2 * DAY
+"""Seconds of the audit log whose commands are written again when an existing history is opened."""
 WAITING = 50_000
 """Facts that wait for a writable disk; of more the oldest are lost, and counted."""
 PRUNE_EVERY = 3600.0
@@ -168,11 +170,13 @@ class HistoryWriter:
             if is_new and self._file is not None:
                 self._begin_anew()
             self._file = identity(self.path)
-            if is_new and not self._origin.demo:
-                robots = frozenset(self._store.state.robots)
-                since = time.time() - self._config.days * DAY
+            if not self._origin.demo:
+                robots, now = frozenset(self._store.state.robots), time.time()
                 with transaction(self._database), suppress(OSError):
-                    rebuild(self._database, self._audit, robots, since)
+                    if is_new:
+                        rebuild(self._database, self._audit, robots, now - self._config.days * DAY)
+                    else:
+                        catch_up(self._database, self._audit, robots, now - CATCHES_UP)
         return self._database
 
     def _begin_anew(self) -> None:

@@ -7,12 +7,13 @@ from datetime import datetime
 from typing import assert_never
 
 from fleet_tui.model.audit_record import AuditRecord
-from fleet_tui.model.commands import ORDER_ENDS
+from fleet_tui.model.commands import ORDER_ENDS, Stage
 from fleet_tui.model.history.facts import Charge, LinkChange, Note, OrderChange, Span
 from fleet_tui.rules.history.observing import BEGUN, HOUR, QUEUED, Fact
 
 LOG = logging.getLogger(__name__)
 ENDS = frozenset(stage.value for stage in ORDER_ENDS)
+STAGES = frozenset(stage.value for stage in Stage)
 UNSEEN = "end not seen"
 """The stage of an order that was open when nobody observed the fleet."""
 SAME_END = 5.0
@@ -165,7 +166,7 @@ def end_unseen_alarms(database: sqlite3.Connection, at: float, run: str) -> None
 def write_record(database: sqlite3.Connection, record: AuditRecord) -> None:
     """Write a record of the audit log: a step of a command or of an alarm."""
     at = datetime.fromisoformat(record.time).timestamp()
-    if record.kind == "command" and record.id is not None:
+    if record.kind == "command" and record.id is not None and record.change in STAGES:
         _write_command(database, record, at)
     elif record.kind == "alarm":
         _write_alarm(database, record, at)

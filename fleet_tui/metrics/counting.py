@@ -5,12 +5,13 @@ from collections.abc import Iterable
 from prometheus_client import CollectorRegistry, Counter, disable_created_metrics
 
 from fleet_tui.model.audit_record import AuditRecord
-from fleet_tui.model.commands import ORDER_ENDS
+from fleet_tui.model.commands import ORDER_ENDS, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import OrderChange
 from fleet_tui.rules.history.observing import Observer
 
 ENDS = frozenset(stage.value for stage in ORDER_ENDS)
+FROM_ZERO = (Stage.DONE.value, Stage.LOST.value, Stage.FAILED.value)
 
 
 class Counting:
@@ -30,6 +31,11 @@ class Counting:
 
     def observe(self, state: FleetState) -> None:
         """Count the orders that ended since the last state."""
+        for robot in state.robots:
+            for (
+                outcome
+            ) in FROM_ZERO:  # a counter that is born with its first event hides that from Prometheus
+                self._orders.labels(robot, outcome)
         for fact in self._observer.observe(state):
             if isinstance(fact, OrderChange) and fact.stage in ENDS:
                 self._orders.labels(fact.robot, fact.stage).inc()

@@ -11,7 +11,7 @@ from fleet_tui.audit.file import FILE_NAME, AuditFile
 from fleet_tui.audit.log import encode
 from fleet_tui.history.database import open_to_write
 from fleet_tui.history.reading import History
-from fleet_tui.history.rebuilding import order_change, rebuild
+from fleet_tui.history.rebuilding import catch_up, order_change, rebuild
 from fleet_tui.model.audit_record import AuditRecord
 from tests.support.records import ANA
 
@@ -57,6 +57,19 @@ def test_what_is_not_ours_stays_away(tmp_path: Path) -> None:
     found = rebuilt(tmp_path, *foreign, step(5.0, "sent"), since=50.0)
     with closing(found.database):
         assert found.commands(*ALL) == []
+
+
+def test_commands_that_a_console_could_not_write_are_caught_up_once(tmp_path: Path) -> None:
+    found = rebuilt(tmp_path, *LIFE)
+    with closing(found.database):
+        file = AuditFile(tmp_path / FILE_NAME)
+        late = [step(200.0, "sent", id=4), step(201.0, "refused", id=4), step(202.0, "console closed", id=4)]
+        for record in (*late, step(203.0, "sent", id=5, robot="robot_9")):
+            file.append(encode(record))
+        for _ in range(2):
+            catch_up(found.database, file.path, ROBOTS, 50.0)
+        assert [(one.at, one.stage) for one in found.commands(*ALL)] == [(100.0, "done"), (200.0, "refused")]
+        assert len(found.orders(*ALL)) == 1 and len(found.alarms(*ALL)) == 1
 
 
 def test_a_torn_log_gives_what_is_readable(tmp_path: Path) -> None:

@@ -16,8 +16,11 @@ def test_orders_by_their_end() -> None:
     gone = reduced(state, queue(T0 + 2), tick(T0 + 2))
     for seen in (gone, gone):
         counting.observe(seen)
-    labels = {"robot": "robot_0", "outcome": "lost"}
-    assert registry.get_sample_value("fleet_orders_total", labels) == 1.0
+    ended = {
+        outcome: registry.get_sample_value("fleet_orders_total", {"robot": "robot_0", "outcome": outcome})
+        for outcome in ("done", "lost", "failed", "cancelled")
+    }
+    assert ended == {"done": 0.0, "lost": 1.0, "failed": 0.0, "cancelled": None}
 
 
 def test_steps_of_commands_to_robots_of_this_fleet() -> None:
