@@ -68,7 +68,7 @@ class MapControls:
         if view.follow and scene is not None:
             view.centre(scene)
             if scene.selected is None:
-                self._say("follow begins once the robot has a position on this floor")
+                self._say("the map follows the robot wherever its position is known")
         self._view.draw()
 
     def centre(self, at: tuple[float, float] | None = None) -> None:

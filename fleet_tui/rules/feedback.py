@@ -18,3 +18,10 @@ def feedback_ceased_at(state: FleetState, robot: Robot) -> float | None:
         return None
     since = max(robot.progress.at, link.since)
     return since if state.now - since - state.behind >= CEASED_AFTER else None
+
+
+def is_unsteady(state: FleetState, robot: Robot) -> bool:
+    """Tell whether its navigation fell silent and it has not moved since: a server that is started again
+    answers each new order for a moment, and crashes again."""
+    began, place = state.began.get((robot.name, "navigation")), robot.place
+    return began is not None and place is not None and place.at <= began and bool(robot.orders.open)

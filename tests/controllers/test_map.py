@@ -90,7 +90,7 @@ async def test_to_follow_a_robot_that_is_not_here_says_when_it_begins() -> None:
         controls = MapControls(view, said.append)
         view.show(replace(SCENE, robots=SCENE.robots[1:]))
         controls.follow()
-        assert said == ["follow begins once the robot has a position on this floor"]
+        assert said == ["the map follows the robot wherever its position is known"]
         controls.follow()
         view.show(SCENE)
         controls.follow()

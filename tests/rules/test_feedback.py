@@ -6,7 +6,8 @@ from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation import Progress
 from fleet_tui.model.navigation_events import ProgressReported
-from fleet_tui.rules.feedback import CEASED_AFTER, feedback_ceased_at
+from fleet_tui.rules.feedback import CEASED_AFTER, feedback_ceased_at, is_unsteady
+from fleet_tui.rules.why.navigation import silent as why_silent
 from tests.support.fleets import R0, T0, fleet, link_lost, link_up, pose, queue, reduced, tick
 
 LATER = T0 + 5 + CEASED_AFTER
@@ -35,3 +36,24 @@ def test_silence_with_another_cause_is_none_of_its_navigation() -> None:
     assert ceased(driving(link_lost(LATER - 2), link_up(LATER - 1), pose(LATER))) is None
     assert ceased(driving(pose(LATER), goal="6")) is None, "never any on this order"
     assert ceased(driving(pose(LATER), queue(LATER))) is None, "no order"
+
+
+def test_a_server_that_crashes_with_each_order_is_one_alarm_until_the_robot_moves() -> None:
+    silent = driving(pose(LATER))
+    assert not is_unsteady(fleet(), fleet().robots[R0])
+    # A new order, a moment of feedback on it: it stands as before.
+    answers = ProgressReported(R0, LATER + 6, Progress("8"))
+    again = reduced(
+        silent, queue(LATER + 5, (8, 1, 2, "W"), current=8), answers, pose(LATER + 6), tick(LATER + 6)
+    )
+    (alarm,) = again.alarms
+    assert ceased(again) is None and alarm.holds and alarm.count == 1
+    assert alarm.text.startswith("navigation silent again and again, no movement for ")
+    found = why_silent(again, again.robots[R0])
+    assert found is not None and found.name == "navigation silent again and again"
+    drives = reduced(again, pose(LATER + 7, x=3.0), tick(LATER + 7), pose(LATER + 8, x=6.0), tick(LATER + 8))
+    assert (not is_unsteady(drives, drives.robots[R0]) and not drives.alarms[0].holds) or not drives.alarms
+    gone = reduced(
+        again, queue(LATER + 7), pose(LATER + 7), tick(LATER + 20), pose(LATER + 20), tick(LATER + 30)
+    )
+    assert all(one.condition.kind != "navigation" or not one.holds for one in gone.alarms)

@@ -15,7 +15,7 @@ from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
 from fleet_tui.rules.alarms.navigation import NAVIGATION_RULES
 from fleet_tui.rules.battery.charging import charger_of
 from fleet_tui.rules.commands.failures import failed_commands
-from fleet_tui.rules.feedback import feedback_ceased_at
+from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.lag import BEHIND
 from fleet_tui.text.durations import age, duration
 
@@ -96,7 +96,7 @@ def stuck(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
     known = state.is_fresh(robot, "pose")
     # An obstacle explains it only where that is an alarm: contact that comes and goes may never be one.
     explained = not known or obstacle(state, robot, active) is not None
-    explained = explained or feedback_ceased_at(state, robot) is not None
+    explained = explained or feedback_ceased_at(state, robot) is not None or is_unsteady(state, robot)
     if explained and not was_active(active, robot.name, robot.link, "stuck"):
         return None
     text = f"{'paused, ' * is_paused}no movement for {age(state.now - place.at)} (order {order.id})"

@@ -8,7 +8,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
 from fleet_tui.rules.commands.failures import FAILED_FOR
 from fleet_tui.rules.commands.local_queue import HELD_BY_OTHERS, orders_to_save
-from fleet_tui.rules.feedback import feedback_ceased_at
+from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.text.details import detail_text
 from fleet_tui.text.durations import age
 
@@ -70,11 +70,15 @@ def held_orders(state: FleetState, robot: Robot, _active: ActiveConditions) -> C
 
 
 def silent(state: FleetState, robot: Robot, _active: ActiveConditions) -> Condition | None:
-    """Raise once the feedback on the current order has ceased: its navigation crashed, or was stopped."""
+    """Raise once the feedback on the current order has ceased: its navigation crashed, or was stopped. That
+    it answers again ends it only with a movement."""
     since, order = feedback_ceased_at(state, robot), robot.orders.current
-    if since is None or order is None:
+    if since is not None and order is not None:
+        text = f"navigation silent for {age(state.now - since)} (order {order.id})"
+    elif is_unsteady(state, robot) and robot.place is not None:
+        text = f"navigation silent again and again, no movement for {age(state.now - robot.place.at)}"
+    else:
         return None
-    text = f"navigation silent for {age(state.now - since)} (order {order.id})"
     return Condition(robot.name, "navigation", Priority.MEDIUM, text, "navigation reports again")
 
 

@@ -6,7 +6,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
 from fleet_tui.rules.commands.local_queue import foreign, orders_to_save
-from fleet_tui.rules.feedback import feedback_ceased_at
+from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.why.reason import Reason, Strength, mission
 from fleet_tui.text.durations import age
 
@@ -41,12 +41,23 @@ def not_sure_where(state: FleetState, robot: Robot) -> Reason | None:
 def silent(state: FleetState, robot: Robot) -> Reason | None:
     """Report that its navigation gives no feedback on the current order any more."""
     since, order = feedback_ceased_at(state, robot), robot.orders.current
-    if since is None or order is None:
+    if since is not None and order is not None:
+        cause = f"navigation silent for {age(state.now - since)}"
+        evidence = (
+            f"no feedback on {mission(robot, order)}, while the robot itself reports: its navigation server "
+            "has probably crashed, or was stopped"
+        )
+    elif is_unsteady(state, robot):
+        cause = "navigation silent again and again"
+        evidence = (
+            "it answers each order for a moment, and the robot does not move: its navigation server has "
+            "probably crashed each time"
+        )
+    else:
         return None
     return Reason(
-        f"navigation silent for {age(state.now - since)}",
-        f"no feedback on {mission(robot, order)}, while the robot itself reports: its navigation server has "
-        "probably crashed, or was stopped",
+        cause,
+        evidence,
         Strength.LIKELY,
         keys=("clear", "order"),
         remedy=CLASSES["navigation"].action,

@@ -9,7 +9,7 @@ from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, width_of
 
 COUNTED = {
-    Activity.BLOCKED: StyleRole.ALARM,
+    Activity.BLOCKED: StyleRole.WARN,  # red is an alarm: most contacts pass
     Activity.PAUSED: StyleRole.WARN,
     Activity.DRIVING: StyleRole.DIM,
     Activity.LOADING: StyleRole.DIM,

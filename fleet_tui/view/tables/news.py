@@ -11,7 +11,7 @@ from fleet_tui.rules.alarms.navigation import LOST_ABOVE
 from fleet_tui.rules.alarms.trouble import in_trouble, shelved
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import own_pause_text
-from fleet_tui.rules.feedback import feedback_ceased_at
+from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
@@ -70,7 +70,7 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
 def _navigation(state: FleetState, robot: Robot) -> Iterator[Run]:
     if robot.blocked is not None and robot.blocked.value.is_stopped and state.is_fresh(robot, "blocked"):
         yield blocked_text(robot.blocked.value, state.now), StyleRole.ALARM
-    if feedback_ceased_at(state, robot) is not None:
+    if feedback_ceased_at(state, robot) is not None or is_unsteady(state, robot):
         yield "navigation silent", StyleRole.ALARM
     if robot.variance is not None and robot.variance.value > LOST_ABOVE:
         yield "pose uncertain", StyleRole.WARN

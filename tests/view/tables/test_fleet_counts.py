@@ -21,7 +21,7 @@ def working() -> FleetState:
 def test_what_the_robots_do_is_counted_and_what_is_odd_is_first_and_coloured() -> None:
     counts = fleet_counts(working(), WIDE)
     assert text_of(counts) == " 4 of 5 online: 1 blocked, 1 driving, 1 idle"
-    assert ("1 blocked", StyleRole.ALARM) in counts and ("1 driving", StyleRole.DIM) in counts
+    assert ("1 blocked", StyleRole.WARN) in counts and ("1 driving", StyleRole.DIM) in counts
 
 
 def test_in_a_narrow_title_whole_counts_are_left_out_from_the_end() -> None:
