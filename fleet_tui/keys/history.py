@@ -38,6 +38,11 @@ HISTORY: tuple[Key[HistoryActions], ...] = (
     _key("longer", ("-",), lambda do: do.stretch(1), "Longer time: 15 min, 1 h, 8 h, 24 h, 7 d, 30 d"),
     _key("shorter", ("+",), lambda do: do.stretch(-1), "Shorter time"),
     _key("floor", ("f",), lambda do: do.next_floor(), "Next floor, on the page of places"),
-    _key("replay", ("o",), lambda do: do.replay(), "Open the recording at the time of the marked row"),
+    _key(
+        "replay",
+        ("o",),
+        lambda do: do.replay(),
+        "Open the recording of the marked row's time, else of the end of the time shown",
+    ),
     _key("leave", ("escape", "q"), lambda do: do.leave(), "Go back"),
 )

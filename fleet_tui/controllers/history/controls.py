@@ -157,13 +157,9 @@ class HistoryControls:
             self.page(1)
 
     def replay(self) -> None:
-        """Open the recording at the time of the marked row."""
+        """Open the recording at the time of the marked row; of one without at the end of the time shown."""
         moment = moment_of(self._view.rows.listing.cursor)
-        if moment is None:
-            self.notice = "mark an event or an alarm: it is opened at its time"
-            self._view.look()
-            return
-        _, at = moment
+        at = moment[1] if moment is not None else self.shown.time.until
         self._in_background(partial(self._replaying.find, at), partial(self._open, at))
 
     def _open(self, at: float, found: tuple[Path, float] | None) -> None:

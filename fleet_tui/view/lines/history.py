@@ -8,11 +8,10 @@ from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run
 
-OPENABLE = ("Events", "Alarms")
-"""Pages whose rows begin at a moment."""
 ALL_FROM = 74
 """Cells from which all pages are named."""
 HINTS = (
+    ("history_replay", "recording"),
     ("history_filter", "filter"),
     ("history_next_page", "page"),
     ("history_earlier", "earlier"),
@@ -40,8 +39,7 @@ def foot_runs(keys: Mapping[str, tuple[str, ...]], page: str, said: str) -> tupl
     """Return the response to the last key, else the keys, at the right."""
     if said:
         return [(sanitize(said), StyleRole.WARN)], []
-    own = [("history_replay", "recording")] if page in OPENABLE else []
-    own += [("history_floor", "floor")] if page == "Places" else []
+    own = [("history_floor", "floor")] if page == "Places" else []
     runs: list[Run] = []
     for id_, word in [*own, *HINTS]:
         if keys[id_]:

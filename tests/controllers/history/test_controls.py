@@ -90,7 +90,7 @@ def test_what_enter_opens(made: Made) -> None:
     controls.choose("robot_1")
     assert view.went == ["robot_1"] and controls.name == "Events"
     controls.replay()
-    assert controls.notice.startswith("mark an event or an alarm")
+    assert controls.notice.startswith("no recording covers this moment"), "the end of the time shown"
     controls.leave()
     assert view.went[-1] == "back"
 

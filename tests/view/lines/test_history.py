@@ -14,10 +14,10 @@ def test_the_open_page_is_in_brackets_and_the_time_at_the_right() -> None:
     assert text_of(time) == "8 h to now "
 
 
-def test_only_pages_with_moments_offer_the_recording() -> None:
-    for page, first in (("Events", " o recording "), ("Alarms", " o recording "), ("Places", " f floor ")):
-        assert text_of(foot_runs(KEYS, page, "")[1]).startswith(first)
-    assert text_of(foot_runs(KEYS, "Robots", "")[1]).startswith(" / filter ")
+def test_each_page_offers_the_recording_and_that_of_places_its_floors() -> None:
+    for page, first in (("Events", " o recording "), ("Robots", " o recording "), ("Places", " f floor ")):
+        hints = text_of(foot_runs(KEYS, page, "")[1])
+        assert hints.startswith(first) and " o recording  / filter " in hints
 
 
 def test_an_answer_takes_the_place_of_the_keys() -> None:
