@@ -158,15 +158,21 @@ def test_a_full_disk_loses_nothing(store: Store, running: Running, monkeypatch: 
     assert history.notes == []
 
 
+def one_command(folder: Path) -> Path:
+    """An audit log of a pause."""
+    log = AuditFile(folder / FILE_NAME)
+    log.append(encode(ANA.record(time.time(), kind="command", what="pause", change="sent", id=1, robot=R0)))
+    log.close()
+    return log.path
+
+
 def test_a_damaged_one_is_kept_aside_and_begun_anew_from_the_audit_log(
     tmp_path: Path, store: Store, running: Running
 ) -> None:
-    log = AuditFile(tmp_path / FILE_NAME)
-    log.append(encode(ANA.record(time.time(), kind="command", what="pause", change="sent", id=1, robot=R0)))
-    log.close()
+    log = one_command(tmp_path)
     path = running(store).path
     eventually(lambda: rows(path, "commands") == 1)
-    damaged = HistoryWriter(tmp_path / "b.sqlite", log.path, LONG, store, ANA)
+    damaged = HistoryWriter(tmp_path / "b.sqlite", log, LONG, store, ANA)
     damaged.path.write_bytes(b"no database\n" * 1000)
     damaged.start()
     eventually(lambda: rows(damaged.path, "commands") == 1)
@@ -269,9 +275,7 @@ def test_an_order_that_ended_before_the_second_console_observes_has_its_end(
 def test_one_that_is_deleted_begins_anew_with_what_goes_on(
     tmp_path: Path, store: Store, running: Running
 ) -> None:
-    log = AuditFile(tmp_path / FILE_NAME)
-    log.append(encode(ANA.record(time.time(), kind="command", what="pause", change="sent", id=1, robot=R0)))
-    log.close()
+    one_command(tmp_path)
     path = running(store).path
     store.apply(queue(T0 + 1, (7, 1, 2, "Q")))
     eventually(lambda: rows(path, "orders") == 1)

@@ -3,9 +3,7 @@
 from collections.abc import Hashable, Mapping
 from typing import ClassVar
 
-from rich.style import Style
 from textual import on
-from textual.app import ComposeResult
 from textual.binding import BindingType
 from textual.timer import Timer
 from textual.widgets import Input
@@ -14,21 +12,17 @@ from fleet_tui.backend import Backend
 from fleet_tui.keys import DIAGNOSTICS, PAGES, Pane, by_id
 from fleet_tui.screens.diagnosing.controls import DiagnosticsControls
 from fleet_tui.screens.diagnosing.pages import FILTERED, Page, Pages
-from fleet_tui.screens.overlay import Overlay
+from fleet_tui.screens.tables.paged_overlay import PagedOverlay
 from fleet_tui.terminal.display_driver import DisplayDriver
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.view.lines.diagnostics import foot_runs, page_runs
-from fleet_tui.view.roles import StyleRole
 from fleet_tui.widgets.bindings import bindings, overlay_bindings
-from fleet_tui.widgets.filter_field import FilterField
-from fleet_tui.widgets.line_view import LineView
-from fleet_tui.widgets.rows_pane import RowsPane
 
 KEYS = by_id(DIAGNOSTICS)
 EVERY = 0.25  # seconds between two updates
 
 
-class Diagnostics(Overlay):
+class Diagnostics(PagedOverlay):
     """One table with the rows of the open page."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -37,29 +31,13 @@ class Diagnostics(Overlay):
     ]
 
     def __init__(self, pages: Pages, backend: Backend, keys: Mapping[str, tuple[str, ...]]) -> None:
-        super().__init__(id="diagnostics")
         self._pages, self._backend, self._keys = pages, backend, keys
         self._controls = DiagnosticsControls(self, pages)
         self._end: Hashable = None
         self._listens = False
         self._timer: Timer | None = None
-        self.rows = RowsPane(id="diagnostics-rows", choose=self._controls.choose)
         text = "filter text; Enter keeps it, Esc clears it"
-        self._field = FilterField(self.rows, id="diagnostics-filter", placeholder=text)
-        self._tabs = LineView(id="diagnostics-pages")
-        self._foot = LineView(id="diagnostics-keys", keep_right=True)
-
-    def compose(self) -> ComposeResult:
-        """Compose the pages' names, a field that appears on use, the rows, the keys."""
-        yield self._tabs
-        yield self._field
-        yield self.rows
-        yield self._foot
-
-    def set_role_styles(self, styles: Mapping[StyleRole, Style]) -> None:
-        """Change every colour."""
-        for view in (self._tabs, self.rows, self._foot):
-            view.set_role_styles(styles)
+        super().__init__("diagnostics", self._controls.choose, text)
 
     def show(self, robot: str) -> None:
         """Open, first on the link page; `robot` is the one whose topic is marked first."""

@@ -1,12 +1,10 @@
 """The history: events, what robots did, batteries, alarms and blocked places of a time."""
 
-from collections.abc import Mapping
 from functools import partial
 from typing import TYPE_CHECKING, ClassVar
 
-from rich.style import Style
 from textual import on
-from textual.app import ComposeResult, SuspendNotSupported
+from textual.app import SuspendNotSupported
 from textual.binding import BindingType
 from textual.timer import Timer
 from textual.widgets import Input
@@ -16,16 +14,12 @@ from fleet_tui.controllers.history.replaying import PastReplay, run_in_terminal
 from fleet_tui.keys import HISTORY, Pane, by_id
 from fleet_tui.log_file import state_folder
 from fleet_tui.screens.history.pages import HistoryPages, long_moment
-from fleet_tui.screens.overlay import Overlay
+from fleet_tui.screens.tables.paged_overlay import PagedOverlay
 from fleet_tui.view.history.tables import NAMES
 from fleet_tui.view.lines.history import foot_runs, page_runs
-from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import column
 from fleet_tui.widgets.background import run_in_background
 from fleet_tui.widgets.bindings import bindings, overlay_bindings
-from fleet_tui.widgets.filter_field import FilterField
-from fleet_tui.widgets.line_view import LineView
-from fleet_tui.widgets.rows_pane import RowsPane
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -63,7 +57,7 @@ def _loss(rest: "Rest") -> str:
     return "a routine runs here" if rest.routines.has_losses else ""
 
 
-class HistoryOverlay(Overlay):
+class HistoryOverlay(PagedOverlay):
     """One table with the rows of the open page. It reads nothing while it is closed."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -72,29 +66,13 @@ class HistoryOverlay(Overlay):
     ]
 
     def __init__(self, screen: "MainScreen", pages: HistoryPages, replaying: PastReplay) -> None:
-        super().__init__(id="history")
         self._pages, self._store, self._keys = pages, screen.store, screen.settings.keys
         low = lambda: screen.store.state.limits.battery_low  # noqa: E731  # of the newest state
         in_background = partial(run_in_background, self)
         self._controls = HistoryControls(self, screen.files, replaying, in_background, low)
         self._timer: Timer | None = None
-        self.rows = RowsPane(id="history-rows", choose=self._controls.choose)
         words = "words, !word; Enter keeps them, Esc clears them"
-        self._field = FilterField(self.rows, id="history-filter", placeholder=words)
-        self._tabs = LineView(id="history-pages", keep_right=True)
-        self._foot = LineView(id="history-keys")
-
-    def compose(self) -> ComposeResult:
-        """Compose the pages' names, a field that appears on use, the rows, the keys."""
-        yield self._tabs
-        yield self._field
-        yield self.rows
-        yield self._foot
-
-    def set_role_styles(self, styles: Mapping[StyleRole, Style]) -> None:
-        """Change every colour."""
-        for view in (self._tabs, self.rows, self._foot):
-            view.set_role_styles(styles)
+        super().__init__("history", self._controls.choose, words)
 
     def show(self) -> None:
         """Open on the page that was open last."""

@@ -53,7 +53,7 @@ def heat_rows(
     width, height = size
     listed = _listed(state, here)
     map_width = max(20, width - LISTED) if listed else width
-    drawn = _drawn(state, selection, here, options, (map_width, height), is_ascii)
+    drawn = _drawn(state, selection, here, options, (map_width, height), HEAT[is_ascii])
     rows = []
     for n in range(height):
         left = cut(drawn[n], map_width) if n < len(drawn) else ((" " * map_width, StyleRole.TEXT),)
@@ -76,12 +76,12 @@ def _drawn(
     state: FleetState,
     selection: Selection,
     places: Sequence[BlockedPlace],
-    options: MapOptions,
+    look: MapOptions,
     size: tuple[int, int],
-    is_ascii: bool,
+    signs: Sequence[str],
 ) -> list[tuple[Run, ...]]:
     picture = MapPicture()
-    picture.options = replace(options, trails=False, cursor=None, pointed=None)
+    picture.options = replace(look, trails=False, cursor=None, pointed=None)
     scene = floor_scene(state, selection)
     picture.show(replace(scene, robots=(), mission=None, elsewhere="", beams=None, path=None))
     cells = picture.cells(*size, focused=False)
@@ -91,7 +91,7 @@ def _drawn(
     for place in reversed(places):  # the worst last: it covers the others
         x, y = camera.to_cell(*picture.scene.frame.to_pixel(place.x, place.y))
         part = place.seconds / worst
-        sign = HEAT[is_ascii][0 if part <= 0.1 else 1 if part <= 0.5 else 2]
+        sign = signs[0 if part <= 0.1 else 1 if part <= 0.5 else 2]
         if camera.shows(x, y):
             cells.write(x, y + CAPTION_ROWS, sign, StyleRole.ROBOT_ALARM)
     return [tuple((text, StyleRole(role)) for text, role in runs) for runs in cells.all_runs()]

@@ -1,0 +1,29 @@
+"""An overlay of pages has its widgets in their order, whatever it shows."""
+
+from textual.app import App, ComposeResult
+
+from fleet_tui.screens.tables.paged_overlay import PagedOverlay
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.table import Row, Table
+
+
+class Paged(App[None]):
+    def __init__(self) -> None:
+        super().__init__()
+        self.chosen: list[object] = []
+        self.pages = PagedOverlay("things", self.chosen.append, "words")
+
+    def compose(self) -> ComposeResult:
+        yield self.pages
+
+
+async def test_its_parts_and_what_enter_chooses() -> None:
+    app = Paged()
+    async with app.run_test() as pilot:
+        names = [child.id for child in app.pages.children]
+        assert names == ["things-pages", "things-filter", "things-rows", "things-keys"]
+        app.pages.set_role_styles({})
+        app.pages.open(app.pages.rows)
+        app.pages.rows.show(Table((), [Row(n, ((str(n), StyleRole.TEXT),)) for n in "ab"]))
+        await pilot.press("down", "enter")
+        assert app.chosen == ["b"]
