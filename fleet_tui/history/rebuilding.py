@@ -1,4 +1,4 @@
-"""What a new history knows of the past: the commands, alarms and orders of the audit log."""
+"""The past of a new history: the commands, alarms and orders of the audit log."""
 
 import sqlite3
 from datetime import datetime

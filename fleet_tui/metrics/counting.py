@@ -1,4 +1,4 @@
-"""What happened since the start, as Prometheus counters."""
+"""Events since the start, as Prometheus counters."""
 
 from collections.abc import Iterable
 

@@ -1,4 +1,4 @@
-"""What a click or a selection on the screen does."""
+"""The effects of clicks and selections on the screen."""
 
 from typing import TYPE_CHECKING, assert_never
 

@@ -1,4 +1,4 @@
-"""What an operator types to filter rows: `word`, `!word`, `key:value`, all of which must hold."""
+"""The text that filters rows: `word`, `!word`, `key:value`, all of which must hold."""
 
 from collections.abc import Callable, Collection
 

@@ -1,4 +1,4 @@
-"""What shell completion offers, asked as the script asks."""
+"""Offers of the shell completion, asked for as the script asks."""
 
 from pathlib import Path
 

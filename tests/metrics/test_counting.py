@@ -1,4 +1,4 @@
-"""What is counted since the start, once."""
+"""Events since the start, each counted once."""
 
 from msgspec.structs import replace
 from prometheus_client import CollectorRegistry

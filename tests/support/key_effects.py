@@ -1,4 +1,4 @@
-"""What a key changes on a console: the parts that a person sees, and presses that must change one of them."""
+"""The effects of a key on a console: the parts that a person sees, and presses that must change one."""
 
 from collections.abc import Awaitable, Callable, Collection, Mapping
 

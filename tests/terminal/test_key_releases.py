@@ -17,7 +17,7 @@ from fleet_tui.terminal.key_releases import (
 
 
 def told(typed: str) -> list[tuple[bool, str]]:
-    """Whether each key was released, and its name."""
+    """Releases of keys, and their names."""
     found = list[Message]()
     for event in ReleaseParser().feed(typed):
         found.append(event)

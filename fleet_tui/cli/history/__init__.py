@@ -1,1 +1,1 @@
-"""What was: the history, the report of a shift, and metrics for others."""
+"""The past: the history, the report of a shift, and metrics for others."""

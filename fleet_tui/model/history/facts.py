@@ -1,4 +1,4 @@
-"""What happens to a fleet, one fact after the other. Times are Unix seconds."""
+"""Facts about a fleet, one after the other. Times are Unix seconds."""
 
 from enum import Enum
 
@@ -6,7 +6,7 @@ from msgspec import Struct
 
 
 class Activity(Enum):
-    """What a robot does; the value is shown, and stands in the database."""
+    """An activity of a robot; the value is shown, and stands in the database."""
 
     DRIVING = "driving"
     LOADING = "loading"

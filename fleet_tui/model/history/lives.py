@@ -1,4 +1,4 @@
-"""What became of orders, alarms and commands. Times are Unix seconds, None while it has not happened."""
+"""The lives of orders, alarms and commands. Times are Unix seconds, None while it has not happened."""
 
 from msgspec import Struct
 

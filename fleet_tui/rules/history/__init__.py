@@ -1,1 +1,1 @@
-"""What of the fleet's state is history."""
+"""The part of the fleet's state that is history."""

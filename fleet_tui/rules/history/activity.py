@@ -1,4 +1,4 @@
-"""What a robot does at this moment, in one word."""
+"""The activity of a robot at this moment, in one word."""
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity

@@ -1,4 +1,4 @@
-"""What each robot did, part by part of a time."""
+"""The activities of robots, part by part of a time."""
 
 from collections.abc import Iterable, Mapping, Sequence
 

@@ -1,4 +1,4 @@
-"""Where a robot is, as one says it over the radio: by the nearest place with a name."""
+"""The place of a robot, as one says it over the radio: by the nearest place with a name."""
 
 import math
 

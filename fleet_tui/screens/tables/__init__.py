@@ -1,1 +1,1 @@
-"""What is done with rows: filter, marks, outcomes."""
+"""Actions on rows: filter, marks, outcomes."""

@@ -17,7 +17,7 @@ DONE = Stage.DONE.value
 
 
 class EventKind(Enum):
-    """What an event is about; the value is typed in filters, and stands in JSON and CSV."""
+    """The subject of an event; the value is typed in filters, and stands in JSON and CSV."""
 
     ORDER = "order"
     ALARM = "alarm"

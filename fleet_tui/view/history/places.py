@@ -1,4 +1,4 @@
-"""Where robots were blocked, on the map of a floor, with the worst places beside it."""
+"""Places where robots were blocked, on the map of a floor, with the worst places beside it."""
 
 import math
 from collections.abc import Sequence

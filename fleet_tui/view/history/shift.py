@@ -1,4 +1,4 @@
-"""What a page of the history shows of a time."""
+"""The contents of a page of the history."""
 
 from collections.abc import Mapping, Sequence
 

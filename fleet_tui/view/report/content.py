@@ -1,4 +1,4 @@
-"""What a report tells, as values."""
+"""The contents of a report, as values."""
 
 from collections.abc import Mapping, Sequence
 

@@ -1,4 +1,4 @@
-"""Where robots were blocked: circles on the map of a floor, as an SVG picture."""
+"""Places where robots were blocked: circles on the map of a floor, as an SVG picture."""
 
 import math
 from collections.abc import Sequence

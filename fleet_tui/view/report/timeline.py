@@ -1,4 +1,4 @@
-"""What robots did, as an SVG picture: a row for each, a bar for each activity."""
+"""The activities of robots, as an SVG picture: a row for each, a bar for each activity."""
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial

@@ -1,4 +1,4 @@
-"""What a service says of its links."""
+"""Lines of a service about its links."""
 
 from fleet_tui.cli.history.following import Following
 from tests.support.fleets import T0, fleet, link_lost, link_up, reduced

@@ -1,4 +1,4 @@
-"""What each page of the history reads."""
+"""The contents that each page of the history reads."""
 
 import sqlite3
 from contextlib import closing

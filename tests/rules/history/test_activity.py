@@ -1,4 +1,4 @@
-"""What a simulated robot does, in one word."""
+"""The activity of a simulated robot, in one word."""
 
 from fleet_tui.model.commands import PauseRobot
 from fleet_tui.model.history.facts import Activity

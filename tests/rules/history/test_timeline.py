@@ -1,4 +1,4 @@
-"""What each robot did, part by part."""
+"""The activities of robots, part by part."""
 
 from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.history.totals import ActivityTotal

@@ -1,4 +1,4 @@
-"""Where a robot is, in words."""
+"""The place of a robot, in words."""
 
 import pytest
 

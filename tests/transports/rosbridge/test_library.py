@@ -1,4 +1,4 @@
-"""What importing roslibpy brings along."""
+"""Modules that importing roslibpy brings along."""
 
 import subprocess
 import sys
