@@ -11,6 +11,8 @@ class StyleRole(IntEnum):
     WALL = auto()
     WALL_BEYOND = auto()
     """A wall surrounded by unknown ground: it is drawn on the darker ground."""
+    WALL_SOLID = auto()
+    """A cell full of wall: the ground is of the wall's colour, too, for fonts whose blocks leave gaps."""
     EDGE = auto()
     TRAIL = auto()
     TRAIL_OLD = auto()

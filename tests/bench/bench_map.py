@@ -128,7 +128,7 @@ def walls_lost(cases: int = 3300) -> tuple[int, int]:
         for drawing in Drawing:
             total += 1
             roles = ground(grid, camera, drawing).roles
-            walls = (roles == StyleRole.WALL) | (roles == StyleRole.WALL_BEYOND)
+            walls = (roles >= StyleRole.WALL) & (roles <= StyleRole.WALL_SOLID)
             inside = (walls | (roles == StyleRole.FLOOR)).any(axis=1)
             lost += not walls[inside][:, sorted(near)].any(axis=1).all()
     return lost, total

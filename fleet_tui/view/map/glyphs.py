@@ -41,7 +41,8 @@ def robot_tag(robot: SceneRobot, plain: bool) -> str:
         tag += "?"
     if robot.other_map:
         tag += "~" if plain else "≈"
-    return tag if robot.online else f"{tag} {age(robot.age)}"
+    # In brackets: "0 18 s" would read as two numbers.
+    return tag if robot.online else f"{tag} ({age(robot.age)})"
 
 
 def robot_roles(robot: SceneRobot) -> tuple[StyleRole, StyleRole]:

@@ -40,7 +40,11 @@ _OPEN = _table(StyleRole.FLOOR, StyleRole.UNKNOWN, StyleRole.EDGE, StyleRole.TRA
 _WAYS = (StyleRole.MISSION, StyleRole.MISSION_NEXT)
 _KEPT = _table(StyleRole.MISSION_NEXT, StyleRole.MISSION)
 _WALLS = _table(
-    StyleRole.WALL, StyleRole.WALL_BEYOND, StyleRole.MISSION_NEXT_THROUGH, StyleRole.MISSION_THROUGH
+    StyleRole.WALL,
+    StyleRole.WALL_BEYOND,
+    StyleRole.WALL_SOLID,
+    StyleRole.MISSION_NEXT_THROUGH,
+    StyleRole.MISSION_THROUGH,
 )
 _THROUGH = {
     StyleRole.MISSION_NEXT: StyleRole.MISSION_NEXT_THROUGH,

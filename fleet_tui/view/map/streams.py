@@ -24,7 +24,7 @@ def draw_path(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> N
     trace(mask, dots[:-1], dots[1:])
     bits = pack(mask)
     free = (bits > 0) & (cells.roles <= StyleRole.MISSION_NEXT)
-    free &= (cells.roles != StyleRole.WALL) & (cells.roles != StyleRole.WALL_BEYOND)
+    free &= (cells.roles < StyleRole.WALL) | (cells.roles > StyleRole.WALL_SOLID)
     cells.codes[free] = ord(":") if look.plain else BRAILLE[bits[free]]
     cells.roles[free] = StyleRole.MISSION_NEXT
 

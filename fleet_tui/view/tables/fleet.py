@@ -100,8 +100,13 @@ def _movement(state: FleetState, robot: Robot) -> str:
 def _movement_role(state: FleetState, robot: Robot) -> StyleRole:
     if any(alarm.holds and alarm.key == (robot.name, "stuck") for alarm in state.alarms):
         return StyleRole.ALARM
-    waits = robot.orders.current is not None and robot.still_for >= LONG_STILL and _movement(state, robot)
-    return StyleRole.WARN if waits else StyleRole.DIM
+    return StyleRole.WARN if _waits(state, robot) else StyleRole.DIM
+
+
+def _waits(state: FleetState, robot: Robot) -> bool:
+    """Tell whether a robot stands with an order for longer than loading takes."""
+    stands = robot.orders.current is not None and robot.still_for >= LONG_STILL
+    return stands and bool(_movement(state, robot))
 
 
 def _without_order(state: FleetState, robot: Robot) -> str:
@@ -210,13 +215,14 @@ def fleet_table(
     state: FleetState, selected: str, width: int, arrangement: RowArrangement | None = None
 ) -> Table:
     """The fleet for a pane of `width` cells, as arranged: robots with an alarm first, in the order of the
-    alarms pane, then those in shelved trouble or without a pose, else in the order of the config."""
+    alarms pane, then those in shelved trouble, without a pose or standing with an order, else in the order of
+    the config."""
     arrangement = arrangement or RowArrangement()
     silenced, seen = shelved(state), acknowledged(state)
     troubled = {name: place for place, name in enumerate(by_urgency(state))}
 
     def calm(robot: Robot) -> int:
-        is_odd = robot.name in silenced or is_missing(state, robot, "pose")
+        is_odd = robot.name in silenced or is_missing(state, robot, "pose") or _waits(state, robot)
         return troubled.get(robot.name, len(troubled) if is_odd else len(troubled) + 1)
 
     everyone = sorted(state.robots.values(), key=calm)

@@ -19,7 +19,7 @@ from fleet_tui.view.roles import StyleRole
 
 FRAME = MapFrame(0.05, 400, 200)
 CAMERA = Camera.fit((400, 200), 80, 22)
-WALLS = (StyleRole.WALL, StyleRole.WALL_BEYOND)
+WALLS = (StyleRole.WALL, StyleRole.WALL_BEYOND, StyleRole.WALL_SOLID)
 THROUGH = (StyleRole.MISSION_THROUGH, StyleRole.MISSION_NEXT_THROUGH)
 LINE = (StyleRole.MISSION, StyleRole.MISSION_THROUGH)
 

@@ -109,7 +109,7 @@ def test_robots_that_are_nowhere_are_not_drawn_and_break_nothing() -> None:
 
 def test_edges_hide_no_wall() -> None:
     without, with_edges = (backdrop(SCENE, FIT, MapOptions(edges=on, labels=False)) for on in (False, True))
-    walls = (without.roles == StyleRole.WALL) | (without.roles == StyleRole.WALL_BEYOND)
+    walls = (without.roles >= StyleRole.WALL) & (without.roles <= StyleRole.WALL_SOLID)
     assert np.array_equal(without.codes[walls], with_edges.codes[walls])
     assert (with_edges.roles == StyleRole.EDGE).sum() > 40
 

@@ -80,9 +80,9 @@ def test_an_alarm_that_waits_comes_before_one_that_is_acknowledged() -> None:
 
 def test_ages_are_told_of_a_robot_alone_but_not_among_several() -> None:
     one, other = (robot(number, 0)._replace(online=False, age=13.0) for number in (8, 10))
-    assert "8 13 s" in drawn((one,))
+    assert "8 (13 s)" in drawn((one,))
     text = drawn((one, other))
-    assert "10,8→" in text and "13 s" not in text
+    assert "10,8→" in text and "(13 s)" not in text
 
 
 def test_the_number_of_a_robot_between_others_is_with_a_neighbours_in_the_sequence_of_the_arrows() -> None:
@@ -107,7 +107,7 @@ def test_the_selected_robot_in_a_crowd_has_its_number_above_it() -> None:
 
 def test_the_age_of_an_old_pose_covers_no_label() -> None:
     old = robot(1, 0)._replace(online=False, age=18.0)
-    assert "1 18 s→" in drawn((old,))
+    assert "1 (18 s)→" in drawn((old,))
     labelled = replace(
         EMPTY,
         robots=(old,),
