@@ -56,3 +56,7 @@ class StyleRole(IntEnum):
     KEY = auto()
     CURSOR_ROW = auto()
     """The ground of the row that keys are for; its texts keep their own colours."""
+
+
+WALLS = (StyleRole.WALL, StyleRole.WALL_BEYOND, StyleRole.WALL_SOLID)
+"""All roles of walls with nothing over them."""

@@ -2,6 +2,7 @@
 
 import math
 import re
+from collections.abc import Collection, Mapping
 from functools import partial
 
 from fleet_tui.model.fleet import FleetState, is_missing, missing_text
@@ -211,6 +212,12 @@ def _battery_order(robot: Robot) -> float:
     return robot.battery.value if robot.battery and math.isfinite(robot.battery.value) else math.inf
 
 
+def _calm(state: FleetState, troubled: Mapping[str, int], silenced: Collection[str], robot: Robot) -> int:
+    """Return what sorts by trouble: the place among those in it, then whatever else is not as usual."""
+    is_odd = robot.name in silenced or is_missing(state, robot, "pose") or _waits(state, robot)
+    return troubled.get(robot.name, len(troubled) if is_odd else len(troubled) + 1)
+
+
 def fleet_table(
     state: FleetState, selected: str, width: int, arrangement: RowArrangement | None = None
 ) -> Table:
@@ -220,12 +227,7 @@ def fleet_table(
     arrangement = arrangement or RowArrangement()
     silenced, seen = shelved(state), acknowledged(state)
     troubled = {name: place for place, name in enumerate(by_urgency(state))}
-
-    def calm(robot: Robot) -> int:
-        is_odd = robot.name in silenced or is_missing(state, robot, "pose") or _waits(state, robot)
-        return troubled.get(robot.name, len(troubled) if is_odd else len(troubled) + 1)
-
-    everyone = sorted(state.robots.values(), key=calm)
+    everyone = sorted(state.robots.values(), key=partial(_calm, state, troubled, silenced))
     robots = arrangement.arranged(everyone, _values(state), lambda robot: robot.name, state.now)
     columns = Columns.of(state, width)
 

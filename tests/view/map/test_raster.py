@@ -13,7 +13,7 @@ from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, build_grid
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.raster import COARSE, ground, sample
-from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.roles import WALLS, StyleRole
 
 
 def grid_of(classes: np.ndarray) -> OccupancyGrid:
@@ -80,7 +80,7 @@ def test_no_wall_is_lost(side: int, place: float, zoom: float, pan: int, upright
         roles = ground(grid_of(classes), camera, drawing).roles
         if not upright:
             roles = roles.T
-        walls = (roles >= StyleRole.WALL) & (roles <= StyleRole.WALL_SOLID)
+        walls = np.isin(roles, WALLS)
         inside = (walls | (roles == StyleRole.FLOOR)).any(axis=1)
         assert inside.any()
         assert walls[inside].any(axis=1).all()
