@@ -8,7 +8,7 @@ from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run
 
 BARS: Mapping[Activity, tuple[str, str, StyleRole]] = {
-    Activity.DRIVING: ("▆", "=", StyleRole.GOOD),
+    Activity.DRIVING: ("▆", "=", StyleRole.DIM),
     Activity.LOADING: ("▄", "l", StyleRole.ACCENT),
     Activity.WAITING: ("▂", "w", StyleRole.WARN),
     Activity.CHARGING: ("~", "~", StyleRole.ACCENT),

@@ -45,6 +45,11 @@ def robot_tag(robot: SceneRobot, plain: bool) -> str:
     return tag if robot.online else f"{tag} ({age(robot.age)})"
 
 
+def is_special(robot: SceneRobot) -> bool:
+    """Tell whether a robot is the selected one, or in a state that its tag shows."""
+    return robot.selected or not robot.online or robot_tag(robot, plain=False) != robot_number(robot)
+
+
 def robot_roles(robot: SceneRobot) -> tuple[StyleRole, StyleRole]:
     """Return the roles of the arrow and of the tag: the first shows selection, both show trouble."""
     if not robot.online:

@@ -20,9 +20,9 @@ CELL = CAMERA.scale * 2 * 0.05
 EMPTY = Scene("f", MapFrame(0.05, 400, 200))
 
 
-def drawn(robots: tuple[SceneRobot, ...], before: Arrangement | None = None) -> str:
+def drawn(robots: tuple[SceneRobot, ...], before: Arrangement | None = None, camera: Camera = CAMERA) -> str:
     scene = replace(EMPTY, robots=robots)
-    return picture(backdrop(scene, CAMERA, MapOptions()), scene, CAMERA, MapOptions(), before).text()
+    return picture(backdrop(scene, camera, MapOptions()), scene, camera, MapOptions(), before).text()
 
 
 def roles(*robots: SceneRobot) -> set[int]:
@@ -144,3 +144,13 @@ def test_two_numbers_never_read_as_one(at: list[tuple[float, float]]) -> None:
     counted = re.sub(r"\+\d+", " ", drawn(robots))
     words = "".join(letter if letter.isdigit() else " " for letter in counted).split()
     assert {len(word) for word in words} <= {3}
+
+
+def test_among_many_robots_only_special_ones_have_their_numbers() -> None:
+    many = tuple(robot(n, 4 * n - 28) for n in range(1, 15))
+    odd = (many[0]._replace(selected=True), many[1]._replace(alarmed=True), many[2]._replace(online=False))
+    low = replace(CAMERA, height=4)
+    crowded, roomy = (drawn((*odd, *many[3:]), camera=camera) for camera in (low, CAMERA))
+    assert all(str(one.number) in roomy for one in many)
+    assert [number for number in map(str, range(1, 15)) if number in crowded] == ["1", "2", "3"]
+    assert crowded.count("→") == len(many)
