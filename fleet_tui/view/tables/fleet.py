@@ -18,7 +18,7 @@ from fleet_tui.view.tables.arrangement import RowArrangement, Value
 from fleet_tui.view.tables.battery import battery_bar, battery_run
 from fleet_tui.view.tables.fleet_columns import Columns, floor_text
 from fleet_tui.view.tables.fleet_counts import fleet_counts
-from fleet_tui.view.tables.missions import NOT_OURS, destinations, mission, whose_mission
+from fleet_tui.view.tables.missions import FOREIGN, destinations, mission, whose_mission
 from fleet_tui.view.tables.news import failed_command, news, shortened_news
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, width_of
@@ -171,11 +171,11 @@ def _after_news(order: str, progress: str, cells: int, is_news: bool) -> str:
     """Return an order and its progress where there is no column for them: without whose it is, with less of
     the progress, or not at all, if there is no space."""
     shorter = progress.partition(", ")[0]
-    for text, far in ((order, progress), (order.removesuffix(NOT_OURS), progress), (order, shorter)):
+    for text, far in ((order, progress), (order.removesuffix(FOREIGN), progress), (order, shorter)):
         told = "  ".join(part for part in (text, far) if part)
         if cell_width(told) <= cells:
             return told
-    return "" if is_news else order.removesuffix(NOT_OURS)  # beside news a letter of it tells nothing
+    return "" if is_news else order.removesuffix(FOREIGN)  # beside news a letter of it tells nothing
 
 
 def _state_text(state: FleetState, robot: Robot) -> str:
