@@ -7,7 +7,7 @@ from tests.support.sites import two_sites
 
 
 def test_a_site_has_its_robots_floors_alarms_and_commands() -> None:
-    state = reduced(two_sites(), *commanded(1, PauseRobot("robot_0"), T0), tick(T0))
+    state = reduced(two_sites(), *commanded(1, PauseRobot("robot_0")), tick(T0))
     assert sites_of(state) == ["north", "south"] and site_of(state, "robot_1") == "south"
     north, south = of_site(state, "robot_2"), of_site(state, "robot_1")
     assert list(north.robots) == robots_at(state, "north") == ["robot_0", "robot_2"]
