@@ -127,8 +127,9 @@ class MainScreen(Screen[None]):
         self.dispatch.release_startup()
         state, robot, clock = self.store.state, self.navigation.robot, self.settings.clock
         if self.is_complete:
-            if not self.rest.tables.filter_line.goes_first:
-                self._show_floor(state)
+            if self.rest.tables.filter_line.goes_first:
+                return
+            self._show_floor(state)
             self.rest.show()
         self._mark_alarm(state)
         page, recent = partial(robot_page, state, clock=clock), partial(recent_table, state, clock)
