@@ -124,7 +124,8 @@ class MainScreen(Screen[None]):
     def tick(self) -> None:
         """Show the newest state."""
         self.dispatch.release_startup()
-        state, robot, clock = self.store.state, self.navigation.robot, self.settings.clock
+        whole, robot, clock = self.store.state, self.navigation.robot, self.settings.clock
+        state = self.navigation.here
         if self.is_complete:
             if self.rest.tables.filter_line.goes_first:
                 return
@@ -134,14 +135,13 @@ class MainScreen(Screen[None]):
         page, recent = partial(robot_page, state, clock=clock), partial(recent_table, state, clock)
         tables = self.newest.tables()
         self.panes.show(state, tables, robot, page, recent, self.rest.covered if self.is_complete else 0)
-        self.status.show(*self.session.headline(state, robot, self.status.size.width))
-        self.message.show(message_line(state, self.notices.text, self.notices.at, self.message.size.width))
+        self.status.show(*self.session.headline(whole, robot, self.status.size.width))
+        self.message.show(message_line(whole, self.notices.text, self.notices.at, self.message.size.width))
         self._show_hints(state, robot)
-        self.settings.announce(state)
+        self.settings.announce(whole)
 
     def show_rows(self, pane: RowsPane, sought: str = "") -> None:
-        """Show the newest rows of one pane, with the cursor on the best for what is sought. Without a filter
-        the fleet's is on the selected robot again, whom commands are for."""
+        """Show the newest rows of a pane, the cursor on the best one sought, else on the selected robot."""
         if pane is self.fleet and not pane.arrangement.typed:
             pane.listing.cursor = self.navigation.robot
         pane.show(self.newest.of(pane), sought)
@@ -175,8 +175,7 @@ class MainScreen(Screen[None]):
         self.rest.show_scene(scene)
 
     def _mark_alarm(self, state: FleetState) -> None:
-        """Mark an alarm. Unless the pane has the focus, the cursor moves from acknowledged to
-        unacknowledged alarms; it never leaves an alarm that an `a` in the queue may mean."""
+        """Mark an alarm, of those that wait for an acknowledgement unless the pane has the focus."""
         fresh = unacknowledged(state)
         marked = self.alarms.listing.cursor
         if marked is not None and all(alarm.key != marked for alarm in state.alarms):

@@ -33,7 +33,7 @@ class NewestRows:
     def of(self, pane: RowsPane) -> Table:
         """Return the newest rows of one of these panes, as they are arranged."""
         screen, arranged = self._screen, (pane.row_width, pane.arrangement)
-        state, robot = screen.store.state, screen.navigation.robot
+        state, robot = screen.navigation.here, screen.navigation.robot
         if pane is screen.fleet:
             self._fleet = fleet_table(state, robot, *arranged)
             return self._fleet
