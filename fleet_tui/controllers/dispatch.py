@@ -50,6 +50,10 @@ class Dispatch:
             return "not here: this console is read-only"
         return self._refusal()
 
+    def desk_refusal(self) -> str:
+        """Return the reason that nothing may be claimed or closed from this console, empty if it may."""
+        return "this console is read-only" if self.permissions.read_only else self._backend.refusal
+
     def objections(self, request: Request) -> list[Problem]:
         """Return what speaks against a request, errors first."""
         found = problems(self._store.state, request, self.permissions)

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from textwrap import wrap
+from time import monotonic
 from typing import ClassVar
 
 from textual.app import ComposeResult
@@ -13,8 +14,11 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.localisation.match import Match
 from fleet_tui.screens.robot.overlay import RobotOverlay, robot_bindings
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.lines.impact import why_impact
 from fleet_tui.view.lines.why import why_lines
 
+IMPACT_EVERY = 1.0
+"""Seconds after which the ways of all orders are searched again."""
 SCROLLING = (
     Binding("down,j", "scroll_down", show=False),
     Binding("up,k", "scroll_up", show=False),
@@ -52,6 +56,8 @@ class Why(RobotOverlay):
         super().__init__(id="why")
         self._looked_at, self._keys, self._match = looked_at, keys, match
         self._shown: list[str] = []
+        self._cut_of: tuple[str, float, list[str]] = ("", 0.0, [])
+        """The robot, when (monotonic) and which orders' ways are cut."""
 
     def compose(self) -> ComposeResult:
         """Compose only text."""
@@ -59,7 +65,7 @@ class Why(RobotOverlay):
 
     def show(self) -> None:
         """Open on the selected robot."""
-        self._shown = []
+        self._shown, self._cut_of = [], ("", 0.0, [])
         self.look()
         self.begin()
 
@@ -67,8 +73,11 @@ class Why(RobotOverlay):
         """Show the current reasons."""
         state, name = self._looked_at()
         self.border_title = Content(f"Why: {sanitize(name)}")
-        text = self.query_one("#reasons", Static)
-        lines = _wrapped(why_lines(state, state.robots[name], self._keys, self._match()), text.size.width)
+        text, robot = self.query_one("#reasons", Static), state.robots[name]
+        if name != self._cut_of[0] or monotonic() - self._cut_of[1] > IMPACT_EVERY:
+            self._cut_of = name, monotonic(), why_impact(state, robot)
+        found = why_lines(state, robot, self._keys, self._match(), self._cut_of[2])
+        lines = _wrapped(found, text.size.width)
         if lines != self._shown:
             self._shown = lines
             text.update("\n".join(lines))

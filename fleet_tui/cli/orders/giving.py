@@ -4,6 +4,7 @@ import signal
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
+from functools import partial
 
 import click
 
@@ -14,6 +15,7 @@ from fleet_tui.cli.orders.set_up import await_set_up
 from fleet_tui.cli.session import session
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
+from fleet_tui.desk.watching import watched_claims
 from fleet_tui.errors import CommandError
 from fleet_tui.log_file import state_folder
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
@@ -75,8 +77,7 @@ def robots_of(config: Config, word: str) -> list[str]:
 
 @contextmanager
 def sending(config: Config, asked: How, say: Say) -> Iterator[Sending]:
-    """Provide a link to send on, with the audit log kept; a signal ends it with a report of unknown
-    results."""
+    """Provide a link to send on, with the audit log kept; a signal ends it, open results are reported."""
     given = None
     # Under nohup it continues after its terminal is closed.
     numbers = [one for one in ENDING if signal.getsignal(one) is not signal.SIG_IGN]
@@ -85,6 +86,7 @@ def sending(config: Config, asked: How, say: Say) -> Iterator[Sending]:
     with ExitStack() as opened:  # and closed after the last records: that takes time
         try:
             link, store = opened.enter_context(session(config))
+            opened.enter_context(watched_claims(config, link.post, partial(say, err=True)))
             given = Sending(link, store, asked)
             with auditing(state_folder(), config, store) as audit:
                 given.log = audit.log_console

@@ -21,6 +21,7 @@ from fleet_tui.model.problem import Permissions, Problem
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetUpCommand
+from fleet_tui.rules.commands.claims import claimed
 from fleet_tui.rules.commands.local_queue import all_orders, clearable
 from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.rules.commands.route_checks import (
@@ -182,6 +183,7 @@ CHECKS: tuple[Check, ...] = (
     unconfirmable_queue,
     paused,
     floor_mismatch,
+    claimed,
 )
 FIRST: tuple[Check, ...] = (no_way_there, cargo)
 """Checks of only the first command to a robot: the others follow it."""
