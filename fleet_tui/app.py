@@ -9,6 +9,7 @@ from typing import ClassVar
 from textual.binding import BindingType
 from textual.theme import Theme
 
+from fleet_tui.announcing import announcing
 from fleet_tui.backend import Backend, LiveBackend
 from fleet_tui.config.fleet import drive_of
 from fleet_tui.config.schema import Config
@@ -20,7 +21,6 @@ from fleet_tui.keys import Pane
 from fleet_tui.model.problem import Permissions
 from fleet_tui.screens.main import MainScreen
 from fleet_tui.state.store import Store
-from fleet_tui.terminal.annunciator import Annunciator
 from fleet_tui.terminal.ending import leave_on_signals, terminal_restorer
 from fleet_tui.terminal.fault_guard import FaultGuard
 from fleet_tui.terminal.first_paint import FirstPaint
@@ -90,7 +90,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
             permissions=Permissions(config.operator.read_only, config.operator.armed),
             drawing=drawing,
             themes={name: partial(self.use_theme, name) for name in self._themes},
-            announce=Annunciator(config.alarms, self.output.call).look,
+            announce=announcing(config, self.backend, self.output.call, lambda it: self.main.notices.say(it)),
             resized=self._start.show,
             terminal=terminal,
             message=message,

@@ -12,7 +12,7 @@ import msgspec
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.registry import DEFAULT_KIND
 from fleet_tui.adapters.registry import KINDS as ADAPTERS
-from fleet_tui.config.schema import DEFAULT_LINK, Config, FloorEntry, Link, RobotEntry, RoutinesConfig
+from fleet_tui.config.schema import DEFAULT_LINK, Config, FloorEntry, Link, Notify, RobotEntry, RoutinesConfig
 from fleet_tui.errors import FleetError
 from fleet_tui.simulator.kinds import KINDS
 from fleet_tui.simulator.site import SitedBridge, needs_graph_files, site_of
@@ -77,6 +77,7 @@ def demo_config(
         profile=profiles[kind] if alone else Profile(),
         profiles={} if alone else profiles,
         programs=[],  # a demo stops nothing real, and starts nothing
+        notify=Notify(),
         routines=RoutinesConfig(str(folder / "routines")),
     )
 

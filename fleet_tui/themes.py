@@ -130,6 +130,9 @@ def read_theme(path: Path, others: Mapping[str, FleetTheme]) -> FleetTheme:
         raise ConfigError(problems)
     base, roles = (start.base, start.roles) if start else ({}, {})
     own = {StyleRole[name.upper()]: _look(value) for name, value in content.get("inks", {}).items()}
+    if StyleRole.WALL in own:
+        colour = own[StyleRole.WALL].color
+        own.setdefault(StyleRole.WALL_SOLID, RoleStyle(color=colour, on=colour))
     return FleetTheme(path.stem, dark, {**base, **content.get("base", {})}, {**roles, **own})
 
 

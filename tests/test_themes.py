@@ -154,6 +154,8 @@ def test_a_broken_theme_is_named_and_the_rest_work(tmp_path: Path, content: str,
     assert problem in problems[0]
     assert set(themes) == {*SHIPPED, "good"}
     assert themes["good"].roles[StyleRole.WALL].color == "#112233"
+    solid = themes["good"].roles[StyleRole.WALL_SOLID]
+    assert (solid.color, solid.on) == ("#112233", "#112233")
     assert themes["good"].roles[StyleRole.ROBOT] == themes["light"].roles[StyleRole.ROBOT]
 
 

@@ -7,11 +7,13 @@ from urllib.parse import urlsplit
 from fleet_tui.adapters.discovery import NAME
 from fleet_tui.config.check_profiles import check_profiles
 from fleet_tui.config.programs import check_programs
-from fleet_tui.config.schema import DEFAULT_LINK, Alarms, Config, Link, link_key
+from fleet_tui.config.schema import DEFAULT_LINK, Alarms, Config, Link, Notify, link_key
 from fleet_tui.errors import did_you_mean
 from fleet_tui.keymap import keymap
 from fleet_tui.model.alarm import Priority
 from fleet_tui.rules.alarms.classes import CLASSES
+
+PRIORITIES = [priority.name.lower() for priority in Priority]
 
 
 def checked(config: Config) -> list[str]:
@@ -25,6 +27,7 @@ def checked(config: Config) -> list[str]:
         *check_profiles(config),
         *keymap(config.keys)[1],
         *_alarms(config.alarms),
+        *_notify(config.notify),
         *check_programs(config.programs),
     ]
 
@@ -108,9 +111,18 @@ def _alarms(alarms: Alarms) -> Iterator[str]:
         if name not in CLASSES:
             near = did_you_mean(name, CLASSES) or f", there are {', '.join(CLASSES)}"
             yield f"alarms.latched: no class {name!r}{near}"
-    known = [priority.name.lower() for priority in Priority]
     for key, given in (("bell", alarms.bell), ("notify", alarms.notify)):
         for name in given:
-            if name not in known:
-                near = did_you_mean(name, known) or f", use {', '.join(known)}"
+            if name not in PRIORITIES:
+                near = did_you_mean(name, PRIORITIES) or f", use {', '.join(PRIORITIES)}"
                 yield f"alarms.{key}: unknown priority {name!r}{near}"
+
+
+def _notify(notify: Notify) -> Iterator[str]:
+    known = [*PRIORITIES, *CLASSES]
+    for name in notify.classes:
+        if name not in known:
+            near = did_you_mean(name, known) or f", use {', '.join(known)}"
+            yield f"notify.classes: no priority or class {name!r}{near}"
+    if notify.command and not notify.command[0]:
+        yield "notify.command: begins with the name of a program"

@@ -132,6 +132,13 @@ class Alarms(msgspec.Struct, frozen=True):
     notify: list[str] = []
 
 
+class Notify(msgspec.Struct, frozen=True):
+    """`[notify]`: a program and its arguments, started for new alarms of these priorities and classes."""
+
+    command: list[str] = []
+    classes: list[str] = msgspec.field(default_factory=lambda: ["high"])
+
+
 class RecordingConfig(msgspec.Struct, frozen=True):
     """`[recording]`: the console always keeps the last `recent_minutes` (0: none) in `recent_mb` at most. A
     recording continues in a new file after `rotate_mb` or `rotate_minutes`; `keep` files stay, 0: all."""
@@ -180,6 +187,7 @@ class Config(msgspec.Struct, frozen=True):
     keys: dict[str, str] = {}
     ui: Ui = Ui()
     alarms: Alarms = Alarms()
+    notify: Notify = Notify()
     recording: RecordingConfig = RecordingConfig()
     history: HistoryConfig = HistoryConfig()
     camera: CameraConfig = CameraConfig()

@@ -28,13 +28,16 @@ class EndedProcess(Struct, frozen=True):
 
 @asynccontextmanager
 async def running(
-    arguments: Sequence[str], environment: Mapping[str, str] | None = None, folder: Path | None = None
+    arguments: Sequence[str],
+    environment: Mapping[str, str] | None = None,
+    folder: Path | None = None,
+    stdin: int = DEVNULL,
 ) -> AsyncIterator[Process]:
     """Start a process apart from our terminal, and end it with all that it started; by default with our
     environment, in our folder. Raises OSError, ValueError if it can't be started."""
     process = await asyncio.create_subprocess_exec(
         *arguments,
-        stdin=DEVNULL,
+        stdin=stdin,
         stdout=PIPE,
         stderr=STDOUT,
         start_new_session=True,
@@ -65,13 +68,15 @@ async def run(
     within: float,
     environment: Mapping[str, str] | None = None,
     folder: Path | None = None,
+    given: str = "",
 ) -> EndedProcess:
-    """Run a process to its end, for at most `within` seconds."""
-    output = bytearray()
+    """Run a process to its end, for at most `within` seconds, with what it is `given` to read."""
+    output, stdin = bytearray(), PIPE if given else DEVNULL
     try:
-        async with asyncio.timeout(within), running(arguments, environment, folder) as process:
+        async with asyncio.timeout(within), running(arguments, environment, folder, stdin) as process:
             reading = asyncio.ensure_future(_read(process, output))
             try:
+                await _give(process, given)
                 code = await exit_code(process)
                 await asyncio.wait({reading}, timeout=DRAIN)
             finally:
@@ -99,10 +104,18 @@ async def exit_code(process: Process) -> int:
 def not_started(program: str, problem: Exception) -> str:
     """Return the reason that a process could not be started, with its remedy."""
     if isinstance(problem, FileNotFoundError):
-        return f"{program}: not found: install it, or write its full path in [[programs]]"
+        return f"{program}: not found: install it, or write its full path in the configuration"
     if isinstance(problem, PermissionError):
         return f"{program}: not executable by this user: check its mode and owner"
     return f"{program}: {getattr(problem, 'strerror', None) or problem}"
+
+
+async def _give(process: Process, given: str) -> None:
+    if process.stdin is not None:
+        with suppress(BrokenPipeError, ConnectionResetError):  # it need not read it
+            process.stdin.write(given.encode())
+            await process.stdin.drain()
+        process.stdin.close()
 
 
 async def _read(process: Process, output: bytearray) -> None:

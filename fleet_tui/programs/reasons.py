@@ -25,7 +25,7 @@ _OF_SYSTEMD = {
     "not been booted with systemd": "no systemd to ask: use start, stop and status instead of unit",
     "Failed to connect to": "no systemd of this user to ask: log in first, or use start, stop and status",
 }
-_OF_SHELL = {"not found": "{last}: install it there, or write its full path in [[programs]]"}
+_OF_SHELL = {"not found": "{last}: install it there, or write its full path in the configuration"}
 
 
 def failure(program: ProgramEntry, ended: EndedProcess) -> str:

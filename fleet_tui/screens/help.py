@@ -62,7 +62,12 @@ class Help(Overlay):
             field.value = ""
         self._page = page
         self._list()
-        self.styles.max_height = len(help_lines(self._pages[page], self._text.size.width)) + FRAME
+        self._fit()
+
+    def _fit(self) -> None:
+        """Take the lines of the page, as far as there are."""
+        if width := self._text.size.width:
+            self.styles.max_height = len(help_lines(self._pages[self._page], width)) + FRAME
 
     def _step(self, step: int) -> None:
         names = list(self._pages)
@@ -98,3 +103,4 @@ class Help(Overlay):
         """Fill it at its new size."""
         if self._pages:
             self._list()
+            self._fit()

@@ -28,6 +28,7 @@ from fleet_tui.screens.robot.overlay import RobotOverlay
 from fleet_tui.state.store import Store
 from fleet_tui.view.lines.commands import message_line
 from fleet_tui.view.lines.hints import hidden_keys, idle_hints, other_alarmed
+from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import alarm_of, alarm_table, unacknowledged
 from fleet_tui.view.tables.fleet import fleet_table
@@ -73,7 +74,7 @@ class MainScreen(Screen[None]):
         self.is_complete = self.shows_all_orders = False
         self.status, self.message = LineView(id="status"), LineView(id="message")
         self.hints = KeyLine(settings.keys, id="hints")
-        self.panes = Panes()
+        self.panes = Panes(settings.drawing is Drawing.ASCII)
         self.fleet, self.alarms, self.queue = self.panes.fleet, self.panes.alarms, self.panes.queue
         self.views: list[RunsView] = [self.status, *self.panes.views, self.message, self.hints]
         self.notices = Notices(store, self.tick, settings.message)
@@ -132,7 +133,7 @@ class MainScreen(Screen[None]):
         self._mark_alarm(state)
         page, recent = partial(robot_page, state, clock=clock), partial(recent_table, state, clock)
         tables = [self._rows_of(pane) for pane in self.panes.tables]
-        self.panes.show(tables, robot, page, recent, self.rest.covered if self.is_complete else 0)
+        self.panes.show(state, tables, robot, page, recent, self.rest.covered if self.is_complete else 0)
         self.status.show(*self.session.headline(state, robot, self.status.size.width))
         self.message.show(message_line(state, self.notices.text, self.notices.at, self.message.size.width))
         self._show_hints(state, robot)

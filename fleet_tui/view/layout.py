@@ -23,7 +23,7 @@ WHOLE_PAGES, LEAST_COLUMN = (9, 7), 60
 there are some."""
 
 LEAST_SHARED = 90
-"""Cells of a map below which the last events leave half a line to small maps."""
+"""Cells of a map from which the last events leave half of their lines to small maps, or to activities."""
 
 
 class Wanted(NamedTuple):

@@ -11,6 +11,8 @@ class StyleRole(IntEnum):
     WALL = auto()
     WALL_BEYOND = auto()
     """A wall surrounded by unknown ground: it is drawn on the darker ground."""
+    WALL_SOLID = auto()
+    """A cell full of wall: the ground is of the wall's colour, too, for fonts whose blocks leave gaps."""
     EDGE = auto()
     TRAIL = auto()
     TRAIL_OLD = auto()
@@ -54,3 +56,7 @@ class StyleRole(IntEnum):
     KEY = auto()
     CURSOR_ROW = auto()
     """The ground of the row that keys are for; its texts keep their own colours."""
+
+
+WALLS = (StyleRole.WALL, StyleRole.WALL_BEYOND, StyleRole.WALL_SOLID)
+"""All roles of walls with nothing over them."""

@@ -1,14 +1,14 @@
 """The panes of the main screen, and how they share its lines."""
 
-import math
 from collections.abc import Callable, Collection, Sequence
-from time import monotonic
 from typing import TYPE_CHECKING
 
 from textual.containers import Container
 from textual.widget import Widget
 
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.layout import (
+    LEAST_SHARED,
     LEAST_TABLES,
     USUAL_SHAPE,
     WIDE_TABLES,
@@ -25,6 +25,8 @@ from fleet_tui.view.layout import (
     without_map,
 )
 from fleet_tui.view.tables.table import Table
+from fleet_tui.widgets.activity_pane import ActivityPane
+from fleet_tui.widgets.pace import Pace
 from fleet_tui.widgets.rows_pane import RowsPane
 
 if TYPE_CHECKING:  # numpy
@@ -42,22 +44,6 @@ PAGE_BESIDE = 45
 """Lines of the panes from which a robot's page has all its sections one below the other."""
 
 
-class Pace:
-    """Lets a view be made again every so many seconds, and at once for another `key`."""
-
-    def __init__(self, every: float) -> None:
-        self._every, self._at = every, -math.inf
-        self._key: object = None
-
-    def is_due(self, key: object = None) -> bool:
-        """Tell whether it is to be made now."""
-        now = monotonic()
-        if key == self._key and now < self._at + self._every:
-            return False
-        self._key, self._at = key, now
-        return True
-
-
 def lines_below(overlay: Widget) -> int:
     """Return the lines of panes at the bottom of the screen that an overlay covers: 1 of one beside the map,
     for which no pane may take its place."""
@@ -73,7 +59,7 @@ class Panes(Container):
 
     BLANK = True
 
-    def __init__(self) -> None:
+    def __init__(self, is_ascii: bool = False) -> None:
         self.fleet = RowsPane(id="fleet")
         self.alarms, self.queue = RowsPane(id="alarms"), RowsPane(id="queue")
         self.page = RowsPane(id="page")
@@ -81,7 +67,8 @@ class Panes(Container):
         self.recent = RowsPane(id="recent")
         self.recent.can_focus = False
         self.small_maps, self.maps_below = Container(id="small-maps"), Container(id="maps-below")
-        self._below = Container(self.recent, self.maps_below, id="below")
+        self.activity = ActivityPane(is_ascii)
+        self._below = Container(self.recent, self.activity.rows, self.maps_below, id="below")
         self.floor = Container(Container(id="map"), self._below, id="floor")
         aside = Container(self.page, self.small_maps, id="aside")
         super().__init__(self.floor, self.fleet, self.alarms, self.queue, aside, id="panes")
@@ -112,18 +99,20 @@ class Panes(Container):
     @property
     def views(self) -> list[RowsPane]:
         """Return the panes of rows."""
-        return [*self.tables, self.page, self.recent]
+        return [*self.tables, self.page, self.recent, self.activity.rows]
 
     def show(
         self,
+        state: FleetState,
         tables: Sequence[Table],
         robot: str,
         page: Callable[[str, int], Table],
         recent: Callable[[int, int], Table],
         covered: int = 0,
     ) -> None:
-        """Show fleet, alarms and queue, and if there are lines for them the page of the selected robot and
-        the last events. `covered`: lines at the bottom below an overlay about the map."""
+        """Show fleet, alarms and queue, and if there are lines for them the page of the selected robot, the
+        last events, and the activity of the robots that the fleet lists first. `covered`: lines at the
+        bottom below an overlay about the map."""
         if not self.is_attached:
             return  # the console ends
         self._wanted = Wanted(*(table.lines for table in tables)), covered
@@ -138,6 +127,7 @@ class Panes(Container):
             self.page.show(page(robot, self.page.row_width))
         if self.recent.size.height and self._recent_pace.is_due(self.recent.size):
             self.recent.show(recent(self.recent.size.height - 1, self.recent.row_width))
+        self.activity.look(state, fleet.keys)
 
     def show_map(self, view: "MapView", scene: "Scene") -> None:
         """Show a scene on the map, which is drawn once its height is that for its floor."""
@@ -214,6 +204,7 @@ class Panes(Container):
         fleet = self._wanted[0].fleet
         is_below = has_some and is_beside_events(self._left, self.floor.size.width, lines, fleet, column)
         self.maps_below.display = is_below
+        self.activity.rows.display = not is_below and self.floor.size.width >= LEAST_SHARED
         small = below_page(lines, page, column) if has_some and not is_below else 0
         if small != self._small_lines:
             self._small_lines = small

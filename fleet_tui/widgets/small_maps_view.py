@@ -11,7 +11,7 @@ from fleet_tui.view.selection import Selection
 from fleet_tui.view.small_maps import SmallMaps, other_floors
 from fleet_tui.widgets.cells_view import CellsView
 from fleet_tui.widgets.messages import FloorPicked
-from fleet_tui.widgets.panes import Pace
+from fleet_tui.widgets.pace import Pace
 
 
 class SmallMapsView(CellsView):

@@ -16,7 +16,7 @@ from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop, picture
 from fleet_tui.view.map.raster import ground
 from fleet_tui.view.map.scene import Scene, SceneRobot
-from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.roles import WALLS, StyleRole
 from tests.bench.others import others
 from tests.bench.rows import Row, row
 
@@ -128,7 +128,7 @@ def walls_lost(cases: int = 3300) -> tuple[int, int]:
         for drawing in Drawing:
             total += 1
             roles = ground(grid, camera, drawing).roles
-            walls = (roles == StyleRole.WALL) | (roles == StyleRole.WALL_BEYOND)
+            walls = np.isin(roles, WALLS)
             inside = (walls | (roles == StyleRole.FLOOR)).any(axis=1)
             lost += not walls[inside][:, sorted(near)].any(axis=1).all()
     return lost, total

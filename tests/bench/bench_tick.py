@@ -59,7 +59,7 @@ async def tick_ms(robots: int) -> float:
 
 
 def main() -> list[Row]:
-    clock = patch("fleet_tui.widgets.panes.monotonic", lambda: CLOCK[0])
+    clock = patch("fleet_tui.widgets.pace.monotonic", lambda: CLOCK[0])
     with clock, patch.dict(os.environ, TERM="xterm-256color", COLORTERM="truecolor"):
         os.environ.pop("NO_COLOR", None)
         # In turn, and of each the run that was disturbed least.

@@ -6,7 +6,7 @@ import pytest
 from msgspec.structs import replace
 
 from fleet_tui.config.check import checked, missing_files
-from fleet_tui.config.schema import Alarms, Config, FloorEntry, Link, RobotEntry
+from fleet_tui.config.schema import Alarms, Config, FloorEntry, Link, Notify, RobotEntry
 from fleet_tui.errors import did_you_mean
 
 GOOD = Config(
@@ -114,3 +114,11 @@ def test_a_file_of_a_floor_that_is_not_there_is_named(tmp_path: Path) -> None:
 def test_only_a_near_name_is_suggested() -> None:
     assert did_you_mean("robot_O", ["robot_0", "base"]) == ", did you mean robot_0?"
     assert did_you_mean("xyz", ["robot_0", "base"]) == ""
+
+
+def test_a_notification_of_an_unknown_class_or_without_a_program_is_named() -> None:
+    wrong = replace(GOOD, notify=Notify([""], ["high", "batery"]))
+    assert checked(wrong) == [
+        "notify.classes: no priority or class 'batery', did you mean battery?",
+        "notify.command: begins with the name of a program",
+    ]

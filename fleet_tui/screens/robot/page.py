@@ -16,7 +16,7 @@ from fleet_tui.view.robot.page import page_title
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.line_view import LineView
-from fleet_tui.widgets.panes import Pace
+from fleet_tui.widgets.pace import Pace
 from fleet_tui.widgets.text_view import TextView
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ from textual.widgets import Input, Label
 
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.widgets.field import Field
-from fleet_tui.widgets.panes import Pace
+from fleet_tui.widgets.pace import Pace
 from fleet_tui.widgets.rows_pane import RowsPane
 
 PAUSE, MAP_EVERY = 0.3, 0.5

@@ -21,7 +21,7 @@ from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import SIGNS
 from fleet_tui.view.tables.fleet import CARGO
 from fleet_tui.view.tables.listing import CURSOR
-from fleet_tui.view.tables.missions import NOT_OURS
+from fleet_tui.view.tables.missions import FOREIGN
 from fleet_tui.view.tables.table import Run
 
 CELLS = 10
@@ -118,7 +118,7 @@ def _tables() -> tuple[HelpRow, ...]:
         SIGNS[AlarmStage.SHELVED]: (StyleRole.DIM, "alarm put aside for a while; robot with such an alarm"),
         "▲H": (StyleRole.ROBOT_ALARM, "high priority in a narrow table; ▲M medium, ▲L low"),
         "suppressed": (StyleRole.DIM, "alarms that another one stands for: of its group, or of its link"),
-        NOT_OURS.strip(): (text, "an order that this console did not give"),
+        FOREIGN.strip(): (text, "an order that another client gave: another console, the shell, RViz"),
         "lost": (alarm, "an order that the robot no longer lists, and that nobody saw end"),
         MARKS[MarkKind.COMMAND][0]: (StyleRole.ACCENT, "recording: a command"),
         MARKS[MarkKind.GAP][0]: (StyleRole.WARN, "recording: a gap"),

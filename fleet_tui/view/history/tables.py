@@ -1,9 +1,8 @@
 """The pages of the history as tables: each row is a moment or a robot."""
 
-from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from itertools import groupby
 
-from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.history.lives import AlarmLife
 from fleet_tui.model.history.totals import ChargeTotal
 from fleet_tui.rules.battery.forecast import BatteryForecast
@@ -11,6 +10,7 @@ from fleet_tui.rules.battery.history import BatterySample
 from fleet_tui.rules.history.division import Division
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import fit, sanitize
+from fleet_tui.view.history.bars import bars_of, legend_of
 from fleet_tui.view.history.events import EventKind, PastEvent, matching
 from fleet_tui.view.history.shift import ShownShift
 from fleet_tui.view.roles import StyleRole
@@ -20,18 +20,6 @@ Clock = Callable[[float], str]
 
 NAMES = 18
 """Cells of a name at most."""
-BARS: Mapping[Activity, tuple[str, str, StyleRole]] = {
-    Activity.DRIVING: ("▆", "=", StyleRole.GOOD),
-    Activity.LOADING: ("▄", "l", StyleRole.ACCENT),
-    Activity.WAITING: ("▂", "w", StyleRole.WARN),
-    Activity.CHARGING: ("~", "~", StyleRole.ACCENT),
-    Activity.IDLE: ("▁", "_", StyleRole.DIM),
-    Activity.PAUSED: ("‖", "P", StyleRole.WARN),
-    Activity.BLOCKED: ("█", "B", StyleRole.ALARM),
-    Activity.OFFLINE: ("×", "x", StyleRole.ALARM),
-}
-"""Glyph, letter where there are no such glyphs, and role of each activity: no two are the same without
-colours."""
 LEVELS, DIGITS = "▁▂▃▄▅▆▇█", "01234567"
 """Heights of a battery's curve."""
 HELD = "█", "#"
@@ -56,22 +44,14 @@ def robots_table(shown: ShownShift, words: Sequence[str], clock: Clock, is_ascii
     names = [name for name in shown.timeline if _has(name, words)]
     width = column(names, at_most=NAMES)
     rows = [
-        Row(name, ((f"{fit(name, width)} ", StyleRole.TEXT), *_bars(shown.timeline[name], is_ascii)))
+        Row(name, ((f"{fit(name, width)} ", StyleRole.TEXT), *bars_of(shown.timeline[name], is_ascii)))
         for name in names
     ]
-    title = (*_title("Robots", str(len(rows))), *_legend(shown, names, is_ascii))
-    return Table(title, rows, _empty(shown, words, "no robot was seen"), head=_head(shown.time, width, clock))
-
-
-def _legend(shown: ShownShift, names: Sequence[str], is_ascii: bool) -> tuple[Run, ...]:
-    """Return the sign of each activity that is shown."""
-    seen = {activity for name in names for activity in shown.timeline[name]}
-    return tuple(
-        part
-        for activity, (glyph, letter, role) in BARS.items()
-        if activity in seen
-        for part in ((f"  {letter if is_ascii else glyph}", role), (f" {activity.value}", StyleRole.DIM))
+    title = (
+        *_title("Robots", str(len(rows))),
+        *legend_of((shown.timeline[name] for name in names), is_ascii),
     )
+    return Table(title, rows, _empty(shown, words, "no robot was seen"), head=_head(shown.time, width, clock))
 
 
 def batteries_table(
@@ -162,12 +142,6 @@ def _head(time: Division, left: int, clock: Clock) -> tuple[Run, ...]:
     for part in range(0, time.parts - 10, max(12, time.parts // 6)):
         text = text.ljust(left + 1 + part) + clock(time.since + part * time.step)
     return ((text, StyleRole.DIM),)
-
-
-def _bars(does: Sequence[Activity | None], is_ascii: bool) -> Iterator[Run]:
-    for activity, same in groupby(does):
-        glyph, letter, role = BARS[activity] if activity is not None else (" ", " ", StyleRole.TEXT)
-        yield (letter if is_ascii else glyph) * len(list(same)), role
 
 
 def _levels(charges: Sequence[ChargeTotal], low: float, is_ascii: bool) -> tuple[Run, Run]:

@@ -41,7 +41,13 @@ def robot_tag(robot: SceneRobot, plain: bool) -> str:
         tag += "?"
     if robot.other_map:
         tag += "~" if plain else "≈"
-    return tag if robot.online else f"{tag} {age(robot.age)}"
+    # In brackets: "0 18 s" would read as two numbers.
+    return tag if robot.online else f"{tag} ({age(robot.age)})"
+
+
+def is_special(robot: SceneRobot) -> bool:
+    """Tell whether a robot is the selected one, or in a state that its tag shows."""
+    return robot.selected or not robot.online or robot_tag(robot, plain=False) != robot_number(robot)
 
 
 def robot_roles(robot: SceneRobot) -> tuple[StyleRole, StyleRole]:

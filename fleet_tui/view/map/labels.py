@@ -11,18 +11,18 @@ from numpy.typing import NDArray
 from fleet_tui.text.sanitize import cell_width
 from fleet_tui.view.map.cells import Cells, Roles
 from fleet_tui.view.map.places import Place
-from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.roles import WALLS, StyleRole
 
 _MARGIN = 40  # cells between two rows of the bit mask, always taken to separate them
 _OFF_FLOOR = np.zeros(len(StyleRole), np.bool_)
-_OFF_FLOOR[[StyleRole.UNKNOWN, StyleRole.WALL, StyleRole.WALL_BEYOND]] = True
+_OFF_FLOOR[[StyleRole.UNKNOWN, *WALLS]] = True
 _HELD = np.zeros(len(StyleRole), np.bool_)
 _HELD[StyleRole.VERTEX : StyleRole.TARGET + 1] = True  # vertices and labels
 
 
 _WALL, _FAR, _ASTRAY = 255, 3, 60
 """Costs of a label: for each wall's cell that it covers, two rows off its vertex, and there on the floor."""
-_WALLS = (StyleRole.WALL, StyleRole.WALL_BEYOND, StyleRole.MISSION_THROUGH, StyleRole.MISSION_NEXT_THROUGH)
+_WALLS = (*WALLS, StyleRole.MISSION_THROUGH, StyleRole.MISSION_NEXT_THROUGH)
 # Along edges robots drive, over a label. As bytes: of so few cells it is several times as fast.
 _WEIGHTS = bytes(
     _WALL if role in _WALLS else 4 if role == StyleRole.EDGE else role > StyleRole.UNKNOWN

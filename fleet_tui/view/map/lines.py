@@ -14,7 +14,7 @@ from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.places import Points, Same, pixels
 from fleet_tui.view.map.raster import BRAILLE, pack, thicken
 from fleet_tui.view.map.scene import Scene
-from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.roles import WALLS, StyleRole
 
 Mask = NDArray[np.bool_]
 """The dots of a view, (rows, columns)."""
@@ -39,9 +39,7 @@ _GROUND = _table(StyleRole.FLOOR, StyleRole.UNKNOWN)
 _OPEN = _table(StyleRole.FLOOR, StyleRole.UNKNOWN, StyleRole.EDGE, StyleRole.TRAIL, StyleRole.TRAIL_OLD)
 _WAYS = (StyleRole.MISSION, StyleRole.MISSION_NEXT)
 _KEPT = _table(StyleRole.MISSION_NEXT, StyleRole.MISSION)
-_WALLS = _table(
-    StyleRole.WALL, StyleRole.WALL_BEYOND, StyleRole.MISSION_NEXT_THROUGH, StyleRole.MISSION_THROUGH
-)
+_WALLS = _table(*WALLS, StyleRole.MISSION_NEXT_THROUGH, StyleRole.MISSION_THROUGH)
 _THROUGH = {
     StyleRole.MISSION_NEXT: StyleRole.MISSION_NEXT_THROUGH,
     StyleRole.MISSION: StyleRole.MISSION_THROUGH,

@@ -152,7 +152,7 @@ def _summed(shares: Classes) -> Classes:
 _BITS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
 BRAILLE = np.arange(0x2800, 0x2900, dtype=np.uint32)
 BRAILLE[0] = ord(" ")  # some fonts draw rings for the empty pattern
-_HATCH = ord("·")
+_HATCH, _SOLID = ord("·"), ord("█")
 _WALLS = np.array([StyleRole.UNKNOWN, StyleRole.FLOOR, StyleRole.WALL_BEYOND, StyleRole.WALL], np.uint8)
 
 
@@ -220,7 +220,9 @@ def _blocks(dots: Classes, drawing: Drawing, shares: Classes | None = None) -> C
         toned = ~_folded(~_inside(walls), 2, columns)
         full = DOTS_X * DOTS_Y * 4
         codes[toned] = _TONES[(_summed(shares)[toned] * 2 >= full).astype(np.intp)]
-    return Cells(codes, _WALLS[(bits > 0) * np.uint8(2) + _known(dots)])
+    roles = _WALLS[(bits > 0) * np.uint8(2) + _known(dots)]
+    roles[codes == _SOLID] = StyleRole.WALL_SOLID
+    return Cells(codes, roles)
 
 
 _ASCII = np.zeros(3, np.uint32)

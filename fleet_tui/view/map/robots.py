@@ -10,7 +10,7 @@ from typing import NamedTuple
 from fleet_tui.model.geometry import Line
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
-from fleet_tui.view.map.glyphs import robot_glyph, robot_number, robot_roles, robot_tag
+from fleet_tui.view.map.glyphs import is_special, robot_glyph, robot_number, robot_roles, robot_tag
 from fleet_tui.view.map.labels import Backdrop, CellOccupancy, move_aside
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.lines import blank_mask, ends_of, stroke, trace
@@ -20,6 +20,9 @@ from fleet_tui.view.roles import StyleRole
 
 NEIGHBOURS = 4
 """Cells from arrow to arrow within which robots have their numbers together, if one alone has no space."""
+CROWDED = 45
+"""Cells of the view for each robot in it below which only special ones have their numbers: all together would
+cover the floor."""
 _DOTS = "•*"
 """The place of robots with different headings; the second in ASCII."""
 OUTLINE = 10.0
@@ -73,13 +76,14 @@ def _chips(
     arrows = {at: _arrow(robots, at, sharing, turned, plain) for at, robots in sharing.items()}
     for (x, y), arrow in arrows.items():
         occupancy.take(x, y, len(arrow))
+    named = _named(sharing, camera)
     bridges: Chips = []
     numbers: dict[Place, _Numbers] = {}
-    for at, robots in sharing.items():
+    for at, robots in named.items():
         if placed := _beside_arrow(occupancy, robots, at, len(arrows[at]), plain, sides):
             numbers[at] = placed
-    for at in [at for at in sharing if at not in numbers]:
-        alone = robot_number(sharing[at][0]), robot_roles(sharing[at][0])[1]
+    for at in [at for at in named if at not in numbers]:
+        alone = robot_number(named[at][0]), robot_roles(named[at][0])[1]
         if (joined := _join(occupancy, numbers, at, alone)) is not None:
             bridges += _bridge(occupancy, at, joined)
         else:
@@ -97,6 +101,14 @@ def _groups(scene: Scene, camera: Camera) -> dict[Place, list[SceneRobot]]:
         near = [at for at in ((x, y), (x - 1, y), (x + 1, y)) if at in groups]
         groups.setdefault(near[0] if near else (x, y), []).append(robot)
     return groups
+
+
+def _named(sharing: dict[Place, list[SceneRobot]], camera: Camera) -> dict[Place, list[SceneRobot]]:
+    """Return the robots that have their numbers, by the cell of their arrow."""
+    if sum(map(len, sharing.values())) * CROWDED <= camera.width * camera.height:
+        return sharing
+    special = {at: [robot for robot in robots if is_special(robot)] for at, robots in sharing.items()}
+    return {at: robots for at, robots in special.items() if robots}
 
 
 def _beside_arrow(

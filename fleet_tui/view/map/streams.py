@@ -9,7 +9,7 @@ from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.lines import blank_mask, dots_of, set_dots, trace
 from fleet_tui.view.map.raster import BRAILLE, pack
 from fleet_tui.view.map.scene import Scene
-from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.roles import WALLS, StyleRole
 
 
 def draw_path(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
@@ -24,7 +24,7 @@ def draw_path(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> N
     trace(mask, dots[:-1], dots[1:])
     bits = pack(mask)
     free = (bits > 0) & (cells.roles <= StyleRole.MISSION_NEXT)
-    free &= (cells.roles != StyleRole.WALL) & (cells.roles != StyleRole.WALL_BEYOND)
+    free &= ~np.isin(cells.roles, WALLS)
     cells.codes[free] = ord(":") if look.plain else BRAILLE[bits[free]]
     cells.roles[free] = StyleRole.MISSION_NEXT
 

@@ -2,6 +2,7 @@
 
 import math
 import re
+from collections.abc import Collection, Mapping
 from functools import partial
 
 from fleet_tui.model.fleet import FleetState, is_missing, missing_text
@@ -17,7 +18,7 @@ from fleet_tui.view.tables.arrangement import RowArrangement, Value
 from fleet_tui.view.tables.battery import battery_bar, battery_run
 from fleet_tui.view.tables.fleet_columns import Columns, floor_text
 from fleet_tui.view.tables.fleet_counts import fleet_counts
-from fleet_tui.view.tables.missions import NOT_OURS, destinations, mission, whose_mission
+from fleet_tui.view.tables.missions import FOREIGN, destinations, mission, whose_mission
 from fleet_tui.view.tables.news import failed_command, news, shortened_news
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, width_of
@@ -100,8 +101,13 @@ def _movement(state: FleetState, robot: Robot) -> str:
 def _movement_role(state: FleetState, robot: Robot) -> StyleRole:
     if any(alarm.holds and alarm.key == (robot.name, "stuck") for alarm in state.alarms):
         return StyleRole.ALARM
-    waits = robot.orders.current is not None and robot.still_for >= LONG_STILL and _movement(state, robot)
-    return StyleRole.WARN if waits else StyleRole.DIM
+    return StyleRole.WARN if _waits(state, robot) else StyleRole.DIM
+
+
+def _waits(state: FleetState, robot: Robot) -> bool:
+    """Tell whether a robot stands with an order for longer than loading takes."""
+    stands = robot.orders.current is not None and robot.still_for >= LONG_STILL
+    return stands and bool(_movement(state, robot))
 
 
 def _without_order(state: FleetState, robot: Robot) -> str:
@@ -165,11 +171,11 @@ def _after_news(order: str, progress: str, cells: int, is_news: bool) -> str:
     """Return an order and its progress where there is no column for them: without whose it is, with less of
     the progress, or not at all, if there is no space."""
     shorter = progress.partition(", ")[0]
-    for text, far in ((order, progress), (order.removesuffix(NOT_OURS), progress), (order, shorter)):
+    for text, far in ((order, progress), (order.removesuffix(FOREIGN), progress), (order, shorter)):
         told = "  ".join(part for part in (text, far) if part)
         if cell_width(told) <= cells:
             return told
-    return "" if is_news else order.removesuffix(NOT_OURS)  # beside news a letter of it tells nothing
+    return "" if is_news else order.removesuffix(FOREIGN)  # beside news a letter of it tells nothing
 
 
 def _state_text(state: FleetState, robot: Robot) -> str:
@@ -206,20 +212,22 @@ def _battery_order(robot: Robot) -> float:
     return robot.battery.value if robot.battery and math.isfinite(robot.battery.value) else math.inf
 
 
+def _calm(state: FleetState, troubled: Mapping[str, int], silenced: Collection[str], robot: Robot) -> int:
+    """Return what sorts by trouble: the place among those in it, then whatever else is not as usual."""
+    is_odd = robot.name in silenced or is_missing(state, robot, "pose") or _waits(state, robot)
+    return troubled.get(robot.name, len(troubled) if is_odd else len(troubled) + 1)
+
+
 def fleet_table(
     state: FleetState, selected: str, width: int, arrangement: RowArrangement | None = None
 ) -> Table:
     """The fleet for a pane of `width` cells, as arranged: robots with an alarm first, in the order of the
-    alarms pane, then those in shelved trouble or without a pose, else in the order of the config."""
+    alarms pane, then those in shelved trouble, without a pose or standing with an order, else in the order of
+    the config."""
     arrangement = arrangement or RowArrangement()
     silenced, seen = shelved(state), acknowledged(state)
     troubled = {name: place for place, name in enumerate(by_urgency(state))}
-
-    def calm(robot: Robot) -> int:
-        is_odd = robot.name in silenced or is_missing(state, robot, "pose")
-        return troubled.get(robot.name, len(troubled) if is_odd else len(troubled) + 1)
-
-    everyone = sorted(state.robots.values(), key=calm)
+    everyone = sorted(state.robots.values(), key=partial(_calm, state, troubled, silenced))
     robots = arrangement.arranged(everyone, _values(state), lambda robot: robot.name, state.now)
     columns = Columns.of(state, width)
 

@@ -8,7 +8,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.local_queue import foreign
 from fleet_tui.text.sanitize import sanitize
 
-NOT_OURS = " (not ours)"
+FOREIGN = " (other client)"
 
 
 def place(robot: Robot, vertex: str) -> str:
@@ -31,7 +31,7 @@ def destinations(robot: Robot, order: Order) -> str:
 def whose_mission(state: FleetState, robot: Robot, order: Order) -> str:
     """Return the mission, marked if another client gave it, for robots without a queue."""
     ours = not robot.kind.keeps_goals or order.is_over or order not in foreign(state, robot)
-    return mission(robot, order) + ("" if ours else NOT_OURS)
+    return mission(robot, order) + ("" if ours else FOREIGN)
 
 
 def way(robot: Robot, stops: tuple[Stop, ...]) -> str:

@@ -8,7 +8,6 @@ from fleet_tui.rules.history.division import Division
 from fleet_tui.view.history.events import past_events
 from fleet_tui.view.history.shift import ShownShift
 from fleet_tui.view.history.tables import (
-    BARS,
     alarms_table,
     batteries_table,
     curve_of,
@@ -57,12 +56,6 @@ def test_a_bar_for_each_part_and_a_gap_where_nobody_watched() -> None:
     assert text_of(table.title) == "Robots 2  ▆ driving  █ blocked"
     assert lines(robots_table(shown, ["_0"], clock, is_ascii=True)) == ["robot_0 == B"]
     assert moment_of(table.rows[0].key) is None
-
-
-def test_no_two_activities_look_alike_without_colours() -> None:
-    assert set(BARS) == set(Activity)
-    for kind in (0, 1):
-        assert len({bar[kind] for bar in BARS.values()}) == len(Activity)
 
 
 def test_a_battery_has_its_levels_its_curve_and_what_it_leads_to() -> None:

@@ -15,11 +15,10 @@ from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop, picture
 from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
-from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.roles import WALLS, StyleRole
 
 FRAME = MapFrame(0.05, 400, 200)
 CAMERA = Camera.fit((400, 200), 80, 22)
-WALLS = (StyleRole.WALL, StyleRole.WALL_BEYOND)
 THROUGH = (StyleRole.MISSION_THROUGH, StyleRole.MISSION_NEXT_THROUGH)
 LINE = (StyleRole.MISSION, StyleRole.MISSION_THROUGH)
 

@@ -18,7 +18,7 @@ from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop
 from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
-from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.roles import WALLS, StyleRole
 from tests.support.drawn_hall import EDGES, FIT, SCENE, VERTICES, drawn
 
 GOLDEN = Path(__file__).parent / "golden"
@@ -109,7 +109,7 @@ def test_robots_that_are_nowhere_are_not_drawn_and_break_nothing() -> None:
 
 def test_edges_hide_no_wall() -> None:
     without, with_edges = (backdrop(SCENE, FIT, MapOptions(edges=on, labels=False)) for on in (False, True))
-    walls = (without.roles == StyleRole.WALL) | (without.roles == StyleRole.WALL_BEYOND)
+    walls = np.isin(without.roles, WALLS)
     assert np.array_equal(without.codes[walls], with_edges.codes[walls])
     assert (with_edges.roles == StyleRole.EDGE).sum() > 40
 

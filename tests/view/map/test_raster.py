@@ -13,7 +13,7 @@ from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, build_grid
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.raster import COARSE, ground, sample
-from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.roles import WALLS, StyleRole
 
 
 def grid_of(classes: np.ndarray) -> OccupancyGrid:
@@ -80,7 +80,7 @@ def test_no_wall_is_lost(side: int, place: float, zoom: float, pan: int, upright
         roles = ground(grid_of(classes), camera, drawing).roles
         if not upright:
             roles = roles.T
-        walls = (roles == StyleRole.WALL) | (roles == StyleRole.WALL_BEYOND)
+        walls = np.isin(roles, WALLS)
         inside = (walls | (roles == StyleRole.FLOOR)).any(axis=1)
         assert inside.any()
         assert walls[inside].any(axis=1).all()
@@ -136,7 +136,8 @@ def test_unknown_free_and_wall_have_glyphs_of_their_own(drawing: Drawing, row: s
     classes = np.repeat(np.repeat([[UNKNOWN, FREE, OCCUPIED]], 4, axis=0), 2, axis=1)
     cells = ground(grid_of(classes), Camera(3.0, 2.0, 1.0, 3, 1, (6, 4)), drawing)
     assert cells.text() == row
-    assert cells.roles[0].tolist() == [StyleRole.UNKNOWN, StyleRole.FLOOR, StyleRole.WALL]
+    wall = StyleRole.WALL if drawing is Drawing.ASCII else StyleRole.WALL_SOLID  # its blocks leave no gaps
+    assert cells.roles[0].tolist() == [StyleRole.UNKNOWN, StyleRole.FLOOR, wall]
 
 
 def test_unknown_ground_is_marked_sparsely_where_colours_do_not_show_it() -> None:

@@ -20,9 +20,9 @@ CELL = CAMERA.scale * 2 * 0.05
 EMPTY = Scene("f", MapFrame(0.05, 400, 200))
 
 
-def drawn(robots: tuple[SceneRobot, ...], before: Arrangement | None = None) -> str:
+def drawn(robots: tuple[SceneRobot, ...], before: Arrangement | None = None, camera: Camera = CAMERA) -> str:
     scene = replace(EMPTY, robots=robots)
-    return picture(backdrop(scene, CAMERA, MapOptions()), scene, CAMERA, MapOptions(), before).text()
+    return picture(backdrop(scene, camera, MapOptions()), scene, camera, MapOptions(), before).text()
 
 
 def roles(*robots: SceneRobot) -> set[int]:
@@ -80,9 +80,9 @@ def test_an_alarm_that_waits_comes_before_one_that_is_acknowledged() -> None:
 
 def test_ages_are_told_of_a_robot_alone_but_not_among_several() -> None:
     one, other = (robot(number, 0)._replace(online=False, age=13.0) for number in (8, 10))
-    assert "8 13 s" in drawn((one,))
+    assert "8 (13 s)" in drawn((one,))
     text = drawn((one, other))
-    assert "10,8→" in text and "13 s" not in text
+    assert "10,8→" in text and "(13 s)" not in text
 
 
 def test_the_number_of_a_robot_between_others_is_with_a_neighbours_in_the_sequence_of_the_arrows() -> None:
@@ -107,7 +107,7 @@ def test_the_selected_robot_in_a_crowd_has_its_number_above_it() -> None:
 
 def test_the_age_of_an_old_pose_covers_no_label() -> None:
     old = robot(1, 0)._replace(online=False, age=18.0)
-    assert "1 18 s→" in drawn((old,))
+    assert "1 (18 s)→" in drawn((old,))
     labelled = replace(
         EMPTY,
         robots=(old,),
@@ -144,3 +144,13 @@ def test_two_numbers_never_read_as_one(at: list[tuple[float, float]]) -> None:
     counted = re.sub(r"\+\d+", " ", drawn(robots))
     words = "".join(letter if letter.isdigit() else " " for letter in counted).split()
     assert {len(word) for word in words} <= {3}
+
+
+def test_among_many_robots_only_special_ones_have_their_numbers() -> None:
+    many = tuple(robot(n, 4 * n - 28) for n in range(1, 15))
+    odd = (many[0]._replace(selected=True), many[1]._replace(alarmed=True), many[2]._replace(online=False))
+    low = replace(CAMERA, height=4)
+    crowded, roomy = (drawn((*odd, *many[3:]), camera=camera) for camera in (low, CAMERA))
+    assert all(str(one.number) in roomy for one in many)
+    assert [number for number in map(str, range(1, 15)) if number in crowded] == ["1", "2", "3"]
+    assert crowded.count("→") == len(many)

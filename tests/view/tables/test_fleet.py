@@ -234,6 +234,17 @@ def standing(seconds: float) -> FleetState:
     return reduced(fleet(), link_up(T0), pose(T0), pose(at), battery(at), ordered, tick(at + 0.4))
 
 
+@pytest.mark.parametrize(("seconds", "first"), [(20.0, R0), (40.0, "robot_1")])
+def test_a_robot_that_stands_with_an_order_for_long_comes_before_the_calm_ones(
+    seconds: float, first: str
+) -> None:
+    at, other = T0 + seconds, "robot_1"
+    poses = (pose(T0, robot=other), pose(at, robot=other), pose(at), queue(at))
+    ordered = queue(at, (1, 1, 2, "W"), current=1, robot=other)
+    state = reduced(fleet(2), link_up(T0), *poses, ordered, battery(at), battery(at, robot=other), tick(at))
+    assert fleet_table(state, R0, WIDTH).keys[0] == first
+
+
 def test_the_most_urgent_trouble_is_first_as_in_the_alarms_pane() -> None:
     low = (battery(T0, 15.0), battery(T0, 5.0, "robot_2"))
     state = reduced(fleet(3), link_up(T0), *low, tick(T0))

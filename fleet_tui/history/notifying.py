@@ -1,0 +1,19 @@
+"""The one process of a site that notifies, of several consoles and collectors."""
+
+from collections.abc import Callable
+from zlib import crc32
+
+from fleet_tui.config.schema import Config
+from fleet_tui.history.turn import Turn
+from fleet_tui.log_file import state_folder
+from fleet_tui.programs.notify import AlarmProgram
+
+
+def alarm_program(config: Config, say: Callable[[str], None]) -> AlarmProgram | None:
+    """Return the program for a site's alarms, None without one. It is called by the process of this user that
+    looked first; when that ends, by another one."""
+    if not config.notify.command:
+        return None
+    path = config.path.absolute()
+    turn = Turn(state_folder() / f"notify-{crc32(bytes(path)):08x}")
+    return AlarmProgram(config.notify, path.parent, say, turn.take)

@@ -1,0 +1,71 @@
+"""The activities of the last minutes, as far as this console watched: a bar for each robot."""
+
+import math
+from collections import deque
+from collections.abc import Hashable, Mapping, Sequence
+
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.history.facts import Activity
+from fleet_tui.model.link import Phase
+from fleet_tui.rules.history.activity import activity
+from fleet_tui.text.durations import age
+from fleet_tui.text.sanitize import fit
+from fleet_tui.view.history.bars import bars_of, legend_of
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.table import Row, Table, column
+
+EVERY = 10.0
+"""Seconds of a cell."""
+CELLS = 180
+"""Cells that are kept."""
+NAMES, HEADS = 14, 2
+"""Cells of a name at most, and lines of title and head."""
+
+
+class RecentActivity:
+    """What each robot did at the last moments, the newest last; nothing of a robot that nobody saw."""
+
+    def __init__(self) -> None:
+        self._parts: deque[Mapping[str, Activity]] = deque(maxlen=CELLS)
+        self._at = -math.inf
+
+    def note(self, state: FleetState) -> None:
+        """Record what the robots do, every so many seconds. Time that was not watched stays blank; before an
+        earlier time, as of a recording, nothing is known."""
+        passed = state.now - self._at
+        if 0.0 <= passed < EVERY:
+            return
+        if passed < 0.0:
+            self._parts.clear()
+        elif self._parts:
+            self._parts.extend({} for _ in range(min(CELLS, int(passed / EVERY) - 1)))
+        self._at = state.now
+        self._parts.append(
+            {
+                robot.name: activity(state, robot)
+                for robot in state.robots.values()
+                if robot.last_received is not None and state.links[robot.link].phase is Phase.UP
+            }
+        )
+
+    def of(self, robot: str, cells: int) -> list[Activity | None]:
+        """Return what a robot did in the last `cells` parts."""
+        kept = list(self._parts)[-cells:]
+        return [None] * (cells - len(kept)) + [part.get(robot) for part in kept]
+
+
+def activity_table(
+    recent: RecentActivity, robots: Sequence[Hashable], lines: int, width: int, is_ascii: bool
+) -> Table:
+    """Return the bars of the first `robots` for a pane of so many lines, with its title, and cells."""
+    names = [str(name) for name in robots[: max(0, lines - HEADS)]]
+    start = column(names, at_most=NAMES) + 1
+    cells = max(1, min(CELLS, width - start))
+    bars = {name: recent.of(name, cells) for name in names}
+    rows = tuple(
+        Row(None, ((fit(name, start), StyleRole.DIM), *bars_of(bar, is_ascii))) for name, bar in bars.items()
+    )
+    since = f"{age(cells * EVERY)} ago"
+    head = f"{' ' * start}{since}{'now':>{max(0, cells - len(since))}}"
+    title = ("Activity", StyleRole.TITLE), *legend_of(bars.values(), is_ascii)
+    return Table(title, rows, head=((head, StyleRole.DIM),))

@@ -1,0 +1,20 @@
+"""The pace of views that need not be made again at every tick."""
+
+import math
+from time import monotonic
+
+
+class Pace:
+    """Lets a view be made again every so many seconds, and at once for another `key`."""
+
+    def __init__(self, every: float) -> None:
+        self._every, self._at = every, -math.inf
+        self._key: object = None
+
+    def is_due(self, key: object = None) -> bool:
+        """Tell whether it is to be made now."""
+        now = monotonic()
+        if key == self._key and now < self._at + self._every:
+            return False
+        self._key, self._at = key, now
+        return True

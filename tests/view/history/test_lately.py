@@ -1,0 +1,46 @@
+"""Activities of the last minutes."""
+
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.history.facts import Activity
+from fleet_tui.view.history.lately import CELLS, EVERY, RecentActivity, activity_table
+from tests.support.fleets import R0, T0, battery, fleet, link_lost, link_up, pose, reduced, text_of, tick
+
+IDLE = Activity.IDLE
+
+
+def seen(at: float) -> FleetState:
+    return reduced(fleet(2), link_up(T0), pose(T0), pose(at), battery(at), tick(at))
+
+
+def watched(*seconds: float) -> RecentActivity:
+    recent = RecentActivity()
+    for at in seconds:
+        recent.note(seen(T0 + at))
+    return recent
+
+
+def test_a_part_for_every_so_many_seconds_the_newest_last() -> None:
+    recent = watched(0.0, 1.0, EVERY - 0.1, EVERY, 2 * EVERY)
+    assert recent.of(R0, 5) == [None, None, Activity.DRIVING, IDLE, IDLE]
+    assert recent.of(R0, 1) == [IDLE]
+
+
+def test_time_that_was_not_watched_and_robots_that_were_never_seen_are_blank() -> None:
+    recent = watched(0.0, 4 * EVERY)
+    assert recent.of(R0, 5) == [Activity.DRIVING, None, None, None, IDLE]
+    assert recent.of("robot_1", 5) == [None] * 5
+    assert watched(*(n * EVERY for n in range(CELLS + 9))).of(R0, CELLS).count(IDLE) == CELLS
+
+
+def test_nothing_is_known_before_an_earlier_time_nor_behind_a_lost_link() -> None:
+    recent = watched(0.0, EVERY, 5.0)
+    assert recent.of(R0, 3) == [None, None, IDLE]
+    recent.note(reduced(seen(T0 + 20.0), link_lost(T0 + 21.0), tick(T0 + 22.0)))
+    assert recent.of(R0, 2) == [IDLE, None]
+
+
+def test_a_pane_has_as_many_robots_as_lines_and_says_since_when() -> None:
+    table = activity_table(watched(0.0, EVERY), [R0, "robot_1"], 3, 20, is_ascii=False)
+    assert [text_of(row.runs) for row in table.rows] == ["robot_0           ▆▁"]
+    assert text_of(table.title) == "Activity  ▆ driving  ▁ idle"
+    assert text_of(table.head) == "        2 min agonow"
