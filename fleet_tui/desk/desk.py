@@ -12,6 +12,7 @@ from pathlib import Path
 
 import msgspec
 
+from fleet_tui.config.rights import permissions_of
 from fleet_tui.config.schema import Config
 from fleet_tui.desk.fact_file import FactFile
 from fleet_tui.desk.facts import Fact, SharedAcknowledgement, SharedClosure, SharedNote, SharedShelving
@@ -23,6 +24,7 @@ from fleet_tui.model.desk.events import ColleaguesSeen, DeskJoined, EdgeClosed, 
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Note
+from fleet_tui.model.problem import Right
 from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
 
@@ -231,7 +233,9 @@ def desk_of(config: Config, store: Store, name: str) -> Iterator[SharedDesk | No
     if not config.desk.folder:
         yield None
         return
-    desk = SharedDesk(config.beside(config.desk.folder), store, name, not config.operator.read_only)
+    may = permissions_of(config)
+    shares = may.right >= Right.DISPATCH and not may.read_only
+    desk = SharedDesk(config.beside(config.desk.folder), store, name, shares)
     try:
         yield desk
     finally:
