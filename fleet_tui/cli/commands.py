@@ -76,8 +76,8 @@ def kinds(config_file: str | None, debug: bool, as_json: bool) -> None:
 @without_config
 @merged
 def rights(config_file: str | None, debug: bool) -> None:
-    """Print what you may do from this machine, and why: view, dispatch or setup. Its administrator says so
-    in /etc/fleet-tui/rights.toml."""
+    """Print your rights on this machine: view, dispatch or setup. Its administrator grants them in
+    /etc/fleet-tui/rights.toml."""
     from fleet_tui.cli.rights import rights_lines
 
     for line in rights_lines():
