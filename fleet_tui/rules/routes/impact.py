@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from functools import lru_cache
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -18,6 +19,8 @@ from fleet_tui.rules.routes.order_draft import GraphStop, place_of, stop_at, way
 from fleet_tui.rules.routes.ways import AT_VERTEX
 from fleet_tui.rules.why.traffic import stops_left
 
+MOST_GRAPHS = 64
+"""Graphs that are kept without an edge."""
 STANDS_FROM = 5.0
 """Seconds without movement from which a robot in trouble is in the way."""
 
@@ -57,8 +60,8 @@ def is_in_the_way(state: FleetState, robot: Robot) -> bool:
 def cut_orders(state: FleetState, ends: Ends) -> list[CutOrder]:
     """Return the open orders whose way an edge is on, in the order of the robots and of their queues. Ways
     avoid all other closed edges."""
-    closed = [edge.ends for edge in state.desk.closed if edge.ends != ends]
-    maps = _CutMaps(closed, [*closed, ends])
+    closed = tuple(edge.ends for edge in state.desk.closed if edge.ends != ends)
+    maps = _cut_maps(closed, (*closed, ends))
     return [cut for robot in state.robots.values() for cut in _cut(state, robot, ends, maps)]
 
 
@@ -68,7 +71,7 @@ class _CutMaps:
 
     def __init__(self, before: Sequence[Ends], after: Sequence[Ends]) -> None:
         self._closed = before, after
-        self._made: dict[tuple[str, int, bool], RobotMap] = {}
+        self._made: dict[tuple[str, int, bool], tuple[RouteGraph, RobotMap]] = {}
 
     def of(self, robot: Robot, after: bool) -> Robot:
         """Return a robot with such maps."""
@@ -80,8 +83,16 @@ class _CutMaps:
             return robot_map
         key = floor, id(graph), after
         if key not in self._made:
-            self._made[key] = RobotMap(graph=_without(graph, floor, self._closed[after]))
-        return self._made[key]
+            if len(self._made) >= MOST_GRAPHS:
+                self._made.clear()
+            self._made[key] = graph, RobotMap(graph=_without(graph, floor, self._closed[after]))
+        return self._made[key][1]
+
+
+@lru_cache(maxsize=2)
+def _cut_maps(before: tuple[Ends, ...], after: tuple[Ends, ...]) -> _CutMaps:
+    """Return the same maps, with the ways that were searched on them, for the same edges."""
+    return _CutMaps(before, after)
 
 
 def _without(graph: RouteGraph, floor: str, closed: Sequence[Ends]) -> RouteGraph:
