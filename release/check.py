@@ -89,7 +89,7 @@ class Trial:
         assert self.said("--version") == f"fleet-tui, version {__version__}\n"
         assert "Read on:" in self.said("--help")
         assert self.said("config", "init") == (ROOT / "config.toml").read_text()
-        assert "\nsecurity " in self.said("docs")
+        assert "\n  security " in self.said("docs")
         assert self.said("docs", "cli") == (ROOT / "docs" / "cli.md").read_text()
         assert "complete -o" in self.said("completion", "bash")
         self.said("status", code=2)

@@ -1,5 +1,6 @@
 """The single file: unpacked once, into a folder that can hold it, and every refusal is in words."""
 
+import ast
 import os
 import resource
 import subprocess
@@ -9,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from release.build import PYTHON, packed
+from release.build import PYTHON, ROOT, packed
 
 PROGRAM = """
 import fleet_tui, sys
@@ -130,6 +131,11 @@ def test_another_python_or_machine_is_refused_with_what_to_do(tmp_path: Path) ->
     assert (done.returncode, done.stdout) == (2, "")
     assert f"needs Python 3.99 and was started by Python {PYTHON}" in done.stderr
     assert f"Start it with: python3.99 {other}" in done.stderr
+    assert "without root by: uv python install 3.99" in done.stderr
+
+
+def test_any_python_can_read_what_says_which_one_is_needed() -> None:
+    ast.parse((ROOT / "release" / "pyz" / "__main__.py").read_text(), feature_version=(3, 4))
 
 
 @pytest.mark.skipif(os.getuid() != 0, reason="only root can give a link to another user")

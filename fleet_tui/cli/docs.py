@@ -1,5 +1,6 @@
-"""The `docs` command: the pages of the documentation, which every installation has."""
+"""The `docs` command: the pages of the documentation."""
 
+import os
 import re
 import shutil
 import sys
@@ -11,31 +12,17 @@ import click
 from click.shell_completion import CompletionItem
 
 from fleet_tui.cli.options import ExampleCommand
+from fleet_tui.documentation import pages, subject
 from fleet_tui.errors import did_you_mean
 
-PACKAGE = Path(__file__).parents[1]
 WIDEST = 110
 """Columns of text on a wide terminal."""
 
 _FENCE = re.compile(r"^( *```)\w+", re.MULTILINE)
 _IMAGE = re.compile(r"^!\[.*\n", re.MULTILINE)
 _PAGE_LINK = re.compile(r"\[([^\]]+)\]\((?:\.\./|docs/)?([\w-]+)\.md[^)]*\)")
-_SUBJECT = re.compile(r"^For [^:]+: (.+?)\.(?: |$)")
 _WHOLE_LINK = re.compile(r"\]\((?:\.\./)?([\w-]+)\.md\)")
-_LINK = re.compile(r"\[([^\]]+)\]\([^)]*\)")
 _OWN_LINK = re.compile(r"\[([^\]]+)\]\(#[^)]*\)")
-
-
-def pages() -> Mapping[str, Path]:
-    """Return the pages by name: package data in a wheel, else those of the checkout."""
-    shipped = PACKAGE / "docs_shipped"
-    root = PACKAGE.parent
-    files = [*shipped.glob("*.md")] or [
-        *(root / "docs").glob("*.md"),
-        root / "SECURITY.md",
-        root / "CHANGELOG.md",
-    ]
-    return {path.stem.casefold(): path for path in sorted(files, key=lambda path: path.stem.casefold())}
 
 
 def _names(_context: click.Context, _param: click.Parameter, typed: str) -> list[CompletionItem]:
@@ -49,13 +36,22 @@ def docs(page: str | None) -> None:
     """Show a page of the documentation, or list the pages. On a terminal in a pager, else as Markdown."""
     known = pages()
     if page is None:
-        click.echo(_listed(known, min(shutil.get_terminal_size().columns, WIDEST)))
+        _print(_listed(known, min(shutil.get_terminal_size().columns, WIDEST)))
     elif page not in known:
         raise click.UsageError(f"unknown page {page!r}{did_you_mean(page, known)}; fleet-tui docs lists them")
     elif sys.stdout.isatty():
-        click.echo_via_pager(_rendered(known[page].read_text(encoding="utf-8")))
+        _print(_rendered(known[page].read_text(encoding="utf-8")))
     else:
         click.echo(known[page].read_text(encoding="utf-8"), nl=False)
+
+
+def _print(text: str) -> None:
+    """Print a text, by the pager if it is longer than the terminal."""
+    if sys.stdout.isatty() and text.count("\n") >= shutil.get_terminal_size().lines:
+        os.environ.setdefault("LESS", "-FRX")  # colours pass, and the text stays when it ends
+        click.echo_via_pager(text)
+    else:
+        click.echo(text)
 
 
 def _listed(known: Mapping[str, Path], width: int) -> str:
@@ -80,10 +76,8 @@ def _by_purpose(known: Mapping[str, Path]) -> Iterator[tuple[str, list[str]]]:
 
 
 def _about(path: Path, width: int) -> str:
-    """Return the subject of a page, as much of it as fits: the page begins with `For READERS: SUBJECT.`"""
-    opening = " ".join(path.read_text(encoding="utf-8").split("\n\n")[1].split())
-    subject = _SUBJECT.search(opening)
-    text, *parts = _LINK.sub(r"\1", subject[1] if subject else opening).replace("`", "").split(", ")
+    """Return the subject of a page, as much of it as fits."""
+    text, *parts = subject(path.read_text(encoding="utf-8")).split(", ")
     for part in parts:
         if len(text) + len(part) + 2 > width:
             break

@@ -23,6 +23,14 @@ def robots(context: click.Context, _param: click.Parameter, typed: str) -> list[
     return _starting((robot.name for robot in _config(context).robots), typed)
 
 
+def places(context: click.Context, _param: click.Parameter, typed: str) -> list[CompletionItem]:
+    """Offer the labels in the graph files of the configuration. Without a file only the robots know them."""
+    from fleet_tui.maps.floor_files import load_graphs
+
+    labels = (label for loaded in load_graphs(_config(context)) for label in loaded.labels.values())
+    return _starting(dict.fromkeys(labels), typed)
+
+
 def programs(context: click.Context, _param: click.Parameter, typed: str) -> list[CompletionItem]:
     """Offer the programs of the configuration."""
     return _starting((program.name for program in _config(context).programs), typed)

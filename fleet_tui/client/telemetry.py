@@ -30,6 +30,7 @@ from fleet_tui.model.kind import CAMERA
 from fleet_tui.model.link import Phase
 from fleet_tui.model.navigation_events import Live, LocalisationReported, OdometryReported
 from fleet_tui.text.limits import truncate
+from fleet_tui.transports.loop import wait_for_turn
 from fleet_tui.transports.rosbridge.connection import Connection
 
 LOG = logging.getLogger(__name__)
@@ -136,6 +137,7 @@ class Telemetry:
 
     def on_frame(self, payload: bytes, is_binary: bool) -> None:
         """Decode a frame here, or off the loop if it is large."""
+        wait_for_turn()
         self._received_at = self._active_at = time.monotonic()
         if len(payload) < LARGE_FRAME:
             frame = payload, is_binary, self._received_at

@@ -36,7 +36,7 @@ def link_key(name: str) -> str:
 
 class Link(msgspec.Struct, frozen=True):
     """`[rosbridge]` and `[links.NAME]`: the address of a bridge, and the credentials for it. `profile` is
-    that of its robots.
+    that of its robots, `site` the one that it belongs to.
 
     Files are relative to the config file. Secrets are in a file or in an environment variable, never here.
     """
@@ -51,6 +51,7 @@ class Link(msgspec.Struct, frozen=True):
     rosauth_file: str = ""
     rosauth_env: str = ""
     profile: str = ""
+    site: str = ""
 
     @property
     def shown(self) -> str:

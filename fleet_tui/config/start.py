@@ -14,7 +14,10 @@ def initial_state(config: Config, now: float) -> FleetState:
     return FleetState(
         floors={floor.name: Floor(floor.name, floor.frame) for floor in config.floors},
         robots=_robots(config),
-        links={name: LinkState(name, link.shown, since=now) for name, link in config.bridges.items()},
+        links={
+            name: LinkState(name, link.shown, since=now, site=link.site)
+            for name, link in config.bridges.items()
+        },
         limits=Limits(
             alarms.offline_after,
             alarms.obstacle_after,

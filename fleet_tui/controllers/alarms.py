@@ -13,6 +13,7 @@ from fleet_tui.model.alarm import Alarm, AlarmStage, Key, class_of
 from fleet_tui.model.desk.events import AlarmAcknowledged, AlarmShelved, AlarmUnshelved
 from fleet_tui.model.events import Event
 from fleet_tui.rules.alarms.classes import CLASSES
+from fleet_tui.rules.sites import of_site, sites_of
 from fleet_tui.state.store import Store
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import sanitize
@@ -83,8 +84,13 @@ class AlarmResponses:
             self._notices.note(f"acknowledged: {key[1]} alarm of {sanitize(key[0])}")
 
     def acknowledge_all(self) -> None:
-        """Acknowledge every alarm."""
-        self._post(AlarmAcknowledged())
+        """Acknowledge every alarm, of several sites those of the one that is shown."""
+        state = self._store.state
+        if not sites_of(state):
+            self._post(AlarmAcknowledged())
+            return
+        for key in unacknowledged(of_site(state, self._navigation.robot)):
+            self._post(AlarmAcknowledged(*key))
 
     def marked_menu(self) -> None:
         """List the actions for the alarm under the cursor."""

@@ -6,6 +6,7 @@ from typing import Protocol
 from msgspec.structs import replace
 
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.rules.sites import of_site
 from fleet_tui.state.store import Store
 from fleet_tui.view.selection import Selection, first_selection
 
@@ -43,6 +44,11 @@ class Navigation:
         """The name of the shown floor."""
         return self.selection.floor
 
+    @property
+    def here(self) -> FleetState:
+        """The part of the state that is about the selected robot's site."""
+        return of_site(self._store.state, self.robot)
+
     def settle(self, state: FleetState, follow: bool) -> Selection:
         """Let the floor follow the robot."""
         self.selection = self.selection.settled(state, follow)
@@ -51,13 +57,15 @@ class Navigation:
     def select(self, robot: str) -> None:
         """Select a robot; the fleet's cursor is on the selected one."""
         self.selection = self.selection.on_robot(robot)
+        if self.floor not in self.here.floors:  # of another site
+            self.selection = replace(self.selection, floor=next(iter(self.here.floors)))
         self._selected(robot)
         self._refresh()
         self._camera().reveal()
 
     def step_robot(self, step: int) -> None:
-        """Select the next (1) or previous (-1) robot."""
-        self.select(self.selection.step_robot(self._store.state, step).robot)
+        """Select the next (1) or previous (-1) robot of the site."""
+        self.select(self.selection.step_robot(self.here, step).robot)
 
     def choose_robot(self, number: int) -> None:
         """Select a robot by its number."""
@@ -66,8 +74,8 @@ class Navigation:
             self.select(names[number - 1])
 
     def step_floor(self, step: int) -> None:
-        """Show the next (1) or previous (-1) floor."""
-        self.find_floor(self.selection.step_floor(self._store.state, step).floor)
+        """Show the next (1) or previous (-1) floor of the site."""
+        self.find_floor(self.selection.step_floor(self.here, step).floor)
 
     def find_robot(self, robot: str) -> None:
         """Select a robot and bring the map to it."""

@@ -10,9 +10,11 @@ from fleet_tui.controllers.navigation import Navigation
 from fleet_tui.controllers.save import SaveCommand
 from fleet_tui.controllers.session import ConsoleSession
 from fleet_tui.controllers.settings import ConsoleSettings
+from fleet_tui.controllers.sites import typed_site
 from fleet_tui.controllers.typed import Typed, typed
 from fleet_tui.keys import KEYS, Key, Pane, outdone
 from fleet_tui.keys.key import key_name
+from fleet_tui.rules.sites import robots_at, sites_of
 from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.help.synonyms import SYNONYMS
@@ -60,6 +62,9 @@ class Offers:
             yield Offer(f"Go to robot {name}", partial(navigation.find_robot, name), name=name)
         for floor in state.floors:
             yield Offer(f"Go to floor {floor}", partial(navigation.find_floor, floor), name=floor)
+        for site in filter(None, sites_of(state)):
+            for first in robots_at(state, site)[:1]:
+                yield Offer(f"Go to site {sanitize(site)}", partial(navigation.find_robot, first), name=site)
         yield from self._vertices()
         for name, use in self._settings.themes.items():
             yield Offer(f"Theme: {sanitize(name)}", use)
@@ -79,5 +84,6 @@ class Offers:
         return (
             self._session.typed(line)
             or self._save.typed(line)
+            or typed_site(line, self._store.state, self._navigation.find_robot)
             or typed(line, self._store.state, robot, self._dispatch.do, self._dispatch.permissions)
         )

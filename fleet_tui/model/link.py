@@ -35,7 +35,8 @@ class LinkState(Struct, frozen=True):
     `reason` is the reason for no link in plain words; `commands_connected`: there is a connection for
     commands, tested or not; `was_up`: it has been up before; `outage`: seconds for which it was down before
     it came up again, else 0; `fault_at` is the time of the last bad frame; `late` are the seconds by which
-    its poses are late, `unsourced` the package whose messages the bridge lacks."""
+    its poses are late, `unsourced` the package whose messages the bridge lacks; `site` is the one that it
+    belongs to."""
 
     name: str
     url: str
@@ -54,6 +55,7 @@ class LinkState(Struct, frozen=True):
     fault_at: float | None = None
     late: float = 0.0
     unsourced: str = ""
+    site: str = ""
 
     @property
     def unsourced_text(self) -> str:

@@ -1,16 +1,18 @@
 """Help: tasks, keys, the legend and typed commands; typed text searches all of them."""
 
-from functools import partial
+from functools import cache, partial
 
 from textual import on
 from textual.app import ComposeResult
 from textual.content import Content
 from textual.widgets import Input
 
+from fleet_tui.documentation import headings, pages, subject
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.view.help.layout import help_lines
 from fleet_tui.view.help.pages import Pages, tabs
 from fleet_tui.view.help.section import HelpRow, HelpSection, search
+from fleet_tui.view.roles import StyleRole
 from fleet_tui.widgets.field import Field, Keys
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.messages import ButtonPressed
@@ -19,6 +21,18 @@ from fleet_tui.widgets.text_view import TextView
 FRAME = 4
 """Lines of the box besides its text: the border, the search, the names of the pages."""
 ELSEWHERE = "Try a shorter or another word. The whole manual: fleet-tui docs, in a shell."
+
+
+@cache
+def _documentation() -> HelpSection:
+    """Return the pages of the documentation, found by their subjects and headings."""
+    texts = {name: path.read_text(encoding="utf-8") for name, path in pages().items()}
+    rows = [
+        HelpRow(((f"fleet-tui docs {name}", StyleRole.KEY),), subject(text), headings(text))
+        for name, text in texts.items()
+        if name != "index"
+    ]
+    return HelpSection("Documentation, in a shell", tuple(rows))
 
 
 class Help(Overlay):
@@ -89,7 +103,7 @@ class Help(Overlay):
         sections = list(self._pages[self._page])
         if wanted:
             every = {id(one): one for sections in self._pages.values() for one in sections}
-            sections = search(every.values(), wanted)
+            sections = search([*every.values(), _documentation()], wanted)
         if not sections:
             sections = [HelpSection(f"nothing matches {wanted!r}", (HelpRow((), ELSEWHERE),))]
         runs, buttons = tabs(self._pages, "" if wanted else self._page)

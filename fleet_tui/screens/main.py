@@ -25,17 +25,15 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.screens import picks
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.screens.robot.overlay import RobotOverlay
+from fleet_tui.screens.tables.newest import NewestRows
 from fleet_tui.state.store import Store
 from fleet_tui.view.lines.commands import message_line
 from fleet_tui.view.lines.hints import hidden_keys, idle_hints, other_alarmed, unoffered_keys
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.alarms import alarm_of, alarm_table, unacknowledged
-from fleet_tui.view.tables.fleet import fleet_table
-from fleet_tui.view.tables.queue import queue_table
+from fleet_tui.view.tables.alarms import alarm_of, unacknowledged
 from fleet_tui.view.tables.recent import recent_table
 from fleet_tui.view.tables.robot_page import robot_page
-from fleet_tui.view.tables.table import Table
 from fleet_tui.widgets import messages
 from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.key_line import KeyLine
@@ -77,6 +75,7 @@ class MainScreen(Screen[None]):
         self.panes = Panes(settings.drawing is Drawing.ASCII)
         self.fleet, self.alarms, self.queue = self.panes.fleet, self.panes.alarms, self.panes.queue
         self.views: list[RunsView] = [self.status, *self.panes.views, self.message, self.hints]
+        self.newest = NewestRows(self)
         self.notices = Notices(store, self.tick, settings.message)
         self.navigation = Navigation(store, self._mark_robot, lambda: self.rest.map_controls, self.tick)
         self.dispatch = Dispatch(
@@ -125,35 +124,27 @@ class MainScreen(Screen[None]):
     def tick(self) -> None:
         """Show the newest state."""
         self.dispatch.release_startup()
-        state, robot, clock = self.store.state, self.navigation.robot, self.settings.clock
+        whole, robot, clock = self.store.state, self.navigation.robot, self.settings.clock
+        state = self.navigation.here
         if self.is_complete:
-            if not self.rest.tables.filter_line.goes_first:
-                self._show_floor(state)
+            if self.rest.tables.filter_line.goes_first:
+                return
+            self._show_floor(state)
             self.rest.show()
         self._mark_alarm(state)
         page, recent = partial(robot_page, state, clock=clock), partial(recent_table, state, clock)
-        tables = [self._rows_of(pane) for pane in self.panes.tables]
+        tables = self.newest.tables()
         self.panes.show(state, tables, robot, page, recent, self.rest.covered if self.is_complete else 0)
-        self.status.show(*self.session.headline(state, robot, self.status.size.width))
-        self.message.show(message_line(state, self.notices.text, self.notices.at, self.message.size.width))
+        self.status.show(*self.session.headline(whole, robot, self.status.size.width))
+        self.message.show(message_line(whole, self.notices.text, self.notices.at, self.message.size.width))
         self._show_hints(state, robot)
-        self.settings.announce(state)
-
-    def _rows_of(self, pane: RowsPane) -> Table:
-        """Return the newest rows of fleet, alarms or queue, as they are arranged."""
-        state, robot, arranged = self.store.state, self.navigation.robot, (pane.row_width, pane.arrangement)
-        if pane is self.fleet:
-            return fleet_table(state, robot, *arranged)
-        if pane is self.alarms:
-            return alarm_table(state, self.settings.clock, *arranged, pane.listing.cursor)
-        return queue_table(state, robot, self.shows_all_orders, *arranged)
+        self.settings.announce(whole)
 
     def show_rows(self, pane: RowsPane, sought: str = "") -> None:
-        """Show the newest rows of one pane, with the cursor on the best for what is sought. Without a filter
-        the fleet's is on the selected robot again, whom commands are for."""
+        """Show the newest rows of a pane, the cursor on the best one sought, else on the selected robot."""
         if pane is self.fleet and not pane.arrangement.typed:
             pane.listing.cursor = self.navigation.robot
-        pane.show(self._rows_of(pane), sought)
+        pane.show(self.newest.of(pane), sought)
 
     def _show_hints(self, state: FleetState, robot: str) -> None:
         pane = Pane.ANYWHERE if self._in_overlay() else self.focused_pane()
@@ -184,8 +175,7 @@ class MainScreen(Screen[None]):
         self.rest.show_scene(scene)
 
     def _mark_alarm(self, state: FleetState) -> None:
-        """Mark an alarm. Unless the pane has the focus, the cursor moves from acknowledged to
-        unacknowledged alarms; it never leaves an alarm that an `a` in the queue may mean."""
+        """Mark an alarm, of those that wait for an acknowledgement unless the pane has the focus."""
         fresh = unacknowledged(state)
         marked = self.alarms.listing.cursor
         if marked is not None and all(alarm.key != marked for alarm in state.alarms):

@@ -206,7 +206,7 @@ class Rest:
         self.map.picture.viewport.holds = covers or self._covers
         self._covers = covers
         self._screen.panes.show_map(self.map, scene)
-        state, options = self._screen.store.state, self.map.picture.options
+        state, options = self._navigation.here, self.map.picture.options
         for small_maps in self.small_maps:
             small_maps.show(state, self._navigation.selection, options)
 

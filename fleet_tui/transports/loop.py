@@ -2,10 +2,15 @@
 
 import asyncio
 import threading
+import time
 from collections.abc import Callable
+
+TURN, NAP = 0.02, 0.002
+"""Seconds for which incoming data waits for a picture at most, and between its looks for the end of that."""
 
 _lock = threading.Lock()
 _loop: asyncio.AbstractEventLoop | None = None
+_waits_until = 0.0
 
 
 def network_loop() -> asyncio.AbstractEventLoop:
@@ -30,6 +35,26 @@ def call_now(do: Callable[[], object], within: float) -> None:
 
     network_loop().call_soon_threadsafe(call)
     done.wait(within)
+
+
+def give_turn() -> None:
+    """Let the caller's thread paint before more data is read: each of both threads would get half of the
+    time, and a letter shows that. A key that is held leaves half of the time to the data."""
+    global _waits_until
+    if time.monotonic() >= _waits_until + TURN:
+        _waits_until = time.monotonic() + TURN
+
+
+def end_turn() -> None:
+    """Read data again."""
+    global _waits_until
+    _waits_until = 0.0
+
+
+def wait_for_turn() -> None:
+    """Wait while another thread has its turn. On the loop, before a message is read."""
+    while time.monotonic() < _waits_until:
+        time.sleep(NAP)
 
 
 def _run(loop: asyncio.AbstractEventLoop) -> None:

@@ -8,6 +8,7 @@ from textual.reactive import Reactive
 from textual.widgets import Input
 
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.transports.loop import end_turn, give_turn
 
 Keys = Mapping[str, Callable[[], object]]
 
@@ -35,7 +36,9 @@ class Field(Input):
         focused = self.screen.focused
         action = self._on.get(event.key)
         if focused is self and action is None:
+            give_turn()
             return
+        end_turn()  # a command may follow, which the loop sends
         event.stop()
         event.prevent_default()
         if focused is self and action is not None:

@@ -73,8 +73,8 @@ class Panes(Container):
         aside = Container(self.page, self.small_maps, id="aside")
         super().__init__(self.floor, self.fleet, self.alarms, self.queue, aside, id="panes")
         self._alone, self._small_lines, self._left = "", 0, 0
-        # Nobody reads values that change ten times a second, and rows of a large fleet take a while to make.
-        self._fleet_pace, self._page_pace, self._recent_pace = Pace(0.2), Pace(0.5), Pace(1.0)
+        self._page_pace, self._recent_pace = Pace(0.5), Pace(1.0)
+        self._fleet: Table | None = None
         self._recent_lines = 0
         self._shape = USUAL_SHAPE
         self._wanted = Wanted(0, 0, 0), 0
@@ -118,8 +118,8 @@ class Panes(Container):
         self._wanted = Wanted(*(table.lines for table in tables)), covered
         self.share_out()
         fleet, alarms, queue = tables
-        arranged = self.fleet.arrangement.notes(len(fleet.rows))  # not the counts: those change all the time
-        if self._fleet_pace.is_due((robot, self.fleet.size, arranged, fleet.keys)):
+        if fleet is not self._fleet:
+            self._fleet = fleet
             self.fleet.show(fleet)
         self.alarms.show(alarms)
         self.queue.show(queue)

@@ -9,8 +9,11 @@ if GOT != PYTHON:
     sys.stderr.write(
         "fleet-tui: this file needs Python " + PYTHON + " and was started by Python " + GOT + ".\n"
         "Start it with: python" + PYTHON + " " + sys.argv[0] + "\n"
-        "Without that Python: install it (Debian, Ubuntu: apt install python" + PYTHON + "), or take the file"
-        " of a release that names yours in place of py" + PYTHON.replace(".", "") + ".\n"
+        "Without that Python: install it beside yours, without root by: uv python install " + PYTHON + "\n"
+        "Or take the file of a release that names yours in place of py"
+        + PYTHON.replace(".", "")
+        + ", from py311"
+        " on.\n"
     )
     sys.exit(2)
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.cli.docs import pages
+from fleet_tui.documentation import pages
 from tests.support.command_line import run
 from tests.support.in_pty import Terminal
 
@@ -53,6 +53,22 @@ def test_on_a_terminal_a_page_is_text_without_markup(tmp_path: Path, monkeypatch
         terminal.wait_for("[installing] is another page: fleet-tui docs installing")
     finally:
         terminal.close()
+
+
+def test_a_pager_gets_what_is_longer_than_the_terminal_alone(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pager = tmp_path / "pager"
+    pager.write_text("#!/bin/sh\nexec sed s/^/paged:/\n")
+    pager.chmod(0o755)
+    monkeypatch.setenv("PAGER", str(pager))
+    for page, is_paged in (([], False), (["connect"], True)):
+        terminal = Terminal([sys.executable, "-m", "fleet_tui", "docs", *page], tmp_path)
+        try:
+            terminal.wait_for("paged:" if is_paged else "Begin with: fleet-tui docs tutorial")
+            assert ("paged:" in terminal.text()) is is_paged
+        finally:
+            terminal.close()
 
 
 def test_completion_offers_the_pages(tmp_path: Path) -> None:

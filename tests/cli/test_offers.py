@@ -9,6 +9,7 @@ from tests.support.command_line import run
 CONFIG = """
 [[floors]]
 name = "floor_0"
+graph = "hall.graph"
 [[robots]]
 name = "robot_0"
 [[robots]]
@@ -16,6 +17,17 @@ name = "carrier"
 [[programs]]
 name = "laser"
 start = ["true"]
+"""
+
+GRAPH = """fleet_tui_graph: 1
+floors:
+  floor_0:
+    vertices:
+      - {id: 1, x: 0, y: 0, label: Base}
+      - {id: 2, x: 1, y: 0, label: Store}
+      - {id: 3, x: 2, y: 0, label: Dock 7}
+      - {id: 4, x: 3, y: 0}
+    edges: []
 """
 
 
@@ -31,6 +43,7 @@ def offered(place: Path, *words: str) -> list[str]:
 @pytest.fixture
 def place(tmp_path: Path) -> Path:
     (tmp_path / "config.toml").write_text(CONFIG)
+    (tmp_path / "hall.graph").write_text(GRAPH)
     (tmp_path / "routines").mkdir()
     (tmp_path / "routines" / "morning.routine").touch()
     return tmp_path
@@ -41,6 +54,9 @@ def place(tmp_path: Path) -> Path:
     [
         (("pause", ""), ["plain,robot_0", "plain,carrier"]),
         (("order", "rob"), ["plain,robot_0"]),
+        (("order", "robot_0", ""), ["plain,Base", "plain,Store"]),
+        (("order", "robot_0", "Base", "S"), ["plain,Store"]),
+        (("goto", "robot_0", "B"), ["plain,Base"]),
         (("doctor", "--robot", "c"), ["plain,carrier"]),
         (("programs", "start", ""), ["plain,laser"]),
         (("routine", "run", ""), ["plain,morning"]),
@@ -61,6 +77,13 @@ def test_an_invalid_configuration_offers_what_can_be_read(place: Path) -> None:
     assert offered(place, "pause", "c") == ["plain,carrier"]
     (place / "config.toml").write_text("[[robots\n")
     assert offered(place, "pause", "") == []
+
+
+def test_without_a_readable_graph_file_no_place_is_offered(place: Path) -> None:
+    (place / "hall.graph").write_text("{")
+    assert offered(place, "order", "robot_0", "") == []
+    (place / "hall.graph").unlink()
+    assert offered(place, "order", "robot_0", "") == []
 
 
 def test_a_name_with_control_characters_reaches_no_shell(place: Path) -> None:

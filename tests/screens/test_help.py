@@ -85,6 +85,7 @@ async def test_typing_searches_tasks_keys_and_legend(server: RosbridgeServer) ->
         ("theme", "Open the command palette"),
         ("offline", "Open diagnostics"),
         ("save", "save config.toml"),
+        ("prometheus", "fleet-tui docs metrics"),
     ],
 )
 async def test_words_that_people_bring_find_keys_of_other_words(

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple, TypeVar
 
 import click
 
-from fleet_tui.cli.offers import robots
+from fleet_tui.cli.offers import places, robots
 from fleet_tui.cli.options import FileName, NearestGroup, NumberRange, fleet, merged
 from fleet_tui.config.schema import Config
 from fleet_tui.log_file import log_to_file
@@ -82,7 +82,7 @@ def _give(words: Sequence[str], options: OrderOptions, until_done: bool = False)
 
 @orders.command()
 @click.argument("robot", shell_complete=robots)
-@click.argument("places", nargs=-1, required=True, metavar="FROM TO [TO ...]")
+@click.argument("places", nargs=-1, required=True, metavar="FROM TO [TO ...]", shell_complete=places)
 @click.option("--until-done", is_flag=True, help="Wait until the order is done, not only queued.")
 @_takes_options
 def order(robot: str, places: tuple[str, ...], until_done: bool, options: OrderOptions) -> None:
@@ -111,7 +111,7 @@ def clear(robot: str, options: OrderOptions) -> None:
 
 @orders.command(context_settings=NEGATIVE)
 @click.argument("robot", shell_complete=robots)
-@click.argument("place", nargs=-1, required=True, metavar="PLACE | X Y [YAW]")
+@click.argument("place", nargs=-1, required=True, metavar="PLACE | X Y [YAW]", shell_complete=places)
 @_takes_options
 def goto(robot: str, place: tuple[str, ...], options: OrderOptions) -> None:
     """Send a robot without orders to a place or a pose. A place is a label or a vertex id; a pose is in

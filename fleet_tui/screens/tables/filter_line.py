@@ -15,8 +15,8 @@ from fleet_tui.widgets.field import Field
 from fleet_tui.widgets.pace import Pace
 from fleet_tui.widgets.rows_pane import RowsPane
 
-PAUSE, MAP_EVERY = 0.3, 0.5
-"""Seconds after a letter in which the map waits, and after which it is drawn all the same."""
+PAUSE, ALL_EVERY = 0.3, 0.5
+"""Seconds after a letter in which the panes wait, and after which they are shown all the same."""
 
 
 class FilterLine(Overlay):
@@ -28,7 +28,7 @@ class FilterLine(Overlay):
         self._show = show
         self._pane: RowsPane | None = None
         self._typed_at = -math.inf
-        self._map_pace = Pace(MAP_EVERY)
+        self._pace = Pace(ALL_EVERY)
         steps = {"up": -1, "down": 1, "pageup": -10, "pagedown": 10}
         keys: dict[str, Callable[[], object]] = {
             key: partial(self._move, step) for key, step in steps.items()
@@ -50,6 +50,8 @@ class FilterLine(Overlay):
         self._title.update(f" {(pane.id or '').capitalize()} /")
         with self._field.prevent(Input.Changed):
             self._field.value = pane.arrangement.typed
+        self._typed_at = time.monotonic()
+        self._show(pane, "")
         self.open(self._field)
 
     @on(Input.Changed)
@@ -65,9 +67,9 @@ class FilterLine(Overlay):
 
     @property
     def goes_first(self) -> bool:
-        """Tell whether the map has to wait: the next letter may come any moment, and hundreds of robots take
-        the time of a frame."""
-        return time.monotonic() - self._typed_at < PAUSE and not self._map_pace.is_due()
+        """Tell whether the other panes have to wait: the next letter may come any moment, and a tick of
+        hundreds of robots takes the time of a frame."""
+        return self.is_open and time.monotonic() - self._typed_at < PAUSE and not self._pace.is_due()
 
     def _move(self, step: int) -> None:
         self._apply(self._field.value)

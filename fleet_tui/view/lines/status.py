@@ -7,6 +7,7 @@ from fleet_tui.model.fleet import FleetState, behind_text
 from fleet_tui.model.kind import PAUSE
 from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.rules.lag import BEHIND
+from fleet_tui.rules.sites import alarms_by_site, site_of, sites_of
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
@@ -111,9 +112,12 @@ def status_line(
     """Return the parts that must not be cut first: alarms, the selected robot, the link, by its address or
     only by its name; a recording always by its address."""
     fresh, alarms = state.unacknowledged, len(state.alarms) - state.shelved
-    runs: list[Run] = [(f" {sanitize(selected)}  ", StyleRole.ACCENT)]
+    site = site_of(state, selected) if sites_of(state) else ""
+    shown = f"{sanitize(site)}: {sanitize(selected)}" if site else sanitize(selected)
+    runs: list[Run] = [(f" {shown}  ", StyleRole.ACCENT)]
     sign, role = ("▲", StyleRole.ALARM) if fresh else ("△", StyleRole.TEXT if alarms else StyleRole.DIM)
     runs.append((f"{sign} {alarms} alarm{'s' * (alarms != 1)}" + (f" ({fresh} new)" if fresh else ""), role))
+    runs.extend(_by_site(state, role))
     runs.append(("  ", StyleRole.TEXT))
     runs.extend((note + "  ", StyleRole.WARN) for note in notes)
     others = len(state.links) - 1
@@ -123,6 +127,13 @@ def status_line(
         up = sum(link.phase is Phase.UP for link in state.links.values())
         runs.append((f"  {up} of {others + 1} links up", StyleRole.DIM))
     return tuple(runs)
+
+
+def _by_site(state: FleetState, role: StyleRole) -> Iterator[Run]:
+    """Yield the alarms of each site, of several."""
+    if found := alarms_by_site(state):
+        told = ", ".join(f"{sanitize(site) or 'no site'} {count}" for site, count in found.items())
+        yield f": {told}", role
 
 
 def status_right(clock: str, operator: str = "") -> tuple[Run, ...]:

@@ -53,10 +53,11 @@ class RowArrangement:
         values: Sequence[Value[Item]],
         named: Callable[[Item], str] | None = None,
         at: float = 0.0,
+        usual: Callable[[Item], Any] | None = None,
     ) -> list[Item]:
-        """Return the wanted items in order; equal ones keep theirs. With the names of items and the time
-        (monotonic), what a filter finds in them may be old by up to two seconds: texts of 500 robots take
-        longer than a key may."""
+        """Return the wanted items in order; equal ones keep theirs, or that of `usual`. With the names of
+        items and the time (monotonic), what a filter finds in them may be old by up to two seconds: texts of
+        500 robots take longer than a key may."""
         self._columns = [value.name for value in values if value.order is not None]
         self.names = [value.name for value in values]
         terms = filter_terms(self.typed, self.names)
@@ -66,6 +67,8 @@ class RowArrangement:
             for item in items:
                 searched(item)("")
         found = [item for item in items if not terms or is_wanted(terms, searched(item))]
+        if usual is not None:  # not before: of a large fleet a filter leaves few
+            found.sort(key=usual)
         order = next((value.order for value in values if value.name == self.column), None)
         return sorted(found, key=order) if order is not None else found
 

@@ -227,8 +227,9 @@ def fleet_table(
     arrangement = arrangement or RowArrangement()
     silenced, seen = shelved(state), acknowledged(state)
     troubled = {name: place for place, name in enumerate(by_urgency(state))}
-    everyone = sorted(state.robots.values(), key=partial(_calm, state, troubled, silenced))
-    robots = arrangement.arranged(everyone, _values(state), lambda robot: robot.name, state.now)
+    calm = partial(_calm, state, troubled, silenced)
+    everyone = state.robots.values()
+    robots = arrangement.arranged(everyone, _values(state), lambda robot: robot.name, state.now, calm)
     columns = Columns.of(state, width)
 
     def row(place: int) -> Row:

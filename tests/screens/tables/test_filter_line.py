@@ -5,9 +5,9 @@ from types import SimpleNamespace
 import pytest
 
 from fleet_tui.screens.tables import filter_line
-from fleet_tui.screens.tables.filter_line import MAP_EVERY
+from fleet_tui.screens.tables.filter_line import ALL_EVERY
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.widgets import panes
+from fleet_tui.widgets import pace
 from tests.support.console_pilot import Console, console
 from tests.support.watched_store import config_of
 
@@ -82,7 +82,7 @@ async def test_a_filter_that_found_nobody_leaves_the_cursor_on_the_selected_robo
             assert it.app.main.fleet.listing.cursor == it.app.main.navigation.robot == "robot_2"
 
 
-async def test_the_map_waits_for_a_letter_but_not_for_long(
+async def test_a_tick_waits_for_a_letter_but_not_for_long(
     server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     async with console(config_of(server.url, 3), wait=False) as it:
@@ -97,6 +97,13 @@ async def test_the_map_waits_for_a_letter_but_not_for_long(
             monkeypatch.setattr(
                 filter_line, "time", SimpleNamespace(monotonic=lambda s=seconds: typed_at + s)
             )
-            monkeypatch.setattr(panes, "monotonic", lambda s=seconds: typed_at + s + MAP_EVERY)
+            monkeypatch.setattr(pace, "monotonic", lambda s=seconds: typed_at + s + ALL_EVERY)
             goes_first.append(line.goes_first)
         assert goes_first[1:] == [True, True, False, False], "once at first, then after a pause"
+        ticked = list[object]()
+        monkeypatch.setattr(it.app.main.panes, "show", lambda *shown: ticked.append(shown))
+        for first, ticks in ((True, 0), (False, 1)):
+            monkeypatch.setattr(filter_line.FilterLine, "goes_first", first)
+            ticked.clear()
+            it.app.main.tick()
+            assert len(ticked) == ticks

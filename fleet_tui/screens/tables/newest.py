@@ -1,0 +1,42 @@
+"""The newest rows of fleet, alarms and queue."""
+
+from typing import TYPE_CHECKING
+
+from fleet_tui.view.tables.alarms import alarm_table
+from fleet_tui.view.tables.fleet import fleet_table
+from fleet_tui.view.tables.queue import queue_table
+from fleet_tui.view.tables.table import Table
+from fleet_tui.widgets.pace import Pace
+from fleet_tui.widgets.rows_pane import RowsPane
+
+if TYPE_CHECKING:
+    from fleet_tui.screens.main import MainScreen
+
+
+class NewestRows:
+    """Nobody reads values that change ten times a second, and all of a large fleet take a while to sort: the
+    fleet's rows are made five times a second."""
+
+    def __init__(self, screen: "MainScreen") -> None:
+        self._screen = screen
+        self._fleet_pace, self._fleet = Pace(0.2), Table((), ())
+
+    def tables(self) -> list[Table]:
+        """Return fleet, alarms and queue. The fleet is the same table again until it is due, or another
+        robot, size, arrangement or alarm asks for it."""
+        screen, pane = self._screen, self._screen.fleet
+        arranged = pane.arrangement.typed, pane.arrangement.column
+        if self._fleet_pace.is_due((screen.navigation.robot, pane.size, arranged, screen.store.state.alarms)):
+            self.of(pane)
+        return [self._fleet, self.of(screen.alarms), self.of(screen.queue)]
+
+    def of(self, pane: RowsPane) -> Table:
+        """Return the newest rows of one of these panes, as they are arranged."""
+        screen, arranged = self._screen, (pane.row_width, pane.arrangement)
+        state, robot = screen.navigation.here, screen.navigation.robot
+        if pane is screen.fleet:
+            self._fleet = fleet_table(state, robot, *arranged)
+            return self._fleet
+        if pane is screen.alarms:
+            return alarm_table(state, screen.settings.clock, *arranged, pane.listing.cursor)
+        return queue_table(state, robot, screen.shows_all_orders, *arranged)

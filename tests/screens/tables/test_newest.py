@@ -1,0 +1,23 @@
+"""The fleet's rows are made at their pace, and at once when something asks for them."""
+
+import pytest
+
+from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.widgets import pace
+from tests.support.console_pilot import console
+from tests.support.watched_store import config_of
+
+
+async def test_the_fleet_is_the_same_table_until_it_is_due_or_asked_for(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with console(config_of(server.url, 3)) as it:
+        main, now = it.app.main, 1e9
+        monkeypatch.setattr(pace, "monotonic", lambda: now)
+        first = main.newest.tables()[0]
+        assert main.newest.tables()[0] is first
+        main.fleet.arrangement.column = "battery"
+        sorted_ = main.newest.tables()[0]
+        assert sorted_ is not first
+        now += 0.3
+        assert main.newest.tables()[0] is not sorted_
