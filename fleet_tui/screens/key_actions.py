@@ -94,7 +94,7 @@ def _view_actions(screen: "MainScreen", rest: "Rest") -> ViewActions:
         help=partial(_show_help, screen, rest),
         palette=rest.palette.show,
         simple=rest.simple.turn,
-        why=lambda: rest.alarms.explain() if screen.alarms.has_focus else rest.why.show(),
+        why=partial(_why, screen, rest),
         robot_page=rest.robot_page.show,
         all_orders=partial(_all_orders, screen),
         enlarge=screen.panes.enlarge,
@@ -119,6 +119,15 @@ def _show_help(screen: "MainScreen", rest: "Rest") -> None:
     hidden = hidden_keys(state, robot) | _idle_keys(screen)
     pane = screen.focused_pane()
     rest.key_help.show(help_pages(screen.settings.keys, pane, kind, hidden, look, terminal))
+
+
+def _why(screen: "MainScreen", rest: "Rest") -> None:
+    """Explain the alarm of the focused pane, the closed edge under the map's cursor, else the robot."""
+    cursor = rest.map.picture.mode.cursor if screen.focused is rest.map else None
+    if screen.alarms.has_focus:
+        rest.alarms.explain()
+    elif cursor is None or not rest.desk.explain_edge(cursor):
+        rest.why.show()
 
 
 def _idle_keys(screen: "MainScreen") -> set[str]:

@@ -14,9 +14,9 @@ from fleet_tui.model.events import Event
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.edges import edge_named, edge_text
 from fleet_tui.rules.language.words import find_robot, tokens
-from fleet_tui.rules.routes.impact import cut_orders
+from fleet_tui.rules.routes.impact import closed_edge_at, cut_orders
 from fleet_tui.text.sanitize import sanitize
-from fleet_tui.view.lines.impact import impact_text
+from fleet_tui.view.lines.impact import impact_lines, impact_text
 
 USAGE = {
     "claim": "claim ROBOT",
@@ -126,6 +126,20 @@ class DeskCommands:
             return
         self._files.log(change, done)
         self._parts.notices.say(sanitize(done))
+
+    def explain_edge(self, at: tuple[float, float]) -> bool:
+        """List the orders that a closed edge at a place of the map cuts, and offer to open it; tell whether
+        there is one."""
+        state, robot, floor = self._parts.store.state, self._robot, self._parts.navigation.floor
+        graph = robot.maps[floor].graph if floor in robot.maps else None
+        edge = closed_edge_at(state.desk.closed_on(floor), graph, at) if graph is not None else None
+        if edge is None:
+            return False
+        cut = cut_orders(state, edge.ends)
+        lines = [f"{edge_text(robot, edge.ends)}: {impact_text(cut)}", *impact_lines(state, cut)]
+        entries: list[Entry] = [] if self._parts.dispatch.desk_refusal() else [self._open(edge.ends)]
+        self._parts.open_menu("\n".join(map(sanitize, lines)), [*entries, ("Close this", lambda: None)])
+        return True
 
     def menu(self) -> None:
         """List who is at the desk, with the way to what each looks at, and closed edges."""

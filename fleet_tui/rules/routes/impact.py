@@ -7,7 +7,7 @@ from functools import lru_cache
 from msgspec import Struct
 from msgspec.structs import replace
 
-from fleet_tui.model.desk.desk import Ends, ends_of
+from fleet_tui.model.desk.desk import ClosedEdge, Ends, ends_of
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Line
 from fleet_tui.model.graph import RouteGraph
@@ -21,6 +21,8 @@ from fleet_tui.rules.why.traffic import stops_left
 
 MOST_GRAPHS = 64
 """Graphs that are kept without an edge."""
+IN_REACH = 1.0
+"""Metres within which the map's cursor is on an edge."""
 STANDS_FROM = 5.0
 """Seconds without movement from which a robot in trouble is in the way."""
 
@@ -48,6 +50,25 @@ def edge_under(robot: Robot) -> Ends | None:
         if len(spots) == 2:
             return ends_of(floor, spots[0][0], spots[1][0])
     return None
+
+
+def closed_edge_at(
+    closed: Sequence[ClosedEdge], graph: RouteGraph, at: tuple[float, float]
+) -> ClosedEdge | None:
+    """Return the closed edge nearest to a place in metres, None without one within reach."""
+    known = [edge for edge in closed if graph.vertices.keys() >= set(edge.ends[1:])]
+    far = {edge: _metres_from(at, _line(graph, edge.ends[1:])) for edge in known}
+    nearest = min(far, key=lambda edge: far[edge], default=None)
+    return nearest if nearest is not None and far[nearest] <= IN_REACH else None
+
+
+def _metres_from(at: tuple[float, float], line: Line) -> float:
+    """Return the metres from a place to a line."""
+    (x, y), (x0, y0, x1, y1) = at, line
+    square = (x1 - x0) ** 2 + (y1 - y0) ** 2
+    share = ((x - x0) * (x1 - x0) + (y - y0) * (y1 - y0)) / square if square else 0.0
+    share = min(1.0, max(0.0, share))
+    return math.dist(at, (x0 + share * (x1 - x0), y0 + share * (y1 - y0)))
 
 
 def is_in_the_way(state: FleetState, robot: Robot) -> bool:

@@ -18,7 +18,7 @@ from fleet_tui.model.desk.events import (
     RobotReleased,
 )
 from fleet_tui.model.events import Event
-from fleet_tui.model.problem import Permissions
+from fleet_tui.model.problem import Permissions, Right
 from tests.support.desk import Desk
 from tests.support.fleets import F0, R0, fleet, graph, labels, reduced
 
@@ -121,3 +121,22 @@ def test_a_menu_without_others_or_without_a_desk() -> None:
     desk, commands = made()
     commands.menu()
     assert desk.menus == [] and desk.notices.text == "no desk: set [desk] folder in the configuration"
+
+
+def test_a_closed_edge_under_the_cursor_is_explained_and_can_be_opened() -> None:
+    closed = EdgeClosed(ends_of(F0, "1", "2"), 5.0, "ben")
+    desk, commands = made(closed)
+    assert not commands.explain_edge((1.5, 5.0))
+    assert commands.explain_edge((0.5, 0.5))
+    (menu,) = desk.menus
+    assert menu.title == "Base - Hall: cuts the way of no order"
+    menu.choose("Open Base - Hall")
+    assert desk.backend.events == [EdgeOpened(ends_of(F0, "1", "2"))]
+    viewer, commands = made(closed, permissions=Permissions(right=Right.VIEW))
+    assert commands.explain_edge((0.5, 0.0)) and viewer.menus[0].texts == ["Close this"]
+
+
+def test_who_may_only_view_claims_and_closes_nothing() -> None:
+    _, commands = made(JOINED, permissions=Permissions(right=Right.VIEW))
+    for line in ("claim robot_0", "release robot_0", "close Base Hall", "open Base Hall"):
+        assert typed(commands, line).problem == "not allowed: dispatch"
