@@ -3,6 +3,8 @@
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from msgspec.structs import replace
+
 from fleet_tui.controllers.alarms import AlarmResponses
 from fleet_tui.controllers.editing.checks import DraftChecks
 from fleet_tui.controllers.editing.drawing import GraphDrawing
@@ -208,7 +210,7 @@ class Rest:
         self._screen.panes.show_map(self.map, scene)
         state, options = self._navigation.here, self.map.picture.options
         for small_maps in self.small_maps:
-            small_maps.show(state, self._navigation.selection, options)
+            small_maps.show(state, replace(self._navigation.selection, floor=scene.floor), options)
 
     def show(self) -> None:
         """Show the newest state in the place of the map."""

@@ -9,8 +9,9 @@ import pytest
 
 from fleet_tui.audit import reader
 from fleet_tui.audit.log import auditing
-from fleet_tui.screens import key_actions, main
+from fleet_tui.screens import key_actions
 from fleet_tui.screens.main import MainScreen
+from fleet_tui.screens.tables import newest
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.view.tables.fleet import fleet_table
 from tests.support.console_pilot import console
@@ -61,7 +62,7 @@ async def test_ticks_that_fail_are_tried_again(
 ) -> None:
     async with console(config_of(server.url, 2, 2)) as it:
         left = [None] * 3
-        monkeypatch.setattr(main, "fleet_table", broken(left, fleet_table))
+        monkeypatch.setattr(newest, "fleet_table", broken(left, fleet_table))
         await it.until(lambda _state: not left)
         await it.shows(SAID)
         assert logged(caplog) == ["tick: broken here"]

@@ -35,7 +35,7 @@ async def test_pausing_all_names_whose_goals_were_stopped(site: MoveBaseSite) ->
     async with console(site.config) as it:
         await it.until(lambda state: all(robot.goals and robot.pose for robot in state.robots.values()))
         site.navigation("robot_1").give(35.0, 20.0)
-        await it.shows("-> Consumidores (not", "fleet")
+        await it.shows("-> Consumidores (else", "fleet")
         await it.press("P")
         await it.shows("pause all: 2 confirmed, goals of other clients stopped", "message")
         await it.shows("resumable from here (robot_1)", "message")

@@ -121,7 +121,7 @@ async def test_a_goal_of_another_client_is_shown_as_such_and_stopped(site: Site)
     site.server.speed = 1.0
     site.navigation().give(35.0, 20.0)
     async with console(site.config, WIDE) as it:
-        await it.shows("(other client)", "queue")
+        await it.shows("(elsewhere)", "queue")
         await it.press("x", "y")
         await it.until(lambda state: not state.robots[R0].orders.open)
         assert not site.navigation().servers[TO_POSE].running

@@ -65,7 +65,10 @@ def test_no_role_vanishes_in_its_ground_however_few_colours_there_are(
     looks = {role: look_of(style, colours) for role, style in styles.items()}
     in_row = {role: look_of(style + row, colours) for role, style in styles.items() if role >= StyleRole.TEXT}
     assert [role for role, look in in_row.items() if _as_ground(look.color) == look.on] == []
-    assert [role for role, look in looks.items() if _as_ground(look.color) == look.on] == []
+    # A full block is its own ground.
+    assert [role for role, look in looks.items() if _as_ground(look.color) == look.on] == [
+        StyleRole.WALL_SOLID
+    ]
     assert looks[StyleRole.ROBOT].on != looks[StyleRole.FLOOR].on
     assert looks[StyleRole.ROBOT_SELECTED] != looks[StyleRole.ROBOT]
     if colours is not ColorSystem.STANDARD and name != "contrast":

@@ -12,7 +12,13 @@ from fleet_tui.model.geometry import Line, MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.robot import Robot, RobotMap
-from fleet_tui.rules.alarms.trouble import acknowledged, in_trouble, trouble_elsewhere
+from fleet_tui.rules.alarms.trouble import (
+    acknowledged,
+    in_trouble,
+    trouble_elsewhere,
+    urgency,
+    waits,
+)
 from fleet_tui.rules.commands.set_up.mode import mapping_text
 from fleet_tui.rules.marks import marks_of
 from fleet_tui.rules.routes.order_draft import Drafted
@@ -154,6 +160,7 @@ def _robot(
         age=state.now - robot.pose.at,
         size=robot.size,
         mark=mark,
+        waits=waits(state, robot) and not state.is_paused(robot),
         jumped=robot.relocated is not None and state.now - robot.relocated.at < JUMP_MARKED,
     )
 
@@ -166,8 +173,11 @@ def _robots(state: FleetState, selection: Selection, picture: MapFrame, tied: bo
         _robot(state, robot, selection, picture, tied, mark, robot.name in alarmed)
         for robot, mark in zip(state.robots.values(), marks_of(tuple(state.robots)), strict=True)
     )
+    said = {alarm.condition.source: alarm.text for alarm in sorted(state.alarms, key=urgency, reverse=True)}
     return tuple(
-        robot._replace(acknowledged=True) if robot.name in seen else robot
+        robot._replace(acknowledged=robot.name in seen, said=sanitize(said.get(robot.name, "")))
+        if robot.name in seen or robot.alarmed
+        else robot
         for robot in robots
         if robot is not None
     )

@@ -8,7 +8,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.local_queue import foreign
 from fleet_tui.text.sanitize import sanitize
 
-FOREIGN = " (other client)"
+FOREIGN = " (elsewhere)"
 
 
 def place(robot: Robot, vertex: str) -> str:
