@@ -10,7 +10,8 @@ from fleet_tui.controllers.navigation import Navigation
 from fleet_tui.controllers.notices import Notices
 from fleet_tui.controllers.typed import Entry, OpenMenu
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key, class_of
-from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved, AlarmUnshelved, Event
+from fleet_tui.model.desk.events import AlarmAcknowledged, AlarmShelved, AlarmUnshelved
+from fleet_tui.model.events import Event
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.sites import of_site, sites_of
 from fleet_tui.state.store import Store

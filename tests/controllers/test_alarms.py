@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from fleet_tui.controllers.alarms import AlarmResponses
 from fleet_tui.keymap import keymap
-from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved
+from fleet_tui.model.desk.events import AlarmAcknowledged, AlarmShelved
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.widgets.rows_pane import RowsPane
 from tests.support.desk import Desk

@@ -1,6 +1,6 @@
 """The reasons why a robot stands still, as lines of text."""
 
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from fleet_tui.keys import BY_ID
@@ -31,13 +31,17 @@ ACTS = {"battery": ("order",), "data": ("diagnostics",)}
 
 
 def why_lines(
-    state: FleetState, robot: Robot, keys: Mapping[str, tuple[str, ...]], match: "Match | None" = None
+    state: FleetState,
+    robot: Robot,
+    keys: Mapping[str, tuple[str, ...]],
+    match: "Match | None" = None,
+    impact: Sequence[str] = (),
 ) -> list[str]:
     """Return the time without movement, then each reason: name, evidence, age and the keys that help; `match`
-    as for `reasons`."""
+    as for `reasons`; `impact`: the lines about orders whose way is cut."""
     found, hidden = reasons(state, robot, match), hidden_keys(state, robot.name)
     if found and moves(state, robot) == found[0]:
-        alarms = _alarms(state, robot, keys, hidden)
+        alarms = [*_alarms(state, robot, keys, hidden), *impact]
         return [f"{sanitize(found[0].name)} ({found[0].evidence})", *alarms, *_others(state, robot, keys)]
     lines = [_standing(state, robot)]
     for number, reason in enumerate(found[:SHOWN], 1):
@@ -46,7 +50,7 @@ def why_lines(
         lines += ["", f"{mark} {number}. {sanitize(reason.name)}{strength}"]
         told = (sanitize(reason.evidence), _age(state, robot, reason), reason.remedy)
         lines += [f"    {line}" for line in (*told, *_help_lines(reason.keys, keys, hidden)) if line]
-    return [*lines, *_others(state, robot, keys)]
+    return [*lines, *impact, *_others(state, robot, keys)]
 
 
 def _alarms(
