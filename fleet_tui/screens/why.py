@@ -9,8 +9,10 @@ from textual.binding import Binding, BindingType
 from textual.content import Content
 from textual.widgets import Static
 
+from fleet_tui.backend import Backend
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.localisation.match import Match
+from fleet_tui.rules.why.complaints import complaints
 from fleet_tui.screens.robot.overlay import RobotOverlay, robot_bindings
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.why import why_lines
@@ -47,10 +49,12 @@ class Why(RobotOverlay):
         looked_at: Callable[[], tuple[FleetState, str]],
         keys: Mapping[str, tuple[str, ...]],
         match: Callable[[], Match | None],
+        backend: Backend,
     ) -> None:
         """`match` returns that of the robot's shown scan with the map."""
         super().__init__(id="why")
         self._looked_at, self._keys, self._match = looked_at, keys, match
+        self._backend = backend
         self._shown: list[str] = []
 
     def compose(self) -> ComposeResult:
@@ -68,7 +72,9 @@ class Why(RobotOverlay):
         state, name = self._looked_at()
         self.border_title = Content(f"Why: {sanitize(name)}")
         text = self.query_one("#reasons", Static)
-        lines = _wrapped(why_lines(state, state.robots[name], self._keys, self._match()), text.size.width)
+        robot = state.robots[name]
+        reported = complaints(state, robot, self._backend.counters.get(robot.link))
+        lines = _wrapped(why_lines(state, robot, self._keys, self._match(), reported), text.size.width)
         if lines != self._shown:
             self._shown = lines
             text.update("\n".join(lines))
