@@ -183,6 +183,8 @@ class LiveBackend:
 
     def subscribe_logs(self, on: bool) -> None:
         """Subscribe to or unsubscribe from the log and diagnostics of all robots."""
+        if on == self._reads_logs:
+            return  # asked at every tick
         with self._changing:
             self._reads_logs = on
             if self.links is not None:

@@ -82,7 +82,7 @@ class Rest:
     def __init__(self, screen: "MainScreen") -> None:
         self._screen, self._navigation, self._session = screen, screen.navigation, screen.session
         store, settings, dispatch = screen.store, screen.settings, screen.dispatch
-        navigation, notices = screen.navigation, screen.notices
+        navigation, notices, backend = screen.navigation, screen.notices, screen.backend
         self.map = MapView(id="map")
         self.small_maps = SmallMapsView("other-floors"), SmallMapsView("other-floors-below")
         self.map.picture.options = MapOptions(drawing=settings.drawing)
@@ -92,8 +92,8 @@ class Rest:
         self.confirm, self.menu = Confirm(id="confirm"), Menu(id="menu")
         self.tables = TableTools(screen, self.confirm.ask)
         self.order_form, self.anyone = order_form(screen, self.confirm.ask, self.tables.marked.give_order)
-        self.streams = ShownStreams(store, screen.backend, navigation, notices, self.map.picture)
-        self.why = Why(lambda: (store.state, navigation.robot), settings.keys, self.streams.match)
+        self.streams = ShownStreams(store, backend, navigation, notices, self.map.picture)
+        self.why = Why(lambda: (store.state, navigation.robot), settings.keys, self.streams.match, backend)
         self.audit_log = AuditLog(lambda: screen.files.audit)
         self.robot_page = robot_page_overlay(screen, self)
         self._add_tools(screen)
@@ -115,7 +115,7 @@ class Rest:
         self.programs = programs_overlay(screen, *asks)
         self.routines = routines_overlay(screen, *asks, partial(run_in_background, screen))
         pages = Pages(lambda: store.state, screen.backend, settings.clock)
-        self.diagnostics = Diagnostics(pages, screen.backend, settings.keys)
+        self.diagnostics = Diagnostics(pages, settings.keys)
         self.history = history_overlay(screen, self)
         self.note = NoteCommand(screen.files, screen.notices.say)
         self.styled = [self.map, self.audit_log.rows, self.diagnostics, *self.key_help.views]
@@ -201,8 +201,7 @@ class Rest:
         join_desk(screen)
 
     def show_scene(self, scene: Scene) -> None:
-        """Show a scene on the map, at the same scale while a panel covers a part of it, and until it has its
-        lines again."""
+        """Show a scene on the map, at the same scale until no panel covers a part of it any more."""
         self.drives.look(scene)
         covers = self.why.is_open or self.menu.is_open or self.order_form.is_open
         self.map.picture.viewport.holds = covers or self._covers
@@ -214,6 +213,8 @@ class Rest:
 
     def show(self) -> None:
         """Show the newest state in the place of the map."""
+        readers = self.diagnostics, self.why, self.robot_page
+        self._screen.backend.subscribe_logs(any(one.is_open for one in readers))
         self.simple.show()
         self.camera.look()
         self.tables.outcomes.look()

@@ -10,9 +10,11 @@ from textual.binding import Binding, BindingType
 from textual.content import Content
 from textual.widgets import Static
 
+from fleet_tui.backend import Backend
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.localisation.match import Match
+from fleet_tui.rules.why.complaints import complaints
 from fleet_tui.screens.robot.overlay import RobotOverlay, robot_bindings
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.impact import why_impact
@@ -53,10 +55,12 @@ class Why(RobotOverlay):
         looked_at: Callable[[], tuple[FleetState, str]],
         keys: Mapping[str, tuple[str, ...]],
         match: Callable[[], Match | None],
+        backend: Backend,
     ) -> None:
         """`match` returns that of the robot's shown scan with the map."""
         super().__init__(id="why")
         self._looked_at, self._keys, self._match = looked_at, keys, match
+        self._backend = backend
         self._shown: list[str] = []
         self._cut: tuple[str, list[str]] = ("", [])
         """A robot, and the lines on the orders whose ways are cut."""
@@ -79,7 +83,8 @@ class Why(RobotOverlay):
         text, robot = self.query_one("#reasons", Static), state.robots[name]
         self._search_ways(state, robot)
         cut = self._cut[1] if self._cut[0] == name else []
-        found = why_lines(state, robot, self._keys, self._match(), cut)
+        reported = complaints(state, robot, self._backend.counters.get(robot.link))
+        found = why_lines(state, robot, self._keys, self._match(), cut, reported)
         lines = _wrapped(found, text.size.width)
         if lines != self._shown:
             self._shown = lines

@@ -8,7 +8,9 @@ from fleet_tui.screens.ordering.form import OrderForm
 from fleet_tui.screens.why import Why
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import Console, console
+from tests.support.fleets import place_order
 from tests.support.scenario import plant
+from tests.support.situations import BASE, CONSUMIDORES
 from tests.support.watched_store import config_of
 
 
@@ -138,3 +140,16 @@ async def test_an_alarm_is_acknowledged_where_it_is_read(server: RosbridgeServer
         await it.until(lambda state: state.unacknowledged)
         await it.press("!", key, "a")
         await it.until(lambda state: not state.unacknowledged)
+
+
+async def test_errors_of_its_own_diagnostics_are_received_while_it_is_open(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2, 2)) as it:
+        order = place_order("robot_0", CONSUMIDORES, BASE)
+        it.app.backend.submit(order)
+        await it.until(lambda state: state.robots["robot_0"].orders.current is not None)
+        plant(server, "stuck:robot_0")
+        for key in "wi":
+            await it.press(key)
+            await it.shows("drive: ERROR no odometry")
+            await it.press("escape")
+            await it.until(lambda _: not server.bridge.subscribers("/diagnostics"))

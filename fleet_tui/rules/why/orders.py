@@ -143,7 +143,6 @@ def _ruled_out(state: FleetState, robot: Robot) -> Iterator[str]:
         yield "no obstacle"
     if robot.paused is not None and not state.is_paused(robot):
         yield "no pause"
-    yield "no cause reported"
 
 
 def unexplained(state: FleetState, robot: Robot) -> Reason | None:
@@ -154,6 +153,7 @@ def unexplained(state: FleetState, robot: Robot) -> Reason | None:
         return Reason("cause unknown", evidence, Strength.NONE, since, remedy=LOOK)
     if order is None:
         return None
-    evidence = f"{mission(robot, order)} active; {', '.join(_ruled_out(state, robot))}"
+    ruled_out = ", ".join(_ruled_out(state, robot))
+    evidence = f"{mission(robot, order)} active{ruled_out and f'; {ruled_out}'}"
     keys = ("centre", "cancel", "clear")
     return Reason("cause unknown", evidence, Strength.NONE, since, keys=keys, remedy=LOOK)

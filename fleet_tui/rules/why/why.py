@@ -5,18 +5,21 @@ The strongest is first, and among equals the sequence of RULES decides:
 CERTAIN: the robot's own fresh word, or a fact about the link. A lost connection precedes its last reports; a
 pause before an obstacle, since a paused robot would not drive on a free way either; a command that failed
 before the empty queue it left behind.
-LIKELY: follows from several fresh reports (a place, a queue and a charge), none of which states it alone.
+LIKELY: follows from several fresh reports (a place, a queue and a charge), none of which states it alone; or
+an error that the robot reports about itself, which need not be what holds it.
 POSSIBLE: would explain it, and so would much else; and all reports of a robot that is offline.
 
 A robot that moves has no reason to stand. Without any evidence, the order that it should drive is named.
 """
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.why.complaints import Complaint
 from fleet_tui.rules.why.navigation import NAVIGATION_REASONS
 from fleet_tui.rules.why.orders import (
     at_stop,
@@ -77,9 +80,15 @@ def _misplaced(match: "Match | None") -> list[Reason]:
     )
 
 
-def reasons(state: FleetState, robot: Robot, match: "Match | None" = None) -> list[Reason]:
+def reasons(
+    state: FleetState,
+    robot: Robot,
+    match: "Match | None" = None,
+    complaints: Sequence[Complaint] = (),
+) -> list[Reason]:
     """Return the reasons for standing still, the likeliest first: at least one. A moving robot has only the
-    reason that it moves. `match`: that of its watched scan with the map, None without one."""
+    reason that it moves. `match`: that of its watched scan with the map, None without one. `complaints`: the
+    robot's own, of which warnings count only without a certain reason."""
     deaf, others = _held(DEAF, state, robot), _held(RULES, state, robot)
     if deaf:
         return deaf + [replace(reason, strength=Strength.POSSIBLE) for reason in others]
@@ -87,8 +96,11 @@ def reasons(state: FleetState, robot: Robot, match: "Match | None" = None) -> li
     if moving is not None and jumps(state, robot) is None:
         return [moving]
     others = _misplaced(match) + others
-    if not any(reason.strength is Strength.CERTAIN for reason in others):
+    is_certain = any(reason.strength is Strength.CERTAIN for reason in others)
+    if not is_certain:
         others += _held((none_current,), state, robot)  # else only its consequence
+    own = [one.reason for one in complaints if one.is_error or not is_certain]
+    others = others + own if is_certain else own + others
     if all(reason.strength >= Strength.POSSIBLE for reason in others):
         others = _held((unexplained,), state, robot) + others
     return sorted(others, key=lambda reason: reason.strength)

@@ -8,7 +8,6 @@ from textual.binding import BindingType
 from textual.timer import Timer
 from textual.widgets import Input
 
-from fleet_tui.backend import Backend
 from fleet_tui.keys import DIAGNOSTICS, PAGES, Pane, by_id
 from fleet_tui.screens.diagnosing.controls import DiagnosticsControls
 from fleet_tui.screens.diagnosing.pages import FILTERED, Page, Pages
@@ -30,11 +29,10 @@ class Diagnostics(PagedOverlay):
         *overlay_bindings("diagnostics"),
     ]
 
-    def __init__(self, pages: Pages, backend: Backend, keys: Mapping[str, tuple[str, ...]]) -> None:
-        self._pages, self._backend, self._keys = pages, backend, keys
+    def __init__(self, pages: Pages, keys: Mapping[str, tuple[str, ...]]) -> None:
+        self._pages, self._keys = pages, keys
         self._controls = DiagnosticsControls(self, pages)
         self._end: Hashable = None
-        self._listens = False
         self._timer: Timer | None = None
         text = "filter text; Enter keeps it, Esc clears it"
         super().__init__("diagnostics", self._controls.choose, text)
@@ -48,9 +46,6 @@ class Diagnostics(PagedOverlay):
             self._timer = self.set_interval(EVERY, self._tick)
 
     def _tick(self) -> None:
-        if self._listens != self.is_open:
-            self._listens = self.is_open
-            self._backend.subscribe_logs(self.is_open)
         if self.is_open:
             self.look()
         elif self._timer is not None:

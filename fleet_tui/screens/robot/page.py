@@ -35,6 +35,7 @@ def robot_page_overlay(screen: "MainScreen", rest: "Rest") -> "RobotPage":
         lambda: screen.files.audit,
         screen.settings.clock,
         lambda: rest.map.picture.options.drawing,
+        screen.backend,
     )
     return RobotPage(source, lambda robot: rest.robots.menu(robot), lambda: screen.panes.cells_beside_map)
 

@@ -6,10 +6,12 @@ from functools import partial
 from fleet_tui.audit.log import Audit
 from fleet_tui.audit.past_alarms import past_alarms
 from fleet_tui.audit.reader import AuditReader
+from fleet_tui.backend import Backend
 from fleet_tui.model.audit_record import PastAlarm
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.battery.forecast import forecast
 from fleet_tui.rules.battery.history import BatteryHistories
+from fleet_tui.rules.why.complaints import complaints
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.robot.page import PageContent, page_lines
 from fleet_tui.view.robot.sections import LAST, Clock, Line
@@ -29,7 +31,9 @@ class PageSource:
         audit: Callable[[], Audit | None],
         clock: Clock,
         drawing: Callable[[], Drawing],
+        backend: Backend,
     ) -> None:
+        self._backend = backend
         self.looked_at, self._audit, self._clock, self._drawing = looked_at, audit, clock, drawing
         self._batteries = BatteryHistories()
         self._past: tuple[str, Sequence[PastAlarm], str] = "", (), ""
@@ -48,7 +52,9 @@ class PageSource:
         guess = forecast(self._batteries.of(name), state.limits.battery_low, state.now)
         of, past, note = self._past
         past = past if of == name else ()
-        content = PageContent(state, state.robots[name], self._clock, curve, guess, past, note)
+        robot = state.robots[name]
+        reported = complaints(state, robot, self._backend.counters.get(robot.link))
+        content = PageContent(state, robot, self._clock, curve, guess, past, note, reported)
         return page_lines(content, width, height)
 
     def _curve(self, state: FleetState, name: str, width: int, height: int) -> Sequence[Line]:

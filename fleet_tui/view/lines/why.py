@@ -12,6 +12,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.alarms.trouble import acknowledged, in_trouble
 from fleet_tui.rules.commands.pauses import STANDS_AFTER
+from fleet_tui.rules.why.complaints import Complaint
 from fleet_tui.rules.why.place import place_text
 from fleet_tui.rules.why.reason import Reason, Strength, stationary_since
 from fleet_tui.rules.why.robot import moves
@@ -36,10 +37,11 @@ def why_lines(
     keys: Mapping[str, tuple[str, ...]],
     match: "Match | None" = None,
     impact: Sequence[str] = (),
+    complaints: Sequence[Complaint] = (),
 ) -> list[str]:
     """Return the time without movement, then each reason: name, evidence, age and the keys that help; `match`
-    as for `reasons`; `impact`: the lines about orders whose way is cut."""
-    found, hidden = reasons(state, robot, match), hidden_keys(state, robot.name)
+    and `complaints` as for `reasons`; `impact`: the lines about orders whose way is cut."""
+    found, hidden = reasons(state, robot, match, complaints), hidden_keys(state, robot.name)
     if found and moves(state, robot) == found[0]:
         alarms = [*_alarms(state, robot, keys, hidden), *impact]
         return [f"{sanitize(found[0].name)} ({found[0].evidence})", *alarms, *_others(state, robot, keys)]

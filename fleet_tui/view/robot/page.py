@@ -9,6 +9,7 @@ from fleet_tui.model.audit_record import PastAlarm
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.battery.forecast import BatteryForecast
+from fleet_tui.rules.why.complaints import Complaint
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.robot.sections import (
@@ -41,7 +42,7 @@ Curve = Callable[[int, int], Sequence[Line]]
 
 class PageContent(Struct, frozen=True):
     """The contents of a page: `curve` is None while its drawing is loaded; `past` are the alarms that are
-    over, `note` is said about them."""
+    over, `note` is said about them, `complaints` are the robot's own."""
 
     state: FleetState
     robot: Robot
@@ -50,6 +51,7 @@ class PageContent(Struct, frozen=True):
     forecast: BatteryForecast | None
     past: Sequence[PastAlarm] = ()
     note: str = ""
+    complaints: Sequence[Complaint] = ()
 
 
 def page_title(state: FleetState, name: str) -> tuple[Run, ...]:
@@ -62,7 +64,8 @@ def page_title(state: FleetState, name: str) -> tuple[Run, ...]:
 def page_lines(content: PageContent, width: int, height: int) -> list[Line]:
     """Return the page in lines of `width` cells; `height` are the lines that are visible at once."""
     parts = content.state, content.robot
-    state, route, orders = state_section(*parts), route_section(*parts), orders_section(*parts)
+    state = state_section(*parts, content.complaints)
+    route, orders = route_section(*parts), orders_section(*parts)
     alarms = alarms_section(*parts, content.past, content.clock, content.note)
     commands = commands_section(*parts, content.clock)
     if width >= COLUMNS_FROM:

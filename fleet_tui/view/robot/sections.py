@@ -1,6 +1,7 @@
 """The sections of a robot's page: state, route, orders, alarms, commands."""
 
 from collections.abc import Callable, Iterator, Sequence
+from textwrap import wrap
 
 from msgspec import Struct
 
@@ -10,6 +11,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.routes.remaining import metres_left
+from fleet_tui.rules.why.complaints import Complaint
 from fleet_tui.rules.why.traffic import stops_left
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import sanitize
@@ -50,24 +52,28 @@ def _titled(title: str, lines: Iterator[Line], empty: str) -> PageSection:
     return PageSection(((title, StyleRole.TITLE),), [line for line in lines if line], empty)
 
 
-def state_section(state: FleetState, robot: Robot) -> PageSection:
-    """Return the news, and each value with its age."""
-    return _titled("State", _state(state, robot), "")
+def state_section(state: FleetState, robot: Robot, complaints: Sequence[Complaint] = ()) -> PageSection:
+    """Return the news, the robot's own complaints, and each value with its age."""
+    return _titled("State", _state(state, robot, complaints), "")
 
 
-def _state(state: FleetState, robot: Robot) -> Iterator[Line]:
+def _state(state: FleetState, robot: Robot, complaints: Sequence[Complaint]) -> Iterator[Line]:
     holding = [one for one in state.alarms if one.holds and one.condition.source == robot.name]
     alarms = [(sanitize(one.text), StyleRole.ALARM) for one in holding]
-    said = list(news(state, robot)) or alarms or [("nothing unusual", StyleRole.TEXT)]
-    for n, runs in enumerate(_packed(said, STATE - NAME)):
+    usual = [] if complaints else [("nothing unusual", StyleRole.TEXT)]
+    for n, runs in enumerate(_packed(list(news(state, robot)) or alarms or usual, STATE - NAME)):
         yield named("" if n else "State", *runs)
+    for one in complaints:
+        role = StyleRole.ALARM if one.is_error else StyleRole.WARN
+        for n, runs in enumerate(_packed([(sanitize(one.text), role)], STATE - NAME)):
+            yield named("" if n else "Reports", *runs)
     yield from value_rows(state, robot, STATE)
 
 
 def _packed(runs: Sequence[Run], cells: int) -> list[list[Run]]:
-    """Return runs in lines of at most `cells` cells, with a space between two."""
+    """Return runs in lines of at most `cells` cells, with a space between two; longer ones in pieces."""
     lines: list[list[Run]] = [[]]
-    for run in runs:
+    for run in ((piece, role) for text, role in runs for piece in wrap(text, cells - 1)):
         if lines[-1] and width_of([*lines[-1], run]) + len(lines[-1]) > cells:
             lines.append([])
         lines[-1].append(run)

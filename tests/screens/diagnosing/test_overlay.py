@@ -74,7 +74,7 @@ async def test_the_mouse_outside_and_another_overlay_end_it_too(server: Rosbridg
         await it.press("f1")
         await it.shows("Diagnostics (d)")
         await it.until(lambda _: not server.bridge.subscribers("/rosout"))
-        assert it.app.main.rest.diagnostics._timer is None
+        await it.until(lambda _: it.app.main.rest.diagnostics._timer is None)
 
 
 async def test_what_robots_log_does_not_act_on_the_screen(server: RosbridgeServer) -> None:

@@ -6,6 +6,7 @@ from fleet_tui.audit.log import Audit
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.screens.robot.source import PageSource
 from fleet_tui.view.map.drawing import Drawing
+from tests.support.desk import CollectingBackend
 from tests.support.fleets import R0, T0, battery, fleet, link_up, pose, reduced, text_of, tick
 from tests.support.records import watched
 
@@ -16,7 +17,11 @@ class Page:
     def __init__(self, audit: Audit | None = None) -> None:
         self.state, self.robot = level(T0), R0
         self.source = PageSource(
-            lambda: (self.state, self.robot), lambda: audit, lambda _wall: "12:00:00", lambda: Drawing.ASCII
+            lambda: (self.state, self.robot),
+            lambda: audit,
+            lambda _wall: "12:00:00",
+            lambda: Drawing.ASCII,
+            CollectingBackend(),
         )
 
     @property

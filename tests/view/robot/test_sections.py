@@ -6,6 +6,7 @@ from fleet_tui.model.audit_record import PastAlarm
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.rules.why.complaints import Complaint
 from fleet_tui.view.robot.sections import (
     PageSection,
     alarms_section,
@@ -58,6 +59,10 @@ def test_the_state_is_told_even_of_a_calm_robot() -> None:
     assert "nothing unusual" in text(state_section(calm, calm.robots[R0]))
     low = received(battery(T0 + 0.1, 5.0))
     assert "State     battery 5 %" in text(state_section(low, low.robots[R0]))
+    said = Complaint("drive: ERROR no odometry, wheels slip on a wet floor", "diagnostics", True, T0)
+    told = text(state_section(calm, calm.robots[R0], [said]))
+    assert "Reports   drive: ERROR no odometry, wheels\n          slip on a wet floor\n" in told
+    assert "nothing unusual" not in told
     shown = state_section(gone, gone.robots[R0])
     assert "offline 60 s" in text(shown)
     (level,) = [line for line in shown.lines if text_of(line).startswith("Battery")]

@@ -1,0 +1,71 @@
+"""Warnings and errors that a robot reports about itself: in /diagnostics and in its log."""
+
+import re
+from collections.abc import Iterable, Iterator
+
+from msgspec import Struct
+
+from fleet_tui.model.counters import LinkCounter, snapshot
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.robot import Robot
+from fleet_tui.model.ros_logs import Health, LogLine, PartDiagnosis, Severity
+from fleet_tui.rules.why.orders import LOOK
+from fleet_tui.rules.why.reason import Reason, Strength
+
+DIAGNOSED_WITHIN, LOGGED_WITHIN = 10.0, 60.0
+"""Seconds for which a diagnosis, which is repeated about once a second, and a line of the log count."""
+SHOWN = 2
+"""Complaints that are shown: the worst have the cause, the others mostly follow from it."""
+
+_LEVELS = {level.value: level.name for level in Health if level is not Health.OK}
+
+
+class Complaint(Struct, frozen=True):
+    """A warning or an error of a robot, received at `at` (monotonic seconds) in its `source`."""
+
+    text: str
+    source: str
+    is_error: bool
+    at: float
+
+    @property
+    def reason(self) -> Reason:
+        """Return it as a reason to stand still."""
+        strength = Strength.LIKELY if self.is_error else Strength.POSSIBLE
+        evidence, remedy = f"in the robot's own {self.source}", LOOK if self.is_error else ""
+        return Reason(self.text, evidence, strength, seen=self.at, keys=("diagnostics",), remedy=remedy)
+
+
+def complaints(state: FleetState, robot: Robot, counter: LinkCounter | None) -> list[Complaint]:
+    """Return the worst complaints of a robot, the errors first, then the newest. `counter` is that of its
+    link, None before there is one."""
+    if counter is None:
+        return []
+    name = re.compile(rf"(?<!\w){re.escape(robot.name)}(?!\w)[ :/]*")
+    if sum(one.link == robot.link for one in state.robots.values()) == 1:
+        name = re.compile(rf"({name.pattern})?")  # all of its link is its own
+    parts = counter.health.values()
+    fresh = [part for part in parts if state.now - part.at < DIAGNOSED_WITHIN]
+    recent = [line for line in snapshot(counter.log) if state.now - line.at < LOGGED_WITHIN]
+    found = {one.text: one for one in (*_logged(recent, name), *_diagnosed(fresh, name))}
+    return sorted(found.values(), key=lambda one: (not one.is_error, -one.at))[:SHOWN]
+
+
+def _logged(lines: Iterable[LogLine], name: re.Pattern[str]) -> Iterator[Complaint]:
+    for line in lines:
+        severity = line.severity or Severity.INFO
+        if severity >= Severity.WARN and name.search(line.node):
+            text = f"{_without(name, line.node)}: {severity.name} {line.text}"
+            yield Complaint(text, "log", severity >= Severity.ERROR, line.at)
+
+
+def _diagnosed(parts: Iterable[PartDiagnosis], name: re.Pattern[str]) -> Iterator[Complaint]:
+    for part in parts:
+        if part.level in _LEVELS and name.search(f"{part.name} {part.hardware}"):
+            text = f"{_without(name, part.name)}: {_LEVELS[part.level]} {part.message}"
+            yield Complaint(text, "diagnostics", part.level == Health.ERROR, part.at)
+
+
+def _without(name: re.Pattern[str], text: str) -> str:
+    """Return `drive` of `robot_0: drive` and of `/robot_0/drive`."""
+    return name.sub("", text).strip("/")
