@@ -41,7 +41,8 @@ class CutOrder(Struct, frozen=True):
         """Return the length of the detour in words."""
         if self.around is None:
             return "no way"
-        return f"detour +{max(0.0, self.around - self.metres):.0f} m ({self.around:.0f} m)"
+        more = round(self.around - self.metres)
+        return f"detour +{more} m ({self.around:.0f} m)" if more > 0 else "another way, as long"
 
 
 def edge_under(robot: Robot) -> Ends | None:

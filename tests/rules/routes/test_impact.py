@@ -1,6 +1,7 @@
 """The orders whose way an edge is on, and their detours."""
 
 import pytest
+from msgspec.structs import replace
 
 from fleet_tui.model.desk.desk import ends_of
 from fleet_tui.model.desk.events import EdgeClosed
@@ -62,3 +63,10 @@ def test_without_a_graph_or_a_pose_nothing_is_told() -> None:
 def test_a_robot_in_contact_is_in_the_way(seconds: float, blocks: bool) -> None:
     state = fleet_with(pose(T0, 14.0, 0.0), ObstacleReported(R0, T0, seconds))
     assert is_in_the_way(state, state.robots[R0]) is blocks
+
+
+def test_another_way_that_is_no_longer_is_no_detour() -> None:
+    state = fleet_with(pose(T0, 0.0, 0.0), queue(T0, (1, 1, 5, "W"), current=1))
+    (found,) = cut_orders(state, ends_of(F0, "2", "3"))
+    same = replace(found, around=found.metres)
+    assert (found.text[:8], same.text) == ("detour +", "another way, as long")
