@@ -159,13 +159,13 @@ class TestEnds:
         state = reduced(self.ours(), goals(T0 + 5, goal("a", FAILED)), tick(T0 + 5.1))
         assert record(state).stage is Stage.CONFIRMED
         state = reduced(state, GoalAnswered(7, Stage.FAILED, T0 + 5.2, "error 208"), tick(T0 + 5.3))
-        assert (record(state).stage, record(state).detail) == (Stage.FAILED, "order a: error 208")
+        assert (record(state).stage, record(state).detail) == (Stage.FAILED, "error 208")
 
     def test_result_then_status(self) -> None:
         state = reduced(self.ours(), GoalAnswered(7, Stage.FAILED, T0 + 5, "error 208"), tick(T0 + 5.1))
         assert record(state).stage is Stage.CONFIRMED
         state = reduced(state, goals(T0 + 5.2, goal("a", FAILED)), tick(T0 + 5.3))
-        assert (record(state).stage, record(state).detail) == (Stage.FAILED, "order a: error 208")
+        assert (record(state).stage, record(state).detail) == (Stage.FAILED, "error 208")
 
     def test_without_a_result_the_status_decides_soon(self) -> None:
         state = reduced(self.ours(), goals(T0 + 5, goal("a", DONE)), tick(T0 + 5.5))
@@ -177,7 +177,7 @@ class TestEnds:
         )
 
     def test_stops_that_were_missed_make_it_failed(self) -> None:
-        state = reduced(self.ours(), GoalAnswered(7, Stage.FAILED, T0 + 5, "1 stops missed"))
+        state = reduced(self.ours(), GoalAnswered(7, Stage.FAILED, T0 + 5, "1 stop missed"))
         state = reduced(state, goals(T0 + 5.1, goal("a", DONE)), tick(T0 + 5.2))
         assert record(state).stage is Stage.FAILED
 

@@ -7,6 +7,7 @@ from fleet_tui.adapters.nav2.codes import error_text
 from fleet_tui.adapters.service_outcome import judge, said
 from fleet_tui.model.commands import Command, PauseRobot, Stage
 from fleet_tui.text.limits import truncate
+from fleet_tui.text.units import counted
 
 RETURN_CODES = {
     1: "rejected by the robot",
@@ -39,9 +40,17 @@ def judge_goal(values: object, status: int, result: bool) -> tuple[Stage, str]:
     if not result:
         return Stage.REFUSED, truncate(said(values))
     fields: Mapping[str, Any] = values if isinstance(values, Mapping) else {}
-    code, message = fields.get("error_code"), fields.get("error_msg")
-    detail = error_text(code, truncate(message) if isinstance(message, str) else "") if code else ""
     missed = fields.get("missed_waypoints")
     if isinstance(missed, list) and missed:
-        return Stage.FAILED, f"{len(missed)} stops missed{f': {detail}' if detail else ''}"
-    return (Stage.DONE if status == 4 else Stage.FAILED), detail
+        causes = (_error(stop) for stop in (*missed, fields) if isinstance(stop, Mapping))
+        count = f"{counted(len(missed), 'stop')} missed"
+        return Stage.FAILED, "; ".join(filter(None, (next(filter(None, causes), ""), count)))
+    return (Stage.DONE if status == 4 else Stage.FAILED), _error(fields)
+
+
+def _error(fields: Mapping[str, Any]) -> str:
+    """Return the error code and message of a result or of a missed waypoint, empty without a code."""
+    code, message = fields.get("error_code"), fields.get("error_msg")
+    if not isinstance(code, int) or not code:
+        return ""
+    return error_text(code, truncate(message) if isinstance(message, str) else "")

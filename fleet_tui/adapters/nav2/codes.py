@@ -37,9 +37,9 @@ _GROUPS: Mapping[int, str] = {
 
 
 def error_text(code: int, message: str = "") -> str:
-    """Return an error code with its meaning, and the robot's own message."""
+    """Return the meaning of an error code, the code, and the robot's own message."""
     known = CODES.get(code) or _GROUPS.get(code // 100, "")
     if code >= 9000:
         known = "navigator failed"
     said = f": {message}" if message else ""
-    return f"error {code}{f' ({known})' if known else ''}{said}"
+    return (f"{known} (error {code})" if known else f"error {code}") + said

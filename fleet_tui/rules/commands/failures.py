@@ -23,6 +23,8 @@ _OVER = {
     stage: f"was {stage.value}"
     for stage in commands.FAILURES & (commands.ORDER_ENDS | {commands.Stage.LATE}) - {commands.Stage.FAILED}
 }
+_CAUSED = frozenset({commands.Stage.REFUSED, commands.Stage.FAILED, commands.Stage.NOT_CONFIRMED})
+"""Failures of which the cause is first: the request is known to the operator."""
 MANY = 5
 """Failed commands to at least this many robots given together are one alarm."""
 
@@ -76,11 +78,14 @@ def _failed(state: FleetState, key: Key, records: Sequence[commands.CommandRecor
     # The only one of many is named first: the alarm is the link's.
     whose = f"{last.command.robot} " if len(robots) == 1 and key[0] not in robots else ""
     high = any(isinstance(record.command, commands.PauseRobot) for record in records)
+    told = f"{request}{detail_text(last.detail)}"
+    if last.stage in _CAUSED and last.detail:
+        told = f"{last.detail.removeprefix(f'order {last.order_id}: ')} ({request})"
     return Condition(
         *key,
         Priority.HIGH if high else Priority.MEDIUM,
-        # The failure is first: it must not be cut at the right end.
-        f"{whose}{last.stage.value}: {request}{detail_text(last.detail)}",
+        # The failure and its cause are first: they must not be cut at the right end.
+        f"{whose}{last.stage.value}: {told}",
         f"{whose}{_OVER.get(last.stage, 'failed')}: {request}",
         # A failure that changes into another one is news.
         parts=frozenset(f"{record.id} {record.stage.value}" for record in records),

@@ -92,7 +92,9 @@ def _ended(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRec
         stage, reason = answer.stage, answer.detail or reason
     elif answers and stage is Stage.DONE and _is_of_several_stops(record):
         reason = "succeeded, result missing: stops may have been missed"
-    return record.advanced(Step(stage, state.now, f"order {record.order_id}: {reason}"))
+    # The id of a goal says nothing to a person who looks for the cause.
+    order = "" if stage is Stage.FAILED and robot.kind.keeps_goals else f"order {record.order_id}: "
+    return record.advanced(Step(stage, state.now, order + reason))
 
 
 def _waiting(state: FleetState, robot: Robot, record: CommandRecord, why: str) -> CommandRecord:

@@ -68,4 +68,4 @@ def _diagnosed(parts: Iterable[PartDiagnosis], name: re.Pattern[str]) -> Iterato
 
 def _without(name: re.Pattern[str], text: str) -> str:
     """Return `drive` of `robot_0: drive` and of `/robot_0/drive`."""
-    return name.sub("", text).strip("/")
+    return name.sub("", text).strip("/.")

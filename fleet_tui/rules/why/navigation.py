@@ -7,7 +7,7 @@ from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
 from fleet_tui.rules.commands.local_queue import foreign, orders_to_save
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
-from fleet_tui.rules.why.reason import Reason, Strength, mission
+from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, mission
 from fleet_tui.text.durations import age
 
 
@@ -24,7 +24,7 @@ def blocked(state: FleetState, robot: Robot) -> Reason | None:
         strength,
         since=found.since,
         seen=robot.blocked.at,
-        keys=("centre",),
+        keys=LOOK_AT if robot.orders.current is None else (*LOOK_AT, "cancel"),
     )
 
 

@@ -35,14 +35,16 @@ def command(state: FleetState, robot: Robot) -> Reason | None:
     evidence = record.detail or f"issued {age(state.now - record.issued_at)} ago"
     strength = Strength.LIKELY if robot.orders.open else Strength.CERTAIN
     keys = (verb,) if failed else ()
-    is_rejected = robot.kind.keeps_goals and record.stage is Stage.REFUSED
+    remedy = LOOK if record.stage is Stage.FAILED else ""
+    if robot.kind.keeps_goals and record.stage is Stage.REFUSED:
+        remedy = REJECTED
     return Reason(
         f"{verb}: {record.stage.value}",
         evidence,
         strength,
         since=record.at,
         keys=keys,
-        remedy=REJECTED if is_rejected else "",
+        remedy=remedy,
     )
 
 

@@ -13,6 +13,9 @@ from fleet_tui.model.robot import Robot
 RECENT = 30.0
 """Seconds for which a failed command is a reason, and for which loading takes a moment."""
 
+LOOK_AT = ("centre", "camera", "laser")
+"""Ids of the keys that show what is around a robot; those that its kind has no use for are not offered."""
+
 
 class Strength(IntEnum):
     """The strength of evidence; the smaller the stronger."""

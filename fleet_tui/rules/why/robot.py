@@ -9,7 +9,7 @@ from fleet_tui.rules.battery.charging import charger_of
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import STANDS_AFTER, own_pause_text
 from fleet_tui.rules.movement import JUMPS_WITHIN
-from fleet_tui.rules.why.reason import Reason, Strength, name_of, stationary_since
+from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, name_of, stationary_since
 from fleet_tui.text.durations import age
 from fleet_tui.text.units import ago
 
@@ -104,7 +104,7 @@ def obstacle(state: FleetState, robot: Robot) -> Reason | None:
         strength if not is_old else Strength.POSSIBLE,
         since=contact.at - contact.value,
         seen=contact.at,
-        keys=("centre",),
+        keys=LOOK_AT if robot.orders.current is None else (*LOOK_AT, "cancel"),
     )
 
 

@@ -51,6 +51,9 @@ if TYPE_CHECKING:  # numpy
 DEAF: tuple[Rule, ...] = (no_link, silent_robot)
 """If one of these holds, everything else is an earlier report."""
 
+FOLLOWING: tuple[Rule, ...] = (none_current, no_orders)
+"""Of another certain reason, they are only the consequence."""
+
 RULES: tuple[Rule, ...] = (
     paused,
     obstacle,
@@ -61,7 +64,6 @@ RULES: tuple[Rule, ...] = (
     command,
     failed_order,
     cargo,
-    no_orders,
     at_stop,
     waits_behind,
     charges,
@@ -71,6 +73,10 @@ RULES: tuple[Rule, ...] = (
 
 def _held(rules: tuple[Rule, ...], state: FleetState, robot: Robot) -> list[Reason]:
     return [reason for rule in rules if (reason := rule(state, robot)) is not None]
+
+
+def _has_certain(found: list[Reason]) -> bool:
+    return any(reason.strength is Strength.CERTAIN for reason in found)
 
 
 def _misplaced(match: "Match | None") -> list[Reason]:
@@ -96,11 +102,12 @@ def reasons(
     if moving is not None and jumps(state, robot) is None:
         return [moving]
     others = _misplaced(match) + others
-    is_certain = any(reason.strength is Strength.CERTAIN for reason in others)
-    if not is_certain:
-        others += _held((none_current,), state, robot)  # else only its consequence
-    own = [one.reason for one in complaints if one.is_error or not is_certain]
-    others = others + own if is_certain else own + others
+    if not _has_certain(others):
+        others += _held(FOLLOWING, state, robot)
+    if _has_certain(others):
+        others += [one.reason for one in complaints if one.is_error]
+    else:
+        others = [one.reason for one in complaints] + others
     if all(reason.strength >= Strength.POSSIBLE for reason in others):
         others = _held((unexplained,), state, robot) + others
     return sorted(others, key=lambda reason: reason.strength)

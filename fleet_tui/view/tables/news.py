@@ -79,9 +79,11 @@ def _navigation(state: FleetState, robot: Robot) -> Iterator[Run]:
 
 
 def _short(text: str) -> str:
-    """Return `refused: order` of `refused: order A -> B`."""
-    what, colon, rest = text.partition(": ")
-    return f"{what}{colon}{rest.partition(' ')[0]}"
+    """Return `refused: no path` of `refused: no path (order A -> B)`, `lost: order` of
+    `lost: order A -> B`."""
+    told = text.rpartition(" (")[0] or text
+    what, colon, rest = told.partition(": ")
+    return f"{what}{colon}{rest.partition(' ')[0]}" if " -> " in rest else told
 
 
 def shortened_news(runs: list[Run], cells: int) -> list[Run]:

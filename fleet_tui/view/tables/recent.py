@@ -94,11 +94,21 @@ def _orders(state: FleetState, is_narrow: bool) -> Iterator[Event]:
     for robot in state.robots.values():
         for gone in robot.gone:
             at = state.wall - (state.now - gone.at)
-            yield at, robot.name, partial(_order, state, robot, gone, is_narrow)
+            if gone is not robot.gone[-1] or not _is_alarm(state, robot, gone):
+                yield at, robot.name, partial(_order, state, robot, gone, is_narrow)
         for trace in robot.traces.values():
             if trace.began_at is not None:
                 began = partial(_begun, state, robot, trace.order, is_narrow)
                 yield state.wall - (state.now - trace.began_at), robot.name, began
+
+
+def _is_alarm(state: FleetState, robot: Robot, gone: GoneOrder) -> bool:
+    """Tell whether an alarm in the list tells the end of an order."""
+    own = (one for one in state.commands if (one.command.robot, one.order_id) == (robot.name, gone.order.id))
+    parts = {gone.order.id, *(f"{record.id} {record.stage.value}" for record in own)}
+    keys = (robot.name, "command"), (robot.name, "order")
+    alarms = (alarm for alarm in state.alarms if alarm.key in keys)
+    return any(parts & alarm.condition.parts for alarm in alarms)
 
 
 def _begun(state: FleetState, robot: Robot, order: Order, is_narrow: bool) -> tuple[Run, ...]:

@@ -8,11 +8,11 @@ from fleet_tui.adapters.nav2.codes import CODES, error_text
 @pytest.mark.parametrize(
     ("code", "message", "detail"),
     [
-        (208, "", "error 208 (no path to the goal)"),
-        (208, "robot stuck", "error 208 (no path to the goal): robot stuck"),
-        (299, "", "error 299 (planner)"),
-        (901, "", "error 901 (docking or navigation)"),
-        (9001, "", "error 9001 (navigator failed)"),
+        (208, "", "no path to the goal (error 208)"),
+        (208, "robot stuck", "no path to the goal (error 208): robot stuck"),
+        (299, "", "planner (error 299)"),
+        (901, "", "docking or navigation (error 901)"),
+        (9001, "", "navigator failed (error 9001)"),
         (77, "", "error 77"),
         (-1, "", "error -1"),
     ],

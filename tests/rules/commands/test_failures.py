@@ -38,7 +38,7 @@ def failed(state: FleetState, id_: int, at: float, *stages: Stage, detail: str =
 def test_a_refused_command_is_an_alarm_in_the_robots_words() -> None:
     state = reduced(up(), graph(1, 2), labels({1: "Base", 2: "Store"}))
     state = failed(state, 7, T0)
-    assert alarm(state, "command").text == "refused: order Base -> Store (queue full)"
+    assert alarm(state, "command").text == "refused: queue full (order Base -> Store)"
     assert alarm(state, "command").condition.priority.name == "MEDIUM"
 
 
@@ -46,7 +46,7 @@ def test_not_confirmed_is_an_alarm_that_returns_after_a_while_and_stays_until_it
     state = failed(up(), 7, T0, Stage.ACCEPTED, detail="")
     assert alarms(state) == {}
     state = reduced(state, battery(T0 + 6), tick(T0 + 6))
-    text = "not confirmed: order 1 -> 2 (accepted; no queue received since)"
+    text = "not confirmed: accepted; no queue received since (order 1 -> 2)"
     assert alarm(state, "command").text == text
     assert alarm(reduced(state, battery(T0 + 35), tick(T0 + 35)), "command").text == text
     state = reduced(state, battery(T0 + 40), tick(T0 + 40))

@@ -52,7 +52,7 @@ def test_its_failure_is_told_in_the_robots_words() -> None:
     state = lived(state, T0 + 1.2, goal("our-name"))
     state = lived(state, T0 + 2.0, goal("our-name", FAILED, "Failed to find a valid plan"))
     assert record(state).stage is Stage.FAILED
-    assert record(state).detail == "order our-name: Failed to find a valid plan"
+    assert record(state).detail == "Failed to find a valid plan"
 
 
 def test_each_stop_is_a_goal_of_its_own() -> None:

@@ -46,12 +46,7 @@ No movement for 6 s. At Base.
   2. obstacle 5.7 s  (certain)
     obstacle contact: clear the path at the robot
     for 6 s, reported 0.4 s ago
-    c  Centre on the selected robot, once
-
-  3. no orders  (certain)
-    queue empty: waiting for an order
-    reported 0.4 s ago
-    o  Open the order form for the selected robot"""
+    c  Centre on the selected robot, once"""
 
 
 def test_a_robot_that_moves_tells_its_alarms_all_the_same() -> None:
@@ -78,12 +73,7 @@ Last pose 20 s old. Last seen at Base.
     link up, no messages
     for 20 s
     Check the robot: power, Wi-Fi, its nodes
-    d  Open diagnostics: links, topics, raw messages, logs
-
-  2. no orders  (possible)
-    queue empty: waiting for an order
-    reported 20 s ago
-    o  Open the order form for the selected robot"""
+    d  Open diagnostics: links, topics, raw messages, logs"""
     )
 
 

@@ -56,6 +56,19 @@ def test_a_pause_gives_way_to_what_is_more_urgent(cells: int, said: str) -> None
     assert "".join(text for text, _ in shortened_news(runs, cells)) == said
 
 
+def test_the_cause_of_a_failure_stays_and_its_order_goes() -> None:
+    for text, said in (
+        ("refused: no path (order A -> B)", "refused: no path"),
+        (
+            "failed: no progress (error 105) (order A -> B)",
+            "failed: no progress (error 105)",
+        ),
+        ("lost: order A -> B (order 4: before it started)", "lost: order"),
+        ("refused: order A -> B", "refused: order"),
+    ):
+        assert shortened_news([(text, StyleRole.ALARM)], 3) == [(said, StyleRole.ALARM)]
+
+
 def test_a_pause_alone_stays_a_word() -> None:
     alone = [("paused (elsewhere)", StyleRole.WARN), (" ", StyleRole.TEXT)]
     assert shortened_news(alone, 3)[0][0] == "paused"

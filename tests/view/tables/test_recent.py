@@ -18,6 +18,7 @@ from tests.support.fleets import (
     labels,
     link_lost,
     link_up,
+    place_order,
     queue,
     reduced,
     text_of,
@@ -46,6 +47,15 @@ def test_a_narrow_pane_has_what_happened_first_and_times_without_seconds() -> No
     state = reduced(DRIVEN, tick(T0 + 2))
     (row,) = recent_table(state, lambda _wall: "12:04:31", 9, width=38).rows
     assert " ".join(text_of(row.runs).split()) == f"12:04 {R0} lost -> Store"
+
+
+def test_a_failure_that_is_an_alarm_is_told_once() -> None:
+    given = commanded(1, place_order(R0, 1, 2), Stage.SENT, Stage.ACCEPTED, at=T0)
+    listed = reduced(fleet(), link_up(T0), *NAMED, queue(T0 - 1), *given)
+    driven = reduced(listed, queue(T0 + 1, (4, 1, 2, "W"), current=4), tick(T0 + 1))
+    lost = lines(reduced(driven, queue(T0 + 2), tick(T0 + 2)))
+    told = "lost: order Base -> Store (order 4: "
+    assert [told in line for line in lost if "lost" in line] == [True]
 
 
 def test_an_order_that_was_cancelled_here_is_not_lost() -> None:
