@@ -12,13 +12,13 @@ from textual.theme import Theme
 from fleet_tui.announcing import announcing
 from fleet_tui.backend import Backend, LiveBackend
 from fleet_tui.config.fleet import drive_of
+from fleet_tui.config.rights import permissions_of
 from fleet_tui.config.schema import Config
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.session import LiveSession, OpenSession
 from fleet_tui.controllers.settings import ConsoleSettings
 from fleet_tui.keymap import keymap
 from fleet_tui.keys import Pane
-from fleet_tui.model.problem import Permissions
 from fleet_tui.screens.main import MainScreen
 from fleet_tui.state.store import Store
 from fleet_tui.terminal.ending import leave_on_signals, terminal_restorer
@@ -87,7 +87,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
         return ConsoleSettings(
             keys=keys,
             clock=clock,
-            permissions=Permissions(config.operator.read_only, config.operator.armed),
+            permissions=permissions_of(config),
             drawing=drawing,
             themes={name: partial(self.use_theme, name) for name in self._themes},
             announce=announcing(config, self.backend, self.output.call, lambda it: self.main.notices.say(it)),

@@ -99,12 +99,14 @@ def _files(
     """Return the files of a live console; `until_the_end` closes them."""
 
     def open_them(files: ConsoleFiles) -> None:
+        from fleet_tui.desk.desk import desk_of
         from fleet_tui.history.writer import history_of
         from fleet_tui.recording.recordings import Recordings
 
         files.audit = until_the_end.enter_context(auditing(state_folder(), config, store, demo))
         origin = files.audit.origin
         files.history = until_the_end.enter_context(history_of(state_folder(), config, store, origin))
+        files.desk = until_the_end.enter_context(desk_of(config, store, origin.operator))
         files.recordings = Recordings(config, store, state_folder(), demo)
         until_the_end.callback(files.recordings.close)
 
@@ -130,7 +132,13 @@ def _connect(
 ) -> None:
     """Connect to the fleet once the files are open."""
     assert files.recordings is not None
-    recorded(files.recordings, folder, config, store, on_ready)
+
+    def ready(links: OpenLinks) -> None:
+        on_ready(links)
+        if files.desk is not None:
+            files.desk.start(links.post)
+
+    recorded(files.recordings, folder, config, store, ready)
 
 
 def ask_first(site: "DiscoveredSite | None", drawing: str | None) -> "Chosen":

@@ -71,7 +71,7 @@ PROMISED = {
 
 
 # The palette reaches them; the config can give them a key.
-WITHOUT_A_KEY = {"alarm_menu", "arm", "record", "save"}
+WITHOUT_A_KEY = {"alarm_menu", "arm", "desk", "record", "save"}
 
 
 def test_the_defaults_have_no_clash() -> None:

@@ -27,6 +27,7 @@ ROBOTS = (
     StyleRole.CARGO,
     StyleRole.ROBOT_SELECTED,
     StyleRole.ROBOT_OFFLINE,
+    StyleRole.ROBOT_WARN,
     StyleRole.ROBOT_ALARM,
 )
 GROUND = (StyleRole.FLOOR, StyleRole.UNKNOWN)

@@ -52,6 +52,7 @@ class ViewActions(Struct, frozen=True):
     history: Act
     programs: Act
     routines: Act
+    desk: Act
     go_to_time: Act
     step_robot: Step
     choose_robot: Step

@@ -1,5 +1,6 @@
 """Audit records: the difference between two states, in the words of the log."""
 
+import dataclasses
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from datetime import datetime
@@ -8,7 +9,7 @@ from typing import Any, assert_never
 from msgspec.structs import replace
 
 from fleet_tui.model import commands
-from fleet_tui.model.alarm import Alarm, AlarmStage, transitions
+from fleet_tui.model.alarm import ANSWERS, Alarm, AlarmStage, transitions
 from fleet_tui.model.audit_record import VERSION, AuditRecord
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import Kind
@@ -147,11 +148,16 @@ def _stop(role: str, robot: Robot | None, stop: Stop) -> dict[str, Any]:
 def alarm_records(
     origin: Origin, before: FleetState, after: FleetState, wall: float
 ) -> Iterator[AuditRecord]:
-    """Return each change of an alarm."""
+    """Return each change of an alarm; an operator's at another console of the desk in that one's name."""
+    by = after.desk.acted
     for change in transitions(before.alarms, after.alarms, wall):
         cleared = change.now is AlarmStage.CLEARED
         word = f"{change.word}, {AlarmStage.CLEARED.value}" if cleared else change.word
-        yield _of_alarm(origin, after, change.alarm, word, wall)
+        if by and change.step in ANSWERS:
+            word = word.replace(change.step.value, f"{change.step.value} elsewhere", 1)
+            yield _of_alarm(dataclasses.replace(origin, operator=by), after, change.alarm, word, wall)
+        else:
+            yield _of_alarm(origin, after, change.alarm, word, wall)
 
 
 def held_records(origin: Origin, state: FleetState, wall: float) -> Iterator[AuditRecord]:

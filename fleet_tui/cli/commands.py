@@ -73,6 +73,18 @@ def kinds(config_file: str | None, debug: bool, as_json: bool) -> None:
 
 
 @headless.command()
+@without_config
+@merged
+def rights(config_file: str | None, debug: bool) -> None:
+    """Print your rights on this machine: view, dispatch or setup. Its administrator grants them in
+    /etc/fleet-tui/rights.toml."""
+    from fleet_tui.cli.rights import rights_lines
+
+    for line in rights_lines():
+        click.echo(line)
+
+
+@headless.command()
 @click.option("--json", "as_json", is_flag=True, help="Print JSON; schema in `fleet-tui docs doctor`.")
 @click.option(
     "--robot",

@@ -176,6 +176,7 @@ EXAMPLES: Mapping[str, tuple[Example, ...]] = {
         ("fleet-tui kinds", "what each kind reports and accepts"),
         ("fleet-tui kinds --json", "for scripts"),
     ),
+    "rights": (("fleet-tui rights", "what you may do here: view, dispatch or setup"),),
     "man": (
         ("fleet-tui man", "all commands on one page"),
         ("fleet-tui man > fleet-tui.1", "its source, for man fleet-tui"),

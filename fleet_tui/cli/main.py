@@ -28,7 +28,7 @@ SECTIONS = {
         *("store-map", "store-pose-graph"),
     ),
     "Logs and recordings": ("history", "report", "audit", "record", "replay"),
-    "Other ways to use it": ("serve", "metrics", "sim", "docs", "man", "completion"),
+    "Other ways to use it": ("serve", "metrics", "sim", "rights", "docs", "man", "completion"),
 }
 """The headings of the help with their commands."""
 

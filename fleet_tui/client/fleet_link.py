@@ -13,13 +13,16 @@ from fleet_tui.client.tap import Tap
 from fleet_tui.client.waiting_orders import WaitingOrders
 from fleet_tui.client.writer import Writer
 from fleet_tui.config.access import access_problems
-from fleet_tui.config.fleet import adapters_of
+from fleet_tui.config.fleet import adapters_of, watching
+from fleet_tui.config.rights import own_rights
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import CommandError, ConfigError
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.events import CommandAdvanced, CommandIssued, Event
+from fleet_tui.model.problem import Right
 from fleet_tui.model.request import given_now
+from fleet_tui.rules.commands.rights import right_for
 from fleet_tui.state.store import Store
 
 # request_id is an int32 on the wire: each console and each run starts anywhere in its lower half.
@@ -38,6 +41,9 @@ class FleetLink:
         if problems:
             raise ConfigError([f"{config.path}: {line}" for line in problems])
         self._store = store
+        self._rights = own_rights()
+        if self._rights.right < Right.DISPATCH:
+            config, queue = watching(config), None
         self._read_only = config.operator.read_only
         self._writer = Writer(store, tap)
         self._ids = itertools.count(secrets.randbelow(ID_SPAN) + 1)
@@ -68,14 +74,17 @@ class FleetLink:
         given_at = time.monotonic()
         command_id = next(self._ids)
         self.post(CommandIssued(command_id, command, given_at, time.time()))
-        if self._read_only:
-            reason = "this console is read-only"
+        if reason := self._refusal(right_for(command)):
             self.post(CommandAdvanced(command_id, Stage.NOT_SENT, given_at, reason))
         elif self._store.state.robots[command.robot].kind.keeps_goals:
             self._writer.loop.call_soon_threadsafe(self._queue_or_send, command_id, command, given_at)
         else:
             self._links[self._store.state.robots[command.robot].link].submit(command_id, command, given_at)
         return command_id
+
+    def _refusal(self, needed: Right) -> str:
+        """Return the reason to send nothing that needs a right: the last gate, whatever asked for it."""
+        return self._rights.refusal(needed) or ("this console is read-only" if self._read_only else "")
 
     def _queue_or_send(self, command_id: int, command: Command, given_at: float) -> None:
         if not self._waiting_orders.handles(command_id, command, given_at):
@@ -93,8 +102,8 @@ class FleetLink:
 
     def drive(self, robot: str) -> Drive:
         """Begin to drive a robot by hand; a drive before it ends. Raises CommandError."""
-        if self._read_only:
-            raise CommandError("this console is read-only")
+        if reason := self._refusal(Right.SETUP):
+            raise CommandError(reason)
         self._end_drive("another drive")
         self._drive = self._links[self._store.state.robots[robot].link].drive(robot)
         return self._drive

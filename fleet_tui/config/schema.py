@@ -165,6 +165,12 @@ class CameraConfig(msgspec.Struct, frozen=True):
     kB_per_s: Annotated[float, msgspec.Meta(gt=0, le=100_000)] = 60.0  # noqa: N815  # the unit's own letters
 
 
+class DeskConfig(msgspec.Struct, frozen=True):
+    """`[desk]`: the folder that the consoles of one fleet share, relative to the config file; empty: none."""
+
+    folder: str = ""
+
+
 class RoutinesConfig(msgspec.Struct, frozen=True):
     """`[routines]`: the folder of routine files, relative to the config file."""
 
@@ -188,6 +194,7 @@ class Config(msgspec.Struct, frozen=True):
     camera: CameraConfig = CameraConfig()
     programs: list[ProgramEntry] = []
     routines: RoutinesConfig = RoutinesConfig()
+    desk: DeskConfig = DeskConfig()
     drive: DriveConfig = DriveConfig()
     profile: Profile = Profile()
     profiles: dict[str, Profile] = {}
@@ -222,6 +229,7 @@ class Config(msgspec.Struct, frozen=True):
             links={name: self._whole(link, LINK_FILES) for name, link in self.links.items()},
             floors=[self._whole(floor, ("map", "graph")) for floor in self.floors],
             routines=self._whole(self.routines, ("folder",)),
+            desk=self._whole(self.desk, ("folder",)),
         )
 
     def _whole(self, part: S, keys: tuple[str, ...]) -> S:

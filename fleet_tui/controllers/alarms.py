@@ -10,7 +10,8 @@ from fleet_tui.controllers.navigation import Navigation
 from fleet_tui.controllers.notices import Notices
 from fleet_tui.controllers.typed import Entry, OpenMenu
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key, class_of
-from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved, AlarmUnshelved, Event
+from fleet_tui.model.desk.events import AlarmAcknowledged, AlarmShelved, AlarmUnshelved
+from fleet_tui.model.events import Event
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.sites import of_site, sites_of
 from fleet_tui.state.store import Store
@@ -100,14 +101,13 @@ class AlarmResponses:
             self._notices.say("no alarm")
 
     def menu(self, source: str, kind: str) -> None:
-        """List the actions for an alarm, and show the floor of its robot."""
+        """List the actions for an alarm, and select its robot: what is shown is about one."""
         alarm = next((one for one in self._store.state.alarms if one.key == (source, kind)), None)
         if alarm is None:
             self._notices.say(f"the alarm of {source} has cleared")
             return
-        robot = self._store.state.robots.get(source)
-        if robot is not None and robot.floor:
-            self._navigation.find_floor(robot.floor)
+        if source in self._store.state.robots:
+            self._navigation.select(source)
         first, last = self._clock(alarm.first_wall), self._clock(alarm.last_wall)
         seen = f"first seen {first}, last seen {last}, x{alarm.count}"
         title = f"{source}: {sanitize(alarm.text)}\n{CLASSES[class_of(kind)].action}\n{seen}"

@@ -11,10 +11,11 @@ from fleet_tui.controllers.notices import Notices
 from fleet_tui.controllers.startup_requests import StartupRequests
 from fleet_tui.model.commands import Command
 from fleet_tui.model.events import Event
-from fleet_tui.model.problem import Permissions, Problem
+from fleet_tui.model.problem import Permissions, Problem, Right
 from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.checks import SAME_WITHIN, acceptable, problems, repeated
 from fleet_tui.rules.commands.local_queue import hold_all
+from fleet_tui.rules.commands.rights import not_allowed
 from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.questions import losses, question
@@ -38,17 +39,27 @@ class Dispatch:
 
     def arm(self) -> None:
         """Enable or disable commands from this console, including the orders that wait here."""
+        if refusal := self.permissions.refusal(Right.DISPATCH):
+            self._notices.say(refusal)
+            return
         armed = not self.permissions.armed
         self.permissions = replace(self.permissions, armed=armed)
         for hold in () if armed else hold_all(self._store.state, "this console is not armed"):
             self._backend.post(hold)
         self._notices.say("this console is armed" if armed else "this console is not armed")
 
-    def set_up_refusal(self) -> str:
-        """Return the reason that nothing may be set up from this console, empty if it may."""
+    def set_up_refusal(self, needed: Right = Right.SETUP) -> str:
+        """Return the reason that what needs a right can't begin at this console, empty if it can."""
+        if refusal := self.permissions.refusal(needed):
+            return refusal
         if self.permissions.read_only:
             return "not here: this console is read-only"
         return self._refusal()
+
+    def desk_refusal(self) -> str:
+        """Return the reason that nothing may be claimed or closed from this console, empty if it may."""
+        read_only = "this console is read-only" if self.permissions.read_only else self._backend.refusal
+        return self.permissions.refusal(Right.DISPATCH) or read_only
 
     def objections(self, request: Request) -> list[Problem]:
         """Return what speaks against a request, errors first."""
@@ -58,7 +69,12 @@ class Dispatch:
     def objection(self, request: Request) -> str:
         """Return the reason not to send a request, warnings aside; empty if it may be sent."""
         wrong = [problem.text for problem in self.objections(request) if problem.blocks]
+        if refused := self._not_allowed(request):
+            return refused
         return self._backend.refusal or (f"not sent: {sanitize(wrong[0])}" if wrong else "")
+
+    def _not_allowed(self, request: Request) -> str:
+        return "".join(problem.text for problem in not_allowed(request.commands, self.permissions))
 
     def give(
         self,
@@ -71,8 +87,8 @@ class Dispatch:
         is called when it was sent, or waits for the first connection, `prepare` just before. One with
         `prepare` or `asks` never waits.
         Returns the reason not to send it, empty if it was sent or the question is open."""
-        if self._backend.refusal:
-            return self._backend.refusal
+        if refusal := self._not_allowed(request) or self._backend.refusal:
+            return refusal
         if prepare is not None or asks:
             return self._give_now(request, sent, prepare, asks)
         request, left_out = acceptable(self._store.state, request)
@@ -164,7 +180,7 @@ class Dispatch:
 
     def post(self, event: Event) -> None:
         """Apply an operator's change of this console's own queue, or show the reason not to."""
-        if problem := self.set_up_refusal() or self._backend.post(event):
+        if problem := self.set_up_refusal(Right.DISPATCH) or self._backend.post(event):
             self._notices.say(problem)
 
     def do(

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from fleet_tui.audit.log import Audit
     from fleet_tui.config.saving import Saving
+    from fleet_tui.desk.desk import SharedDesk
     from fleet_tui.history.writer import HistoryWriter
     from fleet_tui.maps.draft_file import DraftFile
     from fleet_tui.recording.recordings import Recordings
@@ -16,8 +17,8 @@ Pack = Callable[[str, Callable[[], bool]], Path]
 
 
 class ConsoleFiles:
-    """The audit log, the recordings, the history, the incident archive and the configuration. None: not
-    written here."""
+    """The audit log, the recordings, the history, the desk, the incident archive and the configuration.
+    None: not written here."""
 
     def __init__(
         self,
@@ -36,6 +37,7 @@ class ConsoleFiles:
         self.audit: Audit | None = None
         self.recordings: Recordings | None = None
         self.history: HistoryWriter | None = None
+        self.desk: SharedDesk | None = None
 
     def open(self) -> None:
         """Open the audit log, the recordings and the history."""
@@ -55,4 +57,5 @@ class ConsoleFiles:
         """Return notes on recording and its failures."""
         audit = self.audit.notes if self.audit else []
         recordings = self.recordings.notes() if self.recordings else []
-        return [*audit, *recordings, *(self.history.notes if self.history else [])]
+        history = self.history.notes if self.history else []
+        return [*audit, *recordings, *history, *(self.desk.notes if self.desk else [])]

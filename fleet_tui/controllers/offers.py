@@ -18,7 +18,7 @@ from fleet_tui.rules.sites import robots_at, sites_of
 from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.help.synonyms import SYNONYMS
-from fleet_tui.view.lines.hints import hidden_keys
+from fleet_tui.view.lines.hints import hidden_keys, unoffered_keys
 
 
 class Offer(NamedTuple):
@@ -52,7 +52,7 @@ class Offers:
         """Return every entry of the palette."""
         state, navigation = self._store.state, self._navigation
         hidden = hidden_keys(state, navigation.robot)
-        hidden |= {key.id for key in KEYS if not self._session.offers(key)}
+        hidden |= unoffered_keys(self._session.offers, self._dispatch.permissions.right)
         hidden |= outdone(self._settings.keys, hidden)
         for key in KEYS:
             if key.in_palette and key.pane in (*self._session.panes, Pane.ANYWHERE) and key.id not in hidden:
@@ -80,9 +80,10 @@ class Offers:
 
     def typed(self, line: str) -> Typed:
         """Parse a typed line: a time, a file to save to, else a command."""
+        robot = self._navigation.robot
         return (
             self._session.typed(line)
             or self._save.typed(line)
             or typed_site(line, self._store.state, self._navigation.find_robot)
-            or typed(line, self._store.state, self._navigation.robot, self._dispatch.do)
+            or typed(line, self._store.state, robot, self._dispatch.do, self._dispatch.permissions)
         )

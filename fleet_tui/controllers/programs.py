@@ -11,6 +11,7 @@ from fleet_tui.controllers.dispatch import Ask, Dispatch
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.notices import Notices
 from fleet_tui.controllers.typed import Entry, OpenMenu
+from fleet_tui.model.problem import Right
 from fleet_tui.model.programs.program import NOT_CONFIRMED, ChangeOutcome, ProgramState
 from fleet_tui.programs.change import VERBS, change
 from fleet_tui.programs.watch import ProgramWatch
@@ -55,6 +56,8 @@ class ProgramRequests:
         verbs: tuple[str, ...] = VERBS
         if state is not ProgramState.UNKNOWN:
             verbs = VERBS[1:] if state in (ProgramState.RUNNING, ProgramState.STARTING) else VERBS[:1]
+        if self._dispatch.permissions.refusal(Right.SETUP):
+            verbs = ()
         entries: list[Entry] = [(verb.capitalize(), partial(self._ask_to, name, verb)) for verb in verbs]
         entries.append(("Log", partial(show_log, name)))
         where = f" on {row.host}" if row.host else ""

@@ -11,6 +11,7 @@ from fleet_tui.controllers.tables.marked import MarkedCommands
 from fleet_tui.controllers.typed import Entry, OpenMenu
 from fleet_tui.model import kind
 from fleet_tui.model.commands import ClearOrders, PauseRobot, ResumeRobot
+from fleet_tui.model.problem import Right
 from fleet_tui.model.request import Request
 from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
@@ -63,6 +64,11 @@ class RobotRequests:
     def menu(self, robot: str) -> None:
         """List the actions for a robot."""
         known = self._store.state.robots[robot]
+        may = not self._dispatch.permissions.refusal(Right.DISPATCH)
+
+        def can(verb: str) -> bool:
+            return may and known.kind.can(verb)
+
         fault = known.last_fault
         asked = (
             ("Order", kind.ORDER, self._orders.start),
@@ -73,7 +79,11 @@ class RobotRequests:
         self._open_menu(
             f"{robot}: {sanitize(fault)}" if fault else robot,
             [
-                *((text, partial(self._for, robot, do)) for text, verb, do in asked if known.kind.can(verb)),
+                *(
+                    (text, partial(self._for, robot, do))
+                    for text, verb, do in asked
+                    if may and known.kind.can(verb)
+                ),
                 ("Show on the map", partial(self._navigation.find_robot, robot)),
                 ("Explain why it is not moving", partial(self._for, robot, self._why)),
                 *self._alarms(robot),

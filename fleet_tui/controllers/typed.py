@@ -6,8 +6,10 @@ from functools import partial
 
 from fleet_tui.errors import CommandError
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.checks import acceptable, not_accepted
+from fleet_tui.rules.commands.rights import not_allowed
 from fleet_tui.rules.language.completion import complete, is_command
 from fleet_tui.rules.language.grammar import parse
 from fleet_tui.text.sanitize import sanitize
@@ -17,6 +19,9 @@ Entry = tuple[str, Callable[[], object]]
 """A line to choose, and its action."""
 OpenMenu = Callable[[str, Sequence[Entry]], None]
 """Opens a menu: its title, its entries."""
+
+
+ALL = Permissions()
 
 
 @dataclass(frozen=True)
@@ -33,8 +38,10 @@ class Typed:
         return bool(self.entries or self.problem)
 
 
-def typed(line: str, state: FleetState, selected: str, do: Callable[[Request], None]) -> Typed:
-    """Return the command of a line, if `do` can run it."""
+def typed(
+    line: str, state: FleetState, selected: str, do: Callable[[Request], None], allowed: Permissions = ALL
+) -> Typed:
+    """Return the command of a line, if `do` can run it, and its user may give it."""
     completed = complete(line, state, selected)
     if not is_command(line, state):
         return Typed(completed=completed)
@@ -42,6 +49,8 @@ def typed(line: str, state: FleetState, selected: str, do: Callable[[Request], N
         request = parse(line, state, selected)
     except CommandError as problem:
         return Typed(completed=completed, problem=sanitize(str(problem)))
+    if refused := not_allowed(request.commands, allowed):
+        return Typed(problem=refused[0].text)
     if impossible := not_accepted(state, acceptable(state, request)[0].commands):
         return Typed(completed=completed, problem=sanitize(impossible[0].text))
     return Typed([(request_text(state, request), partial(do, request))], completed)

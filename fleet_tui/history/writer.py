@@ -86,9 +86,10 @@ class HistoryWriter:
         """Keep a change of commands or alarms; written later."""
         self._changes.append((before, after, time.monotonic(), time.time()))
 
-    def add_note(self, text: str) -> None:
-        """Write a remark for whoever takes over."""
-        self._facts.append(Note(time.time(), self._origin.operator, text))
+    def add_note(self, text: str, by: str = "", wall: float = 0.0) -> Note:
+        """Write a remark for whoever takes over: made here now, or elsewhere (`by`) at Unix second `wall`."""
+        self._facts.append(note := Note(wall or time.time(), by or self._origin.operator, text))
+        return note
 
     def close(self) -> None:
         """Write what is left."""

@@ -49,7 +49,12 @@ def write(database: sqlite3.Connection, fact: Fact | Note | AuditRecord, run: st
                 "INSERT INTO links VALUES (?, ?, ?, ?)", (fact.at, fact.link, fact.is_up, fact.reason)
             )
         case Note():
-            database.execute("INSERT INTO notes VALUES (?, ?, ?)", (fact.at, fact.operator, fact.text))
+            # Consoles of one user have one history, and each of them is told the notes of the desk.
+            database.execute(
+                "INSERT INTO notes SELECT ?1, ?2, ?3 WHERE NOT EXISTS"
+                " (SELECT 1 FROM notes WHERE (at, operator, text) = (?1, ?2, ?3))",
+                (fact.at, fact.operator, fact.text),
+            )
         case AuditRecord():
             write_record(database, fact)
         case _:

@@ -47,6 +47,7 @@ DRIVE: tuple[Key[Actions], ...] = (
         "Drive the selected robot by hand. Not an emergency stop",
         needs="drive",
         commands=True,
+        sets_up=True,
         only_live=True,
     ),
     _drive("ahead", ("w",), lambda do: do.press("w"), "Ahead, while held", "ahead"),

@@ -42,6 +42,7 @@ EDIT: tuple[Key[Actions], ...] = (
         ("E",),
         lambda do: do.edit.start(),
         "Edit the graph of this floor, as a draft",
+        sets_up=True,
         only_live=True,
     ),
     _edit("add", ("i",), lambda do: do.add_at_cursor(), "Add a vertex at the cursor", "vertex"),

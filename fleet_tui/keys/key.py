@@ -61,6 +61,8 @@ class Key(Struct, Generic[Doer], frozen=True):
     """Offered as soon as one robot of the fleet has the need, else only for the selected robot."""
     commands: bool = False
     """Commands robots: hidden in the footer of a console without permission."""
+    sets_up: bool = False
+    """Sets robots up: hidden from a user without that right."""
     eager: Literal["", "opens", "selects"] = ""
     """Takes precedence: it opens a text field, and the next key may already be in the queue; or it selects
     the object for that."""

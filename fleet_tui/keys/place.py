@@ -56,6 +56,7 @@ PLACE: tuple[Key[Actions], ...] = (
         "Set the robot's pose: cursor and heading on the map",
         needs="pose",
         commands=True,
+        sets_up=True,
         only_live=True,
         helps="leaves",
     ),

@@ -43,6 +43,7 @@ TOOLS: tuple[Key[Actions], ...] = (
         eager="opens",
         only_live=True,
     ),
+    Key("desk", (), lambda do: do.view.desk(), "Desk: who is there, claims, closed edges", only_live=True),
     Key(
         "bundle",
         ("b",),

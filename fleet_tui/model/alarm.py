@@ -11,8 +11,7 @@ from operator import is_
 from msgspec import Struct, field
 from msgspec.structs import replace
 
-Key = tuple[str, str]
-"""Source and kind: the identity of an alarm."""
+Key = tuple[str, str]  # source and kind: the identity of an alarm
 
 
 class Priority(Enum):
@@ -61,6 +60,7 @@ TRANSITIONS = {
     (AlarmStage.SHELVED, AlarmStep.RETURN): AlarmStage.CLEARED,  # after its shelving
 }
 _STEPS = {(was, now): step for (was, step), now in TRANSITIONS.items()}
+ANSWERS = (AlarmStep.ACKNOWLEDGE, AlarmStep.SHELVE, AlarmStep.UNSHELVE)  # of operators
 
 
 def class_of(kind: str) -> str:

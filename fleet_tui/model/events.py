@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from msgspec import Struct, field
 
 from fleet_tui.model.commands import Command, Stage
+from fleet_tui.model.desk.events import OperatorEvent
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
@@ -197,28 +198,6 @@ class CommandAdvanced(Struct, frozen=True, tag=True):
     name: str = ""
 
 
-class AlarmAcknowledged(Struct, frozen=True, tag=True):
-    """An operator acknowledged an alarm; with `source` and `kind` empty, all of them."""
-
-    source: str = ""
-    kind: str = ""
-
-
-class AlarmShelved(Struct, frozen=True, tag=True):
-    """An operator shelved an alarm until a monotonic second."""
-
-    source: str
-    kind: str
-    until: float
-
-
-class AlarmUnshelved(Struct, frozen=True, tag=True):
-    """An operator unshelved an alarm before its time."""
-
-    source: str
-    kind: str
-
-
 class TimePassed(Struct, frozen=True, tag=True):
     """The writer's clock. `behind`: seconds that the oldest unread message has waited."""
 
@@ -243,8 +222,6 @@ Event = (
     | CommandAdvanced
     | GoalAnswered
     | QueueChange
-    | AlarmAcknowledged
-    | AlarmShelved
-    | AlarmUnshelved
+    | OperatorEvent
     | TimePassed
 )

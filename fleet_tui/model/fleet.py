@@ -7,6 +7,7 @@ from msgspec.structs import replace
 
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key
 from fleet_tui.model.commands import CommandRecord
+from fleet_tui.model.desk.desk import Desk
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.robot import Reading, Robot
@@ -56,7 +57,7 @@ class Floor(Struct, frozen=True, eq=False):
 class FleetState(Struct, frozen=True, eq=False):
     """Everything known at one instant. `now` is monotonic, `wall` Unix time, both of the last tick; `began`
     is the start of each condition, alarm or not yet; `behind`: seconds by which this console reads
-    messages late, which count against no robot."""
+    messages late, which count against no robot; `desk`: its people."""
 
     floors: Mapping[str, Floor]
     robots: Mapping[str, Robot]
@@ -68,6 +69,7 @@ class FleetState(Struct, frozen=True, eq=False):
     now: float = 0.0
     wall: float = 0.0
     behind: float = 0.0
+    desk: Desk = Desk()
 
     @property
     def patience(self) -> float:

@@ -1,5 +1,7 @@
 """Objections to a command, and the permissions of a console."""
 
+from enum import IntEnum
+
 from msgspec import Struct
 
 
@@ -12,8 +14,29 @@ class Problem(Struct, frozen=True):
     blocks: bool = True
 
 
+class Right(IntEnum):
+    """What the administrator of the machine lets a user do; each includes those before it."""
+
+    VIEW = 0
+    DISPATCH = 1
+    SETUP = 2
+
+    @property
+    def word(self) -> str:
+        """Return its name in files and messages."""
+        return self.name.lower()
+
+
 class Permissions(Struct, frozen=True):
-    """The permissions of this console."""
+    """The permissions of this console; `right` is that of its user, `why` the reason for no more."""
 
     read_only: bool = False
     armed: bool = True
+    right: Right = Right.SETUP
+    why: str = ""
+
+    def refusal(self, needed: Right) -> str:
+        """Return the reason that the user may not do what needs a right, empty if they may."""
+        if self.right >= needed:
+            return ""
+        return f"not allowed: {needed.word}" + (f" ({self.why})" if self.why else "")

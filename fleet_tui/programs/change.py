@@ -6,6 +6,8 @@ import time
 from pathlib import Path
 
 from fleet_tui.config.programs import ProgramEntry
+from fleet_tui.config.rights import own_rights
+from fleet_tui.model.problem import Right
 from fleet_tui.model.programs.program import (
     CONFIRMED,
     ENDED,
@@ -32,6 +34,8 @@ LOOK_EVERY = 0.25
 
 async def change(program: ProgramEntry, verb: str, folder: Path, within: float = WITHIN) -> ChangeOutcome:
     """Start, stop or restart a program within seconds, and return the outcome."""
+    if refusal := own_rights().refusal(Right.SETUP):
+        return ChangeOutcome(REFUSED, refusal)
     until = time.monotonic() + within
     # systemd restarts its units itself, in the sequence of their dependencies.
     verbs = (verb,) if program.unit or verb != RESTART else (STOP, START)

@@ -13,6 +13,7 @@ from msgspec.structs import replace
 from fleet_tui.config.fleet import adapters_of
 from fleet_tui.config.schema import Config
 from fleet_tui.model import events
+from fleet_tui.model.desk.events import OperatorEvent
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation_events import GoalAnswered, Navigation, QueueChange
 from fleet_tui.recording.gzip_members import Lines, open_plain
@@ -170,7 +171,7 @@ class _Names(NamedTuple):
 
     def _has(self, event: events.Event) -> bool:
         """Tell whether all names of an event exist. Reports of other robots are skipped."""
-        if isinstance(event, _OfRobot):
+        if isinstance(event, _OfRobot | OperatorEvent):
             return True
         match event:
             case (
@@ -185,15 +186,7 @@ class _Names(NamedTuple):
                 return floor in self.floors
             case events.CommandIssued(command=command):
                 return command.robot in self.robots
-            case (
-                events.MessageRejected()
-                | events.CommandAdvanced()
-                | GoalAnswered()
-                | events.AlarmAcknowledged()
-                | events.AlarmShelved()
-                | events.AlarmUnshelved()
-                | events.TimePassed()
-            ):
+            case events.MessageRejected() | events.CommandAdvanced() | GoalAnswered() | events.TimePassed():
                 return True
             case _:
                 assert_never(event)

@@ -90,20 +90,11 @@ def _back(screen: "MainScreen", rest: "Rest") -> None:
 
 def _view_actions(screen: "MainScreen", rest: "Rest") -> ViewActions:
     navigation = screen.navigation
-
-    def show_help() -> None:
-        state, robot = screen.store.state, navigation.robot
-        look = rest.map.picture.options
-        kind, terminal = state.robots[robot].kind, screen.settings.terminal
-        hidden = hidden_keys(state, robot) | _idle_keys(screen)
-        pane = screen.focused_pane()
-        rest.key_help.show(help_pages(screen.settings.keys, pane, kind, hidden, look, terminal))
-
     return ViewActions(
-        help=show_help,
+        help=partial(_show_help, screen, rest),
         palette=rest.palette.show,
         simple=rest.simple.turn,
-        why=lambda: rest.alarms.explain() if screen.alarms.has_focus else rest.why.show(),
+        why=partial(_why, screen, rest),
         robot_page=rest.robot_page.show,
         all_orders=partial(_all_orders, screen),
         enlarge=screen.panes.enlarge,
@@ -112,12 +103,31 @@ def _view_actions(screen: "MainScreen", rest: "Rest") -> ViewActions:
         history=rest.history.show,
         programs=rest.programs.show,
         routines=rest.routines.show,
+        desk=rest.desk.menu,
         go_to_time=partial(rest.palette.show, "@"),
         step_robot=navigation.step_robot,
         choose_robot=partial(_choose_robot, screen),
         step_floor=navigation.step_floor,
         next_trouble=partial(_next_trouble, screen),
     )
+
+
+def _show_help(screen: "MainScreen", rest: "Rest") -> None:
+    state, robot = screen.store.state, screen.navigation.robot
+    look = rest.map.picture.options
+    kind, terminal = state.robots[robot].kind, screen.settings.terminal
+    hidden = hidden_keys(state, robot) | _idle_keys(screen)
+    pane = screen.focused_pane()
+    rest.key_help.show(help_pages(screen.settings.keys, pane, kind, hidden, look, terminal))
+
+
+def _why(screen: "MainScreen", rest: "Rest") -> None:
+    """Explain the alarm of the focused pane, the closed edge under the map's cursor, else the robot."""
+    cursor = rest.map.picture.mode.cursor if screen.focused is rest.map else None
+    if screen.alarms.has_focus:
+        rest.alarms.explain()
+    elif cursor is None or not rest.desk.explain_edge(cursor):
+        rest.why.show()
 
 
 def _idle_keys(screen: "MainScreen") -> set[str]:

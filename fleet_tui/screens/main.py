@@ -20,7 +20,7 @@ from fleet_tui.controllers.navigation import Navigation
 from fleet_tui.controllers.notices import Notices
 from fleet_tui.controllers.session import OpenSession, SessionParts
 from fleet_tui.controllers.settings import ConsoleSettings
-from fleet_tui.keys import BY_ID, KEYS, Pane
+from fleet_tui.keys import BY_ID, Pane
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.screens import picks
 from fleet_tui.screens.overlay import Overlay
@@ -28,7 +28,7 @@ from fleet_tui.screens.robot.overlay import RobotOverlay
 from fleet_tui.screens.tables.newest import NewestRows
 from fleet_tui.state.store import Store
 from fleet_tui.view.lines.commands import message_line
-from fleet_tui.view.lines.hints import hidden_keys, idle_hints, other_alarmed
+from fleet_tui.view.lines.hints import hidden_keys, idle_hints, other_alarmed, unoffered_keys
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import alarm_of, unacknowledged
@@ -84,7 +84,7 @@ class MainScreen(Screen[None]):
         self.session = open_session(
             SessionParts(self.dispatch, self.notices, files, settings, self._forget_trails)
         )
-        self.unoffered = {key.id for key in KEYS if not self.session.offers(key)}
+        self.unoffered = unoffered_keys(self.session.offers, settings.permissions.right)
 
     def compose(self) -> ComposeResult:
         """Compose the panes in the order of Tab; the map and the overlays are mounted after the first

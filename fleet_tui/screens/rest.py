@@ -3,6 +3,8 @@
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from msgspec.structs import replace
+
 from fleet_tui.controllers.alarms import AlarmResponses
 from fleet_tui.controllers.editing.checks import DraftChecks
 from fleet_tui.controllers.editing.drawing import GraphDrawing
@@ -32,6 +34,7 @@ from fleet_tui.keys.key import key_name
 from fleet_tui.screens.audit import AuditLog
 from fleet_tui.screens.camera_switch import CameraSwitch
 from fleet_tui.screens.confirm import Confirm
+from fleet_tui.screens.desk.opening import desk_commands, join_desk
 from fleet_tui.screens.diagnosing.overlay import Diagnostics
 from fleet_tui.screens.diagnosing.pages import Pages
 from fleet_tui.screens.driving import drive_controls, release_key
@@ -165,17 +168,14 @@ class Rest:
         self.values, self.edge_values = VertexValues(parts, self.editor), EdgeValues(parts, self.editor)
         self.drawing = GraphDrawing(parts, self.editor, self.values, self.edge_values)
         self.drives = drive_controls(self._screen, self, parts)
+        self.desk = desk_commands(self._screen, parts)
         self.release_key = partial(release_key, self.drives, keys)
 
     def _typed_set_up(self, line: str) -> Typed | None:
-        """Parse a typed line that is about the draft or the map, None for any other."""
-        typed = (
-            self.anyone.typed(line)
-            or self.note.typed(line)
-            or self.values.typed(line)
-            or self.edge_values.typed(line)
-        )
-        return typed or self.draft_files.typed(line) or self.mapping.typed(line)
+        """Parse a typed line that is about the desk, the draft or the map, None for any other."""
+        takers = (self.anyone, self.note, self.desk, self.values, self.edge_values)
+        found = (one.typed(line) for one in (*takers, self.draft_files, self.mapping))
+        return next(filter(None, found), None)
 
     async def mount(self, screen: "MainScreen") -> None:
         """Mount all widgets, the focus on the map. The audit log starts before there is a link."""
@@ -198,10 +198,10 @@ class Rest:
         self.map.picture.hint = "".join(f"{key_name(key)} legend" for key in screen.settings.keys["help"][:1])
         screen.set_focus(self.map)
         screen.files.open()
+        join_desk(screen)
 
     def show_scene(self, scene: Scene) -> None:
-        """Show a scene on the map, at the same scale while a panel covers a part of it, and until it has its
-        lines again."""
+        """Show a scene on the map, at the same scale until no panel covers a part of it any more."""
         self.drives.look(scene)
         covers = self.why.is_open or self.menu.is_open or self.order_form.is_open
         self.map.picture.viewport.holds = covers or self._covers
@@ -209,7 +209,7 @@ class Rest:
         self._screen.panes.show_map(self.map, scene)
         state, options = self._navigation.here, self.map.picture.options
         for small_maps in self.small_maps:
-            small_maps.show(state, self._navigation.selection, options)
+            small_maps.show(state, replace(self._navigation.selection, floor=scene.floor), options)
 
     def show(self) -> None:
         """Show the newest state in the place of the map."""

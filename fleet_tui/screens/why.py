@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from textwrap import wrap
+from time import monotonic
 from typing import ClassVar
 
 from textual.app import ComposeResult
@@ -11,12 +12,17 @@ from textual.widgets import Static
 
 from fleet_tui.backend import Backend
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.robot import Robot
 from fleet_tui.rules.localisation.match import Match
 from fleet_tui.rules.why.complaints import complaints
 from fleet_tui.screens.robot.overlay import RobotOverlay, robot_bindings
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.lines.impact import why_impact
 from fleet_tui.view.lines.why import why_lines
+from fleet_tui.widgets.background import run_in_background
 
+IMPACT_EVERY = 1.0
+"""Seconds after which the ways of all orders are searched again."""
 SCROLLING = (
     Binding("down,j", "scroll_down", show=False),
     Binding("up,k", "scroll_up", show=False),
@@ -56,6 +62,9 @@ class Why(RobotOverlay):
         self._looked_at, self._keys, self._match = looked_at, keys, match
         self._backend = backend
         self._shown: list[str] = []
+        self._cut: tuple[str, list[str]] = ("", [])
+        """A robot, and the lines on the orders whose ways are cut."""
+        self._searched, self._is_searching = ("", 0.0), False
 
     def compose(self) -> ComposeResult:
         """Compose only text."""
@@ -63,7 +72,7 @@ class Why(RobotOverlay):
 
     def show(self) -> None:
         """Open on the selected robot."""
-        self._shown = []
+        self._shown, self._searched = [], ("", 0.0)
         self.look()
         self.begin()
 
@@ -71,10 +80,24 @@ class Why(RobotOverlay):
         """Show the current reasons."""
         state, name = self._looked_at()
         self.border_title = Content(f"Why: {sanitize(name)}")
-        text = self.query_one("#reasons", Static)
-        robot = state.robots[name]
+        text, robot = self.query_one("#reasons", Static), state.robots[name]
+        self._search_ways(state, robot)
+        cut = self._cut[1] if self._cut[0] == name else []
         reported = complaints(state, robot, self._backend.counters.get(robot.link))
-        lines = _wrapped(why_lines(state, robot, self._keys, self._match(), reported), text.size.width)
+        found = why_lines(state, robot, self._keys, self._match(), cut, reported)
+        lines = _wrapped(found, text.size.width)
         if lines != self._shown:
             self._shown = lines
             text.update("\n".join(lines))
+
+    def _search_ways(self, state: FleetState, robot: Robot) -> None:
+        """Search the ways of all orders again, if it is time: not on the loop, they may be many."""
+        name, at = self._searched
+        if self._is_searching or (name == robot.name and monotonic() - at < IMPACT_EVERY):
+            return
+        self._searched, self._is_searching = (robot.name, monotonic()), True
+
+        def got(lines: list[str]) -> None:
+            self._cut, self._is_searching = (robot.name, lines), False
+
+        run_in_background(self, lambda: why_impact(state, robot), got)

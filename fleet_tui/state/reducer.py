@@ -6,7 +6,8 @@ from typing import assert_never
 from msgspec.structs import replace
 
 from fleet_tui.model import events, navigation_events
-from fleet_tui.model.alarm import Alarm, acknowledge, advance, shelve, unshelve
+from fleet_tui.model.alarm import advance
+from fleet_tui.model.desk.events import OperatorEvent
 from fleet_tui.model.fleet import FleetState, with_robot
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.link import Phase
@@ -23,6 +24,7 @@ from fleet_tui.state.command_events import (
     issue_command,
     take_answer,
 )
+from fleet_tui.state.desk_events import apply_operator
 from fleet_tui.state.floor_events import apply_to_floor
 from fleet_tui.state.goal_reports import without_ended, without_unlisted
 from fleet_tui.state.link_events import apply_to_link
@@ -40,6 +42,8 @@ LIVE_MAPS_KEPT, LIVE_CELLS_KEPT = 4, 16_000_000
 
 def _pass_time(state: FleetState, event: events.TimePassed) -> FleetState:
     state = with_lags(replace(state, now=event.at, wall=event.wall), event.at, event.behind)
+    if state.desk.acted:  # what time changes, nobody did
+        state = replace(state, desk=replace(state.desk, acted=""))
     state = _without_ended(state)
     state = with_held_queues(confirm_commands(state))
     held = {alarm.key: alarm.condition for alarm in state.alarms if alarm.holds}
@@ -164,26 +168,14 @@ def _floor_of(state: FleetState, robot: Robot) -> str | None:
     return next(iter(robot.maps)) if len(robot.maps) == 1 else None
 
 
-def _after_operator(
-    alarms: tuple[Alarm, ...], event: events.AlarmAcknowledged | events.AlarmShelved | events.AlarmUnshelved
-) -> tuple[Alarm, ...]:
-    match event:
-        case events.AlarmAcknowledged():
-            return acknowledge(alarms, event.source, event.kind)
-        case events.AlarmShelved():
-            return shelve(alarms, (event.source, event.kind), event.until)
-        case events.AlarmUnshelved():
-            return unshelve(alarms, (event.source, event.kind))
-        case _:
-            assert_never(event)
-
-
 def apply(state: FleetState, event: events.Event) -> FleetState:
     """Return the state after one event."""
     if isinstance(event, events.TimePassed):
         return _pass_time(state, event)
     if isinstance(event, _OfRobot):
         return _apply_to_robot(state, event)
+    if isinstance(event, OperatorEvent):
+        return apply_operator(state, event)
     match event:
         case (
             events.LinkChanged()
@@ -201,8 +193,6 @@ def apply(state: FleetState, event: events.Event) -> FleetState:
             return take_answer(state, event)
         case navigation_events.QueueHeld() | navigation_events.OrderMoved():
             return change_queue(state, event)
-        case events.AlarmAcknowledged() | events.AlarmShelved() | events.AlarmUnshelved():
-            return replace(state, alarms=_after_operator(state.alarms, event))
         case events.FloorMapLoaded() | events.FloorGraphLoaded():
             return apply_to_floor(state, event)
         case _:

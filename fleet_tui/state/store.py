@@ -13,7 +13,7 @@ Watcher = Callable[[FleetState, FleetState], None]
 class Store:
     """Holds the newest state. Only the writer's thread calls `apply`; any thread reads `state`, which is one
     reference, swapped whole. A watcher is called with the state before and after an event that changed a
-    command or an alarm, before anything else happens. `streams` are beside the state."""
+    command, an alarm or the desk, before anything else happens. `streams` are beside the state."""
 
     def __init__(self, state: FleetState) -> None:
         self.state = state
@@ -23,9 +23,11 @@ class Store:
     def apply(self, event: Event) -> None:
         """Apply one event."""
         before, self.state = self.state, reducer.apply(self.state, event)
-        if before.commands is not self.state.commands or before.alarms is not self.state.alarms:
+        after = self.state
+        same = before.commands is after.commands and before.alarms is after.alarms
+        if not same or before.desk is not after.desk:
             for watcher in self.watchers:
-                watcher(before, self.state)
+                watcher(before, after)
 
     def put(self, state: FleetState) -> None:
         """Replace the state with that of another moment, as a replay does. No watcher is called."""

@@ -42,6 +42,7 @@ class StyleRole(IntEnum):
     ROBOT = auto()
     ROBOT_SELECTED = auto()
     ROBOT_OFFLINE = auto()
+    ROBOT_WARN = auto()
     ROBOT_ALARM = auto()
     CARGO = auto()
     TEXT = auto()

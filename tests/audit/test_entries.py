@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.audit.entries import command_records
+from fleet_tui.audit.entries import alarm_records, command_records
 from fleet_tui.audit.file import FILE_NAME, AuditFile
 from fleet_tui.audit.log import Audit
 from fleet_tui.config.start import initial_state
@@ -20,7 +20,8 @@ from fleet_tui.model.commands import (
     ResumeRobot,
     Stage,
 )
-from fleet_tui.model.events import AlarmAcknowledged, CommandAdvanced
+from fleet_tui.model.desk.events import AlarmAcknowledged
+from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.state.store import Store
 from tests.support.fleets import (
     F0,
@@ -30,6 +31,7 @@ from tests.support.fleets import (
     commanded,
     fleet,
     link_lost,
+    link_up,
     place_order,
     pose,
     queue,
@@ -146,3 +148,12 @@ def test_what_was_asked_of_many_robots_is_summed_up_once_it_is_decided() -> None
     (summary,) = found[-1]
     assert (summary.kind, summary.what) == ("command", "pause all")
     assert summary.words == "2 refused (robot_0, robot_1): busy"
+
+
+def test_what_another_console_of_the_desk_answered_is_signed_by_its_operator() -> None:
+    before = reduced(fleet(), link_up(T0), link_lost(T0 + 1), tick(T0 + 10))
+    after = reduced(before, AlarmAcknowledged(by="ben"))
+    (found,) = alarm_records(ANA, before, after, 1e9)
+    assert (found.operator, found.change, found.what) == ("ben", "acknowledged elsewhere", "link")
+    (own,) = alarm_records(ANA, before, reduced(before, AlarmAcknowledged()), 1e9)
+    assert (own.operator, own.change) == (ANA.operator, "acknowledged")

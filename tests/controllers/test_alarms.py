@@ -6,11 +6,11 @@ from collections.abc import Callable
 
 from fleet_tui.controllers.alarms import AlarmResponses
 from fleet_tui.keymap import keymap
-from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved
+from fleet_tui.model.desk.events import AlarmAcknowledged, AlarmShelved
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.widgets.rows_pane import RowsPane
 from tests.support.desk import Desk
-from tests.support.fleets import F0, R0, T0, battery, fleet, link_up, pose, reduced, tick
+from tests.support.fleets import F0, T0, battery, fleet, link_up, pose, reduced, tick
 
 LOW = [("robot_0", "battery"), ("robot_1", "battery")]
 
@@ -72,7 +72,7 @@ def test_the_menu_goes_to_the_robot_and_puts_the_alarm_on_the_shelf() -> None:
     command = "Command robot_1: pause, order, clear"
     whole = ["Explain robot_1", "Show robot_1 on the map", "Shelve for 30 min", command, "Acknowledge (a)"]
     assert menu.texts == whole
-    assert (desk.navigation.floor, desk.navigation.robot) == ("floor_1", R0)  # its floor, and nothing chosen
+    assert desk.navigation.robot == "robot_1"  # all that is shown is about one robot
     menu.choose("Explain")
     assert desk.notices.text == "why"
     menu.choose("Show")

@@ -9,6 +9,7 @@ from fleet_tui.controllers.save import SaveCommand
 from fleet_tui.controllers.session import ConsoleSession
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.keys import Key, Pane
+from fleet_tui.model.problem import Permissions, Right
 from tests.support.desk import Desk, ready
 from tests.support.fleets import labels, reduced
 
@@ -31,8 +32,9 @@ class Answers:
 class Palette:
     """The offers of a desk, and which keys were run."""
 
-    def __init__(self) -> None:
-        self.desk = Desk(reduced(ready(), labels({1: "Base", 2: "St\x1bore", 9: "Nowhere"})))
+    def __init__(self, right: Right = Right.SETUP) -> None:
+        state = reduced(ready(), labels({1: "Base", 2: "St\x1bore", 9: "Nowhere"}))
+        self.desk = Desk(state, Permissions(right=right))
         self.run: list[str] = []
         self.themes: list[str] = []
         self.offers = Offers(
@@ -83,3 +85,13 @@ def test_a_line_is_a_time_or_a_file_and_else_a_command() -> None:
     ((text, do), *_) = palette.offers.typed("pause robot_0").entries
     do()
     assert "robot_0" in text and len(palette.desk.backend.submitted) == 1
+
+
+def test_who_may_only_view_is_offered_no_commands_and_can_type_none() -> None:
+    palette = Palette(Right.VIEW)
+    names = " ".join(offer.text for offer in palette.offers.entries())
+    assert "Go to robot robot_0" in names
+    for word in ("Pause", "Resume", "order form", "Clear all", "Cancel the order", "Arm"):
+        assert word not in names, word
+    typed = palette.offers.typed("pause robot_0")
+    assert (typed.problem, list(typed.entries)) == ("not allowed: dispatch", [])

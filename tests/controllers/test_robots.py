@@ -6,6 +6,7 @@ from fleet_tui.model.commands import PauseRobot, ResumeRobot
 from fleet_tui.model.events import CommandPathChanged, PausedReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
+from fleet_tui.model.problem import Permissions, Right
 from fleet_tui.widgets.rows_pane import RowsPane
 from tests.support.desk import Desk, ready
 from tests.support.fleets import LINK, R0, T0, battery, fleet, link_up, reduced, tick
@@ -14,8 +15,10 @@ from tests.support.kinds import FULL, MUTE, moved
 ALIVE = CommandPathChanged(LINK, CommandPath.ALIVE, connected=True)
 
 
-def requests(state: FleetState) -> tuple[Desk, list[str], RobotRequests]:
-    desk, asked = Desk(state), list[str]()
+def requests(
+    state: FleetState, permissions: Permissions | None = None
+) -> tuple[Desk, list[str], RobotRequests]:
+    desk, asked = Desk(state, permissions), list[str]()
     orders = OrderRequests(
         *(desk.store, desk.dispatch, desk.notices, desk.navigation, RowsPane(id="queue")),
         lambda _robot, _place: None,
@@ -88,3 +91,14 @@ def test_the_newest_fault_stands_above_the_menu() -> None:
     desk, _, robots = requests(reduced(ready(), MessageRejected(R0, "no \x1b pose")))
     robots.menu(R0)
     assert desk.menus[0].title == f"{R0}: no ␛ pose"
+
+
+def test_who_may_only_view_has_a_menu_without_commands_and_can_not_pause() -> None:
+    desk, _, robots = requests(ready(), Permissions(right=Right.VIEW))
+    robots.menu(R0)
+    assert desk.menus[0].texts[:2] == ["Show on the map", "Explain why it is not moving"]
+    robots.pause()
+    assert desk.notices.text == "not allowed: dispatch"
+    robots.pause_all()
+    robots.resume_all()
+    assert (desk.backend.submitted, desk.answers) == ([], [])

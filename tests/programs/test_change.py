@@ -107,3 +107,20 @@ async def test_programs_of_the_site(stand_ins: StandIns, tmp_path: Path) -> None
         assert (await change(program, "stop", tmp_path)).text == "confirmed"
     slow = replace(with_status(tmp_path), start=["sleep", "60"])
     assert (await change(slow, "start", tmp_path, 0.5)).word == "not confirmed"
+
+
+@pytest.fixture
+def view_only(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let nobody do more than view."""
+    file = tmp_path / "rights.toml"
+    file.touch(0o644)
+    monkeypatch.setattr("fleet_tui.config.rights.FILE", file)
+    monkeypatch.setattr("fleet_tui.config.rights.OWNER", file.stat().st_uid)
+    tmp_path.chmod(0o755)
+
+
+async def test_who_may_not_set_up_changes_no_program(
+    stand_ins: StandIns, tmp_path: Path, view_only: None
+) -> None:
+    assert (await change(BRIDGE, "start", tmp_path)).text == "refused (not allowed: setup)"
+    assert stand_ins.calls == []

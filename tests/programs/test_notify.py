@@ -7,6 +7,7 @@ from pathlib import Path
 
 from fleet_tui.config.schema import Notify
 from fleet_tui.model import events
+from fleet_tui.model.desk.events import AlarmAcknowledged
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.programs.notify import EVERY, MOST, AlarmProgram
 from tests.support.fleets import T0, battery, fleet, link_up, reduced, tick
@@ -77,7 +78,7 @@ def test_each_new_alarm_is_a_line_of_json_and_those_of_a_moment_one_run(tmp_path
 def test_an_alarm_that_comes_back_is_new_and_one_that_was_acknowledged_is_not(tmp_path: Path) -> None:
     night = Night(tmp_path)
     night.look(low(T0, 0), low(T0 + 20), low(T0 + 40, 0))
-    seen = reduced(low(T0 + 60, 1), events.AlarmAcknowledged("robot_1", "battery"), tick(T0 + 60.1))
+    seen = reduced(low(T0 + 60, 1), AlarmAcknowledged("robot_1", "battery"), tick(T0 + 60.1))
     night.look_until(2, seen)
     assert night.names(runs=2) == [["robot_0"], ["robot_0"]]
 

@@ -3,7 +3,7 @@
 import msgspec
 
 from fleet_tui.model.alarm import AlarmStage
-from fleet_tui.model.events import AlarmShelved
+from fleet_tui.model.desk.events import AlarmShelved
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_menus import in_the_way
 from tests.support.console_pilot import Console, console

@@ -3,6 +3,7 @@
 import pytest
 
 from fleet_tui.model import events
+from fleet_tui.model.desk import events as desk_events
 from fleet_tui.model.fleet import CONTACT
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
@@ -184,9 +185,9 @@ def test_battery_below_the_limit(percent: float, priority: str | None) -> None:
 def test_seen_alarms_are_not_counted_as_new() -> None:
     state = reduced(fleet(2), battery(T0, 5.0), battery(T0, 5.0, "robot_1"), tick(T0))
     assert state.unacknowledged == 2
-    state = reduced(state, events.AlarmAcknowledged(R0, "battery"))
+    state = reduced(state, desk_events.AlarmAcknowledged(R0, "battery"))
     assert (state.unacknowledged, len(state.alarms)) == (1, 2)
-    assert reduced(state, events.AlarmAcknowledged()).unacknowledged == 0
+    assert reduced(state, desk_events.AlarmAcknowledged()).unacknowledged == 0
 
 
 def test_alarms_carry_wall_time() -> None:

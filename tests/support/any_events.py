@@ -11,6 +11,8 @@ from fleet_tui.model.commands import (
     ResumeRobot,
     Stage,
 )
+from fleet_tui.model.desk import events as desk_events
+from fleet_tui.model.desk.desk import Colleague
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.link import CommandPath, Phase
@@ -84,6 +86,9 @@ GOALS = st.builds(
 
 
 FEW = st.none() | NUMBERS
+
+
+CLOSED = st.tuples(FLOORS, IDS, IDS)
 
 
 FACTS: dict[type, st.SearchStrategy[events.Event]] = {
@@ -180,13 +185,28 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
     events.CommandAdvanced: st.builds(
         events.CommandAdvanced, COMMAND_IDS, st.sampled_from(Stage), AT, st.text(max_size=9), IDS
     ),
-    events.AlarmAcknowledged: st.builds(
-        events.AlarmAcknowledged,
+    desk_events.AlarmAcknowledged: st.builds(
+        desk_events.AlarmAcknowledged,
         st.sampled_from(["", "robot_0", LINK]),
         st.sampled_from(["", "offline", "link"]),
     ),
-    events.AlarmShelved: st.builds(events.AlarmShelved, ROBOTS, st.sampled_from(["offline", "battery"]), AT),
-    events.AlarmUnshelved: st.builds(events.AlarmUnshelved, ROBOTS, st.sampled_from(["offline", "battery"])),
+    desk_events.AlarmShelved: st.builds(
+        desk_events.AlarmShelved, ROBOTS, st.sampled_from(["offline", "battery"]), AT
+    ),
+    desk_events.AlarmUnshelved: st.builds(
+        desk_events.AlarmUnshelved, ROBOTS, st.sampled_from(["offline", "battery"])
+    ),
+    desk_events.DeskJoined: st.builds(desk_events.DeskJoined, st.text(max_size=3)),
+    desk_events.ColleaguesSeen: st.builds(
+        desk_events.ColleaguesSeen,
+        st.lists(
+            st.builds(Colleague, IDS, IDS, IDS, ROBOTS, st.lists(ROBOTS, max_size=2).map(tuple)), max_size=2
+        ).map(tuple),
+    ),
+    desk_events.RobotClaimed: st.builds(desk_events.RobotClaimed, ROBOTS),
+    desk_events.RobotReleased: st.builds(desk_events.RobotReleased, ROBOTS),
+    desk_events.EdgeClosed: st.builds(desk_events.EdgeClosed, CLOSED, AT, st.text(max_size=3)),
+    desk_events.EdgeOpened: st.builds(desk_events.EdgeOpened, CLOSED, st.text(max_size=3)),
     events.TimePassed: st.builds(events.TimePassed, AT, AT),
 }
 

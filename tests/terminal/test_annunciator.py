@@ -7,6 +7,7 @@ from textual.widgets import Static
 
 from fleet_tui.config.schema import Alarms
 from fleet_tui.model import events
+from fleet_tui.model.desk import events as desk_events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.terminal.annunciator import Annunciator, notification
 from fleet_tui.terminal.lean_app import LeanApp
@@ -60,7 +61,9 @@ def test_by_default_it_is_calm() -> None:
 def test_the_bell_rings_once_for_each_alarm_raised() -> None:
     wire, state = Wire(["high"], []), in_the_way()
     assert wire.look(fleet(20), state, state, reduced(state, tick(T0 + 20))) == ["\x07"]
-    state = reduced(state, events.AlarmAcknowledged(), tick(T0 + 21), contact(T0 + 22, 0.0), tick(T0 + 30))
+    state = reduced(
+        state, desk_events.AlarmAcknowledged(), tick(T0 + 21), contact(T0 + 22, 0.0), tick(T0 + 30)
+    )
     assert wire.look(state) == ["\x07"]
     state = reduced(state, contact(T0 + 31), tick(T0 + 31))
     assert wire.look(state, state) == ["\x07", "\x07"]
@@ -93,8 +96,8 @@ def test_what_was_acknowledged_meanwhile_calls_nobody() -> None:
     state = in_the_way()
     wire = Wire(ALL, [])
     wire.look(state, reduced(state, battery(T0, 15.0, "robot_1"), tick(T0 + 1)))
-    wire.look(reduced(state, battery(T0, 15.0, "robot_1"), tick(T0 + 1), events.AlarmAcknowledged()))
-    assert wire.look(reduced(state, events.AlarmAcknowledged(), tick(T0 + 9))) == ["\x07"]
+    wire.look(reduced(state, battery(T0, 15.0, "robot_1"), tick(T0 + 1), desk_events.AlarmAcknowledged()))
+    assert wire.look(reduced(state, desk_events.AlarmAcknowledged(), tick(T0 + 9))) == ["\x07"]
 
 
 def test_a_terminal_that_does_not_read_is_called_when_it_does() -> None:

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from fleet_tui.model.events import AlarmAcknowledged
+from fleet_tui.model.desk.events import AlarmAcknowledged
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.scene import Scene
 from fleet_tui.view.roles import StyleRole

@@ -4,6 +4,7 @@ import signal
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
+from functools import partial
 
 import click
 
@@ -12,17 +13,20 @@ from fleet_tui.cli.orders.outcome import DONE, NO_LINK, NOT_DONE, NOT_SENT, Outc
 from fleet_tui.cli.orders.sending import LINK_WITHIN, How, Sending, reaches, unreported
 from fleet_tui.cli.orders.set_up import await_set_up
 from fleet_tui.cli.session import session
+from fleet_tui.config.rights import own_rights, permissions_of
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
+from fleet_tui.desk.watching import watched_claims
 from fleet_tui.errors import CommandError
 from fleet_tui.log_file import state_folder
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.problem import Permissions
+from fleet_tui.model.problem import Right
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.batches import summary
 from fleet_tui.rules.commands.checks import no_link
+from fleet_tui.rules.commands.rights import right_of
 from fleet_tui.rules.language.grammar import ALL, parse_words
 from fleet_tui.rules.language.set_up import USAGE as SET_UP
 from fleet_tui.rules.language.words import find_robot
@@ -52,12 +56,13 @@ def _end(number: int, _frame: object) -> None:
 
 def how(config: Config, timeout: float, yes: bool, until_done: bool = False) -> How:
     """Return the settings for commands from the config and the options."""
-    permissions = Permissions(config.operator.read_only, config.operator.armed)
-    return How(permissions, timeout, yes, until_done)
+    return How(permissions_of(config), timeout, yes, until_done)
 
 
-def forbidden(config: Config) -> str:
-    """Return the reason that this console may not command, empty if it may."""
+def forbidden(config: Config, needed: Right = Right.DISPATCH) -> str:
+    """Return the reason that this console may not do what needs a right, empty if it may."""
+    if refusal := own_rights().refusal(needed):
+        return refusal
     if config.operator.read_only:
         return f"this console is read-only: operator.read_only in {config.path}"
     return "" if config.operator.armed else f"this console is not armed: operator.armed in {config.path}"
@@ -75,8 +80,7 @@ def robots_of(config: Config, word: str) -> list[str]:
 
 @contextmanager
 def sending(config: Config, asked: How, say: Say) -> Iterator[Sending]:
-    """Provide a link to send on, with the audit log kept; a signal ends it with a report of unknown
-    results."""
+    """Provide a link to send on, with the audit log kept; a signal ends it, open results are reported."""
     given = None
     # Under nohup it continues after its terminal is closed.
     numbers = [one for one in ENDING if signal.getsignal(one) is not signal.SIG_IGN]
@@ -85,6 +89,7 @@ def sending(config: Config, asked: How, say: Say) -> Iterator[Sending]:
     with ExitStack() as opened:  # and closed after the last records: that takes time
         try:
             link, store = opened.enter_context(session(config))
+            opened.enter_context(watched_claims(config, link.post, partial(say, err=True)))
             given = Sending(link, store, asked)
             with auditing(state_folder(), config, store) as audit:
                 given.log = audit.log_console
@@ -170,7 +175,7 @@ def command(config: Config, words: Sequence[str], asked: How, as_json: bool, say
         typed = sanitize(" ".join(words))
         return said([Outcome(robots[0], typed, typed, NOT_SENT, reason, code)], as_json, say)
 
-    if reason := forbidden(config):
+    if reason := forbidden(config, right_of(words[0])):
         return unsent(reason, NOT_DONE)
     with sending(config, asked, say) as given:
         await_reports(given, robots, words[0] != "resume")
@@ -202,6 +207,9 @@ def _ask(given: Sending, request: Request) -> None:
 def pause(config: Config, word: str, asked: How, as_json: bool, say: Say) -> int:
     """Pause a robot, or all, on each bridge as soon as there is a connection; return the exit code."""
     robots = robots_of(config, word)
+    if reason := asked.permissions.refusal(Right.DISPATCH):
+        refused = (Outcome(name, "pause", f"{name} pause", NOT_SENT, reason, NOT_DONE) for name in robots)
+        return said(refused, as_json, say)
     with sending(config, asked, say) as given:
         return said(given.pause(robots), as_json, say, given)
 

@@ -15,6 +15,7 @@ from fleet_tui.config.programs import ProgramEntry
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.log_file import state_folder
+from fleet_tui.model.problem import Right
 from fleet_tui.model.programs.program import NOT_CONFIRMED, ChangeOutcome
 from fleet_tui.programs.change import change
 from fleet_tui.state.store import Store
@@ -28,7 +29,7 @@ def change_program(
     config: Config, program: ProgramEntry, verb: str, within: float, yes: bool, say: Say
 ) -> int:
     """Change a program; return the exit code. Raises click's UsageError if nobody can be asked."""
-    if reason := forbidden(config):
+    if reason := forbidden(config, Right.SETUP):
         say(sanitize(f"{program.name}: {verb} refused ({reason})"), err=True)
         return NOT_DONE
     if not yes and not _is_wanted(config, program, verb):

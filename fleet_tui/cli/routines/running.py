@@ -17,9 +17,9 @@ from fleet_tui.cli.orders.giving import forbidden, sending, unreachable
 from fleet_tui.cli.orders.outcome import DONE, NO_LINK, NOT_DONE
 from fleet_tui.cli.orders.sending import How, Sending
 from fleet_tui.cli.routines.reading import Say, await_robots, named_routine
+from fleet_tui.config.rights import permissions_of
 from fleet_tui.config.schema import Config
 from fleet_tui.log_file import state_folder
-from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
 from fleet_tui.model.routines.lane import (
     Gate,
@@ -66,7 +66,7 @@ def run_routine(config: Config, name: str, options: RunOptions, say: Say) -> int
         return NOT_DONE
     path = progress_path(state_folder() / "routines", file.path)
     before = resumable(path, file) if options.resume else None
-    how = How(Permissions(config.operator.read_only, config.operator.armed), WITHIN, options.yes, True)
+    how = How(permissions_of(config), WITHIN, options.yes, True)
     with sending(config, how, say) as given:
         robots = await_robots(given, file)
         if reason := unreachable(given.state, robots):

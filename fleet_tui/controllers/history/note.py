@@ -31,6 +31,8 @@ class NoteCommand:
 
     def _write(self, text: str) -> None:
         assert self._files.history is not None
-        self._files.history.add_note(text)
+        note = self._files.history.add_note(text)
+        if self._files.desk is not None:
+            self._files.desk.share_note(note)
         self._files.log("note", text)
         self._say(sanitize(f"noted for the next shift: {text}"))

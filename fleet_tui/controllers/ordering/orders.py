@@ -13,6 +13,7 @@ from fleet_tui.model import kind
 from fleet_tui.model.commands import CancelOrder, ClearOrders, PlaceOrder
 from fleet_tui.model.navigation_events import OrderMoved
 from fleet_tui.model.order import Order
+from fleet_tui.model.problem import Right
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import CancelGoal
@@ -57,6 +58,9 @@ class OrderRequests:
     def may_order(self) -> bool:
         """Tell whether the selected robot takes orders; show a notice if not."""
         robot = self._robot
+        if refusal := self._dispatch.permissions.refusal(Right.DISPATCH):
+            self._notices.say(refusal)
+            return False
         if not robot.kind.can(kind.ORDER):
             self._notices.say(f"{robot.name}: {robot.kind.lack(kind.ORDER)}")
         return robot.kind.can(kind.ORDER)
@@ -112,6 +116,9 @@ class OrderRequests:
 
     def _entries(self, robot: Robot, order: Order) -> Iterator[Entry]:
         name, back = robot.name, order.stops[::-1]
+        if self._dispatch.permissions.refusal(Right.DISPATCH):
+            yield f"Show {name} on the map", partial(self._navigation.find_robot, name)
+            return
         if robot.kind.can(kind.CANCEL):
             yield "Cancel order", partial(self.ask_cancel, name, order.id)
         for move, _ in moves(self._store.state, robot, order.id):

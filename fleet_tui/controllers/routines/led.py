@@ -10,6 +10,7 @@ from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.notices import Notices
 from fleet_tui.controllers.parts import InBackground
 from fleet_tui.errors import RoutineError
+from fleet_tui.model.problem import Right
 from fleet_tui.model.request import Request
 from fleet_tui.model.routines.lane import (
     Gate,
@@ -55,7 +56,8 @@ class LedRoutines:
 
     def start(self, file: RoutineFile, is_left: bool) -> None:
         """Start a routine, or continue it where it left off. Raises RoutineError."""
-        if refusal := self._dispatch.set_up_refusal():  # it may have been disarmed during the question
+        # It may have been disarmed during the question.
+        if refusal := self._dispatch.set_up_refusal(Right.DISPATCH):
             raise RoutineError(refusal)
         urls = {robot: self._place.urls[robot] for robot in plans_of(self._store.state, file)}
         owner = f"{self._files.operator or 'a console'} (process {os.getpid()}, routine {file.name})"
@@ -91,7 +93,7 @@ class LedRoutines:
             goes_on = isinstance(event, LaneResumed | LaneStepped | LaneSkipped)
             if goes_on and lane.gate not in (Gate.PAUSED, Gate.HELD):
                 continue
-            if goes_on and (refusal := self._dispatch.set_up_refusal() or run.no_link(name)):
+            if goes_on and (refusal := self._dispatch.set_up_refusal(Right.DISPATCH) or run.no_link(name)):
                 self._notices.say(sanitize(f"{run.file.name} {name}: not resumed: {refusal}"))
                 continue
             run.request(event, name)

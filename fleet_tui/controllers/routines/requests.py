@@ -11,6 +11,7 @@ from fleet_tui.controllers.parts import InBackground
 from fleet_tui.controllers.routines.led import LedRoutines
 from fleet_tui.controllers.typed import Entry, OpenMenu
 from fleet_tui.errors import RoutineError
+from fleet_tui.model.problem import Right
 from fleet_tui.model.routines.lane import (
     Gate,
     LanePaused,
@@ -86,9 +87,10 @@ class RoutineRequests:
             return
         run = self._led.runs.get(name)
         entries: list[Entry] = [] if run is None else self._changes(run, robot)
-        if row.is_left:
+        may = not self._dispatch.permissions.refusal(Right.DISPATCH)
+        if row.is_left and may:
             entries.append(("Continue where it left off, held", self._starting(name, True, show_text)))
-        if not row.owner:
+        if not row.owner and may:
             entries.append(("Start", self._starting(name, False, show_text)))
         entries.append(("Check: problems or timeline", partial(self._check, name, show_text)))
         lane = next((one for one in row.lanes if one.robot == robot and not row.is_left), None)
@@ -134,7 +136,7 @@ class RoutineRequests:
                 self._ask(lambda: found.question(is_left), partial(self._start, found, is_left))
 
         def start() -> None:
-            if refusal := self._dispatch.set_up_refusal():
+            if refusal := self._dispatch.set_up_refusal(Right.DISPATCH):
                 self._notices.say(sanitize(f"{name}: not started: {refusal}"))
                 return
             self._in_background(partial(examine, self._place, self._store.state, name), ask)

@@ -15,6 +15,7 @@ from fleet_tui.errors import MapError
 from fleet_tui.maps.saving import map_files, save_map
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.kind import MAP_SAVE, MAPPING, POSE_GRAPH_SAVE
+from fleet_tui.model.problem import Right
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetMapping
@@ -71,7 +72,10 @@ class MappingControls:
         """List the actions: mapping on or off, saving the map."""
         robot, scene = self._robot, self._picture.scene
         entries: list[Entry] = []
-        if robot.kind.can(MAPPING):
+        refusal = self._parts.dispatch.permissions.refusal(Right.SETUP)
+        if refusal:
+            self._parts.notices.note(refusal)
+        elif robot.kind.can(MAPPING):
             entries += [(f"Mapping {mode}", partial(self._switch, mode == "on")) for mode in ("on", "off")]
         else:
             self._parts.notices.note(robot.kind.lack(MAPPING))
@@ -88,7 +92,7 @@ class MappingControls:
             lines.append("no map yet")
         named = ((MAP_SAVE, "store-map", "map"), (POSE_GRAPH_SAVE, "store-pose-graph", "pose graph"))
         for ability, verb, what in named:
-            if robot.kind.can(ability):
+            if robot.kind.can(ability) and not refusal:
                 line = f"{verb} {robot.name} {robot.floor or ''}"
                 entries.append((f"Store the {what} on the robot", partial(self._parts.begin, line)))
         self._parts.open_menu(

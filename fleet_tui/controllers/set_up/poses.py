@@ -8,6 +8,7 @@ from fleet_tui.controllers.set_up.comparison import ScanComparison
 from fleet_tui.errors import CommandError
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.kind import GOAL, POSE, SCAN
+from fleet_tui.model.problem import Right
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetPose, heading_text
@@ -54,7 +55,7 @@ class PoseRequests:
 
     def _start(self, title: str, ability: str) -> None:
         robot = self._store.state.robots[self._navigation.robot]
-        refusal = self._dispatch.set_up_refusal()
+        refusal = self._dispatch.set_up_refusal(Right.SETUP if ability == POSE else Right.DISPATCH)
         if refusal or not robot.kind.can(ability):
             self._notices.say(refusal or robot.kind.lack(ability))
             return

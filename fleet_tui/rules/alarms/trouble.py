@@ -4,6 +4,16 @@ from collections.abc import Iterable
 
 from fleet_tui.model.alarm import Alarm, AlarmStage
 from fleet_tui.model.fleet import FleetState, is_missing
+from fleet_tui.model.robot import Robot
+
+LONG_STILL = 30.0
+"""Seconds of standing with an order that are worth a look: longer than loading takes."""
+
+
+def waits(state: FleetState, robot: Robot) -> bool:
+    """Tell whether a robot has stood with an order for so long, by poses that still hold."""
+    stands = robot.orders.current is not None and robot.still_for >= LONG_STILL
+    return stands and state.is_fresh(robot, "pose")
 
 
 def in_trouble(state: FleetState) -> frozenset[str]:

@@ -21,8 +21,10 @@ from fleet_tui.model.problem import Permissions, Problem
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetUpCommand
+from fleet_tui.rules.commands.claims import claimed
 from fleet_tui.rules.commands.local_queue import all_orders, clearable
 from fleet_tui.rules.commands.pauses import own_pause_text
+from fleet_tui.rules.commands.rights import not_allowed
 from fleet_tui.rules.commands.route_checks import (
     floor_mismatch,
     mistakable,
@@ -182,6 +184,7 @@ CHECKS: tuple[Check, ...] = (
     unconfirmable_queue,
     paused,
     floor_mismatch,
+    claimed,
 )
 FIRST: tuple[Check, ...] = (no_way_there, cargo)
 """Checks of only the first command to a robot: the others follow it."""
@@ -212,6 +215,8 @@ def acceptable(state: FleetState, request: Request) -> tuple[Request, list[Probl
 
 def problems(state: FleetState, request: Request, allowed: Permissions) -> list[Problem]:
     """Return all objections to a request, errors first; the only place that runs the checks."""
+    if refused := not_allowed(request.commands, allowed):
+        return refused
     if impossible := not_accepted(state, request.commands):
         return impossible
     if all(isinstance(command, PauseRobot) for command in request.commands):

@@ -78,7 +78,7 @@ class Routes:
         return self._places[vertex].x, self._places[vertex].y
 
 
-@lru_cache(maxsize=2)
+@lru_cache(maxsize=8)  # two floors, each with and without a closed edge
 def routes_of(robot_map: RobotMap) -> Routes | None:
     """Return the routes of a map, None without a graph."""
     return Routes(robot_map.graph) if robot_map.graph is not None else None

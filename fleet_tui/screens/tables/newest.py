@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING
 
+from fleet_tui.model.problem import Right
 from fleet_tui.view.tables.alarms import alarm_table
 from fleet_tui.view.tables.fleet import fleet_table
 from fleet_tui.view.tables.queue import queue_table
@@ -39,4 +40,5 @@ class NewestRows:
             return self._fleet
         if pane is screen.alarms:
             return alarm_table(state, screen.settings.clock, *arranged, pane.listing.cursor)
-        return queue_table(state, robot, screen.shows_all_orders, *arranged)
+        may = screen.dispatch.permissions.right >= Right.DISPATCH
+        return queue_table(state, robot, screen.shows_all_orders, *arranged, may)

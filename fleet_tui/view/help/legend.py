@@ -60,9 +60,10 @@ _ROBOTS = (
     (_robots(_ROBOT._replace(selected=True)), "the selected robot"),
     (_robots(_ROBOT._replace(cargo=True)), "with cargo on board"),
     (
-        _robots(_ROBOT._replace(obstacle=True, alarmed=True)),
-        "! at an obstacle or with an alarm, red until it is acknowledged",
+        _robots(_ROBOT._replace(waits=True)),
+        "! at an obstacle, or standing with an order for over 30 s: amber, no alarm yet",
     ),
+    (_robots(_ROBOT._replace(alarmed=True)), "! with an alarm, red until it is acknowledged"),
     (_robots(_ROBOT._replace(paused=True)), "paused"),
     (_robots(_ROBOT._replace(jumped=True)), "its pose has just jumped: localisation moved it"),
     (_robots(_ROBOT._replace(other_map=True)), "its own map differs from the one shown"),

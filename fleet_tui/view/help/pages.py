@@ -56,6 +56,8 @@ ALWAYS = (
     ("robot_1, Base, floor_1", "go there"),
     ("save config.toml", "write the configuration"),
     ("save-map hall.yaml", "write the shown map"),
+    ("claim robot_3", "others are asked before they command it"),
+    ("close Hall Dock", "close an edge for all of the desk; open"),
     ("note lift B is slow", "a note for the next shift"),
     ("theme, record, arm, ...", "any action, by a word"),
 )

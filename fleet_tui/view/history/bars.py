@@ -1,4 +1,4 @@
-"""Bars of robots' activities: a cell for each part of the time."""
+"""Bars of robots' activities and curves of values: a cell for each part of the time."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
@@ -19,6 +19,14 @@ BARS: Mapping[Activity, tuple[str, str, StyleRole]] = {
 }
 """Glyph, letter where there are no such glyphs, and role of each activity: no two are the same without
 colours."""
+LEVELS, DIGITS = "▁▂▃▄▅▆▇█", "01234567"
+"""Heights of a curve; the second in ASCII."""
+
+
+def level(share: float, is_ascii: bool = False) -> str:
+    """Return the height of a value in a curve, as a share of the largest, 0 to 1."""
+    signs = DIGITS if is_ascii else LEVELS
+    return signs[min(len(signs) - 1, max(0, int(share * len(signs))))]
 
 
 def bars_of(does: Sequence[Activity | None], is_ascii: bool) -> Iterator[Run]:

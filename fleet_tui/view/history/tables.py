@@ -10,7 +10,7 @@ from fleet_tui.rules.battery.history import BatterySample
 from fleet_tui.rules.history.division import Division
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import fit, sanitize
-from fleet_tui.view.history.bars import bars_of, legend_of
+from fleet_tui.view.history.bars import bars_of, legend_of, level
 from fleet_tui.view.history.events import EventKind, PastEvent, matching
 from fleet_tui.view.history.shift import ShownShift
 from fleet_tui.view.roles import StyleRole
@@ -20,8 +20,6 @@ Clock = Callable[[float], str]
 
 NAMES = 18
 """Cells of a name at most."""
-LEVELS, DIGITS = "▁▂▃▄▅▆▇█", "01234567"
-"""Heights of a battery's curve."""
 HELD = "█", "#"
 
 
@@ -152,9 +150,9 @@ def _levels(charges: Sequence[ChargeTotal], low: float, is_ascii: bool) -> tuple
 
 
 def _curve(charges: Sequence[ChargeTotal], parts: int, is_ascii: bool) -> str:
-    signs, cells = DIGITS if is_ascii else LEVELS, [" "] * parts
+    cells = [" "] * parts
     for one in charges:
-        cells[one.part] = signs[min(len(signs) - 1, max(0, int(one.last / 100.0 * len(signs))))]
+        cells[one.part] = level(one.last / 100.0, is_ascii)
     return "".join(cells)
 
 

@@ -1,6 +1,6 @@
 """The footer: the keys available at the current focus, by importance."""
 
-from collections.abc import Collection, Hashable, Mapping
+from collections.abc import Callable, Collection, Hashable, Mapping
 from typing import Any
 
 from msgspec.structs import replace
@@ -10,6 +10,7 @@ from fleet_tui.keys.drive import PASSES
 from fleet_tui.keys.key import key_name
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
+from fleet_tui.model.problem import Right
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.trouble import in_trouble
 from fleet_tui.text.sanitize import sanitize
@@ -19,6 +20,8 @@ from fleet_tui.view.tables.table import Button, Run, width_of
 
 OF_ROWS = {"alarms": "acknowledge", "queue": "cancel"}
 """The keys of the console that are about the rows of one pane."""
+FOR_DISPATCHERS = ("arm", "simple")
+"""Keys that are of no use without the right to command, beside the commands themselves."""
 FOR_EVERYONE = ("order", "pause", "pause_all", "next_trouble", "acknowledge")
 
 
@@ -30,6 +33,17 @@ def hidden_keys(state: FleetState, selected: str) -> set[str]:
         for key in KEYS
         if key.needs
         and not any(_serves(one, key.needs) for one in (robots if key.of_any else [state.robots[selected]]))
+    }
+
+
+def unoffered_keys(offers: Callable[[Key[Any]], bool], right: Right) -> set[str]:
+    """Return the ids of keys that have no use in this session, or whose effect the user has no right to."""
+    return {
+        key.id
+        for key in KEYS
+        if not offers(key)
+        or (right < Right.SETUP and key.sets_up)
+        or (right < Right.DISPATCH and (key.commands or key.id in FOR_DISPATCHERS))
     }
 
 

@@ -36,13 +36,14 @@ def why_lines(
     robot: Robot,
     keys: Mapping[str, tuple[str, ...]],
     match: "Match | None" = None,
+    impact: Sequence[str] = (),
     complaints: Sequence[Complaint] = (),
 ) -> list[str]:
     """Return the time without movement, then each reason: name, evidence, age and the keys that help; `match`
-    and `complaints` as for `reasons`."""
+    and `complaints` as for `reasons`; `impact`: the lines about orders whose way is cut."""
     found, hidden = reasons(state, robot, match, complaints), hidden_keys(state, robot.name)
     if found and moves(state, robot) == found[0]:
-        alarms = _alarms(state, robot, keys, hidden)
+        alarms = [*_alarms(state, robot, keys, hidden), *impact]
         return [f"{sanitize(found[0].name)} ({found[0].evidence})", *alarms, *_others(state, robot, keys)]
     lines = [_standing(state, robot)]
     for number, reason in enumerate(found[:SHOWN], 1):
@@ -51,7 +52,7 @@ def why_lines(
         lines += ["", f"{mark} {number}. {sanitize(reason.name)}{strength}"]
         told = (sanitize(reason.evidence), _age(state, robot, reason), reason.remedy)
         lines += [f"    {line}" for line in (*told, *_help_lines(reason.keys, keys, hidden)) if line]
-    return [*lines, *_others(state, robot, keys)]
+    return [*lines, *impact, *_others(state, robot, keys)]
 
 
 def _alarms(

@@ -12,7 +12,13 @@ from fleet_tui.model.geometry import Line, MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.robot import Robot, RobotMap
-from fleet_tui.rules.alarms.trouble import acknowledged, in_trouble, trouble_elsewhere
+from fleet_tui.rules.alarms.trouble import (
+    acknowledged,
+    in_trouble,
+    trouble_elsewhere,
+    urgency,
+    waits,
+)
 from fleet_tui.rules.commands.set_up.mode import mapping_text
 from fleet_tui.rules.marks import marks_of
 from fleet_tui.rules.routes.order_draft import Drafted
@@ -154,6 +160,7 @@ def _robot(
         age=state.now - robot.pose.at,
         size=robot.size,
         mark=mark,
+        waits=waits(state, robot) and not state.is_paused(robot),
         jumped=robot.relocated is not None and state.now - robot.relocated.at < JUMP_MARKED,
     )
 
@@ -166,8 +173,11 @@ def _robots(state: FleetState, selection: Selection, picture: MapFrame, tied: bo
         _robot(state, robot, selection, picture, tied, mark, robot.name in alarmed)
         for robot, mark in zip(state.robots.values(), marks_of(tuple(state.robots)), strict=True)
     )
+    said = {alarm.condition.source: alarm.text for alarm in sorted(state.alarms, key=urgency, reverse=True)}
     return tuple(
-        robot._replace(acknowledged=True) if robot.name in seen else robot
+        robot._replace(acknowledged=robot.name in seen, said=sanitize(said.get(robot.name, "")))
+        if robot.name in seen or robot.alarmed
+        else robot
         for robot in robots
         if robot is not None
     )
@@ -197,6 +207,12 @@ def _way(robot: Robot, floor: str, drafted: Drafted | None) -> tuple[tuple[str, 
     return tuple(place.vertex for place in places), Mission(lines) if lines else None
 
 
+def _closed(state: FleetState, floor: str, robot_map: RobotMap) -> tuple[Line, ...]:
+    places = robot_map.graph.vertices if robot_map.graph is not None else {}
+    ends = [edge.ends[1:] for edge in state.desk.closed_on(floor) if places.keys() >= set(edge.ends[1:])]
+    return tuple((places[a].x, places[a].y, places[b].x, places[b].y) for a, b in ends)
+
+
 def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None = None) -> Scene:
     """Return the scene of the selected floor; while an order is typed its way is in place of the mission."""
     owner = map_owner(state, selection)
@@ -217,6 +233,7 @@ def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None
         target_vertices=vertices_of_way,
         picked=vertices_of_way[-1] if drafted is not None and vertices_of_way else "",
         mission=way,
+        closed=_closed(state, floor.name, robot_map),
         note=", ".join(notes),
         elsewhere=trouble_elsewhere(state, floor.name),
         waits=state.now - state.links[selected.link].since < PATIENCE,

@@ -33,7 +33,7 @@ def robot_tag(robot: SceneRobot, plain: bool) -> str:
     tag = robot_number(robot)
     if plain and robot.cargo:
         tag += "+"
-    if robot.obstacle or robot.alarmed or robot.acknowledged:
+    if robot.obstacle or robot.alarmed or robot.acknowledged or robot.waits:
         tag += "!"
     if robot.paused:
         tag += "=" if plain else "‖"
@@ -56,6 +56,8 @@ def robot_roles(robot: SceneRobot) -> tuple[StyleRole, StyleRole]:
         state = StyleRole.ROBOT_OFFLINE
     elif robot.alarmed:
         state = StyleRole.ROBOT_ALARM
+    elif robot.is_odd:
+        state = StyleRole.ROBOT_WARN
     elif robot.selected:
         state = StyleRole.ROBOT_SELECTED
     else:

@@ -38,7 +38,7 @@ class CellOccupancy:
     """
 
     def __init__(self, width: int, height: int, below: Roles | None = None) -> None:
-        self._width, self._height = width, height
+        self.width, self._height = width, height
         self._stride = width + _MARGIN
         self._taken = _margins(width, height)
         self._numbers = 0
@@ -51,13 +51,13 @@ class CellOccupancy:
 
     def take(self, x: int, y: int, cells: int) -> None:
         """Occupy `cells` cells of row y from x on, as far as they are in the view."""
-        start, end = max(x, 0), min(x + cells, self._width)
+        start, end = max(x, 0), min(x + cells, self.width)
         if 0 <= y < self._height and start < end:
             self._taken |= (1 << end - start) - 1 << self._bit(start, y)
 
     def free(self, x: int, y: int, cells: int) -> bool:
         """Tell whether they are all in the view and neither taken nor to be spared."""
-        if not (0 <= y < self._height and x >= 0 and x + cells <= self._width):
+        if not (0 <= y < self._height and x >= 0 and x + cells <= self.width):
             return False
         return not (self._taken | self._texts) >> self._bit(x, y) & (1 << cells) - 1
 
@@ -65,14 +65,15 @@ class CellOccupancy:
         """Tell whether one of these cells, all in the view, is occupied."""
         return bool(self._taken >> self._bit(x, y) & (1 << cells) - 1)
 
-    def number_side(self, x: int, y: int, arrow: int, cells: int, before: int, spares: bool = False) -> int:
+    def number_side(
+        self, x: int, y: int, arrow: int, cells: int, before: int, spares: bool = False, inside: bool = False
+    ) -> int:
         """Occupy the cells for a number of `cells` cells beside an arrow of `arrow` cells at (x, y).
 
-        Return its side: -1 left, 1 right, 0 if it fits on neither. Beside it is only its
-        arrow: two numbers never read as one. It stays on the side that it had `before`, if need be beside the
-        arrow of a robot that drives past; else it covers a label only if both sides do, and none at all if it
-        `spares` them.
-        """
+        Return its side: -1 left, 1 right, 0 if it fits on neither. Beside it is only its arrow: two numbers
+        never read as one. It stays on the side that it had `before`, if need be beside the arrow of a robot
+        that drives past; else it covers a label only if both sides do, and none at all if it `spares` them;
+        `inside`: it must be on the floor."""
         if before and not spares and self._fits(x, y, arrow, cells, before, self._numbers):
             self._take_number(_start(x, arrow, cells, before), y, cells)
             return before
@@ -85,9 +86,10 @@ class CellOccupancy:
         if before in spared:
             spared = [before]
         # A number beyond the floor's edge reads as one of nothing, and one on a wall breaks it.
-        inside = [side for side in spared if not self._is_beyond(_start(x, arrow, cells, side), y, cells)]
-        side = [*inside, *spared, *sides][0]
-        self._take_number(_start(x, arrow, cells, side), y, cells)
+        on_floor = [side for side in spared if not self._is_beyond(_start(x, arrow, cells, side), y, cells)]
+        side = [*on_floor, *spared, *sides][0] if on_floor or not inside else 0
+        if side:
+            self._take_number(_start(x, arrow, cells, side), y, cells)
         return side
 
     def extends(self, x: int, y: int, cells: int, side: int) -> bool:
@@ -109,11 +111,11 @@ class CellOccupancy:
     def _fits(self, x: int, y: int, arrow: int, cells: int, side: int, kept_clear: int) -> bool:
         """Tell whether a number has free cells, and the next one is none of those `kept_clear`."""
         start = _start(x, arrow, cells, side)
-        if start < 0 or start + cells > self._width:
+        if start < 0 or start + cells > self.width:
             return False
         beyond = start - 1 if side < 0 else start + cells
         held = self._taken >> self._bit(start, y) & (1 << cells) - 1
-        return not held and (not 0 <= beyond < self._width or not kept_clear >> self._bit(beyond, y) & 1)
+        return not held and (not 0 <= beyond < self.width or not kept_clear >> self._bit(beyond, y) & 1)
 
     def label_spot(
         self, x: int, y: int, text: str, roles: Roles, in_row: bool = True, is_wanted: bool = False
@@ -146,9 +148,9 @@ class CellOccupancy:
         return best
 
     def _apart(self, x: int, y: int, cells: int) -> bool:
-        if not (0 <= y < self._height and x >= 0 and x + cells <= self._width):
+        if not (0 <= y < self._height and x >= 0 and x + cells <= self.width):
             return False
-        start, end = max(x - 1, 0), min(x + cells + 1, self._width)
+        start, end = max(x - 1, 0), min(x + cells + 1, self.width)
         # As `free`, without its call: this is asked a dozen times for each label.
         held = (self._taken | self._texts) >> y * self._stride + _MARGIN + start
         return not held & (1 << end - start) - 1

@@ -99,6 +99,14 @@ def _point(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None
             cells.write(int(x), int(y), arrows[quarter], StyleRole.EDGE)
 
 
+def draw_closed(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
+    """Draw a cross in the middle of each closed edge."""
+    for x0, y0, x1, y1 in scene.closed:
+        x, y = camera.to_cell(*scene.frame.to_pixel((x0 + x1) / 2, (y0 + y1) / 2))
+        if camera.shows(x, y):
+            cells.write(x, y, "X" if look.plain else "✕", StyleRole.ALARM)
+
+
 def draw_mission(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
     """Draw the selected robot's remaining way: of the current order thick, of the next ones dashed."""
     if scene.mission is None:

@@ -10,19 +10,18 @@ from typing import NamedTuple
 from fleet_tui.model.geometry import Line
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
-from fleet_tui.view.map.glyphs import is_special, robot_glyph, robot_number, robot_roles, robot_tag
+from fleet_tui.view.map.glyphs import robot_glyph, robot_number, robot_roles, robot_tag
 from fleet_tui.view.map.labels import Backdrop, CellOccupancy, move_aside
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.lines import blank_mask, ends_of, stroke, trace
-from fleet_tui.view.map.places import Place, seen_robots
+from fleet_tui.view.map.places import Place, quiet_places, seen_robots
 from fleet_tui.view.map.scene import Scene, SceneRobot
 from fleet_tui.view.roles import StyleRole
 
 NEIGHBOURS = 4
 """Cells from arrow to arrow within which robots have their numbers together, if one alone has no space."""
-CROWDED = 45
-"""Cells of the view for each robot in it below which only special ones have their numbers: all together would
-cover the floor."""
+LARGE = 90
+"""Cells of the view's width from which an alarm is told beside its robot."""
 _DOTS = "•*"
 """The place of robots with different headings; the second in ASCII."""
 OUTLINE = 10.0
@@ -76,14 +75,14 @@ def _chips(
     arrows = {at: _arrow(robots, at, sharing, turned, plain) for at, robots in sharing.items()}
     for (x, y), arrow in arrows.items():
         occupancy.take(x, y, len(arrow))
-    named = _named(sharing, camera)
+    quiet = quiet_places(sharing, camera)
     bridges: Chips = []
     numbers: dict[Place, _Numbers] = {}
-    for at, robots in named.items():
-        if placed := _beside_arrow(occupancy, robots, at, len(arrows[at]), plain, sides):
+    for at, robots in sharing.items():
+        if placed := _beside_arrow(occupancy, robots, at, len(arrows[at]), look, sides, at in quiet):
             numbers[at] = placed
-    for at in [at for at in named if at not in numbers]:
-        alone = robot_number(named[at][0]), robot_roles(named[at][0])[1]
+    for at in [at for at in sharing if at not in numbers and at not in quiet]:
+        alone = robot_number(sharing[at][0]), robot_roles(sharing[at][0])[1]
         if (joined := _join(occupancy, numbers, at, alone)) is not None:
             bridges += _bridge(occupancy, at, joined)
         else:
@@ -103,29 +102,26 @@ def _groups(scene: Scene, camera: Camera) -> dict[Place, list[SceneRobot]]:
     return groups
 
 
-def _named(sharing: dict[Place, list[SceneRobot]], camera: Camera) -> dict[Place, list[SceneRobot]]:
-    """Return the robots that have their numbers, by the cell of their arrow."""
-    if sum(map(len, sharing.values())) * CROWDED <= camera.width * camera.height:
-        return sharing
-    special = {at: [robot for robot in robots if is_special(robot)] for at, robots in sharing.items()}
-    return {at: robots for at, robots in special.items() if robots}
-
-
 def _beside_arrow(
     occupancy: CellOccupancy,
     robots: list[SceneRobot],
     at: Place,
     arrow: int,
-    plain: bool,
+    look: MapOptions,
     sides: dict[int, int],
+    is_quiet: bool,
 ) -> _Numbers | None:
-    """Return the numbers of the robots in a cell beside their arrow of `arrow` cells, None without space."""
-    (x, y), number = at, robots[0].number
-    for n, runs in enumerate(_numbers(robots, plain)):
+    """Return the numbers of the robots in a cell beside their arrow of `arrow` cells, None without space.
+    Those of quiet ones cover nothing."""
+    (x, y), first = at, robots[0]
+    number, is_alone = first.number, len(robots) == 1
+    has_alarm = occupancy.width >= LARGE and is_alone and first.alarmed and first.online
+    for n, runs in enumerate(_numbers(robots, look.plain, has_alarm)):
         cells = sum(len(text) for text, _ in runs)
-        # The age of a pose is also in the fleet: it covers no label.
-        has_ages = n == 0 and not all(robot.online for robot in robots)
-        if side := occupancy.number_side(x, y, arrow, cells, sides.get(number, 0), has_ages):
+        # The age of a pose, or an alarm, is also in a table: it covers no label.
+        is_long = n == 0 and (has_alarm or not all(robot.online for robot in robots))
+        before = sides.get(number, 0)
+        if side := occupancy.number_side(x, y, arrow, cells, before, is_long or is_quiet, is_quiet):
             sides[number] = side
             # The colour of the arrow is the first one's: where that is special, its number is beside it.
             is_special = robot_roles(robots[0])[1] != StyleRole.ROBOT
@@ -179,11 +175,15 @@ def _beside(x: int, y: int, runs: list[tuple[str, StyleRole]]) -> Chips:
     return [(start, y, text, role) for start, (text, role) in zip(starts, runs, strict=False)]
 
 
-def _numbers(robots: list[SceneRobot], plain: bool) -> Iterator[list[tuple[str, StyleRole]]]:
+def _numbers(
+    robots: list[SceneRobot], plain: bool, has_alarm: bool = False
+) -> Iterator[list[tuple[str, StyleRole]]]:
     """Yield the texts beside the arrow of the robots in one cell, each with its role, the most telling first:
     all of them, the first with a count of the others, each with states and without; the first alone."""
     first, more = robots[0], len(robots) - 1
     role = robot_roles(first)[1]
+    if has_alarm and first.said.isascii() and first.said.isprintable():  # each letter takes one cell
+        yield [(f"{robot_tag(first, plain)} {first.said}", role)]
     for text in (partial(robot_tag, plain=plain), robot_number):
         # Among several an age would read as a number of its own.
         texts = [text(one) if one.online or not more else robot_number(one) for one in robots]

@@ -28,7 +28,7 @@ class SceneRobot(NamedTuple):
     """A robot at its last known pose. number: 1 = first of the config; mark: its number on the map if that is
     another; age: seconds since its last message; size: length and width in metres, None if unknown; alarmed:
     an alarm of it waits for an acknowledgement; acknowledged: it has alarms, and none waits; jumped: its
-    localisation has just moved it.
+    localisation has just moved it; waits: it has stood with an order for long; said: its most urgent alarm.
 
     A tuple, because a hundred of them are made ten times a second: it takes a third of the time."""
 
@@ -47,6 +47,13 @@ class SceneRobot(NamedTuple):
     alarmed: bool = False
     acknowledged: bool = False
     jumped: bool = False
+    waits: bool = False
+    said: str = ""
+
+    @property
+    def is_odd(self) -> bool:
+        """Tell whether it may need a person soon: it is no alarm yet."""
+        return (self.waits or self.obstacle) and not self.acknowledged
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,8 +74,9 @@ class Scene:
     waits: the note is no problem yet, shortly after the start; elsewhere: robots in trouble on other floors,
     in words; area: left, top, right, bottom in map pixels of the ground that is worth seeing, None for all;
     beams: ends of the selected robot's laser beams, in metres from the robot, seen from `beams_at`; path: its
-    planned path; picked: the id of the vertex marked in an order being typed; one_way: the edges that lead
-    only from start to end; trail: past positions of robots, rows of x, y in metres and the age in seconds.
+    planned path; closed: the edges that people closed; picked: the id of the vertex marked in an order being
+    typed; one_way: the edges that lead only from start to end; trail: past positions of robots, rows of x, y
+    in metres and the age in seconds.
 
     Keep `grid`, `vertices` and `edges` the same objects while they are unchanged: the picture below the
     robots is redrawn when one of them is another object."""
@@ -93,6 +101,7 @@ class Scene:
     beams_are_old: bool = False
     picked: str = ""
     path: Points | None = None
+    closed: tuple[Line, ...] = ()
 
     def with_note(self, note: str) -> "Scene":
         """Return the scene with a note that is no problem."""

@@ -8,7 +8,7 @@ from functools import partial
 from fleet_tui.model.fleet import FleetState, is_missing, missing_text
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.alarms.trouble import acknowledged, by_urgency, shelved
+from fleet_tui.rules.alarms.trouble import LONG_STILL, acknowledged, by_urgency, shelved, waits
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.why.robot import charges
 from fleet_tui.text.durations import age
@@ -27,8 +27,6 @@ CARGO, IDLE, CHARGING = "▪", "idle", "charging"
 CALM = (IDLE, CHARGING)
 STILL_FROM = 5.0
 """Seconds from which a robot stands still."""
-LONG_STILL = 30.0
-"""Seconds from which that comes before its order in a narrow pane: longer than loading takes."""
 WHOLE_ROUTES = 26
 """Cells of the last column from which orders without a column of their own have their start, too."""
 SEEN_FROM = 2.0
@@ -101,13 +99,7 @@ def _movement(state: FleetState, robot: Robot) -> str:
 def _movement_role(state: FleetState, robot: Robot) -> StyleRole:
     if any(alarm.holds and alarm.key == (robot.name, "stuck") for alarm in state.alarms):
         return StyleRole.ALARM
-    return StyleRole.WARN if _waits(state, robot) else StyleRole.DIM
-
-
-def _waits(state: FleetState, robot: Robot) -> bool:
-    """Tell whether a robot stands with an order for longer than loading takes."""
-    stands = robot.orders.current is not None and robot.still_for >= LONG_STILL
-    return stands and bool(_movement(state, robot))
+    return StyleRole.WARN if waits(state, robot) else StyleRole.DIM
 
 
 def _without_order(state: FleetState, robot: Robot) -> str:
@@ -214,7 +206,7 @@ def _battery_order(robot: Robot) -> float:
 
 def _calm(state: FleetState, troubled: Mapping[str, int], silenced: Collection[str], robot: Robot) -> int:
     """Return what sorts by trouble: the place among those in it, then whatever else is not as usual."""
-    is_odd = robot.name in silenced or is_missing(state, robot, "pose") or _waits(state, robot)
+    is_odd = robot.name in silenced or is_missing(state, robot, "pose") or waits(state, robot)
     return troubled.get(robot.name, len(troubled) if is_odd else len(troubled) + 1)
 
 

@@ -61,6 +61,8 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
         yield _paused(state, robot), StyleRole.WARN
     if contact is not None and is_old:
         yield obstacle_text(state, robot, contact), StyleRole.DIM
+    if holders := state.desk.holders(robot.name):
+        yield f"claimed by {sanitize(' and '.join(holders))}", StyleRole.ACCENT
     if online:
         yield from _old(state, robot)
     if is_news(state, robot.fault_at):

@@ -80,7 +80,9 @@ def _mission(mission: str, cells: int, order: Order, space: int) -> tuple[str, s
     return shown + ", ", short
 
 
-def _row(state: FleetState, entry: Listed, columns: tuple[int, int, int], width: int, leaving: str) -> Row:
+def _row(
+    state: FleetState, entry: Listed, columns: tuple[int, int, int], width: int, leaving: str, may: bool
+) -> Row:
     names, ids, missions = columns
     robot, position, order = entry
     current = robot.orders.is_current(order)
@@ -90,7 +92,7 @@ def _row(state: FleetState, entry: Listed, columns: tuple[int, int, int], width:
         (fit(robot.name, names) + " " if names else "", StyleRole.TEXT),
         (fit(f"#{order.id}", ids) + " ", StyleRole.DIM),
     ]
-    has_button = robot.kind.can(kind.CANCEL) and not order.is_over
+    has_button = may and robot.kind.can(kind.CANCEL) and not order.is_over
     space = width - 1 - (len(CANCEL) if has_button else 0)
     left = space - has_button - width_of(runs)
     mission, status = _mission(whose_mission(state, robot, order), missions, order, left)
@@ -135,6 +137,7 @@ def _rows(
     under_way: list[CommandRecord],
     width: int,
     all_robots: bool,
+    may: bool,
 ) -> LateRows:
     leaving = _leaving(state, under_way)
     columns = (
@@ -146,7 +149,7 @@ def _rows(
     def row(place: int) -> Row:
         robot, _, order = entries[place]
         stage = leaving.get((robot.name, order.id)) or leaving.get((robot.name, ""), "")
-        return _row(state, entries[place], columns, width, stage)
+        return _row(state, entries[place], columns, width, stage, may)
 
     return LateRows([(robot.name, order.id, position) for robot, position, order in entries], row)
 
@@ -161,34 +164,40 @@ def _values(state: FleetState) -> tuple[Value[Listed], ...]:
 
 
 def queue_table(
-    state: FleetState, selected: str, all_robots: bool, width: int, arrangement: RowArrangement | None = None
+    state: FleetState,
+    selected: str,
+    all_robots: bool,
+    width: int,
+    arrangement: RowArrangement | None = None,
+    may: bool = True,
 ) -> Table:
-    """Return the orders in a pane of `width` cells, as arranged."""
+    """Return the orders in a pane of `width` cells, as arranged; `may`: their user has the right to change
+    them."""
     arrangement = arrangement or RowArrangement()
     known = listed(state, selected, all_robots)
     entries = arrangement.arranged(known, _values(state))
     under_way = _under_way(state, selected, all_robots)
     robot = state.robots[selected]
-    rows = _rows(state, entries, under_way, width, all_robots)
+    rows = _rows(state, entries, under_way, width, all_robots, may)
     title = _title(robot, state, len(known), _awaited(state, under_way), all_robots, width)
     title[1:1] = arrangement.notes(len(entries))
     listing = any(one.kind.lists_orders for one in state.robots.values())
     buttons: tuple[Button, ...] = ()
-    if not all_robots and rows and robot.kind.can(kind.CLEAR):
+    if may and not all_robots and rows and robot.kind.can(kind.CLEAR):
         start = width - len(CLEAR) - 2  # its end above that of [Cancel]
         if width_of(title) >= start:
             title = [run for run in title if run[1] is not StyleRole.DIM]  # the number of orders goes first
         if start > LEAST_TITLE:
             title = [*cut(title, start - 1), (" " + CLEAR, StyleRole.KEY)]
             buttons = (Button(start, start + len(CLEAR), "clear"),)
-    empty = "no orders" if all_robots and listing else _empty(robot)
+    empty = "no orders" if all_robots and listing else _empty(robot, may)
     return Table(tuple(title), rows, arrangement.no_match if known else empty, buttons, unfiltered=len(known))
 
 
-def _empty(robot: Robot) -> str:
+def _empty(robot: Robot, may: bool) -> str:
     """Return the text shown without orders."""
     if not robot.kind.lists_orders:
         return "this kind has no queue"
     if robot.queue is not None:
-        return "no orders" + ": press o to order" * robot.kind.can(kind.ORDER)
+        return "no orders" + ": press o to order" * (may and robot.kind.can(kind.ORDER))
     return "no queue received yet" if robot.kind.expects("queue") else "no orders reported yet"

@@ -11,7 +11,8 @@ from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.start import initial_state
 from fleet_tui.maps.images import load_floor_map
 from fleet_tui.model.commands import PauseRobot, ResumeRobot
-from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved, FloorGraphLoaded, TimePassed
+from fleet_tui.model.desk.events import AlarmAcknowledged, AlarmShelved
+from fleet_tui.model.events import FloorGraphLoaded, TimePassed
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.link import Phase

@@ -4,6 +4,7 @@ from msgspec.structs import replace
 
 from fleet_tui.model import events
 from fleet_tui.model.alarm import AlarmStage
+from fleet_tui.model.desk import events as desk_events
 from fleet_tui.model.fleet import FleetState
 from tests.support.alarms import alarm, alarms, up
 from tests.support.fleets import (
@@ -28,7 +29,7 @@ def contact(at: float, seconds: float) -> events.ObstacleReported:
 
 
 def test_a_contact_that_comes_and_goes_is_one_alarm_with_a_count() -> None:
-    state = reduced(up(), contact(T0, 33.2), tick(T0), events.AlarmAcknowledged(R0, "obstacle"))
+    state = reduced(up(), contact(T0, 33.2), tick(T0), desk_events.AlarmAcknowledged(R0, "obstacle"))
     for n in range(1, 101):
         state = reduced(state, contact(T0 + n / 10, 0.0 if n % 2 else 33.2), tick(T0 + n / 10))
         assert list(alarms(state)) == [(R0, "obstacle")]
@@ -63,11 +64,11 @@ def test_a_battery_around_its_limit_is_one_alarm_that_never_ends_in_the_band() -
 
 
 def test_a_battery_that_gets_critical_needs_another_look_once() -> None:
-    state = reduced(up(), battery(T0, 15.0), tick(T0), events.AlarmAcknowledged(R0, "battery"))
+    state = reduced(up(), battery(T0, 15.0), tick(T0), desk_events.AlarmAcknowledged(R0, "battery"))
     assert state.unacknowledged == 0
     state = reduced(state, battery(T0, 9.9), tick(T0 + 1))
     assert (alarm(state, "battery").condition.priority.name, state.unacknowledged) == ("MEDIUM", 1)
-    state = reduced(state, events.AlarmAcknowledged())
+    state = reduced(state, desk_events.AlarmAcknowledged())
     for n, percent in enumerate((10.5, 9.5, 11.9, 9.9)):
         state = reduced(state, battery(T0 + n, percent), tick(T0 + n))
         assert (alarm(state, "battery").condition.priority.name, state.unacknowledged) == ("MEDIUM", 0)
@@ -204,12 +205,12 @@ def test_a_bad_frame_is_an_alarm_of_its_link() -> None:
 
 
 def test_a_shelf_is_for_as_long_as_was_said() -> None:
-    state = reduced(up(), battery(T0, 15.0), tick(T0), events.AlarmShelved(R0, "battery", T0 + 60))
+    state = reduced(up(), battery(T0, 15.0), tick(T0), desk_events.AlarmShelved(R0, "battery", T0 + 60))
     assert (state.unacknowledged, state.shelved) == (0, 1)
     assert reduced(state, tick(T0 + 59)).shelved == 1
     back = reduced(state, battery(T0 + 60, 15.0), tick(T0 + 60))
     assert (back.unacknowledged, back.shelved) == (1, 0)
-    off = reduced(state, events.AlarmUnshelved(R0, "battery"))
+    off = reduced(state, desk_events.AlarmUnshelved(R0, "battery"))
     assert (off.unacknowledged, off.shelved) == (1, 0)
 
 
@@ -218,5 +219,5 @@ def test_limits_are_the_operators() -> None:
     state = replace(state, limits=replace(state.limits, stuck_after=5.0, clear_after=0.0, battery_band=0.0))
     state = stood(state, 6)
     assert (R0, "stuck") in alarms(state)
-    state = reduced(state, events.AlarmAcknowledged(), *driving(T0 + 7, x=1.0))
+    state = reduced(state, desk_events.AlarmAcknowledged(), *driving(T0 + 7, x=1.0))
     assert alarms(state) == {}

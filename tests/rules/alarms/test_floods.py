@@ -2,6 +2,7 @@
 
 from fleet_tui.model import events
 from fleet_tui.model.alarm import AlarmStage
+from fleet_tui.model.desk import events as desk_events
 from fleet_tui.model.fleet import FleetState
 from tests.support.alarms import alarm, up
 from tests.support.fleets import (
@@ -50,7 +51,7 @@ def test_robots_that_go_together_are_one_alarm_at_every_moment() -> None:
 
 def test_when_a_group_shrinks_its_row_follows() -> None:
     state = silence(up(20), set(range(10)), 20, T0 + 0.1, 8)
-    state = reduced(state, events.AlarmAcknowledged())
+    state = reduced(state, desk_events.AlarmAcknowledged())
     state = silence(state, {0, 1}, 20, T0 + 9, 1)
     assert offline(state) == ["2 robots offline: robot_0, robot_1"]
     state = silence(state, {1}, 20, T0 + 10, 1)
@@ -61,14 +62,14 @@ def test_when_a_group_shrinks_its_row_follows() -> None:
 
 def test_one_more_robot_after_a_flood_is_an_alarm_of_its_own() -> None:
     state = silence(up(20), set(range(10)), 20, T0 + 0.1, 20)
-    state = reduced(state, events.AlarmAcknowledged())
+    state = reduced(state, desk_events.AlarmAcknowledged())
     state = silence(state, set(range(11)), 20, T0 + 20, 8)
     assert offline(state) == ["10 robots offline: robot_0, robot_1, robot_2, …", "offline 8 s"]
     assert state.unacknowledged == 1
 
 
 def test_a_second_flood_needs_another_look() -> None:
-    state = reduced(silence(up(20), set(range(6)), 20, T0 + 0.1, 20), events.AlarmAcknowledged())
+    state = reduced(silence(up(20), set(range(6)), 20, T0 + 0.1, 20), desk_events.AlarmAcknowledged())
     state = silence(state, set(range(12)), 20, T0 + 20, 8)
     assert offline(state) == ["12 robots offline: robot_0, robot_1, robot_2, …"]
     assert state.unacknowledged == 1
@@ -129,7 +130,7 @@ def test_a_fleet_that_stops_at_once_is_one_alarm() -> None:
 
 def test_a_shelved_robot_is_not_taken_into_a_group() -> None:
     state = silence(up(20), {0}, 20, T0 + 0.1, 8)
-    state = reduced(state, events.AlarmShelved(R0, "offline", T0 + 1000))
+    state = reduced(state, desk_events.AlarmShelved(R0, "offline", T0 + 1000))
     state = silence(state, set(range(10)), 20, T0 + 9, 8)
     assert [(one.key, one.stage) for one in state.alarms] == [
         ((R0, "offline"), AlarmStage.SHELVED),

@@ -1,6 +1,6 @@
 """Robots in trouble: with an alarm that still counts, wherever they are."""
 
-from fleet_tui.model.events import AlarmAcknowledged, AlarmShelved
+from fleet_tui.model.desk.events import AlarmAcknowledged, AlarmShelved
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.alarms.trouble import (
     acknowledged,

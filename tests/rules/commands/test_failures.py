@@ -5,6 +5,7 @@ import pytest
 from fleet_tui.model import events
 from fleet_tui.model.alarm import AlarmStage
 from fleet_tui.model.commands import PauseRobot, Stage
+from fleet_tui.model.desk import events as desk_events
 from fleet_tui.model.fleet import FleetState
 from tests.support.alarms import alarm, alarms, up
 from tests.support.fleets import (
@@ -53,11 +54,11 @@ def test_not_confirmed_is_an_alarm_that_returns_after_a_while_and_stays_until_it
         AlarmStage.RETURNED,
         "failed: order 1 -> 2",
     )
-    assert alarms(reduced(state, events.AlarmAcknowledged())) == {}
+    assert alarms(reduced(state, desk_events.AlarmAcknowledged())) == {}
 
 
 def test_further_failures_of_a_robot_count_and_need_another_look() -> None:
-    state = reduced(failed(failed(up(), 7, T0), 8, T0 + 1), events.AlarmAcknowledged())
+    state = reduced(failed(failed(up(), 7, T0), 8, T0 + 1), desk_events.AlarmAcknowledged())
     assert (alarm(state, "command").count, state.unacknowledged) == (2, 0)
     state = failed(state, 9, T0 + 2)
     assert (alarm(state, "command").count, state.unacknowledged) == (3, 1)

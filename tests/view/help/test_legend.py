@@ -37,7 +37,7 @@ def test_states_differ_from_each_other() -> None:
     by_meaning = {row.text: row.mark for row in robots.rows}
     roles = {role for _, role in by_meaning["the selected robot"]}
     assert StyleRole.ROBOT_SELECTED in roles
-    alarmed = by_meaning["! at an obstacle or with an alarm, red until it is acknowledged"]
+    alarmed = by_meaning["! with an alarm, red until it is acknowledged"]
     assert StyleRole.ROBOT_ALARM in {role for _, role in alarmed}
 
 

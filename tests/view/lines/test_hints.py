@@ -9,7 +9,8 @@ from fleet_tui.keys import Pane
 from fleet_tui.model.events import PausedReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import PAUSE, Kind
-from fleet_tui.view.lines.hints import footer, hidden_keys, hints, idle_hints
+from fleet_tui.model.problem import Right
+from fleet_tui.view.lines.hints import footer, hidden_keys, hints, idle_hints, unoffered_keys
 from fleet_tui.view.tables.table import width_of
 from tests.support.fleets import R0, T0, battery, fleet, link_lost, link_up, reduced, text_of, tick
 from tests.support.kinds import BARE, FULL, KEYS, LATE, received
@@ -139,3 +140,13 @@ def test_in_a_drive_no_key_is_hinted_that_would_only_stop_the_robot() -> None:
     shown = line(chosen, Pane.DRIVE)
     assert " w ahead " in shown and " Esc leave " in shown and " P pause all " in shown
     assert "order" not in shown and "pause all" in shown and "why" not in shown
+
+
+def test_keys_without_the_right_are_not_offered() -> None:
+    def lacks(right: Right) -> set[str]:
+        return unoffered_keys(lambda _key: True, right)
+
+    assert lacks(Right.SETUP) == set()
+    assert lacks(Right.DISPATCH) == {"pose", "drive", "edit"}
+    assert {"order", "pause", "pause_all", "cancel", "goal", "arm", "simple", "pose"} <= lacks(Right.VIEW)
+    assert lacks(Right.VIEW).isdisjoint({"why", "history", "acknowledge", "camera", "programs", "routines"})

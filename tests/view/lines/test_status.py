@@ -6,6 +6,7 @@ from msgspec.structs import replace
 from fleet_tui.config.schema import Link, RobotEntry
 from fleet_tui.config.start import initial_state
 from fleet_tui.model import events
+from fleet_tui.model.desk import events as desk_events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.view.lines.status import console_notes, status_line
@@ -109,13 +110,13 @@ def test_of_several_links_the_worst_is_shown() -> None:
 )
 def test_alarms_are_counted_and_the_new_ones_apart(low: int, seen: int, text: str) -> None:
     state = reduced(fleet(4), *(battery(T0, 5.0, f"robot_{n}") for n in range(low)), tick(T0))
-    state = reduced(state, *(events.AlarmAcknowledged(f"robot_{n}", "battery") for n in range(seen)))
+    state = reduced(state, *(desk_events.AlarmAcknowledged(f"robot_{n}", "battery") for n in range(seen)))
     assert text in line(state)
 
 
 def test_a_shelved_alarm_is_not_counted() -> None:
     state = reduced(fleet(), link_up(T0), battery(T0, 5.0), tick(T0))
-    assert "△ 0 alarms  " in line(reduced(state, events.AlarmShelved(R0, "battery", T0 + 9)))
+    assert "△ 0 alarms  " in line(reduced(state, desk_events.AlarmShelved(R0, "battery", T0 + 9)))
 
 
 def test_what_must_not_be_cut_stands_first() -> None:

@@ -5,6 +5,7 @@ import math
 import pytest
 
 from fleet_tui.model import events
+from fleet_tui.model.desk import events as desk_events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Role, RouteGraph, Vertex
@@ -148,7 +149,7 @@ def test_the_state_of_a_robot_is_drawn() -> None:
 def test_an_alarm_is_red_until_it_is_acknowledged_and_its_robot_stays_marked() -> None:
     state = reduced(fleet(), pose(T0), battery(T0, 5.0), tick(T0))
     assert placed(state, R0).alarmed and not placed(state, R0).acknowledged
-    seen = placed(reduced(state, events.AlarmAcknowledged()), R0)
+    seen = placed(reduced(state, desk_events.AlarmAcknowledged()), R0)
     assert seen.acknowledged and not seen.alarmed
 
 

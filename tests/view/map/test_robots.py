@@ -58,7 +58,7 @@ def test_numbers_together_have_no_arrows_of_different_headings() -> None:
 
 def test_robots_in_one_cell_are_listed_or_counted() -> None:
     assert " 1,2→ " in drawn((robot(1, 0), robot(2, 0)))
-    assert " 3!,1,2→ " in drawn((robot(1, 0), robot(2, 0), robot(3, 0, obstacle=True)))
+    assert " 2,1,3!→ " in drawn((robot(1, 0), robot(2, 0), robot(3, 0, obstacle=True)))
     assert "3→ 1+2→ →5" in drawn((robot(3, -5), robot(1, 0), robot(2, 0), robot(4, 0), robot(5, 2)))
 
 
@@ -135,7 +135,7 @@ def test_numbers_stay_on_their_sides_while_robots_drive_past_each_other() -> Non
 
 
 def test_the_robot_in_trouble_has_its_number_before_the_others() -> None:
-    assert "3→ 4!,1→ →5" in drawn((robot(3, -6), robot(1, 0), robot(4, 0, obstacle=True), robot(5, 2)))
+    assert "3→ 1,4!→ →5" in drawn((robot(3, -6), robot(1, 0), robot(4, 0, obstacle=True), robot(5, 2)))
 
 
 @given(st.lists(st.tuples(st.floats(9.0, 11.0), st.floats(4.5, 5.5)), min_size=2, max_size=9))
@@ -146,11 +146,23 @@ def test_two_numbers_never_read_as_one(at: list[tuple[float, float]]) -> None:
     assert {len(word) for word in words} <= {3}
 
 
-def test_among_many_robots_only_special_ones_have_their_numbers() -> None:
+def test_among_many_robots_numbers_of_those_without_anything_special_cover_only_floor() -> None:
     many = tuple(robot(n, 4 * n - 28) for n in range(1, 15))
-    odd = (many[0]._replace(selected=True), many[1]._replace(alarmed=True), many[2]._replace(online=False))
-    low = replace(CAMERA, height=4)
-    crowded, roomy = (drawn((*odd, *many[3:]), camera=camera) for camera in (low, CAMERA))
-    assert all(str(one.number) in roomy for one in many)
-    assert [number for number in map(str, range(1, 15)) if number in crowded] == ["1", "2", "3"]
-    assert crowded.count("→") == len(many)
+    odd = (many[0]._replace(selected=True), many[1]._replace(alarmed=True), many[2]._replace(waits=True))
+    low, beyond = replace(CAMERA, height=4), 20.0
+    on_floor = drawn((*odd, *many[3:]), camera=low)
+    assert all(str(one.number) in on_floor for one in many)
+    away = [one._replace(pose=Pose(one.pose.x + beyond, one.pose.y)) for one in (*odd, *many[3:])]
+    off_floor = drawn(tuple(away), camera=replace(low, column=low.column + beyond / 0.05))
+    assert re.findall(r"\d+", off_floor) == ["1", "2", "3"] and off_floor.count("→") == len(many)
+    assert len(re.findall(r"\d+", drawn(tuple(away), camera=replace(CAMERA, column=low.column + 400)))) == 14
+
+
+def test_a_robot_that_may_need_a_person_soon_is_amber_and_an_alarm_is_told_where_there_is_space() -> None:
+    assert StyleRole.ROBOT_WARN in roles(robot(1, 0)._replace(waits=True))
+    assert StyleRole.ROBOT_WARN in roles(robot(1, 0, obstacle=True))
+    assert StyleRole.ROBOT_WARN not in roles(robot(1, 0, obstacle=True)._replace(acknowledged=True))
+    stuck = robot(7, 0)._replace(alarmed=True, said="stuck 61 s")
+    assert "7! stuck 61 s→" in drawn((stuck,))
+    assert "stuck" not in drawn((stuck, robot(8, 0)))
+    assert "stuck" not in drawn((stuck,), camera=replace(CAMERA, width=80))

@@ -3,6 +3,7 @@
 from msgspec.structs import replace
 
 from fleet_tui.model import events
+from fleet_tui.model.desk import events as desk_events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import alarm_of, alarm_table, unacknowledged
@@ -54,7 +55,7 @@ def test_a_new_alarm_says_who_what_and_since_when() -> None:
 def test_seen_over_and_come_again() -> None:
     state = low()
     state = replace(state, limits=replace(state.limits, latched=("battery",)))
-    seen = reduced(state, events.AlarmAcknowledged(R0, "battery"))
+    seen = reduced(state, desk_events.AlarmAcknowledged(R0, "battery"))
     assert texts(seen)[0].startswith("△ seen low    robot_0 battery 15 %")
     assert text_of(alarm_table(seen, clock).title) == "Alarms"
     over = reduced(state, battery(T0 + 1, 60.0), tick(T0 + 1))
@@ -83,7 +84,7 @@ def test_what_nobody_has_seen_stands_first_by_priority_then_age() -> None:
     state = reduced(fleet(4), link_up(T0))
     for n in range(4):
         state = reduced(state, battery(T0 + n, 15.0, f"robot_{n}"), tick(T0 + n))
-    state = reduced(state, events.AlarmAcknowledged("robot_0", "battery"))
+    state = reduced(state, desk_events.AlarmAcknowledged("robot_0", "battery"))
     state = reduced(state, battery(T0 + 4, 5.0, "robot_3"), tick(T0 + 4))
     order = ["robot_3", "robot_1", "robot_2", "robot_0"]
     assert [row.key for row in alarm_table(state, clock).rows] == [(name, "battery") for name in order]
@@ -92,7 +93,7 @@ def test_what_nobody_has_seen_stands_first_by_priority_then_age() -> None:
 
 def test_what_is_shelved_stands_last_and_is_counted_apart() -> None:
     state = reduced(fleet(2), link_up(T0), battery(T0, 5.0), battery(T0, 15.0, "robot_1"), tick(T0))
-    state = reduced(state, events.AlarmShelved(R0, "battery", T0 + 1800))
+    state = reduced(state, desk_events.AlarmShelved(R0, "battery", T0 + 1800))
     assert text_of(alarm_table(state, clock).title) == "Alarms 1 new 1 shelved"
     assert texts(state)[1] == (
         f"◇ shelved until {state.wall + 1800:.0f} medium robot_0 battery 5 % {state.wall:.0f}"
@@ -141,14 +142,14 @@ def test_each_priority_has_its_own_sign_and_colour() -> None:
     ):
         assert alarm_table(state, clock, 38).rows[0].runs[0] == (sign, role)
     assert alarm_table(lost, clock, 60).rows[0].runs[0] == ("▲ new  high", StyleRole.ROBOT_ALARM)
-    seen = reduced(lost, events.AlarmAcknowledged())
+    seen = reduced(lost, desk_events.AlarmAcknowledged())
     assert alarm_table(seen, clock, 38).rows[0].runs[0] == ("△H ", StyleRole.WARN)
 
 
 def test_of_a_few_alarms_the_marked_one_has_its_advice_below() -> None:
-    acknowledged = reduced(low(), events.AlarmAcknowledged(R0, "battery"))
+    acknowledged = reduced(low(), desk_events.AlarmAcknowledged(R0, "battery"))
     assert len(alarm_table(acknowledged, clock, 38).rows) == 2
-    shelved = reduced(low(), events.AlarmShelved(R0, "battery", T0 + 1800))
+    shelved = reduced(low(), desk_events.AlarmShelved(R0, "battery", T0 + 1800))
     latched = replace(low(), limits=replace(low().limits, latched=("battery",)))
     over = reduced(latched, battery(T0 + 1, 60.0), tick(T0 + 1), tick(T0 + 5))
     assert [len(alarm_table(state, clock, 80).rows) for state in (shelved, over)] == [1, 1]
@@ -162,9 +163,9 @@ def test_of_a_few_alarms_the_marked_one_has_its_advice_below() -> None:
 def test_a_selected_robot_has_its_alarm_marked_but_none_that_needs_nobody_before_others() -> None:
     two = reduced(fleet(3), link_up(T0), battery(T0, 5.0), battery(T0, 15.0, "robot_1"), tick(T0))
     assert [alarm_of(two, name) for name in (R0, "robot_2")] == [(R0, "battery"), None]
-    first = reduced(two, events.AlarmAcknowledged(R0, "battery"))
+    first = reduced(two, desk_events.AlarmAcknowledged(R0, "battery"))
     assert alarm_of(first, R0) is None and alarm_of(first, "robot_1") == ("robot_1", "battery")
-    assert alarm_of(reduced(two, events.AlarmAcknowledged()), R0) == (R0, "battery")
+    assert alarm_of(reduced(two, desk_events.AlarmAcknowledged()), R0) == (R0, "battery")
 
 
 def test_a_single_alarm_that_is_cut_goes_on_in_a_second_line() -> None:

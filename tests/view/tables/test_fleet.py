@@ -4,6 +4,7 @@ import pytest
 
 from fleet_tui.model import events
 from fleet_tui.model.commands import PauseRobot, Stage
+from fleet_tui.model.desk import events as desk_events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrangement import NO_MATCH, RowArrangement
@@ -218,7 +219,9 @@ def test_a_robot_with_an_alarm_stands_first_and_the_others_keep_their_order() ->
     state = reduced(state, *(pose(T0, robot=f"robot_{n}") for n in range(4)))
     names = [row.key for row in fleet_table(reduced(state, tick(T0)), R0, 60).rows]
     assert names == ["robot_2", "robot_0", "robot_1", "robot_3"]
-    shelved = reduced(state, tick(T0), events.AlarmShelved("robot_2", "battery", T0 + 1800), tick(T0 + 1))
+    shelved = reduced(
+        state, tick(T0), desk_events.AlarmShelved("robot_2", "battery", T0 + 1800), tick(T0 + 1)
+    )
     rows = fleet_table(shelved, R0, 60).rows
     assert [row.key for row in rows] == names
     assert rows[0].runs[0] == ("◇ ", StyleRole.WARN) and rows[1].runs[0] == ("● ", StyleRole.GOOD)
@@ -246,7 +249,7 @@ def test_the_most_urgent_trouble_is_first_as_in_the_alarms_pane() -> None:
     low = (battery(T0, 15.0), battery(T0, 5.0, "robot_2"))
     state = reduced(fleet(3), link_up(T0), *low, tick(T0))
     assert fleet_table(state, R0, WIDTH).keys == ["robot_2", R0, "robot_1"]
-    seen = reduced(state, events.AlarmAcknowledged("robot_2", "battery"))
+    seen = reduced(state, desk_events.AlarmAcknowledged("robot_2", "battery"))
     assert fleet_table(seen, R0, WIDTH).keys == [R0, "robot_2", "robot_1"]
 
 
@@ -287,7 +290,7 @@ def test_an_idle_robot_with_a_low_battery_has_the_sign_and_a_calm_state() -> Non
 def test_a_robot_whose_alarms_are_acknowledged_has_their_sign_and_no_red() -> None:
     state = received(battery(T0 + 1, 5.0))
     assert role_of(state, "▲") is StyleRole.ALARM and role_of(state, "5 %") is StyleRole.ALARM
-    seen = reduced(state, events.AlarmAcknowledged())
+    seen = reduced(state, desk_events.AlarmAcknowledged())
     assert row(seen).startswith("△") and StyleRole.ALARM not in {role for _, role in runs(seen)}
     worse = reduced(seen, events.ObstacleReported(R0, T0 + 1.2, 99.0), tick(T0 + 1.3))
     assert row(worse).startswith("▲") and role_of(worse, "obstacle") is StyleRole.ALARM
@@ -296,7 +299,7 @@ def test_a_robot_whose_alarms_are_acknowledged_has_their_sign_and_no_red() -> No
 def test_robots_behind_a_lost_link_whose_alarm_is_acknowledged_are_not_red() -> None:
     lost = reduced(received(), link_lost(T0 + 2), tick(T0 + 20))
     assert role_of(lost, "○") is StyleRole.ALARM
-    seen = reduced(lost, events.AlarmAcknowledged())
+    seen = reduced(lost, desk_events.AlarmAcknowledged())
     assert row(seen).startswith("○") and role_of(seen, "offline") is StyleRole.TEXT
 
 

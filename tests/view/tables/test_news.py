@@ -4,6 +4,7 @@ import pytest
 
 from fleet_tui.model import events
 from fleet_tui.model.commands import PauseRobot, Stage
+from fleet_tui.model.desk import events as desk_events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.news import news, shortened_news
@@ -29,7 +30,7 @@ def test_a_calm_robot_has_none() -> None:
 def test_trouble_is_less_loud_while_its_alarm_is_shelved() -> None:
     state = received(BLOCKED)
     assert found(state) == [("obstacle 31 s", StyleRole.ALARM)]
-    shelved = reduced(state, events.AlarmShelved(R0, "obstacle", T0 + 600), tick(T0 + 1))
+    shelved = reduced(state, desk_events.AlarmShelved(R0, "obstacle", T0 + 600), tick(T0 + 1))
     assert found(shelved) == [("obstacle 31 s", StyleRole.WARN)]
 
 

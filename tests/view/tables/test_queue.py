@@ -207,3 +207,11 @@ def test_clear_all_stays_when_cargo_is_on_board(width: int, cargo: str) -> None:
     table = queue_table(reduced(state(), events.CargoReported(R0, T0, True)), R0, False, width)
     assert cargo in text_of(table.title) and text_of(table.title).endswith(CLEAR)
     assert [button.name for button in table.title_buttons] == ["clear"]
+
+
+def test_who_may_not_command_has_no_buttons_and_no_hint_to_order() -> None:
+    state = reduced(fleet(), queue(T0, (1, 2, 3, "Q")))
+    assert queue_table(state, R0, False, 80).title_buttons
+    table = queue_table(state, R0, False, 80, may=False)
+    assert not table.title_buttons and not table.rows[0].buttons
+    assert queue_table(reduced(fleet(), queue(T0)), R0, False, 80, may=False).empty == "no orders"

@@ -7,6 +7,7 @@ from fleet_tui.model.link import CommandPath, LinkState, Phase
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import ago, milliseconds, size_text
+from fleet_tui.view.history.bars import level
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Row, Run, Table
 
@@ -41,6 +42,10 @@ def _fields(link: LinkState, counter: LinkCounter, now: float) -> Iterator[tuple
     yield "state", (_state(link, now),)
     yield "commands", (_commands(link),)
     yield "round trip", tuple(_round_trip(counter, now))
+    took = counter.round_trips.took
+    if len(took) > 1:
+        curve = "".join(level(one / max(took)) for one in took)
+        yield "", ((curve, StyleRole.DIM), (f" up to {milliseconds(max(took))}", StyleRole.DIM))
     messages, size = counter.all.rates(now) or (0.0, 0.0)
     total = f", {counter.all.count:,} and {size_text(counter.all.bytes)} in total"
     yield "messages", ((f"{messages:.1f} /s, {size_text(size)}/s", StyleRole.TEXT), (total, StyleRole.DIM))

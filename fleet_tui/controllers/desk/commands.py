@@ -1,0 +1,170 @@
+"""The typed lines of the desk: `claim`, `release`, `close`, `open`, `desk`."""
+
+import time
+from collections.abc import Callable, Iterator
+from functools import partial
+
+from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.controllers.parts import SetUpParts
+from fleet_tui.controllers.typed import Entry, Typed
+from fleet_tui.errors import CommandError
+from fleet_tui.model.desk.desk import Ends
+from fleet_tui.model.desk.events import EdgeClosed, EdgeOpened, RobotClaimed, RobotReleased
+from fleet_tui.model.events import Event
+from fleet_tui.model.robot import Robot
+from fleet_tui.rules.language.edges import edge_named, edge_text
+from fleet_tui.rules.language.words import find_robot, tokens
+from fleet_tui.rules.routes.impact import closed_edge_at, cut_orders
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.lines.impact import impact_lines, impact_text
+
+USAGE = {
+    "claim": "claim ROBOT",
+    "release": "release ROBOT",
+    "close": "close A B: an edge of the floor shown",
+    "open": "open A B: a closed edge of the floor shown",
+    "desk": "desk",
+}
+
+
+class DeskCommands:
+    """Claims robots and closes edges; without a desk, edges are closed on this console alone."""
+
+    def __init__(
+        self,
+        parts: SetUpParts,
+        files: ConsoleFiles,
+        post: Callable[[Event], str],
+        clock: Callable[[float], str],
+    ) -> None:
+        self._parts, self._files, self._post, self._clock = parts, files, post, clock
+
+    def typed(self, line: str) -> Typed | None:
+        """Parse a typed line, None if it is not about the desk."""
+        verb, *words = [token.text for token in tokens(line)] or [""]
+        verb = verb.casefold()
+        if verb not in USAGE:
+            return None
+        if problem := self._parts.dispatch.desk_refusal() if verb != "desk" else "":
+            return Typed(problem=problem)
+        try:
+            return Typed([self._entry(verb, words)], self._completed(verb, words))
+        except CommandError as problem:
+            return Typed(completed=self._completed(verb, words), problem=sanitize(str(problem)))
+
+    def _entry(self, verb: str, words: list[str]) -> Entry:
+        match verb, words:
+            case "claim", [word]:
+                return self._claim(word)
+            case "release", [word]:
+                return self._release(word)
+            case "close", [start, end]:
+                return self._close(self._edge(start, end))
+            case "open", [start, end]:
+                return self._open(self._edge(start, end))
+            case "desk", []:
+                return "Desk: who is there, claims, closed edges", self.menu
+        raise CommandError(f"usage: {USAGE[verb]}")
+
+    def _completed(self, verb: str, words: list[str]) -> list[str]:
+        state, typed = self._parts.store.state, words[-1] if words else ""
+        match verb:
+            case "claim":
+                found = [f"claim {name}" for name in state.robots if name not in state.desk.claims]
+            case "release":
+                found = [f"release {name}" for name in state.desk.claims]
+            case "open":
+                closed = state.desk.closed_on(self._parts.navigation.floor)
+                found = [f"open {edge_text(self._robot, edge.ends, ' ')}" for edge in closed]
+            case _:
+                found = []
+        return [one for one in found if typed in one]
+
+    @property
+    def _robot(self) -> Robot:
+        return self._parts.store.state.robots[self._parts.navigation.robot]
+
+    def _edge(self, start: str, end: str) -> Ends:
+        return edge_named(self._robot, self._parts.navigation.floor, start, end)
+
+    def _claim(self, word: str) -> Entry:
+        state = self._parts.store.state
+        robot = find_robot(word, state).name
+        if not state.desk.me:
+            raise CommandError("no desk: set [desk] folder in the configuration")
+        if names := state.desk.other_holders(robot):
+            raise CommandError(f"{robot} is claimed by {' and '.join(names)}: ask for its release")
+        return f"Claim {robot}: others are asked before they command it", partial(
+            self._do, RobotClaimed(robot), "claimed", f"claimed {robot}"
+        )
+
+    def _release(self, word: str) -> Entry:
+        state = self._parts.store.state
+        robot = find_robot(word, state).name
+        if robot not in state.desk.claims:
+            raise CommandError(f"{robot} is not claimed by this console")
+        return f"Release {robot}", partial(self._do, RobotReleased(robot), "released", f"released {robot}")
+
+    def _close(self, ends: Ends) -> Entry:
+        named = edge_text(self._robot, ends)
+        impact = impact_text(cut_orders(self._parts.store.state, ends))
+        done = f"closed {named}: {impact}" + ("" if self._files.desk else ", not shared: no desk")
+        return f"Close {named}: {impact}", partial(
+            self._do, EdgeClosed(ends, time.time()), "edge closed", done
+        )
+
+    def _open(self, ends: Ends) -> Entry:
+        named = edge_text(self._robot, ends)
+        if all(edge.ends != ends for edge in self._parts.store.state.desk.closed):
+            raise CommandError(f"{named} is not closed")
+        return f"Open {named}", partial(self._do, EdgeOpened(ends), "edge opened", f"opened {named}")
+
+    def _do(self, event: Event, change: str, done: str) -> None:
+        """Apply a change, and write it to the audit log."""
+        if problem := self._post(event):
+            self._parts.notices.say(problem)
+            return
+        self._files.log(change, done)
+        self._parts.notices.say(sanitize(done))
+
+    def explain_edge(self, at: tuple[float, float]) -> bool:
+        """List the orders that a closed edge at a place of the map cuts, and offer to open it; tell whether
+        there is one."""
+        state, robot, floor = self._parts.store.state, self._robot, self._parts.navigation.floor
+        graph = robot.maps[floor].graph if floor in robot.maps else None
+        edge = closed_edge_at(state.desk.closed_on(floor), graph, at) if graph is not None else None
+        if edge is None:
+            return False
+        cut = cut_orders(state, edge.ends)
+        lines = [f"{edge_text(robot, edge.ends)}: {impact_text(cut)}", *impact_lines(state, cut)]
+        entries: list[Entry] = [] if self._parts.dispatch.desk_refusal() else [self._open(edge.ends)]
+        self._parts.open_menu("\n".join(map(sanitize, lines)), [*entries, ("Close this", lambda: None)])
+        return True
+
+    def menu(self) -> None:
+        """List who is at the desk, with the way to what each looks at, and closed edges."""
+        desk = self._parts.store.state.desk
+        if not desk.me and not desk.closed:
+            self._parts.notices.say("no desk: set [desk] folder in the configuration")
+            return
+        mine = f"{desk.me} (this console)" + _claims(desk.claims)
+        title = f"Desk: {sanitize(mine) if desk.me else 'none'}"
+        if not desk.others and desk.me:
+            title += "\nnobody else is there"
+        for edge in desk.closed:
+            named = f"{edge_text(self._robot, edge.ends)} on {edge.ends[0]}"
+            title += "\n" + sanitize(f"closed {self._clock(edge.wall)} by {edge.by}: {named}")
+        self._parts.open_menu(title, list(self._entries()))
+
+    def _entries(self) -> Iterator[Entry]:
+        state, find = self._parts.store.state, self._parts.navigation.find_robot
+        for one in state.desk.others:
+            looks = f" looks at {one.robot}" if one.robot in state.robots else ""
+            there = f"{one.name} on {one.host}{looks}{_claims(one.claims)}"
+            yield sanitize(there), partial(find, one.robot) if looks else (lambda: None)
+        if not state.desk.others:
+            yield "Close", lambda: None
+
+
+def _claims(robots: tuple[str, ...]) -> str:
+    return f", claims {', '.join(robots)}" if robots else ""

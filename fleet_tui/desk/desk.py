@@ -1,0 +1,242 @@
+"""The desk of one console: its thread writes what is new here, and posts what is new elsewhere as events."""
+
+import itertools
+import logging
+import math
+import threading
+import time
+from collections import deque
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+import msgspec
+
+from fleet_tui.config.rights import permissions_of
+from fleet_tui.config.schema import Config
+from fleet_tui.desk.fact_file import FactFile
+from fleet_tui.desk.facts import Fact, SharedAcknowledgement, SharedClosure, SharedNote, SharedShelving
+from fleet_tui.desk.presence import Presence, PresenceFile, PresenceReader, boot_id
+from fleet_tui.desk.replies import Replies
+from fleet_tui.model.alarm import AlarmStage, AlarmStep, transitions
+from fleet_tui.model.desk.desk import Colleague
+from fleet_tui.model.desk.events import ColleaguesSeen, DeskJoined, EdgeClosed, EdgeOpened
+from fleet_tui.model.events import Event
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.history.facts import Note
+from fleet_tui.model.problem import Right
+from fleet_tui.state.store import Store
+from fleet_tui.text.sanitize import sanitize
+
+LOG = logging.getLogger(__name__)
+
+EVERY = 0.25
+"""Seconds between two looks at the folder."""
+SLOW = 2.0
+"""Seconds of one look after which the folder does not respond."""
+WAITING = 1000
+"""Facts that wait for a writable folder; of more the oldest are lost, and counted."""
+LAST_CHANCE = 0.5
+"""Seconds at the end after which an unresponsive folder is given up."""
+NAME = 40
+"""Characters of a name of another console that are shown."""
+NOTES_FOR = 24 * 3600.0
+"""Seconds for which notes are told to a console that has just come."""
+
+
+def shown(name: str) -> str:
+    """Return a name of another console as one short line of safe text."""
+    return sanitize(name)[:NAME] or "unknown"
+
+
+class SharedDesk:
+    """One console's part of the desk. `selected` returns the robot that it looks at."""
+
+    def __init__(self, folder: Path, store: Store, name: str, shares: bool = True) -> None:
+        """A console that does not `share` is there, and keeps its own acts to itself."""
+        self._folder, self._store, self._name = folder, store, name
+        self._post: Callable[[Event], object] = lambda _event: None
+        self.selected: Callable[[], str] = lambda: ""
+        self.on_note: Callable[[Note, bool], None] = lambda _note, _is_new: None
+        """Called in the desk's thread with a note of another console, and whether it was made just now."""
+        self._boot, self._shares = boot_id(), shares
+        self._presence, self._facts = PresenceFile(folder), FactFile(folder)
+        self._reader, self._replies = PresenceReader(folder, self._presence.id), Replies(store)
+        self._waiting, self._lost = deque[Fact](), 0
+        self._numbers = itertools.count(1)
+        self._others: tuple[Colleague, ...] | None = None
+        self._problems: tuple[str, ...] = ()
+        self._begun = math.inf
+        self._has_read = False
+        self._is_closing, self._wake = False, threading.Event()
+        self._thread = threading.Thread(target=self._work, name="fleet-tui-desk", daemon=True)
+
+    @property
+    def notes(self) -> list[str]:
+        """Return notes for the operator; empty while all is shared."""
+        if time.monotonic() - self._begun > SLOW:
+            return ["desk: not responding, nothing is shared"]
+        ignored = self._facts.ignored + self._reader.ignored
+        told = [f"desk: {ignored} entries ignored: not of a console"] if ignored else []
+        lost = [f"desk: {self._lost} facts not shared"] if self._lost else []
+        return [*(f"desk: not shared: {one}" for one in self._problems), *lost, *told]
+
+    def start(self, post: Callable[[Event], object]) -> None:
+        """Join the desk; `post` applies an event."""
+        self._post = self._replies.send = post
+        post(DeskJoined(self._name))
+        self._store.watchers.append(self.watch)
+        self._thread.start()
+
+    def close(self) -> None:
+        """Leave the desk: this console's claims end."""
+        with suppress(ValueError):
+            self._store.watchers.remove(self.watch)
+        self._is_closing = True
+        self._wake.set()
+        if self._thread.is_alive():
+            self._thread.join(LAST_CHANCE)
+
+    def watch(self, before: FleetState, after: FleetState) -> None:
+        """Share what this console's operator did; written later."""
+        if after.desk.acted or not self._shares:
+            return
+        if after.desk.closed is not before.desk.closed:
+            was, now = ({edge.ends: edge for edge in state.desk.closed} for state in (before, after))
+            for ends in sorted(was.keys() - now.keys()):
+                self._share(SharedClosure, ends=ends, closed=False)
+            for edge in after.desk.closed:  # one closed twice, too: somebody may just open it
+                if was.get(edge.ends) != edge:
+                    self._share(SharedClosure, ends=edge.ends, closed=True, wall=edge.wall)
+        if after.now != before.now:  # time did it
+            return
+        for change in transitions(before.alarms, after.alarms, after.wall):
+            source, kind = change.alarm.key
+            if change.step is AlarmStep.ACKNOWLEDGE:
+                self._share(SharedAcknowledgement, source=source, kind=kind)
+            elif change.step in (AlarmStep.SHELVE, AlarmStep.UNSHELVE):
+                left = change.alarm.shelved_until - after.now if change.step is AlarmStep.SHELVE else 0.0
+                self._share(SharedShelving, source=source, kind=kind, seconds=max(0.0, left))
+
+    def share_note(self, note: Note) -> None:
+        """Tell the other consoles a remark for whoever takes over."""
+        if self._shares:
+            self._share(SharedNote, text=note.text, wall=note.at)
+
+    def _share(self, told: type[Fact], /, **fields: object) -> None:
+        usual = {"id": f"{self._presence.id}:{next(self._numbers)}", "by": self._name, "wall": time.time()}
+        fact = msgspec.convert({**usual, **fields}, told)
+        if len(self._waiting) >= WAITING:
+            self._waiting.popleft()
+            self._lost += 1
+        self._waiting.append(fact)
+        self._wake.set()
+
+    def _work(self) -> None:
+        while not self._is_closing:
+            self._wake.clear()
+            self._begun = time.monotonic()
+            self._problems = tuple(self._step())
+            self._begun = math.inf
+            if not self._is_closing:
+                self._wake.wait(EVERY)
+        list(self._tried(self._write))
+        self._presence.close()
+        self._facts.close()
+
+    def _step(self) -> Iterator[str]:
+        """Write and read; yield what could not be done: whatever fails, the rest goes on."""
+        found = [
+            *self._tried(lambda: self._presence.keep(self._own())),
+            *self._tried(self._write),
+            *self._tried(self._read),
+            *self._tried(self._look),
+        ]
+        yield from dict.fromkeys(found)
+
+    def _tried(self, work: Callable[[], None]) -> Iterator[str]:
+        try:
+            work()
+        except OSError as problem:
+            yield f"{self._folder}: {problem.strerror or problem}"
+        except Exception:
+            LOG.exception("desk")  # a mistake of ours must not end the desk
+            yield "internal error: see the log file"
+
+    def _own(self) -> Presence:
+        """Return this console as the others see it."""
+        state = self._store.state
+        seen, shelved = list[tuple[str, str]](), list[tuple[str, str, float]]()
+        for alarm in state.alarms[:1000]:
+            if alarm.stage is AlarmStage.ACKNOWLEDGED:
+                seen.append(alarm.key)
+            elif alarm.stage is AlarmStage.SHELVED:
+                # To the minute: the file is written when it changes.
+                shelved.append((*alarm.key, round((alarm.shelved_until - state.now) / 60) * 60.0))
+        return Presence(
+            self._presence.id,
+            self._name[:200],
+            self._presence.id.rpartition("-")[0].rpartition("-")[0],
+            self._boot,
+            self.selected(),
+            state.desk.claims,
+            tuple(seen) if self._shares else (),
+            tuple(shelved) if self._shares else (),
+        )
+
+    def _write(self) -> None:
+        """Append what waits."""
+        taken = list(self._waiting)
+        if taken:
+            self._facts.append(taken)
+            for _ in taken:
+                self._waiting.popleft()
+            self._lost = 0
+
+    def _read(self) -> None:
+        """Apply what others told, in the order of the file; of edges also this console's own."""
+        found, is_new, self._has_read = self._facts.read(), self._has_read, True
+        for fact in found:
+            if isinstance(fact, SharedClosure):
+                self._apply_closure(fact)
+            elif fact.console == self._presence.id:
+                continue
+            elif isinstance(fact, SharedNote):
+                if is_new or abs(time.time() - fact.wall) < NOTES_FOR:
+                    self.on_note(Note(fact.wall, shown(fact.by), fact.text), is_new)
+            elif is_new:
+                self._replies.take(fact, shown(fact.by))
+        self._replies.post()
+
+    def _apply_closure(self, fact: SharedClosure) -> None:
+        by = shown(fact.by)
+        self._post(EdgeClosed(fact.ends, fact.wall, by) if fact.closed else EdgeOpened(fact.ends, by))
+
+    def _look(self) -> None:
+        """Post who is there, if that has changed."""
+        found = self._reader.look()
+        self._replies.adopt([(shown(one.name), one) for one in found])
+        others = colleagues(found)
+        if others != self._others:
+            self._others = others
+            self._post(ColleaguesSeen(others))
+
+
+def colleagues(found: Sequence[Presence]) -> tuple[Colleague, ...]:
+    """Return consoles as the state has them."""
+    return tuple(Colleague(one.id, shown(one.name), shown(one.host), one.robot, one.claims) for one in found)
+
+
+@contextmanager
+def desk_of(config: Config, store: Store, name: str) -> Iterator[SharedDesk | None]:
+    """Provide the desk of the configuration, None without one. The console leaves it at the end."""
+    if not config.desk.folder:
+        yield None
+        return
+    may = permissions_of(config)
+    shares = may.right >= Right.DISPATCH and not may.read_only
+    desk = SharedDesk(config.beside(config.desk.folder), store, name, shares)
+    try:
+        yield desk
+    finally:
+        desk.close()

@@ -1,0 +1,145 @@
+"""The shared file of facts: every console appends to it, and reads on where it stopped. All see one order."""
+
+import errno
+import os
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+import msgspec
+
+from fleet_tui.desk.facts import Fact, SharedClosure, SharedNote
+from fleet_tui.desk.folder import locked, open_shared, replace_shared
+
+FILE, LOCK = "facts.jsonl", "facts.lock"
+LARGEST = 1_000_000
+"""Bytes of the file above which it is written again without what is over."""
+RECENT = 200
+"""Facts that stay then, whatever they are: a console that has just come reads them."""
+NOTES_KEPT = 200
+CLOSURES_KEPT = 1000
+AT_ONCE = 4 * LARGEST
+"""Bytes that are read at a time."""
+
+_DECODER: msgspec.json.Decoder[Fact] = msgspec.json.Decoder(Fact)
+
+
+class FactFile:
+    """One console's place in the file. Not for several threads."""
+
+    def __init__(self, folder: Path) -> None:
+        self._path, self._lock = folder / FILE, folder / LOCK
+        self._handle: int | None = None
+        self._at = 0
+        self._known: dict[str, None] = {}
+        self.ignored = 0
+        """Lines that are no facts."""
+
+    def append(self, facts: Sequence[Fact]) -> None:
+        """Append facts, all or none. Raises OSError."""
+        data = b"".join(msgspec.json.encode(fact) + b"\n" for fact in facts)
+        with locked(self._lock):
+            handle = open_shared(self._path, os.O_RDWR | os.O_APPEND | os.O_CREAT)
+            try:
+                size = _append(handle, data)
+            finally:
+                os.close(handle)
+            if size > LARGEST:
+                self._shorten(size)
+
+    def _shorten(self, size: int) -> None:
+        """Write the file again with what still counts. The lock is held."""
+        handle = open_shared(self._path, os.O_RDONLY)
+        try:
+            lines = os.pread(handle, AT_ONCE, max(0, size - AT_ONCE)).splitlines()
+        finally:
+            os.close(handle)
+        kept = still_counting([fact for line in lines if (fact := _fact(line)) is not None])
+        replace_shared(self._path, b"".join(msgspec.json.encode(fact) + b"\n" for fact in kept))
+
+    def read(self) -> list[Fact]:
+        """Return the facts since the last time, this console's own among them. Raises OSError."""
+        found = self._read_on()
+        if self._is_replaced():
+            found += self._read_on()  # what came between the two looks
+            self._reopen()
+            found += self._read_on()
+        return found
+
+    def _is_replaced(self) -> bool:
+        try:
+            now = self._path.stat(follow_symlinks=False)
+        except FileNotFoundError:
+            return False
+        if self._handle is None:
+            return True
+        mine = os.fstat(self._handle)
+        return (now.st_dev, now.st_ino) != (mine.st_dev, mine.st_ino) or now.st_size < self._at
+
+    def _reopen(self) -> None:
+        self.close()
+        self._handle, self._at = open_shared(self._path, os.O_RDONLY), 0
+
+    def _read_on(self) -> list[Fact]:
+        """Return the new facts of the open file, whole lines only."""
+        if self._handle is None:
+            return []
+        data = os.pread(self._handle, AT_ONCE, self._at)
+        end = data.rfind(b"\n") + 1
+        if not end and len(data) == AT_ONCE:
+            end = len(data)  # no line of ours
+        self._at += end
+        return [fact for line in data[:end].splitlines() if (fact := self._new(line)) is not None]
+
+    def _new(self, line: bytes) -> Fact | None:
+        """Return the fact of a line, None if it is none or was read before."""
+        fact = _fact(line)
+        if fact is None:
+            self.ignored += bool(line)
+            return None
+        if fact.id in self._known:
+            return None
+        self._known[fact.id] = None
+        if len(self._known) > LARGEST // 50:
+            del self._known[next(iter(self._known))]
+        return fact
+
+    def close(self) -> None:
+        """Close the file."""
+        if self._handle is not None:
+            os.close(self._handle)
+            self._handle = None
+
+
+def _append(handle: int, data: bytes) -> int:
+    """Append whole lines with one write; a line that a killed console left open ends first. Return the
+    size. Raises OSError, and leaves nothing then."""
+    size = os.fstat(handle).st_size
+    if size and os.pread(handle, 1, size - 1) != b"\n":
+        data = b"\n" + data
+    try:
+        if os.write(handle, data) != len(data):
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+    except OSError:
+        os.ftruncate(handle, size)
+        raise
+    return size + len(data)
+
+
+def _fact(line: bytes) -> Fact | None:
+    try:
+        return _DECODER.decode(line)
+    except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError):
+        return None
+
+
+def still_counting(facts: Iterable[Fact]) -> list[Fact]:
+    """Return the facts that a new console needs, in their order: closed edges, the last notes, the newest."""
+    facts = list(facts)
+    last: dict[tuple[str, str, str], SharedClosure] = {}
+    for fact in facts:
+        if isinstance(fact, SharedClosure):
+            last[fact.ends] = fact
+    closed = [fact for fact in last.values() if fact.closed][-CLOSURES_KEPT:]
+    notes = [fact for fact in facts if isinstance(fact, SharedNote)][-NOTES_KEPT:]
+    kept = {fact.id for fact in (*closed, *notes, *facts[-RECENT:])}
+    return [fact for fact in facts if fact.id in kept]

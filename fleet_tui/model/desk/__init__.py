@@ -1,0 +1,1 @@
+"""The desk: consoles of several people on one fleet."""

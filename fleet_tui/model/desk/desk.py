@@ -1,0 +1,55 @@
+"""The state of the desk: the other consoles, claims of robots, closed edges."""
+
+from msgspec import Struct
+
+
+class Colleague(Struct, frozen=True):
+    """Another console of the desk: `id` is unique, `name` its operator, `robot` the one it looks at, `claims`
+    the robots that it has claimed."""
+
+    id: str
+    name: str
+    host: str
+    robot: str = ""
+    claims: tuple[str, ...] = ()
+
+
+Ends = tuple[str, str, str]
+"""Floor and the two vertex ids of an edge, the smaller id first: an edge is closed both ways."""
+
+
+def ends_of(floor: str, start: str, end: str) -> Ends:
+    """Return the identity of an edge, whatever its direction."""
+    return (floor, start, end) if start <= end else (floor, end, start)
+
+
+class ClosedEdge(Struct, frozen=True):
+    """An edge that people closed to robots; `by` is who did it, `wall` when (Unix seconds)."""
+
+    ends: Ends
+    by: str
+    wall: float
+
+
+class Desk(Struct, frozen=True):
+    """`me` is this console's operator, empty without a desk; `claims` are this console's. `acted`: the
+    operator of the other console that made the last change of an alarm or edge, empty if it was this one."""
+
+    me: str = ""
+    claims: tuple[str, ...] = ()
+    others: tuple[Colleague, ...] = ()
+    closed: tuple[ClosedEdge, ...] = ()
+    acted: str = ""
+
+    def holders(self, robot: str) -> list[str]:
+        """Return the operators of all consoles that have claimed a robot."""
+        mine = [self.me] if robot in self.claims else []
+        return [*mine, *self.other_holders(robot)]
+
+    def other_holders(self, robot: str) -> list[str]:
+        """Return the operators of the other consoles that have claimed a robot."""
+        return list(dict.fromkeys(one.name for one in self.others if robot in one.claims))
+
+    def closed_on(self, floor: str) -> list[ClosedEdge]:
+        """Return the closed edges of a floor."""
+        return [edge for edge in self.closed if edge.ends[0] == floor]

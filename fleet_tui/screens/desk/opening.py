@@ -1,0 +1,32 @@
+"""The parts of the main screen that belong to the desk."""
+
+from typing import TYPE_CHECKING
+
+from fleet_tui.controllers.desk.commands import DeskCommands
+from fleet_tui.controllers.parts import SetUpParts
+from fleet_tui.model.history.facts import Note
+from fleet_tui.text.sanitize import sanitize
+
+if TYPE_CHECKING:
+    from fleet_tui.screens.main import MainScreen
+
+
+def desk_commands(screen: "MainScreen", parts: SetUpParts) -> DeskCommands:
+    """Return the typed lines of the desk on this screen."""
+    return DeskCommands(parts, screen.files, screen.backend.post, screen.settings.clock)
+
+
+def join_desk(screen: "MainScreen") -> None:
+    """Tell the desk, if there is one, which robot is looked at, and show the notes of the others."""
+    desk, history = screen.files.desk, screen.files.history
+    if desk is None:
+        return
+
+    def take_note(note: Note, is_new: bool) -> None:
+        if history is not None:
+            history.add_note(note.text, note.operator, note.at)
+        if is_new:
+            screen.call_later(screen.notices.say, sanitize(f"note of {note.operator}: {note.text}"))
+
+    desk.selected = lambda: screen.navigation.robot
+    desk.on_note = take_note

@@ -1,0 +1,65 @@
+"""Events of operators, here and at the other consoles of the desk, applied to the fleet state."""
+
+from typing import assert_never
+
+from msgspec.structs import replace
+
+from fleet_tui.model.alarm import acknowledge, shelve, unshelve
+from fleet_tui.model.desk import events
+from fleet_tui.model.desk.desk import ClosedEdge, Desk
+from fleet_tui.model.fleet import FleetState
+
+MOST_CLOSED = 1000
+"""Closed edges of all floors; of more the oldest are forgotten."""
+
+
+def apply_operator(state: FleetState, event: events.OperatorEvent) -> FleetState:
+    """Return the state after an operator did something."""
+    return _answer(state, event) if isinstance(event, events.AlarmAnswer) else _change(state, event)
+
+
+def _answer(state: FleetState, event: events.AlarmAnswer) -> FleetState:
+    match event:
+        case events.AlarmAcknowledged():
+            alarms = acknowledge(state.alarms, event.source, event.kind)
+        case events.AlarmShelved():
+            alarms = shelve(state.alarms, (event.source, event.kind), event.until)
+        case events.AlarmUnshelved():
+            alarms = unshelve(state.alarms, (event.source, event.kind))
+        case _:
+            assert_never(event)
+    return _acted(replace(state, alarms=alarms), event.by)
+
+
+def _acted(state: FleetState, by: str) -> FleetState:
+    return state if state.desk.acted == by else replace(state, desk=replace(state.desk, acted=by))
+
+
+def _change(state: FleetState, event: events.DeskChange) -> FleetState:
+    desk = state.desk
+    match event:
+        case events.DeskJoined():
+            desk = replace(desk, me=event.name)
+        case events.ColleaguesSeen():
+            desk = replace(desk, others=event.others)
+        case events.RobotClaimed():
+            desk = replace(desk, claims=(*_without(desk, event.robot), event.robot))
+        case events.RobotReleased():
+            desk = replace(desk, claims=_without(desk, event.robot))
+        case events.EdgeClosed():
+            edge = ClosedEdge(event.ends, event.by or desk.me, event.wall)
+            closed = (*_but(desk, event.ends), edge)[-MOST_CLOSED:]
+            desk = replace(desk, closed=closed, acted=event.by)
+        case events.EdgeOpened():
+            desk = replace(desk, closed=_but(desk, event.ends), acted=event.by)
+        case _:
+            assert_never(event)
+    return replace(state, desk=desk)
+
+
+def _without(desk: Desk, robot: str) -> tuple[str, ...]:
+    return tuple(name for name in desk.claims if name != robot)
+
+
+def _but(desk: Desk, ends: tuple[str, str, str]) -> tuple[ClosedEdge, ...]:
+    return tuple(edge for edge in desk.closed if edge.ends != ends)

@@ -1,0 +1,48 @@
+"""The orders whose way an edge is on, in words."""
+
+from collections.abc import Iterator, Sequence
+
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.robot import Robot
+from fleet_tui.rules.language.edges import edge_text
+from fleet_tui.rules.routes.impact import CutOrder, cut_orders, edge_under, is_in_the_way
+from fleet_tui.rules.why.reason import mission
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.units import counted
+
+MOST_EDGES = 3
+"""Edges whose impact is listed."""
+MOST_SHOWN = 8
+"""Orders that are listed; the number of others follows."""
+
+
+def impact_text(cut: Sequence[CutOrder]) -> str:
+    """Return how many ways an edge cuts, and how many orders have no other."""
+    if not cut:
+        return "cuts the way of no order"
+    lost = sum(one.around is None for one in cut)
+    return f"cuts the way of {counted(len(cut), 'order')}, {lost or 'none'} without another"
+
+
+def why_impact(state: FleetState, robot: Robot) -> list[str]:
+    """Return the orders whose way is cut by the edge that a blocked robot is on, and by closed ones, those of
+    its floor first."""
+    under = edge_under(robot) if is_in_the_way(state, robot) else None
+    edges = [(under, "Blocked edge")] if under is not None else []
+    closed = sorted(state.desk.closed, key=lambda edge: edge.ends[0] != robot.floor)
+    edges += [(edge.ends, f"Closed by {edge.by or 'this console'}:") for edge in closed if edge.ends != under]
+    lines = []
+    for ends, what in edges[:MOST_EDGES]:
+        cut = cut_orders(state, ends)
+        lines += ["", sanitize(f"{what} {edge_text(robot, ends)} {impact_text(cut)}")]
+        lines += [f"    {line}" for line in impact_lines(state, cut)]
+    return lines
+
+
+def impact_lines(state: FleetState, cut: Sequence[CutOrder]) -> Iterator[str]:
+    """Yield each order whose way is cut, with its detour; those without a way first."""
+    for one in sorted(cut, key=lambda found: found.around is not None)[:MOST_SHOWN]:
+        told = mission(state.robots[one.robot], one.order)
+        yield sanitize(f"{one.robot} {told}: {one.text}")
+    if len(cut) > MOST_SHOWN:
+        yield f"and {len(cut) - MOST_SHOWN} more"
