@@ -23,6 +23,8 @@ class Notices:
     ) -> None:
         self._store, self._refresh, self._clock = store, refresh, clock
         self._text, self._until, self.at = text, clock() + SHOWN, 0.0
+        self.key_at = 0.0
+        """The time of the last key of the console (monotonic seconds, of the state)."""
 
     @property
     def text(self) -> str:
@@ -38,6 +40,10 @@ class Notices:
         """Show a text with the next tick; if it `stays`, until there is a newer one."""
         self._text, self.at = text, newest(self._store.state)
         self._until = math.inf if stays else self._clock() + SHOWN
+
+    def key_pressed(self) -> None:
+        """Remember the time of a key: what it leaves behind was read."""
+        self.key_at = newest(self._store.state)
 
     def clear(self) -> None:
         """Show no text."""

@@ -136,7 +136,8 @@ class MainScreen(Screen[None]):
         tables = self.newest.tables()
         self.panes.show(state, tables, robot, page, recent, self.rest.covered if self.is_complete else 0)
         self.status.show(*self.session.headline(whole, robot, self.status.size.width))
-        self.message.show(message_line(whole, self.notices.text, self.notices.at, self.message.size.width))
+        said, width = self.notices, self.message.size.width
+        self.message.show(message_line(whole, said.text, said.at, width, said.key_at))
         self._show_hints(state, robot)
         self.settings.announce(whole)
 
@@ -200,6 +201,7 @@ class MainScreen(Screen[None]):
 
     async def action_key(self, id_: str) -> None:
         """Run the action of a key."""
+        self.notices.key_pressed()
         done = BY_ID[id_].action(self.rest.actions)
         if isawaitable(done):
             await done

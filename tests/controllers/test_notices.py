@@ -3,7 +3,7 @@
 from fleet_tui.controllers.notices import SHOWN, Notices
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.state.store import Store
-from tests.support.fleets import R0, T0, commanded, fleet, reduced
+from tests.support.fleets import R0, T0, commanded, fleet, reduced, tick
 
 
 def test_what_is_said_is_shown_at_once_and_what_is_noted_with_the_next_tick() -> None:
@@ -42,3 +42,10 @@ def test_a_command_that_comes_later_is_newer_than_the_text() -> None:
     store.put(reduced(fleet(), *commanded(1, PauseRobot(R0), Stage.SENT, at=T0 + 1)))
     notices.say("two")
     assert notices.at > before
+
+
+def test_the_time_of_a_key_is_that_of_the_state() -> None:
+    store = Store(reduced(fleet(), tick(T0 + 3)))
+    notices = Notices(store, lambda: None)
+    notices.key_pressed()
+    assert notices.key_at == T0 + 3

@@ -6,8 +6,12 @@ import pytest
 from msgspec.structs import replace
 
 from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.view.lines.commands import READ_AFTER
 from fleet_tui.view.map.drawing import Drawing
 from tests.support.console_pilot import console
+from tests.support.fleets import place_order
+from tests.support.scenario import plant
+from tests.support.situations import BASE, CONSUMIDORES
 from tests.support.watched_store import config_of
 
 
@@ -173,3 +177,14 @@ async def test_all_paused_shows_the_way_back_at_80_columns_too(server: Rosbridge
         await it.shows("robot_0, robot_1")
         await it.press("y")
         await it.hides("ALL PAUSED")
+
+
+async def test_a_failed_command_leaves_the_last_line_with_the_next_key(server: RosbridgeServer) -> None:
+    plant(server, "refuse")
+    async with console(config_of(server.url, 2), (80, 24)) as it:
+        it.app.backend.submit(place_order("robot_0", CONSUMIDORES, BASE))
+        await it.shows("refused", "message")
+        await it.until(lambda state: state.now > state.commands[0].at + READ_AFTER)
+        await it.press("]")
+        await it.hides("refused", "message")
+        assert "refused" in it.text, "its alarm stays"

@@ -25,6 +25,7 @@ class DiagnosticsControls:
         """Show the page that was open last; the first time a topic of `robot` is marked."""
         if self._pages.topic is None:
             self._pages.topic = self._cursors[Page.TOPICS] = self._pages.first_topic(robot)
+        self._pages.begin_log(robot)
         self.page(self.current)
 
     def page(self, number: int) -> None:
@@ -78,9 +79,13 @@ class DiagnosticsControls:
             self._view.look()
 
     def leave(self) -> None:
-        """Go one level back: from a message to the topics, else close the screen."""
+        """Go one level back: from a message to the topics, from the log of the robot in trouble to all, else
+        close the screen."""
         if self.current is Page.RAW and self._came_from_topics:
             self.page(Page.TOPICS)
+        elif self.current is Page.LOG and self._pages.shows_troubled:
+            self._pages.wanted[Page.LOG] = ""
+            self.page(Page.LOG)
         else:
             self._view.action_close()
 

@@ -10,6 +10,7 @@ from fleet_tui.log_file import TAIL
 from fleet_tui.model.counters import Raw, TopicCounter, snapshot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.ros_logs import LogLine, Severity
+from fleet_tui.rules.alarms.trouble import in_trouble
 from fleet_tui.terminal.budget import Budget, memory
 from fleet_tui.text.durations import age
 from fleet_tui.view.tables.diagnostics.console import OwnFacts, console_table
@@ -49,8 +50,10 @@ class Pages:
         self._state, self._backend, self._clock = state, backend, clock
         self.topic: tuple[str, str] | None = None
         self.shows_bad = False
-        self.least = Severity.DEBUG
+        self.least = Severity.INFO
         self.wanted: dict[Page, str] = {}
+        self._troubled = ""
+        """The robot in trouble by which the log was filtered last."""
         self.opened: set[Hashable] = set()
         self.opened_lines: set[Hashable] = set()
         self.width = 80
@@ -67,6 +70,18 @@ class Pages:
         """Return the topic to begin with: a robot's first."""
         found = [(link.name, one) for link, counter in self.links() for one in counter.topics.values()]
         return next(((link, one.topic) for link, one in found if one.robot == robot), None)
+
+    def begin_log(self, robot: str) -> None:
+        """Filter the log by a robot of several if that is in trouble, unless there is a filter."""
+        state = self._state()
+        if self.wanted.get(Page.LOG, "") in ("", self._troubled):
+            self._troubled = robot if len(state.robots) > 1 and robot in in_trouble(state) else ""
+            self.wanted[Page.LOG] = self._troubled
+
+    @property
+    def shows_troubled(self) -> bool:
+        """Tell whether the log is filtered by a robot in trouble."""
+        return bool(self._troubled) and self.wanted.get(Page.LOG) == self._troubled
 
     def table(self, page: Page, budget: Budget) -> Table:
         """Return the rows of a page."""

@@ -19,6 +19,8 @@ from fleet_tui.view.tables.table import Run, cut, width_of
 FEW = 3
 # Seconds for which a failed command, and the return of a link, is shown.
 REMEMBERED = 30.0
+# Seconds after a failure in which a key may have been pressed without it having been read.
+READ_AFTER = 1.0
 # Seconds for which the success of the last command is shown.
 SUCCEEDED = 10.0
 # Seconds for which the successful end of an order is shown.
@@ -80,10 +82,15 @@ def _group_runs(
     return (text, StyleRole.TEXT), (f": {stage_text(first, state.now)}", role), (detail, StyleRole.DIM)
 
 
-def _worth_saying(state: FleetState, said_at: float) -> list[commands.CommandRecord]:
-    """Return the open commands, those that failed a short while ago, and the last one until a while after its
-    success or until something newer was said."""
-    return [record for record in state.commands if state.now - record.at < _shown_for(state, record, said_at)]
+def _worth_saying(state: FleetState, said_at: float, key_at: float) -> list[commands.CommandRecord]:
+    """Return the open commands, those that failed a short while ago and were not followed by a key, and the
+    last one until a while after its success or until something newer was said."""
+    return [
+        record
+        for record in state.commands
+        if state.now - record.at < _shown_for(state, record, said_at)
+        and not (record.stage in commands.FAILURES and key_at > record.at + READ_AFTER)
+    ]
 
 
 def _shown_for(state: FleetState, record: commands.CommandRecord, said_at: float) -> float:
@@ -101,9 +108,9 @@ def _shown_for(state: FleetState, record: commands.CommandRecord, said_at: float
 Part = tuple[Run, ...]
 
 
-def _parts(state: FleetState, said_at: float) -> Iterator[tuple[bool, float, Part, Part]]:
+def _parts(state: FleetState, said_at: float, key_at: float) -> Iterator[tuple[bool, float, Part, Part]]:
     """Return the parts of the line: success, time, full text and short text of each."""
-    worth = {record.id: record for record in _worth_saying(state, said_at)}
+    worth = {record.id: record for record in _worth_saying(state, said_at, key_at)}
     for batch in pauses(state.commands):
         if any(record.id in worth for record in batch):
             for record in batch:
@@ -132,11 +139,11 @@ def _batch_runs(state: FleetState, batch: Sequence[commands.CommandRecord]) -> P
     return (what, StyleRole.TEXT), (f": {detail}", role)
 
 
-def message_line(state: FleetState, said: str, said_at: float, width: int) -> Part:
+def message_line(state: FleetState, said: str, said_at: float, width: int, key_at: float = -math.inf) -> Part:
     """Return the newest message to the operator: the console's notice, the state of the last commands. `said`
-    is empty once it is over, `said_at` remains."""
+    is empty once it is over, `said_at` remains; `key_at` is the time of the last key."""
     # Failures first, the newest leading: they must not be cut at the right end.
-    found = sorted(_parts(state, said_at), key=lambda part: (part[0], -part[1]))
+    found = sorted(_parts(state, said_at, key_at), key=lambda part: (part[0], -part[1]))
     parts, briefs = [part[2] for part in found], [part[3] for part in found]
     for returned in _returned(state):
         parts.append(returned)

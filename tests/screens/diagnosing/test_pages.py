@@ -8,9 +8,11 @@ import pytest
 
 from fleet_tui.backend import LiveBackend
 from fleet_tui.log_file import TAIL
+from fleet_tui.rules.alarms.trouble import in_trouble
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console
 from tests.support.diagnostics_pane import listens, open_page, pane, say
+from tests.support.scenario import plant
 from tests.support.watched_store import config_of
 
 
@@ -59,8 +61,8 @@ async def test_the_robots_log_by_level_and_text(server: RosbridgeServer) -> None
         await listens(it, server)
         for level, words in ((1, "a detail"), (2, "order taken"), (30, "wheel slips"), (8, "motor hot")):
             say(server, level, words)
-        await it.shows("4 of 4 lines, DEBUG and worse")
-        await it.press("v", "v")
+        await it.shows("3 of 4 lines, INFO and worse")
+        await it.press("v")
         await it.shows("2 of 4 lines, WARN and worse")
         assert "order taken" not in pane(it) and "▲ WARN" in pane(it) and "✗ ERROR" in pane(it)
         await it.press("/")
@@ -72,6 +74,25 @@ async def test_the_robots_log_by_level_and_text(server: RosbridgeServer) -> None
         await it.shows("3 of 5 lines")
         await it.press("v", "v", "v")
         await it.shows("5 of 5 lines, DEBUG and worse")
+
+
+async def test_the_log_of_a_robot_in_trouble_comes_first_and_esc_shows_all(server: RosbridgeServer) -> None:
+    plant(server, "battery:robot_1")
+    async with console(config_of(server.url, 2, 2)) as it:
+        await it.until(lambda state: "robot_1" in in_trouble(state))
+        await it.press("2")
+        await open_page(it, 4, "Robot log")
+        await listens(it, server)
+        say(server, 2, "of this one", "/robot_1/drive")
+        say(server, 2, "of another one", "/robot_0/drive")
+        await it.shows("matching robot_1")
+        await it.shows("of this one", "diagnostics-rows")
+        assert "of another one" not in pane(it)
+        await it.press("escape")
+        await it.shows("of another one", "diagnostics-rows")
+        await it.press("escape", "1", "d")
+        await it.shows("/rosout  ")
+        assert "matching" not in pane(it)
 
 
 async def test_the_console_on_itself(server: RosbridgeServer, own_log: logging.Logger) -> None:

@@ -108,6 +108,12 @@ def test_a_success_goes_as_soon_as_something_newer_is_said() -> None:
     assert "refused" in text_of(message_line(bad, "no vertex here", T0 + 2, WIDE))
 
 
+def test_a_failure_goes_with_the_first_key_after_it_was_read() -> None:
+    bad = reduced(fleet(), *pause(1, T0, Stage.SENT, Stage.REFUSED), tick(T0 + 5))
+    for key_at, is_shown in ((T0 + 0.5, True), (T0 + 3, False)):
+        assert ("refused" in text_of(message_line(bad, "", 0.0, WIDE, key_at))) is is_shown
+
+
 def test_pause_all_of_a_large_fleet_is_one_word() -> None:
     facts = [
         fact for n in range(9) for fact in pause(n, T0, Stage.NOT_SENT, robot=f"robot_{n}", detail="no link")
