@@ -4,6 +4,7 @@ from fleet_tui.model.alarm import Condition, Priority
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation import blocked_text
+from fleet_tui.model.order import route_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
 from fleet_tui.rules.commands.failures import FAILED_FOR
@@ -89,7 +90,8 @@ def failed_order(state: FleetState, robot: Robot, _active: ActiveConditions) -> 
         return None
     if any(record.order_id == last.order.id for record in state.commands):
         return None
-    text = f"order {last.order.id} failed"
+    stops = route_text(last.order.stops, lambda vertex: robot.name_of(vertex) or vertex)
+    text = f"order {stops if last.order.stops else last.order.id} failed"
     found = f"{text}{detail_text(last.reason)}"
     return Condition(robot.name, "order", Priority.MEDIUM, found, text, parts=frozenset({last.order.id}))
 

@@ -7,7 +7,7 @@ from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.navigation import Blocked
-from fleet_tui.model.order import Order
+from fleet_tui.model.order import Order, Stop, at_vertices
 from fleet_tui.model.order_life import GoneOrder
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.navigation import (
@@ -106,8 +106,8 @@ def test_held_orders_are_counted_and_those_held_by_others_matter_more() -> None:
     assert held_orders(*known(held=ANOTHER_CLIENT), {}) is None and held_orders(*known(state), {}) is None
 
 
-def failed(stage: Stage = Stage.FAILED, at: float = T0) -> GoneOrder:
-    return GoneOrder(Order("7", (), None, "", 1), at, stage, "aborted by the robot")
+def failed(stage: Stage = Stage.FAILED, at: float = T0, stops: tuple[Stop, ...] = ()) -> GoneOrder:
+    return GoneOrder(Order("7", stops, None, "", 1), at, stage, "aborted by the robot")
 
 
 def test_an_order_of_another_client_that_failed_is_told_for_a_while() -> None:
@@ -115,6 +115,8 @@ def test_an_order_of_another_client_that_failed_is_told_for_a_while() -> None:
     assert found is not None
     assert (found.kind, found.text) == ("order", "order 7 failed (aborted by the robot)")
     assert class_of(found.kind) == "command"
+    found = failed_order(*known(gone=(failed(stops=at_vertices("1", "2")),)), {})
+    assert found is not None and found.text == "order 1 -> 2 failed (aborted by the robot)"
     assert failed_order(*known(gone=(failed(at=T0 - FAILED_FOR),)), {}) is None
     assert failed_order(*known(gone=(failed(), failed(Stage.DONE))), {}) is None
     assert failed_order(*known(), {}) is None
