@@ -198,7 +198,9 @@ def _arrow(robots: list[SceneRobot], at: Place, taken: Container[Place], turned:
     """Return the arrow of the robots in a cell, only as wide as it hides no other one: a dot if they have
     different ones."""
     glyph, *others = {robot_glyph(robot, turned, plain) for robot in robots}
-    if others:
+    if robots[0].selected:  # its own heading, whoever is beside it
+        glyph = robot_glyph(robots[0], turned, plain)
+    elif others:
         return _DOTS[plain]
     return glyph[:1] if (at[0] + 1, at[1]) in taken else glyph
 

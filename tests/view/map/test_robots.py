@@ -44,9 +44,10 @@ def test_the_number_is_left_of_the_arrow_and_right_where_another_robot_is_there(
 def test_robots_side_by_side_are_one_chip_with_an_arrow_only_where_all_have_it() -> None:
     one, other = robot(1, 0), robot(2, 1)
     assert " 1,2→ " in drawn((one, other))
-    for different in (other._replace(pose=Pose(10.05 + CELL, 5.0, 3.14)), other._replace(cargo=True)):
+    turned, loaded = other._replace(pose=Pose(10.05 + CELL, 5.0, 3.14)), other._replace(cargo=True)
+    for different, own in ((turned, "←"), (loaded, "▶")):
         assert " 1,2• " in drawn((one, different)), "nobody sees whose arrow it is"
-        assert " 1,2• " in drawn((one, different._replace(selected=True)))
+        assert f" 1,2{own} " in drawn((one, different._replace(selected=True))), "the selected one's"
 
 
 def test_numbers_together_have_no_arrows_of_different_headings() -> None:
