@@ -10,6 +10,7 @@ TOOLS: tuple[Key[Actions], ...] = (
         lambda do: do.view.diagnostics(),
         "Open diagnostics: links, topics, raw messages, logs",
         eager="opens",
+        helps="leaves",
     ),
     Key("record", (), lambda do: do.files.record(), "Record: start or stop a recording"),
     Key(

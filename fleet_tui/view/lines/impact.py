@@ -21,7 +21,8 @@ def impact_text(cut: Sequence[CutOrder]) -> str:
     if not cut:
         return "cuts the way of no order"
     lost = sum(one.around is None for one in cut)
-    return f"cuts the way of {counted(len(cut), 'order')}, {lost or 'none'} without another"
+    rest = f", {lost} without another" if lost else ", there is another"
+    return f"cuts the way of {counted(len(cut), 'order')}{rest}"
 
 
 def why_impact(state: FleetState, robot: Robot) -> list[str]:
@@ -34,6 +35,8 @@ def why_impact(state: FleetState, robot: Robot) -> list[str]:
     lines = []
     for ends, what in edges[:MOST_EDGES]:
         cut = cut_orders(state, ends)
+        if ends == under and not cut:
+            continue
         lines += ["", sanitize(f"{what} {edge_text(robot, ends)} {impact_text(cut)}")]
         lines += [f"    {line}" for line in impact_lines(state, cut)]
     return lines

@@ -124,8 +124,7 @@ class CellOccupancy:
         doesn't fit, or only over a wall: that is for a label that `is_wanted`.
 
         Of the free places it is the one that hides least of the map, rather beside the vertex; a label keeps
-        a cell's distance from its neighbours, so that two labels never read as one.
-        """
+        two cells' distance from its neighbours, so that two labels never read as one."""
         cells = cell_width(text)
         best: Place | None = None
         least = sys.maxsize if is_wanted else _WALL
@@ -144,7 +143,7 @@ class CellOccupancy:
             cost += sum(roles[row, column : column + cells].tobytes().translate(_WEIGHTS))
             best, least = ((column, row), cost) if cost < least else (best, least)
         if best is not None:
-            self.take(*best, cells)
+            self.take(best[0] - 1, best[1], cells + 2)
         return best
 
     def _apart(self, x: int, y: int, cells: int) -> bool:
@@ -246,5 +245,5 @@ def _spots(cells: int, in_row: bool) -> tuple[tuple[int, int, int], ...]:
     beside += [(middle, -1), (middle, 1)]
     shifted = [(0, -1), (0, 1), (end, -1), (end, 1)]
     corners = [(right, -1), (right, 1), (left, -1), (left, 1)]
-    far = [(column, row) for column in (middle, 0, end, -1, end + 1) for row in (-2, 2)]
+    far = [(column, row) for column in (0, end, middle, -1, end + 1) for row in (-2, 2)]
     return tuple((*at, cost) for cost, places in enumerate((beside, shifted, corners, far)) for at in places)

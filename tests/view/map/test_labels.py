@@ -104,14 +104,14 @@ def test_a_label_without_space_at_its_vertex_is_behind_the_wall_around_the_floor
     roles = ground(slice(2, 3), slice(4, 5))
     roles[3] = StyleRole.EDGE
     roles[:2] = StyleRole.UNKNOWN
-    assert CellOccupancy(WIDTH, HEIGHT).label_spot(10, 3, "Base", roles) == (8, 1)
+    assert CellOccupancy(WIDTH, HEIGHT).label_spot(10, 3, "Base", roles) == (10, 1)
 
 
 def test_a_label_in_another_aisle_would_be_read_as_of_another_vertex() -> None:
     roles = ground(slice(3, 6))
     assert CellOccupancy(WIDTH, HEIGHT).label_spot(10, 4, "Base", roles) is None
     roles[3, 10] = StyleRole.FLOOR
-    assert CellOccupancy(WIDTH, HEIGHT).label_spot(10, 4, "Base", roles) == (8, 2), "nothing between"
+    assert CellOccupancy(WIDTH, HEIGHT).label_spot(10, 4, "Base", roles) == (10, 2), "nothing between"
 
 
 def test_a_new_number_is_on_the_side_without_a_wall() -> None:

@@ -45,7 +45,7 @@ def _fields(link: LinkState, counter: LinkCounter, now: float) -> Iterator[tuple
     took = counter.round_trips.took
     if len(took) > 1:
         curve = "".join(level(one / max(took)) for one in took)
-        yield "", ((curve, StyleRole.DIM), (f" up to {milliseconds(max(took))}", StyleRole.DIM))
+        yield "trend", ((curve, StyleRole.DIM), (f" up to {milliseconds(max(took))}", StyleRole.DIM))
     messages, size = counter.all.rates(now) or (0.0, 0.0)
     total = f", {counter.all.count:,} and {size_text(counter.all.bytes)} in total"
     yield "messages", ((f"{messages:.1f} /s, {size_text(size)}/s", StyleRole.TEXT), (total, StyleRole.DIM))

@@ -17,7 +17,7 @@ def test_a_link_that_is_well() -> None:
     assert "2.00 ms, 1.0 s ago  last 3: 1.00 ms to 3.00 ms, mean 2.00 ms, jitter 1.50 ms" in row(
         table, "trip"
     )
-    assert "▃█▆ up to 3.00 ms" in row(table, "up to")
+    assert "▃█▆ up to 3.00 ms" in row(table, "trend")
     assert "50.0 /s, 15.0 kB/s, 100 and 30.0 kB in total" in row(table, "messages  ")
     assert "0 reconnects" in row(table, "connections") and "lost" not in row(table, "connections")
     assert "○ not tried yet" in row(table, "commands")
