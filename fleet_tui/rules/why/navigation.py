@@ -24,7 +24,7 @@ def blocked(state: FleetState, robot: Robot) -> Reason | None:
         strength,
         since=found.since,
         seen=robot.blocked.at,
-        keys=LOOK_AT if robot.orders.current is None else (*LOOK_AT, "cancel"),
+        keys=(*LOOK_AT, "cancel") if robot.orders.open else LOOK_AT,
     )
 
 

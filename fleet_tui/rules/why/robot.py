@@ -104,7 +104,7 @@ def obstacle(state: FleetState, robot: Robot) -> Reason | None:
         strength if not is_old else Strength.POSSIBLE,
         since=contact.at - contact.value,
         seen=contact.at,
-        keys=LOOK_AT if robot.orders.current is None else (*LOOK_AT, "cancel"),
+        keys=(*LOOK_AT, "cancel") if robot.orders.open else LOOK_AT,
     )
 
 

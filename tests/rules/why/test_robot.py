@@ -28,7 +28,8 @@ from tests.support.fleets import (
     reduced,
     tick,
 )
-from tests.support.situations import driving, first
+from tests.support.planted_fleet import Planted
+from tests.support.situations import driving, first, names
 
 
 def test_a_pause_names_where_it_came_from_and_the_key() -> None:
@@ -114,3 +115,15 @@ def test_a_pause_that_was_obeyed_late_is_named() -> None:
         state, CommandAdvanced(1, Stage.ACCEPTED, T0 + 12, "paused"), pose(T0 + 12), tick(T0 + 12)
     )
     assert reasons(state, state.robots[R0])[0].name == "paused (by us)"
+
+
+def test_an_obstacle_offers_to_look_and_to_cancel_an_order() -> None:
+    with_order, without = driving(then="obstacle:robot_0").run(5), Planted("obstacle:robot_0").run(6)
+    assert first(with_order).keys == ("centre", "camera", "laser", "cancel")
+    assert first(without).keys == ("centre", "camera", "laser")
+
+
+def test_no_orders_is_not_told_below_a_certain_cause() -> None:
+    assert names(Planted("obstacle:robot_0").run(6).state)[0].startswith("obstacle")
+    assert "no orders" not in names(Planted("obstacle:robot_0").run(6).state)
+    assert "no orders" in names(Planted().run(6).state)
