@@ -84,7 +84,7 @@ async def test_the_log_of_a_robot_in_trouble_comes_first_and_esc_shows_all(serve
         await open_page(it, 4, "Robot log")
         await listens(it, server)
         say(server, 2, "of this one", "/robot_1/drive")
-        say(server, 2, "of another one", "/robot_0/drive")
+        say(server, 2, "of another one", "/robot_10/drive")
         await it.shows("matching robot_1")
         await it.shows("of this one", "diagnostics-rows")
         assert "of another one" not in pane(it)

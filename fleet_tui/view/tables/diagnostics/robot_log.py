@@ -1,5 +1,6 @@
 """The log of the robots, newest last, filtered by level and text."""
 
+import re
 from collections.abc import Callable, Collection, Hashable, Iterable, Iterator
 from textwrap import wrap
 
@@ -33,12 +34,13 @@ def lines_of(links: Links) -> tuple[LogLine, ...]:
 
 
 def wanted_lines(lines: tuple[LogLine, ...], least: Severity, wanted: str) -> list[LogLine]:
-    """Return those of a level, and worse, that contain `wanted`. An unknown level passes."""
-    sought = wanted.casefold()
+    """Return those of a level, and worse, that contain `wanted`: `robot_2` is not in `robot_22`. An unknown
+    level passes."""
+    sought = re.compile(re.escape(wanted) + (r"(?!\d)" if wanted[-1:].isdigit() else ""), re.IGNORECASE)
     return [
         line
         for line in lines
-        if (line.severity or Severity.FATAL) >= least and sought in f"{line.node} {line.text}".casefold()
+        if (line.severity or Severity.FATAL) >= least and sought.search(f"{line.node} {line.text}")
     ]
 
 
