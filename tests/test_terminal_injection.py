@@ -133,7 +133,7 @@ OPENS = (
     ("L", "evil␛]52;… robot_0 pause: outcome unknown", "\x1b"),
     ("d", "too large, or queue full", "\x1b"),
     ("d2", "▲ bad data", "\x1b"),
-    ("d4", "INFO  ␛]52;c;aGFja2Vk␇", "\x1b"),
+    ("d4\x1b", "INFO  ␛]52;c;aGFja2Vk␇", "\x1b"),
     ("d5", f"▲ WARN    {sanitize(EVIL[0])}", "\x1b"),
     ("d6", "log, newest first: ", "\x1b"),
     ("s", "Robot: robot_", "s"),

@@ -7,7 +7,7 @@ LEAST_FLEET, LEAST_LIST = 4, 3
 LEAST_MAP = 9
 BUTTONS = 13
 """Lines of the simple interface."""
-LEAST_BESIDE, MAP_SHARE = 78, 11 / 21
+LEAST_BESIDE, MAP_SHARE = 78, 10 / 21
 """Cells from which a narrow screen can have the tables beside its map, and the map's share of them: as in
 `fleet.tcss`."""
 LEAST_PAGE = 6

@@ -52,13 +52,19 @@ def expected(meant: dict[str, Any]) -> dict[str, Any]:
     return meant | {"queue": [" ".join(row.replace("W in process", "in process").split()) for row in rows]}
 
 
+def causes_first(meant: dict[str, Any]) -> dict[str, Any]:
+    """Today an alarm that is raised begins with its cause."""
+    parts = r"^(\w+): (order .*) \((.*)\)$"
+    return meant | {"alarms": [re.sub(parts, r"\1: \3 (\2)", text) for text in meant["alarms"]]}
+
+
 def test_a_recording_plays_as_it_did() -> None:
     recording = open_recording(RECORDING)
     assert recording.header.version == 1 and not recording.note
     head = RecordingCursor(recording)
     while head.take() is not None:
         pass
-    assert shown(head.state) == expected(MEANING["end"])
+    assert shown(head.state) == causes_first(expected(MEANING["end"]))
     assert not any(robot.faults for robot in head.state.robots.values())
     for moment, meant in zip(recording.keyframes, MEANING["keyframes"], strict=True):
         head.seek(moment.at)

@@ -20,7 +20,8 @@ class NewestRows:
 
     def __init__(self, screen: "MainScreen") -> None:
         self._screen = screen
-        self._fleet_pace, self._fleet = Pace(0.2), Table((), ())
+        self._fleet_pace = Pace(0.2)
+        self._fleet: Table | None = None
 
     def tables(self) -> list[Table]:
         """Return fleet, alarms and queue. The fleet is the same table again until it is due, or another
@@ -28,8 +29,9 @@ class NewestRows:
         screen, pane = self._screen, self._screen.fleet
         arranged = pane.arrangement.typed, pane.arrangement.column
         if self._fleet_pace.is_due((screen.navigation.robot, pane.size, arranged, screen.store.state.alarms)):
-            self.of(pane)
-        return [self._fleet, self.of(screen.alarms), self.of(screen.queue)]
+            self._fleet = None  # until it is made: after a fault it is due again
+        fleet = self._fleet or self.of(pane)
+        return [fleet, self.of(screen.alarms), self.of(screen.queue)]
 
     def of(self, pane: RowsPane) -> Table:
         """Return the newest rows of one of these panes, as they are arranged."""
