@@ -15,7 +15,7 @@ class Problem(Struct, frozen=True):
 
 
 class Right(IntEnum):
-    """What the administrator of the machine lets a user do; each includes those before it."""
+    """A right that the administrator of the machine gives a user; each includes those before it."""
 
     VIEW = 0
     DISPATCH = 1

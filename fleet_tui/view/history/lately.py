@@ -23,7 +23,7 @@ NAMES, HEADS = 14, 2
 
 
 class RecentActivity:
-    """What each robot did at the last moments, the newest last; nothing of a robot that nobody saw."""
+    """The activity of each robot at the last moments, the newest last; none of a robot that nobody saw."""
 
     def __init__(self) -> None:
         self._parts: deque[Mapping[str, Activity]] = deque(maxlen=CELLS)

@@ -57,7 +57,7 @@ def _head(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: C
         sign,
         # Where the map has other numbers these are keys, and look like those of the footer.
         (
-            f"{columns.number_of(robot):>{columns.number - 1}} " if columns.number else "",
+            f"{columns.number_of(robot):>{columns.number - 1}} ",
             StyleRole.DIM if columns.by_place else StyleRole.KEY,
         ),
         (fit(robot.name, columns.name), StyleRole.ACCENT if selected else role),

@@ -17,8 +17,6 @@ STATE, WITH_ORDER, ORDER_MOST = 15, 30, 30
 before them, and of that at most."""
 WHOLE_FLOORS, WITH_BAR, WITH_WAITING, WITH_SEEN = 54, 70, 84, 90
 """Cells of a pane from which floors have their whole names, and from which it has further columns."""
-WITH_NUMBER = 40
-"""Cells of a pane below which its robots have no numbers of their own: names are enough."""
 FLOOR = 2
 """Cells of the floors' column where their names are that short: its head is cut, too."""
 BAR = 5
@@ -67,7 +65,7 @@ class Columns(NamedTuple):
         floors = shortened({*state.floors, *names}) if is_narrow else {name: name for name in names}
         is_obvious = is_narrow and len(state.floors) == 1 and not names.intersection(NO_FLOOR)
         fixed = cls(
-            number=(len(str(len(robots))) + 1 if by_place else 2) if width >= WITH_NUMBER else 0,
+            number=len(str(len(robots))) + 1 if by_place else 2,
             name=column((robot.name for robot in robots), 6, 14) + 1,
             battery=6 if "battery" in reported else 0,
             bar=BAR + 1 if "battery" in reported and width >= WITH_BAR else 0,
@@ -96,7 +94,7 @@ class Columns(NamedTuple):
     def head(self) -> tuple[Run, ...]:
         """Return their names."""
         names = (
-            (self.number_head.rjust(DOT + self.number - 1) if self.number else "", DOT + self.number),
+            (self.number_head.rjust(DOT + self.number - 1), DOT + self.number),
             ("Robot", self.name),
             ("Batt", self.battery),
             ("", self.bar),
