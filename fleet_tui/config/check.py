@@ -6,8 +6,9 @@ from urllib.parse import urlsplit
 
 from fleet_tui.adapters.discovery import NAME
 from fleet_tui.config.check_profiles import check_profiles
+from fleet_tui.config.entries import DEFAULT_LINK
 from fleet_tui.config.programs import check_programs
-from fleet_tui.config.schema import DEFAULT_LINK, Alarms, Config, Link, Notify, link_key
+from fleet_tui.config.schema import Alarms, Config, Link, Notify, link_key
 from fleet_tui.errors import did_you_mean
 from fleet_tui.keymap import keymap
 from fleet_tui.model.alarm import Priority

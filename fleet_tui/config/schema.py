@@ -7,17 +7,14 @@ from typing import Annotated, Literal, TypeVar
 import msgspec
 
 from fleet_tui.adapters.profile import DriveConfig, Profile
+from fleet_tui.config.entries import DEFAULT_LINK, FloorEntry, Positive, RobotEntry
 from fleet_tui.config.programs import ProgramEntry
 
 S = TypeVar("S", bound=msgspec.Struct)
 
-DEFAULT_LINK = "rosbridge"
-
 LINK_FILES = ("ca_file", "client_cert", "client_key", "authorization_file", "rosauth_file")
 
-Positive = Annotated[float, msgspec.Meta(gt=0, lt=1e6)]
 NotNegative = Annotated[float, msgspec.Meta(ge=0, lt=1e6)]
-Offset = Annotated[float, msgspec.Meta(ge=-100, le=100)]
 Percent = Annotated[float, msgspec.Meta(ge=0, le=100)]
 
 
@@ -60,37 +57,14 @@ class Link(msgspec.Struct, frozen=True):
         return re.sub(r"([?#]).*", r"\1***", without_user, flags=re.DOTALL)
 
     @property
-    def is_secure(self) -> bool:
-        """Tell whether the bridge uses TLS."""
-        return self.url.startswith("wss:")
-
-
-class FloorEntry(msgspec.Struct, frozen=True):
-    """`[[floors]]`; `map` and `graph` are relative to the config file, `frame_id` defaults to the name."""
-
-    name: str
-    map: str = ""
-    graph: str = ""
-    frame_id: str = ""
+    def scheme(self) -> str:
+        """Return the scheme of the address, which chooses the transport."""
+        return self.url.partition(":")[0].lower()
 
     @property
-    def frame(self) -> str:
-        """Return the frame_id of poses on this floor, without a leading slash."""
-        return (self.frame_id or self.name).lstrip("/")
-
-
-class RobotEntry(msgspec.Struct, frozen=True):
-    """`[[robots]]`; no floors means every floor, no link the one of `[rosbridge]`; `profile` names a table of
-    `[profiles]` or a kind, by default that of its link, else `[profile]`; size in metres; `laser` is the pose
-    of its laser on it, in metres and radians, upside down if `laser_flipped`."""
-
-    name: str
-    floors: list[str] = []
-    link: str = DEFAULT_LINK
-    profile: str = ""
-    size: tuple[Positive, Positive] | None = None
-    laser: tuple[Offset, Offset, Offset] | None = None
-    laser_flipped: bool = False
+    def is_secure(self) -> bool:
+        """Tell whether the bridge uses TLS."""
+        return self.scheme in ("wss", "mqtts")
 
 
 class Operator(msgspec.Struct, frozen=True):
