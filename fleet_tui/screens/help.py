@@ -9,9 +9,10 @@ from textual.widgets import Input
 
 from fleet_tui.documentation import headings, pages, subject
 from fleet_tui.screens.overlay import Overlay
+from fleet_tui.text.language import tr
 from fleet_tui.view.help.layout import help_lines
 from fleet_tui.view.help.pages import Pages, tabs
-from fleet_tui.view.help.section import HelpRow, HelpSection, search
+from fleet_tui.view.help.section import HelpRow, HelpSection, search, translated
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.widgets.field import Field, Keys
 from fleet_tui.widgets.line_view import LineView
@@ -57,7 +58,9 @@ class Help(Overlay):
             "pagedown": partial(self._text.scroll_pages, 1),
         }
         yield Field(
-            keys, id="search", placeholder="type to search all pages; Tab: next page; PgDn: more; Esc: close"
+            keys,
+            id="search",
+            placeholder=tr("type to search all pages; Tab: next page; PgDn: more; Esc: close"),
         )
         yield self._tabs
         yield self._text
@@ -103,9 +106,9 @@ class Help(Overlay):
         sections = list(self._pages[self._page])
         if wanted:
             every = {id(one): one for sections in self._pages.values() for one in sections}
-            sections = search([*every.values(), _documentation()], wanted)
+            sections = search([*every.values(), translated(_documentation())], wanted)
         if not sections:
-            sections = [HelpSection(f"nothing matches {wanted!r}", (HelpRow((), ELSEWHERE),))]
+            sections = [HelpSection(tr(f"nothing matches {wanted!r}"), (HelpRow((), tr(ELSEWHERE)),))]
         runs, buttons = tabs(self._pages, "" if wanted else self._page)
         self._tabs.show(runs, buttons=buttons)
         self._text.show(partial(help_lines, sections))
