@@ -12,7 +12,8 @@ import msgspec
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.registry import DEFAULT_KIND
 from fleet_tui.adapters.registry import KINDS as ADAPTERS
-from fleet_tui.config.schema import DEFAULT_LINK, Config, FloorEntry, Link, Notify, RobotEntry, RoutinesConfig
+from fleet_tui.config.entries import DEFAULT_LINK, FloorEntry, RobotEntry
+from fleet_tui.config.schema import Config, Link, Notify, RoutinesConfig
 from fleet_tui.errors import FleetError
 from fleet_tui.simulator.kinds import KINDS
 from fleet_tui.simulator.site import SitedBridge, needs_graph_files, site_of

@@ -9,8 +9,9 @@ import pytest
 from websockets.asyncio.client import connect
 
 from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
+from fleet_tui.config.entries import RobotEntry
 from fleet_tui.config.programs import ProgramEntry
-from fleet_tui.config.schema import Config, RobotEntry
+from fleet_tui.config.schema import Config
 from fleet_tui.demo import SIZE, demo_config, simulated
 from fleet_tui.simulator.kinds import KINDS
 from fleet_tui.simulator.oh_ressources.world import World

@@ -1,4 +1,4 @@
-"""All bridges of a configuration as one: commands go to the robot's own bridge."""
+"""All links of a configuration as one: commands go to the robot's own link."""
 
 import itertools
 import secrets
@@ -6,8 +6,7 @@ import time
 from collections.abc import Mapping
 from functools import partial
 
-from fleet_tui.client.driving.drive import Drive
-from fleet_tui.client.link import BridgeLink
+from fleet_tui.client.links import link_of
 from fleet_tui.client.queue_file import QueueFile
 from fleet_tui.client.tap import Tap
 from fleet_tui.client.waiting_orders import WaitingOrders
@@ -22,6 +21,7 @@ from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.events import CommandAdvanced, CommandIssued, Event
 from fleet_tui.model.problem import Right
 from fleet_tui.model.request import given_now
+from fleet_tui.model.set_up.driving import HandDrive
 from fleet_tui.rules.commands.rights import right_for
 from fleet_tui.state.store import Store
 
@@ -48,13 +48,13 @@ class FleetLink:
         self._writer = Writer(store, tap)
         self._ids = itertools.count(secrets.randbelow(ID_SPAN) + 1)
         adapters = adapters_of(config)
-        self._links = {name: BridgeLink(name, config, adapters, self._writer) for name in config.bridges}
+        self._links = {name: link_of(name, config, adapters, self._writer) for name in config.bridges}
         new_id = partial(next, self._ids)
         self._waiting_orders = WaitingOrders(
             queue, store, self._writer.apply, self._send, self._resend, new_id
         )
         self._writer.before_tick.append(self._waiting_orders.tick)
-        self._drive: Drive | None = None
+        self._drive: HandDrive | None = None
         self.counters: Mapping[str, LinkCounter] = {name: link.counter for name, link in self._links.items()}
         """Traffic of each link, updated continuously, for the diagnostics screen."""
 
@@ -100,7 +100,7 @@ class FleetLink:
         """Send a command once more. On the loop."""
         self._links[self._store.state.robots[command.robot].link].resend(command)
 
-    def drive(self, robot: str) -> Drive:
+    def drive(self, robot: str) -> HandDrive:
         """Begin to drive a robot by hand; a drive before it ends. Raises CommandError."""
         if reason := self._refusal(Right.SETUP):
             raise CommandError(reason)

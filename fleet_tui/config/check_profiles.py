@@ -9,8 +9,9 @@ import msgspec
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.registry import KINDS, kind_of
 from fleet_tui.adapters.ros.names import Vocabulary
+from fleet_tui.config.entries import DEFAULT_LINK
 from fleet_tui.config.fleet import adapters_of, shared_steering, shared_topics
-from fleet_tui.config.schema import DEFAULT_LINK, Config, link_key
+from fleet_tui.config.schema import Config, link_key
 from fleet_tui.errors import did_you_mean
 
 

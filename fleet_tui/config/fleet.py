@@ -8,7 +8,8 @@ import msgspec
 from fleet_tui.adapters.adapter import Adapter, Feed, Limit, Site
 from fleet_tui.adapters.profile import DriveConfig, Profile
 from fleet_tui.adapters.registry import KINDS, kind_of
-from fleet_tui.config.schema import Config, RobotEntry, link_key
+from fleet_tui.config.entries import RobotEntry
+from fleet_tui.config.schema import Config, link_key
 
 STEERING = frozenset({"drive", "goal", "initial_pose"})
 """Keys of the topics that move a robot, or its place on the map."""

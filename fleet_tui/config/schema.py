@@ -3,21 +3,21 @@
 import re
 from pathlib import Path
 from typing import Annotated, Literal, TypeVar
+from urllib.parse import urlsplit
 
 import msgspec
 
 from fleet_tui.adapters.profile import DriveConfig, Profile
+from fleet_tui.config.entries import DEFAULT_LINK, FloorEntry, Positive, RobotEntry
 from fleet_tui.config.programs import ProgramEntry
 
 S = TypeVar("S", bound=msgspec.Struct)
 
-DEFAULT_LINK = "rosbridge"
+SECRETS = ("authorization", "rosauth", "user", "password")
+"""Secrets of links: each is in a file or an environment variable, `KEY_file` or `KEY_env`."""
+LINK_FILES = ("ca_file", "client_cert", "client_key", *(f"{key}_file" for key in SECRETS))
 
-LINK_FILES = ("ca_file", "client_cert", "client_key", "authorization_file", "rosauth_file")
-
-Positive = Annotated[float, msgspec.Meta(gt=0, lt=1e6)]
 NotNegative = Annotated[float, msgspec.Meta(ge=0, lt=1e6)]
-Offset = Annotated[float, msgspec.Meta(ge=-100, le=100)]
 Percent = Annotated[float, msgspec.Meta(ge=0, le=100)]
 
 
@@ -35,8 +35,9 @@ def link_key(name: str) -> str:
 
 
 class Link(msgspec.Struct, frozen=True):
-    """`[rosbridge]` and `[links.NAME]`: the address of a bridge, and the credentials for it. `profile` is
-    that of its robots, `site` the one that it belongs to.
+    """`[rosbridge]` and `[links.NAME]`: the address of a bridge or broker, and the credentials for it.
+    `profile` is that of its robots, `site` the one that it belongs to, `role` that of this console towards
+    the vehicles of a broker.
 
     Files are relative to the config file. Secrets are in a file or in an environment variable, never here.
     """
@@ -50,6 +51,11 @@ class Link(msgspec.Struct, frozen=True):
     authorization_env: str = ""
     rosauth_file: str = ""
     rosauth_env: str = ""
+    user_file: str = ""
+    user_env: str = ""
+    password_file: str = ""
+    password_env: str = ""
+    role: Literal["watch", "pause", "master"] = "watch"
     profile: str = ""
     site: str = ""
 
@@ -60,37 +66,25 @@ class Link(msgspec.Struct, frozen=True):
         return re.sub(r"([?#]).*", r"\1***", without_user, flags=re.DOTALL)
 
     @property
-    def is_secure(self) -> bool:
-        """Tell whether the bridge uses TLS."""
-        return self.url.startswith("wss:")
-
-
-class FloorEntry(msgspec.Struct, frozen=True):
-    """`[[floors]]`; `map` and `graph` are relative to the config file, `frame_id` defaults to the name."""
-
-    name: str
-    map: str = ""
-    graph: str = ""
-    frame_id: str = ""
+    def scheme(self) -> str:
+        """Return the scheme of the address, which chooses the transport."""
+        return self.url.partition(":")[0].lower()
 
     @property
-    def frame(self) -> str:
-        """Return the frame_id of poses on this floor, without a leading slash."""
-        return (self.frame_id or self.name).lstrip("/")
+    def host_and_port(self) -> tuple[str, int | None]:
+        """Return the host of the address, and its port, None if it has none."""
+        parts = urlsplit(self.url)
+        return parts.hostname or "", parts.port
 
+    @property
+    def is_broker(self) -> bool:
+        """Tell whether it leads to an MQTT broker."""
+        return self.scheme in ("mqtt", "mqtts")
 
-class RobotEntry(msgspec.Struct, frozen=True):
-    """`[[robots]]`; no floors means every floor, no link the one of `[rosbridge]`; `profile` names a table of
-    `[profiles]` or a kind, by default that of its link, else `[profile]`; size in metres; `laser` is the pose
-    of its laser on it, in metres and radians, upside down if `laser_flipped`."""
-
-    name: str
-    floors: list[str] = []
-    link: str = DEFAULT_LINK
-    profile: str = ""
-    size: tuple[Positive, Positive] | None = None
-    laser: tuple[Offset, Offset, Offset] | None = None
-    laser_flipped: bool = False
+    @property
+    def is_secure(self) -> bool:
+        """Tell whether the server uses TLS."""
+        return self.scheme in ("wss", "mqtts")
 
 
 class Operator(msgspec.Struct, frozen=True):

@@ -3,7 +3,8 @@
 import msgspec
 
 from fleet_tui.config.check import checked
-from fleet_tui.config.schema import DEFAULT_LINK, Config, Link, RobotEntry
+from fleet_tui.config.entries import DEFAULT_LINK, RobotEntry
+from fleet_tui.config.schema import Config, Link
 from fleet_tui.errors import ConfigError, is_address
 
 _WEB = {"http": "ws", "https": "wss"}

@@ -8,8 +8,9 @@ from contextlib import suppress
 from fleet_tui.adapters.adapter import Feed
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros.type_names import same_type
+from fleet_tui.config.entries import DEFAULT_LINK, RobotEntry
 from fleet_tui.config.fleet import adapters_of, feeds_of
-from fleet_tui.config.schema import DEFAULT_LINK, Config, RobotEntry
+from fleet_tui.config.schema import Config
 from fleet_tui.discovery.recognition import Found
 from fleet_tui.discovery.wire import BridgeConnection
 from fleet_tui.errors import LinkError

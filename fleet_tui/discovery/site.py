@@ -8,8 +8,9 @@ from concurrent.futures import Future
 from dataclasses import dataclass, field
 from functools import cached_property
 
+from fleet_tui.config.entries import DEFAULT_LINK
 from fleet_tui.config.load import from_text
-from fleet_tui.config.schema import DEFAULT_LINK, Config, Link
+from fleet_tui.config.schema import Config, Link
 from fleet_tui.discovery.approach import Approach
 from fleet_tui.discovery.choices import Answers, Choice, choices_of, decided, lacks, placed
 from fleet_tui.discovery.config_text import render

@@ -15,8 +15,8 @@ from fleet_tui.adapters.ros import operations
 from fleet_tui.adapters.ros.logs import complaint, log_line
 from fleet_tui.adapters.ros.operations import Subscription
 from fleet_tui.adapters.ros.reading import ROSOUT
-from fleet_tui.client.calls import Calls
-from fleet_tui.client.heartbeat import SERVICE as HEARTBEAT
+from fleet_tui.client.rosbridge.calls import Calls
+from fleet_tui.client.rosbridge.heartbeat import SERVICE as HEARTBEAT
 from fleet_tui.config.schema import Link
 from fleet_tui.discovery.facts import TopicFacts
 from fleet_tui.errors import LinkError, WireError

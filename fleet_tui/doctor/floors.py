@@ -3,7 +3,8 @@
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
-from fleet_tui.config.schema import Config, FloorEntry, RobotEntry
+from fleet_tui.config.entries import FloorEntry, RobotEntry
+from fleet_tui.config.schema import Config
 from fleet_tui.discovery.facts import TopicFacts
 from fleet_tui.discovery.finding import Finding, Verdict, listed, nearest
 from fleet_tui.doctor.graphs import connection_finding, graph_file_finding, label_finding

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from fleet_tui.config.schema import FloorEntry
+from fleet_tui.config.entries import FloorEntry
 from fleet_tui.discovery.finding import Finding, Verdict, listed
 from fleet_tui.doctor.surveys import FloorSurvey
 from fleet_tui.model.events import FloorGraphLoaded

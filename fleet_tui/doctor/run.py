@@ -14,8 +14,9 @@ from typing import assert_never
 from msgspec import structs
 
 from fleet_tui.config.access import unsafe_places
+from fleet_tui.config.entries import DEFAULT_LINK
 from fleet_tui.config.fleet import adapters_of
-from fleet_tui.config.schema import DEFAULT_LINK, Config
+from fleet_tui.config.schema import Config
 from fleet_tui.discovery.approach import Approach
 from fleet_tui.discovery.facts import BridgeFacts, TopicFacts
 from fleet_tui.discovery.finding import Finding, Verdict

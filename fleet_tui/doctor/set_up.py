@@ -5,7 +5,7 @@ A robot can drive without them, so none of them is a failure.
 
 from fleet_tui.adapters.probes import ListenerProbe, ServiceProbe
 from fleet_tui.adapters.ros.type_names import same_type
-from fleet_tui.client.set_up.listeners import BRIDGE
+from fleet_tui.client.rosbridge.set_up.listeners import BRIDGE
 from fleet_tui.discovery.facts import BridgeFacts
 from fleet_tui.discovery.finding import Finding, Verdict, listed, nearest
 from fleet_tui.doctor.names import near_service

@@ -13,7 +13,8 @@ from msgspec.structs import replace
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.bags.convert import convert
 from fleet_tui.bags.opening import BagError
-from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
+from fleet_tui.config.entries import FloorEntry, RobotEntry
+from fleet_tui.config.schema import Config, Link
 from fleet_tui.config.start import initial_state
 from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState

@@ -14,7 +14,7 @@ from fleet_tui.adapters.adapter import Limit, Site
 from fleet_tui.adapters.nav2.adapter import Nav2
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros.reading import FrameReader
-from fleet_tui.client.set_up.stream_writer import StreamWriter
+from fleet_tui.client.rosbridge.set_up.stream_writer import StreamWriter
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.occupancy import grid_from_ros
 from fleet_tui.model.set_up.streams import Beams, LaserScan, beams_of

@@ -7,9 +7,9 @@ from pathlib import Path
 import msgspec
 import pytest
 
-from fleet_tui.client import publishing
 from fleet_tui.client.queue_file import FILE, WaitingOrder
-from fleet_tui.client.services import Services
+from fleet_tui.client.rosbridge import publishing
+from fleet_tui.client.rosbridge.services import Services
 from fleet_tui.config.schema import Operator
 from fleet_tui.model.commands import CancelOrder, ClearOrders, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState

@@ -6,7 +6,8 @@ import pytest
 from msgspec.structs import replace
 
 from fleet_tui.config.check import checked, missing_files
-from fleet_tui.config.schema import Alarms, Config, FloorEntry, Link, Notify, RobotEntry
+from fleet_tui.config.entries import FloorEntry, RobotEntry
+from fleet_tui.config.schema import Alarms, Config, Link, Notify
 from fleet_tui.errors import did_you_mean
 
 GOOD = Config(

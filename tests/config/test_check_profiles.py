@@ -7,7 +7,8 @@ from msgspec.structs import replace
 
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.check import checked
-from fleet_tui.config.schema import Config, Link, RobotEntry
+from fleet_tui.config.entries import RobotEntry
+from fleet_tui.config.schema import Config, Link
 from tests.support.watched_store import config_of
 
 GOOD = config_of("ws://a", 2, 2)

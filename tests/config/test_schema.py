@@ -4,7 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry, expanded, link_key
+from fleet_tui.config.entries import FloorEntry, RobotEntry
+from fleet_tui.config.schema import Config, Link, expanded, link_key
 
 
 @pytest.mark.parametrize(

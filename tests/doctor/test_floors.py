@@ -5,7 +5,7 @@ import pytest
 from msgspec.structs import replace
 
 from fleet_tui.adapters.adapter import Feed
-from fleet_tui.config.schema import FloorEntry
+from fleet_tui.config.entries import FloorEntry
 from fleet_tui.discovery.facts import TopicFacts
 from fleet_tui.discovery.finding import Finding, Verdict
 from fleet_tui.doctor.floors import FloorFiles, floor_findings, place_finding, placed_grid

@@ -3,7 +3,7 @@
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from fleet_tui.config.schema import FloorEntry
+from fleet_tui.config.entries import FloorEntry
 from fleet_tui.discovery.finding import Verdict
 from fleet_tui.doctor.graphs import connection_finding, label_finding
 from fleet_tui.doctor.surveys import FloorSurvey

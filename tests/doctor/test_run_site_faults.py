@@ -15,7 +15,8 @@ from websockets.asyncio.client import connect
 
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros.type_names import same_type
-from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
+from fleet_tui.config.entries import FloorEntry, RobotEntry
+from fleet_tui.config.schema import Config, Link
 from fleet_tui.demo import demo_config
 from fleet_tui.doctor.run import doctor
 from fleet_tui.simulator.navigating.graph_file import write_graphs

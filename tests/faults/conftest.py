@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from fleet_tui.client import heartbeat, latched, sourcing, subscriber
+from fleet_tui.client.rosbridge import heartbeat, latched, sourcing, subscriber
 from fleet_tui.simulator.faults import wire, world
 from fleet_tui.transports.rosbridge import connection
 

@@ -5,7 +5,8 @@ from collections.abc import AsyncIterator
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.config.schema import Config, Link, RobotEntry
+from fleet_tui.config.entries import RobotEntry
+from fleet_tui.config.schema import Config, Link
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.client import subscriber
+from fleet_tui.client.rosbridge import subscriber
 from fleet_tui.config.schema import Config
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
@@ -136,7 +136,7 @@ async def test_the_systems_clock_jumps(
 ) -> None:
     async with through(server) as (_, link, store, watch):
         shifted = SimpleNamespace(time=lambda: time.time() + hours * 3600, monotonic=time.monotonic)
-        for module in ("writer", "fleet_link", "command_channel", "telemetry"):
+        for module in ("writer", "fleet_link", "rosbridge.command_channel", "rosbridge.telemetry"):
             monkeypatch.setattr(f"fleet_tui.client.{module}.time", shifted)
         watch.start()
         await watch.until(lambda state: abs(state.wall - time.time() - hours * 3600) < 10)

@@ -8,7 +8,8 @@ import pytest
 from msgspec.structs import replace
 from PIL import Image
 
-from fleet_tui.config.schema import Config, FloorEntry
+from fleet_tui.config.entries import FloorEntry
+from fleet_tui.config.schema import Config
 from fleet_tui.maps.floor_files import load_floors, load_graphs, load_maps
 from fleet_tui.model.events import FloorGraphLoaded, FloorMapLoaded
 from tests.support.watched_store import config_of

@@ -12,7 +12,8 @@ import pytest
 from fleet_tui.audit.entries import Origin
 from fleet_tui.audit.file import FILE_NAME, AuditFile
 from fleet_tui.audit.log import Audit, encode
-from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
+from fleet_tui.config.entries import FloorEntry, RobotEntry
+from fleet_tui.config.schema import Config, Link
 from fleet_tui.recording.incident import Incident, collect, examined
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.watched_store import config_of

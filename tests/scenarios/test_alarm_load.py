@@ -6,8 +6,9 @@ from pathlib import Path
 import msgspec
 import pytest
 
+from fleet_tui.config.entries import DEFAULT_LINK
 from fleet_tui.config.fleet import adapters_of, feeds_of
-from fleet_tui.config.schema import DEFAULT_LINK, Config
+from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.demo import demo_config
 from fleet_tui.model.alarm import AlarmStage, Key, transitions

@@ -11,6 +11,7 @@ from fleet_tui.config.schema import Config, Ui
 from fleet_tui.languages import ENGLISH, use_language
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.text.language import read_catalogue
+from fleet_tui.view.help.legend import legend
 from tests.support.console_pilot import Console, console
 from tests.support.screen_texts import ROOT, TYPED
 from tests.support.watched_store import config_of
@@ -56,8 +57,10 @@ SCREENS = {
 
 @pytest.fixture(autouse=True)
 def english_again() -> Iterator[None]:
+    legend.cache_clear()
     yield
     use_language(ENGLISH)
+    legend.cache_clear()
 
 
 def in_language(config: Config, language: str) -> Config:

@@ -6,7 +6,8 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.adapters.profile import Profile
-from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
+from fleet_tui.config.entries import FloorEntry, RobotEntry
+from fleet_tui.config.schema import Config, Link
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.navigating.graph_file import write_graphs
 from fleet_tui.simulator.ros.ros2 import ROS2

@@ -5,7 +5,7 @@ import threading
 import pytest
 
 from fleet_tui.adapters.ros.reading import FrameReader, Read
-from fleet_tui.client import telemetry
+from fleet_tui.client.rosbridge import telemetry
 from fleet_tui.model.commands import Stage
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console

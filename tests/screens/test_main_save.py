@@ -7,9 +7,10 @@ from pathlib import Path
 
 import pytest
 
+from fleet_tui.config.entries import FloorEntry, RobotEntry
 from fleet_tui.config.load import from_text, load
 from fleet_tui.config.saving import Saving
-from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
+from fleet_tui.config.schema import Config, Link
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import Console, console
 from tests.support.discovering import discovered

@@ -8,9 +8,8 @@ from typing import Any
 from msgspec.structs import replace
 
 from fleet_tui.adapters.profile import DriveConfig
-from fleet_tui.client.driving.drive import Drive
 from fleet_tui.model.link import CommandPath
-from fleet_tui.model.set_up.driving import STILL, DrivePhase, Speeds, Steering
+from fleet_tui.model.set_up.driving import STILL, DrivePhase, HandDrive, Speeds, Steering
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.links import linked, path
 from tests.support.watched_store import WatchedStore, config_of
@@ -23,7 +22,7 @@ AHEAD = Speeds(0.3)
 class LiveDrive:
     """A drive of the first robot of a server."""
 
-    def __init__(self, drive: Drive, store: WatchedStore, server: RosbridgeServer, topic: str) -> None:
+    def __init__(self, drive: HandDrive, store: WatchedStore, server: RosbridgeServer, topic: str) -> None:
         self.drive, self.store, self.server, self._topic = drive, store, server, topic
 
     @property

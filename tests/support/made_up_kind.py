@@ -9,7 +9,8 @@ from fleet_tui.adapters.adapter import Adapter, Feed, Site
 from fleet_tui.adapters.oh_ressources.adapter import OhRessources
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.registry import KINDS, Registered
-from fleet_tui.config.schema import Config, RobotEntry
+from fleet_tui.config.entries import RobotEntry
+from fleet_tui.config.schema import Config
 from fleet_tui.model.kind import CANCEL, ORDER, ORDER_TO
 from tests.support.watched_store import config_of
 

@@ -6,7 +6,8 @@ from pathlib import Path
 from typing import Any
 
 from fleet_tui.adapters.profile import Profile
-from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
+from fleet_tui.config.entries import FloorEntry, RobotEntry
+from fleet_tui.config.schema import Config, Link
 from fleet_tui.model.commands import PlaceOrder
 from fleet_tui.model.order import at_vertices
 from fleet_tui.simulator.move_base.fleet import MoveBaseFleet

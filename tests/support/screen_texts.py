@@ -22,7 +22,7 @@ from fleet_tui.rules.why.reason import Strength
 from fleet_tui.view.help.pages import ALWAYS
 from fleet_tui.view.help.pages import TYPED as TYPED_HELP
 from fleet_tui.view.lines.history import HINTS
-from fleet_tui.view.tables.alarms import _PRIORITIES, SIGNS
+from fleet_tui.view.tables.alarms import _PRIORITIES, _SHORT, SIGNS
 from fleet_tui.view.tables.fleet import CALM
 
 ROOT = Path(__file__).parent.parent.parent / "fleet_tui"
@@ -44,7 +44,12 @@ SILENT = (
     *("view/report/", "view/help/synonyms", "view/tables/audit", "view/tables/arrival", "screens/first_run"),
     *("screens/arrival", "screens/before", "adapters/ros/", "adapters/registry", "adapters/service_outcome"),
     *("adapters/oh_ressources/vocabulary", "adapters/oh_ressources/reading", "adapters/oh_ressources/graphs"),
-    *("adapters/discovery", "adapters/oh_ressources/discovery", "adapters/ros_navigation", "client/services"),
+    *(
+        "adapters/discovery",
+        "adapters/oh_ressources/discovery",
+        "adapters/ros_navigation",
+        "client/rosbridge/services",
+    ),
     *("adapters/move_base/reading", "adapters/move_base/probes", "adapters/nav2/reading"),
     *("adapters/nav2/probes", "adapters/nav2/adapter", "rules/driving/echoes"),
 )
@@ -214,7 +219,15 @@ def _values(kinds: Iterable[type[Enum]]) -> set[str]:
 def words() -> set[str]:
     """Return the messages that are values: of keys, pages, states, classes of alarms."""
     found = {text for key in KEYS for text in (key.text, key.hint)} | {word for _, word in HINTS}
-    found |= {*HISTORY_PAGES, *PAGES, *CLASSES, *SIGNS.values(), *_PRIORITIES.values(), *CALM}
+    found |= {
+        *HISTORY_PAGES,
+        *PAGES,
+        *CLASSES,
+        *SIGNS.values(),
+        *_PRIORITIES.values(),
+        *_SHORT.values(),
+        *CALM,
+    }
     found |= {one for page in PAGES.values() for one in (page.enter, *page.keys)}
     found |= {text for examples in (*TYPED_HELP.values(), ALWAYS) for _, text in examples}
     found |= _values((Pane, Stage, Activity, OrderState, ProgramState))

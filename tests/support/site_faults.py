@@ -13,7 +13,8 @@ import msgspec
 from websockets.asyncio.server import ServerConnection, serve
 
 from fleet_tui.adapters.profile import Profile
-from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
+from fleet_tui.config.entries import FloorEntry, RobotEntry
+from fleet_tui.config.schema import Config, Link
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.nav2.faults import FAULTS
 from fleet_tui.simulator.ros_types import ServiceError, ServiceType

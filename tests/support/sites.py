@@ -2,7 +2,8 @@
 
 from msgspec.structs import replace
 
-from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
+from fleet_tui.config.entries import FloorEntry, RobotEntry
+from fleet_tui.config.schema import Config, Link
 from fleet_tui.config.start import initial_state
 from fleet_tui.model.fleet import FleetState
 from tests.support.fleets import T0, battery, link_up, reduced, tick

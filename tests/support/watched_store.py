@@ -4,7 +4,8 @@ import asyncio
 from collections.abc import Callable
 
 from fleet_tui.adapters.profile import Profile
-from fleet_tui.config.schema import Config, FloorEntry, Link, RobotEntry
+from fleet_tui.config.entries import FloorEntry, RobotEntry
+from fleet_tui.config.schema import Config, Link
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.state.store import Store

@@ -2,7 +2,7 @@
 
 The same for keys, menus, forms, typed lines and the command line; the first of three gates. The second asks
 the operator: `controllers/dispatch.py`, or `cli/orders/sending.py` for the command line. The last one is at
-the link: `client/command_channel.py`. A pause is never held back.
+the link: `client/rosbridge/command_channel.py`. A pause is never held back.
 """
 
 import re

@@ -63,6 +63,26 @@ def closed_edge_at(
     return nearest if nearest is not None and far[nearest] <= IN_REACH else None
 
 
+def closed_on_way(
+    closed: Sequence[ClosedEdge], robot: Robot, lines: Mapping[str, Sequence[Line]]
+) -> list[ClosedEdge]:
+    """Return the closed edges of a robot's graphs that a way is on, by its lines on each floor."""
+    return [edge for edge in closed if _is_on(robot, edge.ends, lines)]
+
+
+def _is_on(robot: Robot, ends: Ends, lines: Mapping[str, Sequence[Line]]) -> bool:
+    floor, *vertices = ends
+    graph = robot.maps[floor].graph if floor in robot.maps else None
+    if graph is None or not graph.vertices.keys() >= set(vertices):
+        return False
+    return _has(lines.get(floor, ()), _line(graph, vertices))
+
+
+def _has(lines: Sequence[Line], line: Line) -> bool:
+    """Tell whether a line is among others, in any direction."""
+    return line in lines or (*line[2:], *line[:2]) in lines
+
+
 def _metres_from(at: tuple[float, float], line: Line) -> float:
     """Return the metres from a place to a line."""
     (x, y), (x0, y0, x1, y1) = at, line
@@ -163,8 +183,7 @@ def _way_cut(
     # A robot on the edge itself, between its ends, has to turn back.
     is_on_it = floor == ends[0] and {id_ for id_, _ in spots} == set(ends[1:])
     is_on_it &= any(id_ == towards and before > AT_VERTEX for id_, before in spots)
-    on_way = lines.get(ends[0], ())
-    if not is_on_it and line not in on_way and (*line[2:], *line[:2]) not in on_way:
+    if not is_on_it and not _has(lines.get(ends[0], ()), line):
         return None
     left = tuple(spot for spot in spots if not is_on_it or spot[0] != towards)
     left = tuple(spot for spot in left if math.isfinite(spot[1]))

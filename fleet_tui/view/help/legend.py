@@ -108,7 +108,6 @@ SUPPRESSED = "alarms that another one stands for: of its group, or of its link"
 def _tables() -> tuple[HelpRow, ...]:
     alarm, text = StyleRole.ALARM, StyleRole.TEXT
     signs = {stage: tr(sign) for stage, sign in SIGNS.items()}
-    high = f"▲{tr('high')[0].upper()}"
     marks = {
         CURSOR: (StyleRole.ACCENT, "cursor of the table"),
         "●": (StyleRole.GOOD, "online; in the status line: the link is up"),
@@ -121,7 +120,7 @@ def _tables() -> tuple[HelpRow, ...]:
         ),
         signs[AlarmStage.RETURNED]: (StyleRole.DIM, "alarm that is over, not acknowledged"),
         signs[AlarmStage.SHELVED]: (StyleRole.DIM, "alarm put aside for a while; robot with such an alarm"),
-        high: (StyleRole.ROBOT_ALARM, "high priority in a narrow table; ▲M medium, ▲L low"),
+        f"▲ {tr('high')}": (StyleRole.ROBOT_ALARM, "priority of an alarm: high, medium (med), low"),
         tr("suppressed"): (StyleRole.DIM, SUPPRESSED),
         tr(FOREIGN.strip()): (text, "an order that another client gave: another console, the shell, RViz"),
         tr("lost"): (alarm, "an order that the robot no longer lists, and that nobody saw end"),

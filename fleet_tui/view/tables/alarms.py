@@ -24,11 +24,14 @@ SIGNS = {
     AlarmStage.SHELVED: "◇ shelved",
 }
 _PRIORITIES = {Priority.HIGH: "high  ", Priority.MEDIUM: "medium", Priority.LOW: "low   "}
+_SHORT = {Priority.HIGH: "high", Priority.MEDIUM: "med ", Priority.LOW: "low "}
 
 
 WITH_PRIORITY = 44
 """Cells of a pane from which alarms have words for stage and priority, seconds, and robots long names."""
 HOURS_MINUTES = 5
+SHORT = 4
+"""Cells of a priority in a narrow pane."""
 REST_AT, LEAST_REST = 2, 10
 """Cells before the rest of a long text, and those that each of its lines has at least."""
 UNBOUNDED = 10_000
@@ -64,11 +67,14 @@ def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float],
 
 
 def _signs(alarm: Alarm, shelf: str, is_wide: bool, role: StyleRole) -> list[Run]:
-    """Return stage and priority, in a narrow pane as a sign and a letter: of what is most urgent as a chip,
-    like a robot's on the map."""
-    sign = _padded(SIGNS[alarm.stage], list(SIGNS.values())[:-1])
-    priority = _padded(_PRIORITIES[alarm.condition.priority], _PRIORITIES.values())
-    text = f"{sign}{shelf} {priority}" if is_wide else f"{sign[0]}{priority[0].upper()}{shelf}"
+    """Return stage and priority, in a narrow pane the stage as a sign: what is most urgent as a chip, like a
+    robot's on the map."""
+    sign, priority = SIGNS[alarm.stage], alarm.condition.priority
+    if is_wide:
+        signs = list(SIGNS.values())[:-1]
+        text = f"{_padded(sign, signs)}{shelf} {_padded(_PRIORITIES[priority], _PRIORITIES.values())}"
+    else:
+        text = f"{sign[0]} {tr(_SHORT[priority])[:SHORT]}{shelf}"
     if alarm.needs_acknowledgement and alarm.holds and alarm.condition.priority is Priority.HIGH:
         chip = text.rstrip()
         return [(chip, StyleRole.ROBOT_ALARM), (text[len(chip) :] + " ", role)]

@@ -11,8 +11,9 @@ import pytest
 
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros.operations import Publish, ServiceResponse, decode, decode_cbor
+from fleet_tui.config.entries import DEFAULT_LINK, FloorEntry, RobotEntry
 from fleet_tui.config.fleet import adapters_of, feeds_of
-from fleet_tui.config.schema import DEFAULT_LINK, Config, FloorEntry, RobotEntry
+from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.errors import WireError
 from fleet_tui.model import events

@@ -10,8 +10,9 @@ from fleet_tui.audit.file import FILE_NAME
 from fleet_tui.audit.reader import AuditReader
 from fleet_tui.cli.programs import changing
 from fleet_tui.cli.programs.changing import change_program
+from fleet_tui.config.entries import FloorEntry, RobotEntry
 from fleet_tui.config.programs import ProgramEntry
-from fleet_tui.config.schema import Config, FloorEntry, Operator, RobotEntry
+from fleet_tui.config.schema import Config, Operator
 from tests.support.stand_ins import with_status
 
 

@@ -3,7 +3,8 @@
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.config.schema import Link, RobotEntry
+from fleet_tui.config.entries import RobotEntry
+from fleet_tui.config.schema import Link
 from fleet_tui.config.start import initial_state
 from fleet_tui.model import events
 from fleet_tui.model.desk import events as desk_events

@@ -1,0 +1,1 @@
+"""Links to rosbridge servers: subscriptions, calls, goals, publications."""

@@ -1,0 +1,106 @@
+"""Answers to the calls of commands: each command ends exactly once, whatever the answers and their timing."""
+
+import logging
+import time
+from collections.abc import Callable, Mapping, Sequence
+
+from fleet_tui.adapters.adapter import Adapter, ServiceCall
+from fleet_tui.adapters.ros import operations
+from fleet_tui.adapters.ros.operations import ServiceResponse
+from fleet_tui.client.rosbridge.calls import Calls, LinkLostError, NoAnswerError, PendingCall
+from fleet_tui.client.rosbridge.services import Services
+from fleet_tui.client.tap import Tap
+from fleet_tui.client.writer import Writer
+from fleet_tui.errors import WireError
+from fleet_tui.model.commands import Command, Stage
+
+LOG = logging.getLogger(__name__)
+
+# An answer later than its deadline by no more than this many seconds still counts.
+LATE_ANSWER = 60.0
+WORST = (Stage.ACCEPTED, Stage.REFUSED, Stage.UNKNOWN)
+"""Possible ends of the calls of one command, worst last."""
+
+
+def decoded(tap: Tap | None, link: str, payload: bytes, is_binary: bool) -> operations.Operation | None:
+    """Record and decode a frame of a command connection; None if it contains nothing for the console."""
+    if tap is not None:
+        tap.on_received(link, "commands", payload, is_binary, time.monotonic())
+    try:
+        return None if is_binary else operations.decode(payload)
+    except WireError as problem:
+        LOG.warning("%s", problem)
+        return None
+
+
+class Answers:
+    """Waits for the answers to commands on one connection. `advance` receives the number of a command, the
+    stage it reached and the reason. Runs on the network loop."""
+
+    def __init__(
+        self,
+        calls: Calls,
+        services: Services,
+        adapters: Mapping[str, Adapter],
+        writer: Writer,
+        timeout: float,
+        advance: Callable[[int, Stage, str], None],
+    ) -> None:
+        """`timeout` of an answer in seconds; `adapters` by robot."""
+        self._calls, self._services, self._adapters = calls, services, adapters
+        self._writer, self._timeout, self._advance = writer, timeout, advance
+
+    async def wait(
+        self,
+        command_id: int,
+        command: Command,
+        calls: Sequence[tuple[ServiceCall, PendingCall]],
+        sent_at: float,
+    ) -> None:
+        """Wait for all answers to a command; its result is the worst of them."""
+        if (end := await self.end_of(command_id, command, calls, sent_at)) is not None:
+            self._advance(command_id, *end)
+
+    async def end_of(
+        self,
+        command_id: int,
+        command: Command,
+        calls: Sequence[tuple[ServiceCall, PendingCall]],
+        sent_at: float,
+    ) -> tuple[Stage, str] | None:
+        """Return the worst of the answers; None if one never came, which is reported."""
+        adapter = self._adapters[command.robot]
+        ends = list[tuple[Stage, str]]()
+        try:
+            for outgoing, call in calls:
+                response = await self._answer(command_id, call)
+                self._learn(command, outgoing, response, sent_at)
+                ends.append(adapter.outcome(command, response.values, response.result))
+            return max(ends, key=lambda end: WORST.index(end[0]))
+        except NoAnswerError:
+            return None
+        except LinkLostError as problem:
+            return Stage.UNKNOWN, str(problem)
+        except Exception as problem:
+            # Whatever fails here, the operator must see that the result of this command is unknown.
+            LOG.exception("command %d", command_id)
+            return Stage.UNKNOWN, f"internal error: {problem}"
+        finally:
+            for _, call in calls:
+                self._calls.forget(call)
+
+    def _learn(
+        self, command: Command, outgoing: ServiceCall, response: ServiceResponse, sent_at: float
+    ) -> None:
+        """Extract the other facts in an answer, besides the result of the command."""
+        self._services.on_answer(outgoing.address, response.values, response.result)
+        robot, adapter = self._writer.store.state.robots[command.robot], self._adapters[command.robot]
+        for fact in adapter.learned(outgoing, response.values, robot, sent_at, time.monotonic()):
+            self._writer.apply(fact)
+
+    async def _answer(self, command_id: int, call: PendingCall) -> ServiceResponse:
+        try:
+            return await self._calls.wait(call, self._timeout)
+        except NoAnswerError as problem:
+            self._advance(command_id, Stage.NO_ANSWER, str(problem))
+        return await self._calls.wait(call, LATE_ANSWER)

@@ -1,0 +1,227 @@
+"""The connection for commands. It also monitors whether commands would get through."""
+
+import asyncio
+import logging
+import time
+import uuid
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
+
+from fleet_tui.adapters.adapter import ActionGoal, Adapter, Outgoing, Publication, ServiceCall
+from fleet_tui.adapters.ros import operations
+from fleet_tui.adapters.service_outcome import said
+from fleet_tui.client.rosbridge.answers import Answers, decoded
+from fleet_tui.client.rosbridge.calls import Calls, PendingCall
+from fleet_tui.client.rosbridge.goal_channel import Goals
+from fleet_tui.client.rosbridge.heartbeat import Heartbeat
+from fleet_tui.client.rosbridge.publishing import Publishing
+from fleet_tui.client.rosbridge.set_up.listeners import check_listeners
+from fleet_tui.client.rosbridge.set_up.settling import Settling
+from fleet_tui.client.rosbridge.telemetry import Telemetry
+from fleet_tui.client.writer import Writer
+from fleet_tui.config.schema import Link
+from fleet_tui.errors import CommandError, LinkError
+from fleet_tui.model.commands import UNANSWERED, Command, PauseRobot, PlaceOrder, Stage
+from fleet_tui.model.events import CommandAdvanced
+from fleet_tui.model.link import CommandPath
+from fleet_tui.model.set_up.commands import Settle, SetUpCommand
+from fleet_tui.rules.commands.local_queue import withdrawn
+from fleet_tui.text.limits import truncate
+from fleet_tui.transports.rosbridge.connection import Connection
+
+LOG = logging.getLogger(__name__)
+
+# Poses arrive ten times a second: a bridge that was active and is silent for this long has a fault.
+LONGEST_SILENCE = 2.0
+# A command that waited longer for a stalled console is out of date.
+LATEST = 1.0
+
+
+class CommandChannel:
+    """Sends commands now or not at all, and reports their progress. Runs on the network loop."""
+
+    def __init__(
+        self,
+        link: str,
+        bridge: Link,
+        adapters: Mapping[str, Adapter],
+        writer: Writer,
+        timeout: float,
+        telemetry: Telemetry,
+        advertised: Iterable[tuple[str, str]],
+    ) -> None:
+        """`timeout` of an answer in seconds; `telemetry` of the same bridge, whose silence counts here;
+        `advertised`: names and types of topics on which commands may be published."""
+        self._link = link
+        self._goals = Goals(link, bridge, adapters, writer, self._advance)
+        self._adapters = adapters
+        self._writer = writer
+        self._timeout = timeout
+        self._silence = telemetry.silence
+        self._services = telemetry.services
+        self._under_way: set[asyncio.Task[None]] = set()
+        self._in_turn = asyncio.Lock()
+        self.connection = Connection(bridge, self)
+        self._calls = Calls(self.connection)
+        self._publishing = Publishing(self.connection, advertised)
+        self._answers = Answers(self._calls, self._services, adapters, writer, timeout, self._advance)
+        self._settling = Settling(writer.store, self._answers, self._send_now, self._advance)
+        self._heartbeat = Heartbeat(
+            link, self._calls, self._services, telemetry.counter.round_trips, writer.apply
+        )
+
+    def on_connecting(self) -> None:
+        """Report that a connection attempt has begun."""
+
+    def on_open(self) -> None:
+        """Check whether commands get through, now and from now on."""
+        self._heartbeat.start()
+        self._publishing.start()
+
+    def on_lost(self, reason: str, next_try_in: float) -> None:
+        """End every open command: its answer can't arrive any more."""
+        self._calls.on_lost()
+        self._settling.on_lost()
+        self._publishing.stop()
+        self._heartbeat.stop(reason or "connection lost")
+
+    def on_frame(self, payload: bytes, is_binary: bool) -> None:
+        """Take a frame: only answers arrive here."""
+        operation = decoded(self._writer.tap, self._link, payload, is_binary)
+        if not isinstance(operation, operations.ServiceResponse):
+            return
+        self._heartbeat.take(operation)
+        if not self._calls.on_response(operation):
+            LOG.warning("late reply to %s: %s", truncate(operation.id), truncate(said(operation.values)))
+
+    def on_sent(self, payload: bytes) -> None:
+        """Report a sent call to the tap."""
+        if self._writer.tap is not None:
+            self._writer.tap.on_sent(self._link, "commands", payload)
+
+    def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
+        """Ignore it: no answer to a command is that large."""
+        LOG.warning("a reply of %d bytes was dropped", size)
+
+    def submit(self, command_id: int, command: Command, given_at: float) -> None:
+        """Send a command that was given at `given_at` (monotonic), before anything else happens.
+
+        Only on a new connection, while the types of services are being fetched, it waits briefly, with later
+        commands behind it; a pause never waits.
+        """
+        LOG.info("command %d: %s", command_id, truncate(str(command)))
+        waits = self._services.is_new or self._in_turn.locked() or isinstance(command, SetUpCommand)
+        if isinstance(command, PauseRobot) or not waits:
+            self._submit(command_id, command, given_at)
+        else:
+            self._keep(asyncio.ensure_future(self._submit_in_turn(command_id, command, given_at)))
+
+    async def _submit_in_turn(self, command_id: int, command: Command, given_at: float) -> None:
+        async with self._in_turn:
+            await self._services.settle()
+            if isinstance(command, SetUpCommand) and not await self._has_listeners(command_id, command):
+                return
+            # A pause waits for nothing: the goal that it overtook must not drive the robot on.
+            if reason := withdrawn(self._writer.store.state, command_id, given_at):
+                self._advance(command_id, Stage.NOT_SENT, reason)
+                return
+            self._submit(command_id, command, given_at)
+
+    async def _has_listeners(self, command_id: int, command: Command) -> bool:
+        """Prepare the topics of a command, and tell whether to send it: a bridge drops silently what no node
+        takes."""
+        try:
+            outgoing = self._outgoing(command, command_id, 0.0)
+            waits = [self._publishing.prepare(one) for one in outgoing if isinstance(one, Publication)]
+            await asyncio.gather(check_listeners(self._calls, outgoing), asyncio.sleep(max(waits, default=0)))
+        except (LinkError, CommandError) as problem:
+            self._advance(command_id, Stage.NOT_SENT, str(problem))
+            return False
+        return True
+
+    def _submit(self, command_id: int, command: Command, given_at: float) -> None:
+        at = time.monotonic()
+        try:
+            outgoing = self._outgoing(command, command_id, at - given_at)
+            first = outgoing[0] if outgoing else None
+            if isinstance(first, ActionGoal):
+                self._keep(asyncio.ensure_future(self._goals.give(command_id, command, first, given_at)))
+                return
+            calls = self._send(outgoing)
+        except (LinkError, CommandError) as problem:
+            self._advance(command_id, Stage.NOT_SENT, str(problem))
+            return
+        names = [one.name for one in outgoing if isinstance(one, Publication)]
+        self._advance(command_id, Stage.SENT, at=at, name=names[0] if names else "")
+        if isinstance(command, Settle):
+            self._keep(asyncio.ensure_future(self._settling.run(command_id, command, calls, at)))
+        elif calls:
+            self._keep(asyncio.ensure_future(self._answers.wait(command_id, command, calls, at)))
+        elif not isinstance(command, PlaceOrder):  # which is taken when the robot lists it
+            self._advance(command_id, Stage.ACCEPTED, UNANSWERED if outgoing else "")
+
+    def resend(self, command: Command) -> None:
+        """Send a command once more; its answers are not reported."""
+        with suppress(LinkError, CommandError):
+            for _, call in self._send_now(command):
+                self._calls.forget(call)
+
+    def _send_now(self, command: Command) -> list[tuple[ServiceCall, PendingCall]]:
+        """Send a command without a report. Raises LinkError or CommandError."""
+        return self._send(self._outgoing(command, 0, 0.0))
+
+    def _keep(self, task: "asyncio.Task[None]") -> None:
+        """Hold a reference to a task, which could otherwise be garbage-collected while it runs."""
+        self._under_way.add(task)
+        task.add_done_callback(self._under_way.discard)
+
+    def _outgoing(self, command: Command, command_id: int, late: float) -> Sequence[Outgoing]:
+        """Return the outgoing calls and publications of a command. Raises CommandError or LinkError if it
+        must not be sent."""
+        if late > LATEST:
+            raise CommandError(f"console busy for {late:.1f} s: repeat the command")
+        # A pause is tried even if other commands are held back: it can only make things safer.
+        if not isinstance(command, PauseRobot):
+            if self._heartbeat.path is CommandPath.DEAD:
+                raise LinkError(f"no link for commands: {self._heartbeat.reason}")
+            silent = self._silence()
+            if silent > LONGEST_SILENCE:
+                # A command sent into a frozen connection may be delivered, and obeyed, much later.
+                raise LinkError(f"no message from the bridge for {silent:.1f} s")
+        adapter = self._adapters[command.robot]
+        robot = self._writer.store.state.robots[command.robot]
+        outgoing = adapter.outgoing(command, command_id, robot, uuid.uuid4().hex)
+        for one in outgoing:
+            if mismatch := self._services.mismatch(one.address):
+                table = adapter.names.table
+                raise CommandError(f"{mismatch}: correct [{table}.services], or [{table}.service_types]")
+        return outgoing
+
+    def _send(self, outgoing: Sequence[Outgoing]) -> list[tuple[ServiceCall, PendingCall]]:
+        """Send calls and publications; the calls wait for answers. Raises LinkError."""
+        calls = list[tuple[ServiceCall, PendingCall]]()
+        for one in outgoing:
+            match one:
+                case ServiceCall(address, _, args):
+                    calls.append((one, self._calls.start(address, args, self._timeout)))
+                case Publication():
+                    self._publishing.send(one)
+                case ActionGoal():
+                    raise CommandError("goals are sent one at a time")
+        return calls
+
+    def _advance(
+        self, command_id: int, stage: Stage, detail: str = "", at: float | None = None, name: str = ""
+    ) -> None:
+        level = logging.INFO if stage in (Stage.SENT, Stage.ACCEPTED) else logging.WARNING
+        LOG.log(level, "command %d: %s %s", command_id, stage.value, truncate(detail))
+        at = time.monotonic() if at is None else at
+        self._writer.apply(CommandAdvanced(command_id, stage, at, detail, name))
+
+    def close(self) -> None:
+        """Close permanently; open commands end as unknown."""
+        self._heartbeat.close()
+        self._calls.on_lost()
+        self._publishing.stop()
+        self.connection.shut()
+        self._goals.close()

@@ -1,0 +1,115 @@
+"""Signs of life of a bridge's command path: a heartbeat, and every answer to a command."""
+
+import asyncio
+import time
+from collections.abc import Callable
+
+from fleet_tui.adapters.ros.operations import ServiceResponse
+from fleet_tui.client.rosbridge.calls import Calls, NoAnswerError
+from fleet_tui.client.rosbridge.services import Services
+from fleet_tui.errors import LinkError
+from fleet_tui.model.counters import RoundTrips
+from fleet_tui.model.events import CommandPathChanged
+from fleet_tui.model.link import CommandPath
+from fleet_tui.text.limits import some
+
+SERVICE = "/rosapi/fleet_tui_heartbeat"
+"""A service that no node offers: the bridge itself reports the error, in 1-2 ms, regardless of rosapi and
+robots."""
+EVERY, TIMEOUT = 5.0, 5.0
+LOOK_EVERY = 3
+"""Beats between two checks of the services: a quick restart of the master goes unnoticed otherwise."""
+
+
+class Heartbeat:
+    """Monitors whether commands would get through, and reports each change. Runs on the network loop."""
+
+    def __init__(
+        self,
+        link: str,
+        calls: Calls,
+        services: Services,
+        round_trips: RoundTrips,
+        report: Callable[[CommandPathChanged], None],
+    ) -> None:
+        self._link, self._calls, self._services, self._report = link, calls, services, report
+        self._round_trips = round_trips
+        self._connected = False
+        self._reported: CommandPathChanged | None = None
+        self._answered_at = 0.0
+        self._task: asyncio.Task[None] | None = None
+        self.path, self.reason = CommandPath.UNTRIED, ""
+        services.changed = self._refresh
+
+    def _set(self, path: CommandPath, reason: str = "") -> None:
+        self.path, self.reason = path, reason
+        change = CommandPathChanged(self._link, path, reason, self._connected)
+        if change != self._reported:
+            self._reported = change
+            self._report(change)
+
+    def start(self) -> None:
+        """Start beating: the connection is open. A pause need not wait for the first answer."""
+        self._connected = True
+        self._set(self.path, self.reason)
+        self._task = asyncio.ensure_future(self._beat())
+
+    def stop(self, reason: str) -> None:
+        """Stop: the connection is lost."""
+        self.close()
+        self._connected = False
+        self._set(CommandPath.DEAD, reason)
+
+    def close(self) -> None:
+        """Stop permanently."""
+        if self._task is not None:
+            self._task.cancel()
+
+    def take(self, response: ServiceResponse) -> None:
+        """Take an answer to any call: any answer shows that the bridge is alive."""
+        self._answered_at = time.monotonic()
+        message = response.values if isinstance(response.values, str) else ""
+        if "unable to communicate with master" in message.lower():
+            self._services.on_master_lost()
+            self._set(CommandPath.DEAD, "no ROS master")
+            return
+        was_dead, self.path = self.path is CommandPath.DEAD, CommandPath.ALIVE
+        self._refresh()
+        if was_dead or self.path is CommandPath.UNREGISTERED:
+            self._services.query()
+
+    def _refresh(self) -> None:
+        """Report whether the robots' services exist, if the bridge answers at all."""
+        if self.path not in (CommandPath.ALIVE, CommandPath.UNREGISTERED):
+            return
+        gone, absent = self._services.unregistered, self._services.without_any
+        if self._services.is_total:
+            self._set(CommandPath.UNREGISTERED, "robot nodes not registered: restart them")
+        elif gone:
+            self._set(CommandPath.UNREGISTERED, f"nodes of {some(gone)} not registered: restart them")
+        elif absent:
+            wrong = f"no services of {some(absent)}: restart its node, or correct [profile.services]"
+            self._set(CommandPath.UNREGISTERED, wrong)
+        else:
+            self._set(CommandPath.ALIVE)
+
+    async def _beat(self) -> None:
+        beats = 0
+        while True:
+            began = time.monotonic()
+            try:
+                await self._calls.call(SERVICE, {}, TIMEOUT)
+            except NoAnswerError:
+                self._round_trips.unanswered += 1
+                # An answer to another call, meanwhile, is a sign of life, too.
+                if self._answered_at < began:
+                    self._set(CommandPath.DEAD, "no reply from the bridge to calls")
+            except LinkError:
+                return
+            else:
+                now = time.monotonic()
+                self._round_trips.take(now - began, now)
+            beats += 1
+            if beats % LOOK_EVERY == 0:
+                self._services.query()
+            await asyncio.sleep(EVERY)

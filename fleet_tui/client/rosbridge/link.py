@@ -1,0 +1,79 @@
+"""One bridge: telemetry on one connection, commands on another, so that no map delays a command."""
+
+from collections.abc import Mapping
+
+from fleet_tui.adapters.adapter import Adapter
+from fleet_tui.client.rosbridge.command_channel import CommandChannel
+from fleet_tui.client.rosbridge.driving.drive import Drive
+from fleet_tui.client.rosbridge.telemetry import Telemetry
+from fleet_tui.client.writer import Writer
+from fleet_tui.config.fleet import drive_of, publications_of
+from fleet_tui.config.schema import Config
+from fleet_tui.errors import CommandError
+from fleet_tui.model.commands import Command
+from fleet_tui.model.kind import DRIVE
+from fleet_tui.rules.driving.speed import Caps
+from fleet_tui.transports.loop import call_now
+
+# Maximum seconds to wait for the network thread to take a command.
+HANDOVER = 0.005
+
+
+class BridgeLink:
+    """All connections between one bridge and the store. Callable from any thread."""
+
+    def __init__(self, name: str, config: Config, adapters: Mapping[str, Adapter], writer: Writer) -> None:
+        """`adapters` by robot."""
+        self.name = name
+        self._writer, self._config, self._adapters = writer, config, adapters
+        self._telemetry = Telemetry(name, config, adapters, writer)
+        timeout = config.alarms.no_answer_after
+        bridge = config.bridge(name)
+        self.counter = self._telemetry.counter
+        advertised = publications_of(config, adapters, name)
+        self._commands = CommandChannel(name, bridge, adapters, writer, timeout, self._telemetry, advertised)
+
+    def open(self) -> None:
+        """Connect, and stay connected; commands first, so that no subscription delays a pause."""
+        self._writer.loop.call_soon_threadsafe(self._commands.connection.connect)
+        self._writer.loop.call_soon_threadsafe(self._telemetry.connection.connect)
+
+    def submit(self, command_id: int, command: Command, given_at: float) -> None:
+        """Send a command; its progress reaches the store as CommandAdvanced."""
+        call_now(lambda: self._commands.submit(command_id, command, given_at), HANDOVER)
+
+    def submit_now(self, command_id: int, command: Command, given_at: float) -> None:
+        """Send a command, on the loop."""
+        self._commands.submit(command_id, command, given_at)
+
+    def resend(self, command: Command) -> None:
+        """Send a command once more, on the loop: only the first attempt is reported."""
+        self._commands.resend(command)
+
+    def drive(self, robot: str) -> Drive:
+        """Begin to drive a robot by hand, on a connection of its own. Raises CommandError."""
+        topic = self._adapters[robot].names.topic("drive", robot)
+        if not topic:
+            raise CommandError(self._adapters[robot].kind.lack(DRIVE))
+        entry = next(one for one in self._config.robots if one.name == robot)
+        limits = drive_of(self._config, entry)
+        caps = Caps(limits.max_linear, limits.max_angular)
+        drive = Drive(self.name, self._config.bridge(self.name), self._writer, topic, caps)
+        drive.open()
+        return drive
+
+    def show_map(self, robot: str, floor: str) -> None:
+        """Subscribe to the live map of one robot's floor only; an empty name for none."""
+        self._writer.loop.call_soon_threadsafe(self._telemetry.show_map, robot, floor)
+
+    def subscribe_logs(self, on: bool) -> None:
+        """Subscribe to or unsubscribe from the robots' log and diagnostics."""
+        self._writer.loop.call_soon_threadsafe(self._telemetry.subscribe_logs, on)
+
+    def close(self) -> None:
+        """Close both connections."""
+        self._writer.loop.call_soon_threadsafe(self._telemetry.close)
+        self._writer.loop.call_soon_threadsafe(self._commands.close)
+
+
+LINK = BridgeLink

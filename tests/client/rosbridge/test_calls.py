@@ -1,0 +1,80 @@
+"""Calls with a deadline: each ends once, whatever comes and when."""
+
+import asyncio
+import json
+from typing import Any, cast
+
+import pytest
+
+from fleet_tui.adapters.ros.operations import ServiceResponse
+from fleet_tui.client.rosbridge.calls import Calls, LinkLostError, NoAnswerError
+from fleet_tui.errors import LinkError
+from fleet_tui.transports.rosbridge.connection import Connection
+
+
+class Sent:
+    """The sending side of a connection."""
+
+    def __init__(self) -> None:
+        self.frames: list[dict[str, Any]] = []
+        self.is_up = True
+
+    def send(self, payload: bytes) -> None:
+        if not self.is_up:
+            raise LinkError("no link")
+        self.frames.append(json.loads(payload))
+
+
+@pytest.fixture
+def sent() -> Sent:
+    return Sent()
+
+
+@pytest.fixture
+def calls(sent: Sent) -> Calls:
+    return Calls(cast("Connection", sent))
+
+
+def answer(id_: str, values: object = None) -> ServiceResponse:
+    return ServiceResponse(id_, values, True)
+
+
+async def test_answers_find_their_calls_in_any_order_and_once(calls: Calls, sent: Sent) -> None:
+    one, other = (calls.start(service, {"n": n}, 1.0) for n, service in enumerate(("/a", "/b")))
+    assert [frame["service"] for frame in sent.frames] == ["/a", "/b"]
+    assert [frame["args"] for frame in sent.frames] == [{"n": 0}, {"n": 1}]
+    assert one.id != other.id
+    assert calls.on_response(answer(other.id, "b")) and calls.on_response(answer(one.id, "a"))
+    assert not calls.on_response(answer(one.id, "again"))
+    assert (await calls.wait(one, 1.0)).values == "a" and (await calls.wait(other, 1.0)).values == "b"
+    calls.forget(one)
+    assert not calls.on_response(answer(one.id)) and not calls.on_response(answer("call:99"))
+
+
+async def test_a_call_without_an_answer_may_be_waited_for_again(calls: Calls) -> None:
+    call = calls.start("/s", {}, 1.0)
+    with pytest.raises(NoAnswerError, match="from /s in 0 s: may still be carried out"):
+        await calls.wait(call, 0.0)
+    calls.on_response(answer(call.id, "late"))
+    assert (await calls.wait(call, 1.0)).values == "late"
+
+
+async def test_a_lost_link_ends_every_open_call(calls: Calls) -> None:
+    open_, answered = calls.start("/a", {}, 1.0), calls.start("/b", {}, 1.0)
+    calls.on_response(answer(answered.id, "b"))
+    calls.on_lost()
+    with pytest.raises(LinkLostError, match="may still be carried out"):
+        await calls.wait(open_, 1.0)
+    assert (await calls.wait(answered, 1.0)).values == "b"
+
+
+async def test_a_call_that_was_not_sent_waits_for_nothing(calls: Calls, sent: Sent) -> None:
+    sent.is_up = False
+    with pytest.raises(LinkError, match="no link"):
+        await calls.call("/s", {}, 1.0)
+    sent.is_up = True
+    task = asyncio.create_task(calls.call("/s", {}, 1.0))
+    await asyncio.sleep(0)
+    assert calls.on_response(answer("call:2", "well"))
+    assert (await task).values == "well"
+    assert not calls.on_response(answer("call:2"))

@@ -1,0 +1,144 @@
+"""A bridge of ROS 2: latched topics come whoever came first, large maps in pieces, its log is heard."""
+
+import os
+from collections.abc import AsyncIterator
+
+import pytest
+
+from fleet_tui.client.rosbridge import latched, subscriber
+from fleet_tui.model.commands import PauseRobot, Stage
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import Phase
+from fleet_tui.simulator.faults import play, wire
+from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.ros.ros2 import ROS2
+from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.transports.rosbridge import connection
+from tests.support.fleets import place_order
+from tests.support.links import finished, linked, phase, ready
+from tests.support.watched_store import WatchedStore, config_of
+
+RESTARTS = int(os.environ.get("FLEET_TUI_RESTARTS", "3"))
+LATCHED = ("graph", "labeled_vertices", "map_metadata", "map")
+
+
+@pytest.fixture
+async def server(monkeypatch: pytest.MonkeyPatch) -> AsyncIterator[RosbridgeServer]:
+    monkeypatch.setattr(connection, "FIRST_DELAY", 0.05)
+    monkeypatch.setattr(connection, "LONGEST_DELAY", 0.2)
+    server = RosbridgeServer(World(2, 1, seed=1, quiet=True), dialect=ROS2)
+    await server.start()
+    yield server
+    await server.stop()
+
+
+def counts(link: object, robots: int = 1) -> list[int]:
+    from fleet_tui.client.fleet_link import FleetLink
+
+    assert isinstance(link, FleetLink)
+    topics = link.counters["rosbridge"].topics
+    found = [topics[f"/robot_{n}/floor_0/{name}"].count for n in range(robots) for name in LATCHED[:3]]
+    return [*found, topics["/robot_0/floor_0/map"].count]
+
+
+async def came_again(link: object, store: WatchedStore, before: list[int]) -> None:
+    await store.until(
+        lambda _: all(now > then for now, then in zip(counts(link, 2), before, strict=True)), within=15
+    )
+
+
+async def test_everything_latched_comes_after_each_restart_of_the_bridge(server: RosbridgeServer) -> None:
+    async with linked(config_of(server.url, 2)) as (link, store):
+        await store.until(ready)
+        link.show_map("robot_0", "floor_0")
+        await came_again(link, store, [0] * 7)
+        for _ in range(RESTARTS):
+            before = counts(link, 2)
+            await server.restart_bridge()
+            await store.until(lambda state: not phase(Phase.UP)(state))
+            await came_again(link, store, before)
+        record = await finished(link, store, place_order("robot_0", 0, 1))
+        assert record.stage is Stage.CONFIRMED
+
+
+async def test_a_volatile_publisher_is_asked_without_qos_and_that_is_remembered(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(latched, "FIRST_PATIENCE", 0.5)
+    monkeypatch.setattr(wire, "AGAIN", 0.05)
+    play(server, [("volatile-maps", "robot_0")])
+
+    def known(state: FleetState) -> bool:
+        robot_map = state.robots["robot_0"].maps["floor_0"]
+        return bool(robot_map.graph and robot_map.labels and robot_map.frame)
+
+    async with linked(config_of(server.url, 1)) as (_, store):
+        await store.until(known, within=30)
+        assert asked_with_qos(server) == [True, False]
+        await server.restart_bridge()
+        await store.until(lambda state: not phase(Phase.UP)(state))
+        await store.until(lambda _: asked_with_qos(server) == [True, False, False])
+
+
+async def test_what_has_come_is_left_alone_when_a_map_is_shown(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with linked(config_of(server.url, 1)) as (link, store):
+        await store.until(ready)
+        await store.until(lambda _: all(counts(link)[:3]))
+        monkeypatch.setattr(latched, "FIRST_PATIENCE", 0.3)
+        link.show_map("robot_0", "floor_0")
+        await store.until(lambda _: counts(link)[3])
+        link.show_map("robot_0", "")
+        server.bridge.muted.add("/robot_0/floor_0/map")
+        link.show_map("robot_0", "floor_0")
+        await store.until(lambda _: asked_for(server, "unsubscribe", "floor_0/map") > 1)
+        assert not asked_for(server, "unsubscribe", "graph") and asked_with_qos(server) == [True]
+
+
+def asked_for(server: RosbridgeServer, op: str, topic: str) -> int:
+    return sum(one["op"] == op and topic in one["topic"] for one in server.bridge.received if "topic" in one)
+
+
+def asked_with_qos(server: RosbridgeServer) -> list[bool]:
+    """Tell for each subscription of a graph, in sequence, whether it asked for a QoS."""
+    return [
+        "qos" in one for one in server.bridge.received if one["op"] == "subscribe" and "graph" in one["topic"]
+    ]
+
+
+async def test_telemetry_is_asked_for_without_qos_and_commands_work(server: RosbridgeServer) -> None:
+    async with linked(config_of(server.url, 1)) as (link, store):
+        await store.until(ready)
+        assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
+        asked = {one["topic"]: "qos" in one for one in server.bridge.received if one["op"] == "subscribe"}
+    assert not asked["/robot_0/pose"] and not asked["/robot_0/queue"] and asked["/robot_0/floor_0/graph"]
+
+
+async def test_a_map_larger_than_the_bridge_sends_at_once_comes_as_json_in_pieces(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(subscriber, "CBOR_PATIENCE_ROS2", 1.0)
+    server.bridge.max_message_size = 60_000
+    async with linked(config_of(server.url, 1)) as (link, store):
+        await store.until(ready)
+        link.show_map("robot_0", "floor_0")
+        state = await store.until(lambda state: state.robots["robot_0"].maps["floor_0"].grid)
+        asked = [
+            one["compression"]
+            for one in server.bridge.received
+            if one.get("topic") == "/robot_0/floor_0/map" and one["op"] == "subscribe"
+        ]
+    assert asked[0] == "cbor" and asked[-1] == "none"
+    assert not state.links["rosbridge"].faults
+
+
+async def test_why_the_bridge_did_not_subscribe_a_topic_is_in_the_log(
+    server: RosbridgeServer, caplog: pytest.LogCaptureFixture
+) -> None:
+    play(server, [("unsourced", "robot_0")])
+    async with linked(config_of(server.url, 1)) as (link, store):
+        topic = link.counters["rosbridge"].topics["/robot_0/queue"]
+        await store.until(lambda _: topic.not_subscribed)
+        assert topic.not_subscribed.startswith("bridge: Unable to import oh_ressources")
+    assert "bridge did not subscribe /robot_0/queue: Unable to import" in caplog.text

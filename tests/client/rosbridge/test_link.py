@@ -1,0 +1,60 @@
+"""One bridge behind two connections: commands on their own, each attempt of which is reported once."""
+
+import asyncio
+import time
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+
+from fleet_tui.client.rosbridge.link import BridgeLink
+from fleet_tui.client.writer import Writer
+from fleet_tui.config.fleet import adapters_of
+from fleet_tui.config.start import initial_state
+from fleet_tui.model.commands import PauseRobot, Stage
+from fleet_tui.model.events import CommandAdvanced, CommandIssued
+from fleet_tui.model.link import CommandPath
+from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.links import path
+from tests.support.watched_store import WatchedStore, config_of
+
+PAUSE = "/robot_0/Application_layout/Pause"
+
+
+@asynccontextmanager
+async def opened(server: RosbridgeServer) -> AsyncIterator[tuple[BridgeLink, WatchedStore]]:
+    config = config_of(server.url)
+    store = WatchedStore(initial_state(config, time.monotonic()))
+    writer = Writer(store)
+    link = BridgeLink("rosbridge", config, adapters_of(config), writer)
+    writer.start()
+    link.open()
+    try:
+        yield link, store
+    finally:
+        link.close()
+        writer.stop()
+
+
+async def test_a_command_goes_its_own_way_and_its_progress_is_told(server: RosbridgeServer) -> None:
+    async with opened(server) as (link, store):
+        await store.until(path(CommandPath.ALIVE))
+        await store.until(lambda state: state.robots["robot_0"].pose)
+        now = time.monotonic()
+        store.apply(CommandIssued(7, PauseRobot("robot_0"), now, time.time()))
+        link.submit(7, PauseRobot("robot_0"), now)
+        state = await store.until(lambda state: state.commands[0].stage is Stage.ACCEPTED)
+        assert [step.stage for step in state.commands[0].steps] == [Stage.CHECKED, Stage.SENT, Stage.ACCEPTED]
+        advanced = len(store.told(CommandAdvanced))
+        link._writer.loop.call_soon_threadsafe(link.resend, PauseRobot("robot_0"))
+        async with asyncio.timeout(5):
+            while len(server.bridge.services.calls) < 2:  # noqa: ASYNC110  # a bridge does not tell
+                await asyncio.sleep(0)
+        assert len(store.told(CommandAdvanced)) == advanced, "only the first attempt is reported"
+        assert [service for service, _ in server.bridge.services.calls] == [PAUSE, PAUSE]
+
+
+async def test_closing_leaves_no_connection_behind(server: RosbridgeServer) -> None:
+    async with opened(server) as (_, store):
+        await store.until(lambda state: state.robots["robot_0"].pose)
+    async with asyncio.timeout(5):
+        while server.bridge.subscribers("/robot_0/pose"):  # noqa: ASYNC110  # nobody tells that a client left
+            await asyncio.sleep(0)
