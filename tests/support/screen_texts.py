@@ -27,17 +27,10 @@ from fleet_tui.view.tables.fleet import CALM
 
 ROOT = Path(__file__).parent.parent.parent / "fleet_tui"
 TALKING = (
-    "app",
-    "console",
-    "rules",
-    "model",
-    "controllers",
-    "keys",
-    "screens",
-    "view",
-    "widgets",
-    "adapters",
-    "client",
+    *("app", "console", "rules", "model", "controllers", "keys", "screens", "view", "widgets", "adapters"),
+    *("client", "desk", "programs", "routines", "maps", "recording/play", "recording/recorder", "errors"),
+    *("recording/recordings", "history/writer", "transports/reasons", "transports/mqtt/reasons"),
+    *("transports/rosbridge/reasons", "terminal/clipboard", "terminal/detect", "text/units", "text/limits"),
 )
 """Packages whose sentences reach the screen."""
 SILENT = (
@@ -51,7 +44,13 @@ SILENT = (
         "client/rosbridge/services",
     ),
     *("adapters/move_base/reading", "adapters/move_base/probes", "adapters/nav2/reading"),
-    *("adapters/nav2/probes", "adapters/nav2/adapter", "rules/driving/echoes"),
+    *(
+        "adapters/nav2/probes",
+        "adapters/nav2/adapter",
+        "rules/driving/echoes",
+        "routines/units",
+        "maps/saving",
+    ),
 )
 """Parts of them that stay English: the audit log and the report, what was wrong with a message as the log
 file has it, the doctor, and the screens before a configuration is known."""
@@ -204,7 +203,8 @@ def spoken(path: Path) -> list[str]:
     name = path.relative_to(ROOT).as_posix()
     module = _Spoken(name.startswith(TALKING) and not name.startswith(SILENT))
     module.visit(ast.parse(path.read_text()))
-    return [made for made in map(message, module.found) if is_text(made)]
+    lines = (line for text in module.found for line in text.split("\n"))
+    return [made for made in map(message, lines) if is_text(made)]
 
 
 def is_text(made: str) -> bool:
