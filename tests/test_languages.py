@@ -1,5 +1,6 @@
 """The catalogues: complete, with the same places, of the languages that the configuration accepts."""
 
+import re
 import typing
 from collections.abc import Iterator
 from importlib.resources import files
@@ -8,7 +9,7 @@ import pytest
 
 from fleet_tui.config.schema import Ui
 from fleet_tui.languages import ENGLISH, use_language
-from fleet_tui.text.language import Catalogue, places, read_catalogue, tr
+from fleet_tui.text.language import FIGURES, Catalogue, places, read_catalogue, tr
 from tests.support.screen_texts import ROOT, texts
 
 LANGUAGES = sorted(path.stem for path in (ROOT / "locales").glob("*.po"))
@@ -61,3 +62,15 @@ def test_a_language_is_used_until_another_one_is() -> None:
     assert tr("no link") == "keine Verbindung"
     use_language(ENGLISH)
     assert tr("no link") == "no link"
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_messages_of_one_shape_have_translations_of_one_shape(language: str) -> None:
+    """A text does not tell which of them it is: `{name} on {link}`, `{edge} on {floor}`."""
+    found: dict[str, set[str]] = {}
+    for one, text in read_catalogue(file_of(language)).items():
+        shape = re.sub(r"\{(\w+)\}", lambda place: "#" if place[1] in FIGURES else "*", one)
+        for number, place in enumerate(places(one)):
+            text = text.replace(f"{{{place}}}", f"<{number}>")
+        found.setdefault(shape, set()).add(text)
+    assert [many for many in found.values() if len(many) > 1] == []

@@ -16,7 +16,8 @@ _TEXTS = (
     "ago asked blind calls claims command_reason counted counts_text detail did_you_mean"
     " difference_text does doing doubt halved held how impact kind lack loaded looks lost_why most"
     " mutual near noun noun_of pending present problem question reason refusal remedy removeprefix"
-    " rest ruled_out shown silence silent since stage state_text steps told too text unit value verb"
+    " rest ruled_out shown spread silence silent since stage state_text steps told too text trying unit"
+    " jitter value verb"
     " way_text way_text2 ways what where why CONDITIONS OVERLOADED PAUSED READ_AS_0 STARTED_OVER"
 )
 TEXTS = frozenset(_TEXTS.split(" "))
@@ -49,7 +50,7 @@ class Catalogue:
 
     def __init__(self, messages: Mapping[str, str]) -> None:
         self._plain = {msgid: text for msgid, text in messages.items() if not _PLACE.search(msgid)}
-        placed = sorted(messages.keys() - self._plain.keys(), key=_freedom)
+        placed = sorted((msgid for msgid in messages if msgid not in self._plain), key=_freedom)
         self._placed = [
             MessagePattern(_longest(msgid), _expression(msgid), messages[msgid]) for msgid in placed
         ]

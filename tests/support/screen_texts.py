@@ -17,7 +17,9 @@ from fleet_tui.model.commands import Stage
 from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.order import OrderState
 from fleet_tui.model.programs.program import ProgramState
+from fleet_tui.model.routines.lane import BEGUN, ENDED, LEFT, SKIPPED
 from fleet_tui.rules.alarms.classes import CLASSES
+from fleet_tui.rules.history.observing import BEGUN as BEGAN
 from fleet_tui.rules.why.reason import Strength
 from fleet_tui.view.help.pages import ALWAYS
 from fleet_tui.view.help.pages import TYPED as TYPED_HELP
@@ -70,6 +72,7 @@ TYPED = re.compile(
 """Texts that are typed as they are, and style sheets."""
 _SENTENCE = re.compile(r"[A-Za-z]{2,}\S* |\s[A-Za-z]{2,}|\} ?[a-z]{3,}|^[a-z]{3,}: ?\{")
 _PLACE = re.compile(r"\{(\w+)\}")
+_UNIT = re.compile(r"\b(ms|kB|MB|px|Hz|rad/s|m/s|min|fps|km)\b")
 
 
 def place_name(value: ast.expr) -> str:
@@ -209,7 +212,7 @@ def spoken(path: Path) -> list[str]:
 
 def is_text(made: str) -> bool:
     """Tell whether a message has words to translate."""
-    return bool(re.search("[A-Za-z]{2,}", _PLACE.sub("", made))) and not TYPED.match(made)
+    return bool(re.search("[A-Za-z]{2,}", _UNIT.sub("", _PLACE.sub("", made)))) and not TYPED.match(made)
 
 
 def _values(kinds: Iterable[type[Enum]]) -> set[str]:
@@ -231,7 +234,7 @@ def words() -> set[str]:
     found |= {one for page in PAGES.values() for one in (page.enter, *page.keys)}
     found |= {text for examples in (*TYPED_HELP.values(), ALWAYS) for _, text in examples}
     found |= _values((Pane, Stage, Activity, OrderState, ProgramState))
-    found |= {one.name.lower() for one in Strength}
+    found |= {one.name.lower() for one in Strength} | {BEGUN, ENDED, LEFT, SKIPPED, BEGAN}
     return set(filter(is_text, map(message, found)))
 
 

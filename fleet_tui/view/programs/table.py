@@ -38,7 +38,8 @@ def program_table(rows: Sequence[ProgramRow], clock: Callable[[float], str], now
     is of the monotonic clock."""
     title = ((tr("Programs"), StyleRole.TITLE), (tr("  Enter: start, stop, restart, log"), StyleRole.DIM))
     if not rows:
-        help_rows = [Row(n, ((tr(line), StyleRole.TEXT),)) for n, line in enumerate(NONE_CONFIGURED)]
+        told = [line if line.startswith(" ") else tr(line) for line in NONE_CONFIGURED]
+        help_rows = [Row(n, ((line, StyleRole.TEXT),)) for n, line in enumerate(told)]
         return Table(((tr("Programs"), StyleRole.TITLE),), help_rows)
     names = column((row.name for row in rows), 7, 16)
     hosts = column((row.host or tr(HERE) for row in rows), 4, 12)

@@ -49,7 +49,10 @@ def routine_table(rows: Sequence[RoutineRow], folder: str, clock: Callable[[floa
         text = (tr(f"No routine in {sanitize(folder)}."), *NONE_THERE)
         return Table(
             ((tr("Routines"), StyleRole.TITLE),),
-            [Row(n, ((tr(line), StyleRole.TEXT),)) for n, line in enumerate(text)],
+            [
+                Row(n, ((line if line.startswith(" ") else tr(line), StyleRole.TEXT),))
+                for n, line in enumerate(text)
+            ],
         )
     names = column((name for row in rows for name in (row.name, *(f"  {one}" for one in row.plans))), 7, 18)
     head = f"{fit(tr('routine'), names)} {fit(tr('state'), 11)} {fit(tr('since'), 11)} {tr('instruction')}"
