@@ -19,7 +19,6 @@ from fleet_tui.controllers.session import LiveSession, OpenSession
 from fleet_tui.controllers.settings import ConsoleSettings
 from fleet_tui.keymap import keymap
 from fleet_tui.keys import Pane
-from fleet_tui.languages import use_language
 from fleet_tui.screens.main import MainScreen
 from fleet_tui.state.store import Store
 from fleet_tui.terminal.ending import leave_on_signals, terminal_restorer
@@ -85,7 +84,6 @@ class FleetApp(LeanApp, inherit_bindings=False):
         self, keys: dict[str, tuple[str, ...]], drawing: Drawing, terminal: str, message: str
     ) -> ConsoleSettings:
         config = self._config
-        use_language(config.ui.language)
         return ConsoleSettings(
             keys=keys,
             clock=clock,
@@ -116,14 +114,16 @@ class FleetApp(LeanApp, inherit_bindings=False):
         budget.every = 1 / self._config.ui.ticks_per_second
         tick = partial(budget.ticks.timed, self.main.tick)
         self.set_interval(budget.every, partial(self._guard.steadily, tick))
-        open_it = partial(self.run_worker, self._open_backend, thread=True, exit_on_error=False)
-        self.call_after_refresh(open_it)
+        self.call_after_refresh(self._connect)
 
     async def _mount_rest(self) -> None:
         """Mount the map, and the overlays."""
         await self.main.mount_rest()
         self.use_theme(self._config.ui.theme)
         self.main.tick()
+
+    def _connect(self) -> None:
+        self.run_worker(self._open_backend, thread=True, exit_on_error=False)
 
     def _open_backend(self) -> None:
         try:

@@ -69,7 +69,7 @@ def test_messages_of_one_shape_have_translations_of_one_shape(language: str) -> 
     """A text does not tell which of them it is: `{name} on {link}`, `{edge} on {floor}`."""
     found: dict[str, set[str]] = {}
     for one, text in read_catalogue(file_of(language)).items():
-        shape = re.sub(r"\{(\w+)\}", lambda place: "#" if place[1] in FIGURES else "*", one)
+        shape = re.sub(r"\{(\w+)\}", lambda place: FIGURES.get(place[1], "*"), one)
         for number, place in enumerate(places(one)):
             text = text.replace(f"{{{place}}}", f"<{number}>")
         found.setdefault(shape, set()).add(text)

@@ -12,7 +12,7 @@ from fleet_tui.screens.overlay import Overlay
 from fleet_tui.text.language import tr
 from fleet_tui.view.help.layout import help_lines
 from fleet_tui.view.help.pages import Pages, tabs
-from fleet_tui.view.help.section import HelpRow, HelpSection, search, translated
+from fleet_tui.view.help.section import HelpRow, HelpSection, search
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.widgets.field import Field, Keys
 from fleet_tui.widgets.line_view import LineView
@@ -33,7 +33,7 @@ def _documentation() -> HelpSection:
         for name, text in texts.items()
         if name != "index"
     ]
-    return HelpSection("Documentation, in a shell", tuple(rows))
+    return HelpSection(tr("Documentation, in a shell"), tuple(rows))
 
 
 class Help(Overlay):
@@ -106,7 +106,7 @@ class Help(Overlay):
         sections = list(self._pages[self._page])
         if wanted:
             every = {id(one): one for sections in self._pages.values() for one in sections}
-            sections = search([*every.values(), translated(_documentation())], wanted)
+            sections = search([*every.values(), _documentation()], wanted)
         if not sections:
             sections = [HelpSection(tr(f"nothing matches {wanted!r}"), (HelpRow((), tr(ELSEWHERE)),))]
         runs, buttons = tabs(self._pages, "" if wanted else self._page)

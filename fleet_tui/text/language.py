@@ -13,21 +13,44 @@ from functools import lru_cache
 from msgspec import Struct
 
 _TEXTS = (
-    "ago asked blind calls claims command_reason counted counts_text detail did_you_mean"
-    " difference_text does doing doubt halved held how impact kind lack loaded looks lost_why most"
-    " mutual near noun noun_of pending present problem question reason refusal remedy removeprefix"
-    " rest ruled_out shown spread silence silent since stage state_text steps told too text trying unit"
-    " jitter value verb"
-    " way_text way_text2 ways what where why CONDITIONS OVERLOADED PAUSED READ_AS_0 STARTED_OVER"
+    "after ago asked behind blind calls cells claims command_reason counted counts_text detail"
+    " did_you_mean difference_text does doing doubt halved held how impact its jitter key kind lack"
+    " last_fault lift loaded looks lost_why mission most mutual near note noun noun_of others owner pending"
+    " present problem question reason refusal remedy removeprefix rest ruled_out shown silence silent"
+    " since spread stage state_text steps tmux to_start told too text trying unit value verb way_text"
+    " way_text2 ways what where why CONDITIONS OVERLOADED PAUSED READ_AS_0 STARTED_OVER"
 )
 TEXTS = frozenset(_TEXTS.split(" "))
 """Places whose values are texts of the console, and translated, too; those of all others stay as they are:
 names, paths, figures, and what robots say."""
-FIGURES = dict.fromkeys(
-    ("alarms", "count", "edges", "faults", "fresh", "kept", "marks", "metres", "orders", "placed", "waiting"),
-    r"[-\d.,]+",
-) | dict.fromkeys(("age", "duration"), r"[\d.]+ \w+|never")
-"""Expressions for values that are figures."""
+_COUNTS = [
+    "alarms",
+    "count",
+    "edges",
+    "faults",
+    "fresh",
+    "marks",
+    "metres",
+    "orders",
+    "placed",
+    "vertices",
+    "waiting",
+]
+FIGURES = {
+    **dict.fromkeys((*_COUNTS, "waiting"), r"[-\d.,]+"),
+    **dict.fromkeys(("age", "duration", "lasted"), r"[\d.]+ \w+|never"),
+    **dict.fromkeys(("path", "id", "order", "order_id"), r"\S+?"),
+    "mission": r"order .*|.* -> .*",
+    "route": r"[^()]*",
+    "way": r"[^()]*",
+    "looks": r"(?: looks at .*)?",
+    "claims": r"(?:, claims .*)?",
+    "label": r".*?",
+}
+"""Expressions for values of which more is known than that they are texts."""
+FEW = 5
+"""Letters of its own below which a message fits nearly everything: its values are two words at most then, or
+a text of the console."""
 REMEMBERED = 8192
 """Texts with their translations: the screen asks for the same ones ten times a second."""
 LONGEST = 500
@@ -43,6 +66,7 @@ class MessagePattern(Struct, frozen=True):
     part: str
     expression: re.Pattern[str]
     translation: str
+    fits_all: bool
 
 
 class Catalogue:
@@ -51,9 +75,7 @@ class Catalogue:
     def __init__(self, messages: Mapping[str, str]) -> None:
         self._plain = {msgid: text for msgid, text in messages.items() if not _PLACE.search(msgid)}
         placed = sorted((msgid for msgid in messages if msgid not in self._plain), key=_freedom)
-        self._placed = [
-            MessagePattern(_longest(msgid), _expression(msgid), messages[msgid]) for msgid in placed
-        ]
+        self._placed = [_pattern(msgid, messages[msgid]) for msgid in placed]
         self.translated = lru_cache(REMEMBERED)(self._translated)
 
     def _translated(self, text: str) -> str:
@@ -67,10 +89,13 @@ class Catalogue:
         return text.replace(told, found, 1) if found else text
 
     def _in_parts(self, told: str) -> str:
-        """Return a list translated part by part, and a text with a detail in brackets; else nothing."""
+        """Return a list translated part by part, a text after a name, one with a detail in brackets."""
         for mark, between in _LISTS.items():
             if mark in told and len(parts := between.split(told)) > 1:
                 return mark.join(map(self.translated, parts))
+        name, colon, rest = told.partition(": ")
+        if colon and " " not in name and not name.isupper():
+            return f"{name}: {self.translated(rest)}"
         head, opening, detail = told.removesuffix(")").partition(" (")
         is_told = opening and told.endswith(")")
         return f"{self.translated(head)} ({self.translated(detail)})" if is_told else ""
@@ -79,8 +104,10 @@ class Catalogue:
         for message in self._placed:
             if message.part in told and (match := message.expression.fullmatch(told)):
                 values = match.groupdict()
-                values |= {name: self.translated(values[name]) for name in TEXTS & values.keys()}
-                return message.translation.format_map(values)
+                texts = {name: self.translated(values[name]) for name in TEXTS & values.keys()}
+                if message.fits_all and any(texts[name] == values[name] for name in texts if values[name]):
+                    continue
+                return message.translation.format_map(values | texts)
         return ""
 
 
@@ -92,18 +119,21 @@ def _freedom(msgid: str) -> tuple[int, int, int]:
     return -len(letters), len(names), -sum(name in FIGURES or name in TEXTS for name in names)
 
 
-def _longest(msgid: str) -> str:
-    return max(_PLACE.sub("\0", msgid).split("\0"), key=len)
-
-
-def _expression(msgid: str) -> re.Pattern[str]:
+def _pattern(msgid: str, translation: str) -> MessagePattern:
     parts = _PLACE.split(msgid)  # texts and names in turn
-    made = (_value(part) if at % 2 else re.escape(part) for at, part in enumerate(parts))
-    return re.compile("".join(made))
+    fits_all = sum(map(str.isalpha, "".join(parts[::2]))) < FEW
+    made = [re.escape(part) for part in parts]
+    made[1::2] = [f"(?P<{name}>{_value(name, fits_all)})" for name in parts[1::2]]
+    return MessagePattern(max(parts[::2], key=len), re.compile("".join(made)), translation, fits_all)
 
 
-def _value(name: str) -> str:
-    return f"(?P<{name}>{FIGURES.get(name, '.*?')})"
+def _value(name: str, is_short: bool) -> str:
+    """Return the expression of a value."""
+    if name in FIGURES:
+        return FIGURES[name]
+    if is_short and name not in TEXTS:
+        return r"\S*(?: \S+)?"
+    return r"[^:,]*?" if name in ("name", "robot") else ".*?"
 
 
 def read_catalogue(text: str) -> dict[str, str]:

@@ -32,7 +32,14 @@ TALKING = (
     *("app", "console", "rules", "model", "controllers", "keys", "screens", "view", "widgets", "adapters"),
     *("client", "desk", "programs", "routines", "maps", "recording/play", "recording/recorder", "errors"),
     *("recording/recordings", "history/writer", "transports/reasons", "transports/mqtt/reasons"),
-    *("transports/rosbridge/reasons", "terminal/clipboard", "terminal/detect", "text/units", "text/limits"),
+    *(
+        "transports/rosbridge/reasons",
+        "terminal/clipboard",
+        "terminal/detect",
+        "camera",
+        "text/units",
+        "text/limits",
+    ),
 )
 """Packages whose sentences reach the screen."""
 SILENT = (
@@ -64,10 +71,12 @@ LABELLED = frozenset(("named", "Value"))
 """Functions whose first argument is the name of a line or a column."""
 _LABEL = re.compile("[A-Z][a-z]+")
 TYPED = re.compile(
-    r"(order|cancel|clear|pause|resume|goto|set-pose|localise|settle|mapping|store-map|store-pose-graph|claim"
-    r"|release|close|open|note|save|save-map|anyone|robot_\d|speed|run|go|carry|wait|use) "
-    r".*([{<>_\d]|[A-Z]{2}|all$|\w+\.\w+)|theme, record"
-    r"|(  )?(for robot_0|carry Base|wait until|end$|(name|unit|start) =)|Left Right|[\w.]+ \{[\w ]*[\w-]+: "
+    r"[a-z-]+ [A-Z]{2,}\b.*|.*\brobot_\d.*"
+    r"|(goto|set-pose|localise|settle|mapping|store-map|store-pose-graph|claim|release|cancel|clear|pause|resume"
+    r"|open|carry) \{\w+\}( (on|off|goal|\{\w+\}))?"
+    r"|(anyone|carry) Base .*|(name|unit|start) = .*|save(-map)? \w+\.\w+|theme, record.*"
+    r"|(use battery|wait) .*|end|use \{PLAIN\}.*|Left Right.*|[\w.]+ \{[\w ]*[\w-]+: .*",
+    re.DOTALL,
 )
 """Texts that are typed as they are, and style sheets."""
 _SENTENCE = re.compile(r"[A-Za-z]{2,}\S* |\s[A-Za-z]{2,}|\} ?[a-z]{3,}|^[a-z]{3,}: ?\{")
@@ -212,7 +221,7 @@ def spoken(path: Path) -> list[str]:
 
 def is_text(made: str) -> bool:
     """Tell whether a message has words to translate."""
-    return bool(re.search("[A-Za-z]{2,}", _UNIT.sub("", _PLACE.sub("", made)))) and not TYPED.match(made)
+    return bool(re.search("[A-Za-z]{2,}", _UNIT.sub("", _PLACE.sub("", made)))) and not TYPED.fullmatch(made)
 
 
 def _values(kinds: Iterable[type[Enum]]) -> set[str]:

@@ -12,7 +12,7 @@ def change_question(rows: Mapping[str, ProgramRow], name: str, verb: str, now: f
     """Return the question, with a line for each consequence."""
     row = rows[name]
     where = tr(f" on {row.host}") if row.host else ""
-    lines = [tr(f"{verb.capitalize()} {name}{where}? It is {row.state(now).value}.")]
+    lines = [tr(f"{tr(verb.capitalize())} {name}{where}? It is {tr(row.state(now).value)}.")]
     lines += consequences(rows, name, verb, now)
     return "\n".join(map(sanitize, lines))
 

@@ -66,7 +66,7 @@ def _state(state: FleetState, robot: Robot, complaints: Sequence[Complaint]) -> 
         yield named("" if n else "State", *runs)
     for one in complaints:
         role = StyleRole.ALARM if one.is_error else StyleRole.WARN
-        for n, runs in enumerate(_packed([(tr(sanitize(one.text)), role)], STATE - NAME)):
+        for n, runs in enumerate(_packed([(sanitize(one.text), role)], STATE - NAME)):
             yield named("" if n else "Reports", *runs)
     yield from value_rows(state, robot, STATE)
 

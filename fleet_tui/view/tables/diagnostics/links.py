@@ -74,14 +74,14 @@ def _fields(link: LinkState, counter: LinkCounter, now: float) -> Iterator[tuple
 
 
 def _state(link: LinkState, now: float) -> Run:
-    since = age(now - link.since)
+    lasted = age(now - link.since)
     if link.phase is Phase.UP:
-        return f"● up for {since}", StyleRole.GOOD
+        return f"● up for {lasted}", StyleRole.GOOD
     trying = "connecting"
     if link.phase is Phase.WAITING and link.next_try is not None:
         trying = f"retry in {max(0.0, link.next_try - now):.0f} s"
     why = f": {sanitize(link.reason)}" if link.reason else ""
-    return f"○ no link for {since}{why}, {trying}", StyleRole.ALARM
+    return f"○ no link for {lasted}{why}, {trying}", StyleRole.ALARM
 
 
 def _commands(link: LinkState) -> Run:
