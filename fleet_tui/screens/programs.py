@@ -152,7 +152,7 @@ class Programs(ReturningOverlay):
         said = note(marked, now) if marked is not None else ""
         if said != self._noted:  # an update lays out the whole screen
             self._noted = said
-            self.query_one("#program-note", Static).update(said)
+            self.query_one("#program-note", Static).update(tr(said))
 
     def _show_log(self) -> None:
         wanted = self.query_one(Field).value.strip()

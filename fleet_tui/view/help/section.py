@@ -36,7 +36,7 @@ def key_row(
     every = [key for id_ in ids for key in keys[id_]]
     names = " ".join(key_name(key) for id_ in ids for key in keys[id_][:most])
     for listed, short in _RANGES.items():
-        names = names.replace(listed, short)
+        names = names.replace(listed, tr(short))
     mark = (names, StyleRole.KEY) if names else (tr("palette"), StyleRole.DIM)
     return HelpRow((mark,), text, (*ids, *every, also))
 

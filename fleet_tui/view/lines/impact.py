@@ -60,6 +60,6 @@ def impact_lines(state: FleetState, cut: Sequence[CutOrder]) -> Iterator[str]:
     """Yield each order whose way is cut, with its detour; those without a way first."""
     for one in sorted(cut, key=lambda found: found.around is not None)[:MOST_SHOWN]:
         told = mission(state.robots[one.robot], one.order)
-        yield sanitize(f"{one.robot} {told}: {one.text}")
+        yield sanitize(f"{one.robot} {tr(told)}: {tr(one.text)}")
     if len(cut) > MOST_SHOWN:
         yield tr(f"and {len(cut) - MOST_SHOWN} more")
