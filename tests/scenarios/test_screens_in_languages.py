@@ -100,3 +100,27 @@ async def test_no_screen_has_english_left(server: RosbridgeServer, language: str
         assert not any(left.values()), "\n".join(
             f"{name}: {line}" for name, lines in left.items() for line in lines
         )
+
+
+SLIDING = ("diagnostics", "topics")
+"""Screens whose rows slide: they are wider than 80 cells in English, too."""
+
+
+def cut_words(it: Console) -> list[str]:
+    """The lines with a word that is cut."""
+    return [line.strip(" │") for line in it.text.splitlines() if "…" in line]
+
+
+@pytest.mark.parametrize("language", [ENGLISH, *LANGUAGES])
+async def test_no_word_of_the_frame_is_cut(server: RosbridgeServer, language: str) -> None:
+    use_language(language)
+    async with console(config_of(server.url, 2, 2), (80, 24)) as it:
+        cut = {"main": cut_words(it)}
+        for name, keys in SCREENS.items():
+            await it.press(*keys)
+            cut[name] = [] if name in SLIDING else cut_words(it)
+            for _ in range(4):
+                await it.press("escape")
+        assert not any(cut.values()), "\n".join(
+            f"{name}: {line}" for name, lines in cut.items() for line in lines
+        )
