@@ -42,7 +42,7 @@ class PlaceMode(PlainMode):
         """Return the chosen pose: its place and match first, the heading is seen on the map, too."""
         place = place_text(tr(self.title), self.floor, shown, self.cursor)
         degrees = tr(f"{round(math.degrees(self.yaw)) + 0} degrees")
-        return ", ".join(filter(None, (place, self.note, degrees, sanitize(self.robot))))
+        return ", ".join(filter(None, (place, tr(self.note), degrees, sanitize(self.robot))))
 
     def adjusted(self, scene: Scene) -> Scene:
         """Return the scene with the laser scan as it would lie with the robot at the chosen pose."""
