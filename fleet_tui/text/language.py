@@ -53,7 +53,7 @@ FEW = 5
 a text of the console."""
 REMEMBERED = 8192
 """Texts with their translations: the screen asks for the same ones ten times a second."""
-LONGEST = 500
+LONGEST = 300
 """Characters of a line above which it is no text of the console: a robot may say anything."""
 _PLACE = re.compile(r"\{(\w+)\}")
 _LISTS = {"; ": re.compile("; "), ", ": re.compile(r", (?![^(]*\))")}
