@@ -27,7 +27,7 @@ _DATA = (
 )
 DATA = frozenset(_DATA.split(" "))
 """Names of the simulated fleet, keys, and what is typed or in a file as it is."""
-OWN_WORDS = re.compile(r"robot_\d: ")
+OWN_WORDS = re.compile(r"robot_\d: |REJECTED|simulator")
 """A line with what a robot itself says."""
 EXAMPLE = re.compile(r"[ │]*(order|clear|pause|resume|cancel|claim|close|note|save|settle|goto|robot_\d) ")
 """The begin of an example of a typed command, which is in English."""
