@@ -9,6 +9,7 @@ from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.link import Phase
 from fleet_tui.rules.history.activity import activity
 from fleet_tui.text.durations import age
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import fit
 from fleet_tui.view.history.bars import bars_of, legend_of
 from fleet_tui.view.roles import StyleRole
@@ -70,7 +71,7 @@ def activity_table(
     rows = tuple(
         Row(None, ((fit(name, start), StyleRole.DIM), *bars_of(bar, is_ascii))) for name, bar in bars.items()
     )
-    since = f"{age(cells * recent.every)} ago"
-    head = f"{' ' * start}{since}{'now':>{max(0, cells - len(since))}}"
-    title = ("Activity", StyleRole.TITLE), *legend_of(bars.values(), is_ascii)
+    since = tr(f"{age(cells * recent.every)} ago")
+    head = f"{' ' * start}{since}{tr('now'):>{max(0, cells - len(since))}}"
+    title = (tr("Activity"), StyleRole.TITLE), *legend_of(bars.values(), is_ascii)
     return Table(title, rows, head=((head, StyleRole.DIM),))
