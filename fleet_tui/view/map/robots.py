@@ -185,7 +185,7 @@ def _numbers(
     first, more = robots[0], len(robots) - 1
     role, count = robot_roles(first)[1], [(f"+{more}", StyleRole.ROBOT)] if more else []
     if has_alarm and first.said.isascii() and first.said.isprintable():  # each letter takes one cell
-        yield [(f"{robot_tag(first, plain)} {first.said}", role), *count]
+        yield [(f"{robot_tag(first, plain)} {first.said}{' ' * bool(more)}", role), *count]
     if first.alarmed and more:
         yield [(robot_tag(first, plain), role), *count]
     for text in (partial(robot_tag, plain=plain), robot_number):

@@ -176,5 +176,5 @@ def test_a_robot_that_may_need_a_person_soon_is_amber_and_an_alarm_is_told_where
     assert StyleRole.ROBOT_WARN in roles(robot(1, 0)._replace(acknowledged=True))
     stuck = robot(7, 0)._replace(alarmed=True, said="stuck 61 s")
     assert "7! stuck 61 s→" in drawn((stuck,))
-    assert "7! stuck 61 s+1→" in drawn((stuck, robot(8, 0)))
+    assert "7! stuck 61 s +1→" in drawn((stuck, robot(8, 0)))
     assert "stuck" not in drawn((stuck,), camera=replace(CAMERA, width=80))
