@@ -1,4 +1,4 @@
-"""Secrets and certificates of a bridge: read from their files, and only if those are safe."""
+"""Secrets and certificates of a link: read from their files, and only if those are safe."""
 
 import os
 import re
@@ -9,14 +9,13 @@ from pathlib import Path
 
 import msgspec
 
-from fleet_tui.config.schema import LINK_FILES, Config, Link, link_key
+from fleet_tui.config.schema import LINK_FILES, SECRETS, Config, Link, link_key
 from fleet_tui.errors import ConfigError
 
-SECRETS = ("authorization", "rosauth")
-SECRET_FILES = ("authorization_file", "rosauth_file")
+SECRET_FILES = tuple(f"{key}_file" for key in SECRETS)
 PUBLIC = ("ca_file", "client_cert")
 LONGEST = 16_384  # maximum bytes of a header that servers accept
-NOT_SHOWN = ("authorization_file", "authorization_env", "rosauth_file", "rosauth_env", "client_key")
+NOT_SHOWN = (*SECRET_FILES, *(f"{key}_env" for key in SECRETS), "client_key")
 """Keys of a link whose value may be secret, or a secret entered in place of a file or variable name."""
 
 
@@ -49,7 +48,7 @@ def access_problems(config: Config) -> list[str]:
 
 
 def secret(bridge: Link, key: str) -> str:
-    """Return the secret of `authorization` or `rosauth`, "" if not set. Raises ConfigError."""
+    """Return the secret of a key, "" if not set. Raises ConfigError."""
     variable, where = getattr(bridge, f"{key}_env"), f"{key}_file"
     if variable:
         where, found = f"{key}_env", os.environ.get(variable, "")

@@ -2,13 +2,13 @@
 
 from collections import Counter
 from collections.abc import Iterator
-from urllib.parse import urlsplit
 
 from fleet_tui.adapters.discovery import NAME
+from fleet_tui.config.check_links import check_links
 from fleet_tui.config.check_profiles import check_profiles
 from fleet_tui.config.entries import DEFAULT_LINK
 from fleet_tui.config.programs import check_programs
-from fleet_tui.config.schema import Alarms, Config, Link, Notify, link_key
+from fleet_tui.config.schema import Alarms, Config, Notify
 from fleet_tui.errors import did_you_mean
 from fleet_tui.keymap import keymap
 from fleet_tui.model.alarm import Priority
@@ -20,7 +20,7 @@ PRIORITIES = [priority.name.lower() for priority in Priority]
 def checked(config: Config) -> list[str]:
     """Return one line for each problem that only the whole configuration shows."""
     return [
-        *_links(config),
+        *check_links(config),
         *_names("floors", [floor.name for floor in config.floors]),
         *_names("robots", [robot.name for robot in config.robots]),
         *_frames(config),
@@ -41,35 +41,6 @@ def missing_files(config: Config) -> list[str]:
         for key, name in (("map", floor.map), ("graph", floor.graph))
         if name and not config.beside(name).is_file()
     ]
-
-
-def _links(config: Config) -> Iterator[str]:
-    if DEFAULT_LINK in config.links:
-        yield f"links.{DEFAULT_LINK}: name reserved for [rosbridge], choose another"
-    for name, link in {**config.links, DEFAULT_LINK: config.rosbridge}.items():
-        for problem in _link(link):
-            yield f"{link_key(name)}.{problem}"
-
-
-def _link(link: Link) -> Iterator[str]:
-    try:
-        parts = urlsplit(link.url)
-        fine = parts.scheme in ("ws", "wss") and bool(parts.hostname) and parts.port != 0
-    except ValueError:
-        fine = False
-    if not fine or parts.fragment:
-        yield f"url: {link.shown!r} is not an address, expected e.g. ws://HOST:9090"
-    elif "@" in parts.netloc:
-        yield "url: user and password not allowed: set authorization_file to a file with `Basic ...`"
-    if not link.is_secure:
-        for key in ("ca_file", "client_cert", "client_key"):
-            if getattr(link, key):
-                yield f"{key}: ws:// has no TLS, use wss:// in the url"
-    if link.client_key and not link.client_cert:
-        yield "client_key: needs client_cert"
-    for key in ("authorization", "rosauth"):
-        if getattr(link, f"{key}_env") and getattr(link, f"{key}_file"):
-            yield f"{key}_file: use {key}_file or {key}_env, not both"
 
 
 def _names(where: str, names: list[str]) -> Iterator[str]:

@@ -3,6 +3,7 @@
 import re
 from pathlib import Path
 from typing import Annotated, Literal, TypeVar
+from urllib.parse import urlsplit
 
 import msgspec
 
@@ -12,7 +13,9 @@ from fleet_tui.config.programs import ProgramEntry
 
 S = TypeVar("S", bound=msgspec.Struct)
 
-LINK_FILES = ("ca_file", "client_cert", "client_key", "authorization_file", "rosauth_file")
+SECRETS = ("authorization", "rosauth", "user", "password")
+"""Secrets of links: each is in a file or an environment variable, `KEY_file` or `KEY_env`."""
+LINK_FILES = ("ca_file", "client_cert", "client_key", *(f"{key}_file" for key in SECRETS))
 
 NotNegative = Annotated[float, msgspec.Meta(ge=0, lt=1e6)]
 Percent = Annotated[float, msgspec.Meta(ge=0, le=100)]
@@ -32,8 +35,9 @@ def link_key(name: str) -> str:
 
 
 class Link(msgspec.Struct, frozen=True):
-    """`[rosbridge]` and `[links.NAME]`: the address of a bridge, and the credentials for it. `profile` is
-    that of its robots, `site` the one that it belongs to.
+    """`[rosbridge]` and `[links.NAME]`: the address of a bridge or broker, and the credentials for it.
+    `profile` is that of its robots, `site` the one that it belongs to, `role` that of this console towards
+    the vehicles of a broker.
 
     Files are relative to the config file. Secrets are in a file or in an environment variable, never here.
     """
@@ -47,6 +51,11 @@ class Link(msgspec.Struct, frozen=True):
     authorization_env: str = ""
     rosauth_file: str = ""
     rosauth_env: str = ""
+    user_file: str = ""
+    user_env: str = ""
+    password_file: str = ""
+    password_env: str = ""
+    role: Literal["watch", "pause", "master"] = "watch"
     profile: str = ""
     site: str = ""
 
@@ -62,8 +71,19 @@ class Link(msgspec.Struct, frozen=True):
         return self.url.partition(":")[0].lower()
 
     @property
+    def host_and_port(self) -> tuple[str, int | None]:
+        """Return the host of the address, and its port, None if it has none."""
+        parts = urlsplit(self.url)
+        return parts.hostname or "", parts.port
+
+    @property
+    def is_broker(self) -> bool:
+        """Tell whether it leads to an MQTT broker."""
+        return self.scheme in ("mqtt", "mqtts")
+
+    @property
     def is_secure(self) -> bool:
-        """Tell whether the bridge uses TLS."""
+        """Tell whether the server uses TLS."""
         return self.scheme in ("wss", "mqtts")
 
 

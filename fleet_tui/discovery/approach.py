@@ -14,8 +14,8 @@ from fleet_tui.discovery.finding import Finding, Verdict, milliseconds
 from fleet_tui.discovery.tools import START_BRIDGE, named
 from fleet_tui.discovery.wire import FROZEN, BridgeConnection
 from fleet_tui.errors import FleetError, LinkError
-from fleet_tui.transports.rosbridge.reasons import refusal
-from fleet_tui.transports.rosbridge.tls import tls_context
+from fleet_tui.transports.reasons import refusal
+from fleet_tui.transports.tls import tls_context
 
 STEPS = ("name", "tcp", "tls", "websocket", "rosbridge")
 PATIENCE = 4.0  # seconds for each step

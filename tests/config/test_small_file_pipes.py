@@ -16,7 +16,7 @@ from fleet_tui.config.schema import LINK_FILES, Link
 from fleet_tui.errors import ConfigError, LinkError
 from fleet_tui.maps.images import load_floor_map
 from fleet_tui.themes import load_themes
-from fleet_tui.transports.rosbridge.tls import tls_context
+from fleet_tui.transports.tls import tls_context
 from tests.support.watched_store import config_of
 
 WORDS = "not a regular file"

@@ -15,10 +15,11 @@ from fleet_tui.config.schema import Link
 from fleet_tui.errors import FleetError, LinkError
 from fleet_tui.transports.listener import Listener
 from fleet_tui.transports.loop import network_loop
+from fleet_tui.transports.reasons import refusal
 from fleet_tui.transports.rosbridge.credentials import Credentials
 from fleet_tui.transports.rosbridge.library import comm_asyncio, roslibpy
-from fleet_tui.transports.rosbridge.reasons import ended, failed_handshake, refusal
-from fleet_tui.transports.rosbridge.tls import tls_context
+from fleet_tui.transports.rosbridge.reasons import ended, failed_handshake
+from fleet_tui.transports.tls import tls_context
 
 LOG = logging.getLogger(__name__)
 

@@ -1,15 +1,13 @@
-"""Reasons for a missing connection, in plain words with a remedy. No text of a server is repeated: it may
+"""Reasons for a missing WebSocket, in plain words with a remedy. No text of a server is repeated: it may
 contain our secrets."""
 
 import re
-import socket
 import ssl
 
 from fleet_tui.config.schema import Link
-from fleet_tui.errors import FleetError
+from fleet_tui.transports.reasons import DROPS, tls_problem
 
 STOPPED = "server not responding"
-DROPS = "connection dropped at once:"
 
 _STATUSES = {
     404: "path not found, correct url",
@@ -20,57 +18,10 @@ _STATUSES = {
 }
 
 
-def refusal(problem: Exception, bridge: Link) -> str:
-    """Return the reason that no connection was made."""
-    match problem:
-        case FleetError():
-            return str(problem)
-        case ConnectionRefusedError():
-            return "connection refused"
-        case TimeoutError():
-            return "connection timed out"
-        case ssl.SSLCertVerificationError():
-            return _untrusted(problem, bridge)
-        case ssl.SSLError():
-            return _tls(problem)
-        case socket.gaierror(errno=socket.EAI_AGAIN):
-            return "DNS lookup failed"
-        case socket.gaierror():
-            return "unknown host"
-        case ConnectionResetError():
-            return DROPS + (" use ws://?" if bridge.is_secure else " not rosbridge?")
-        case OSError():
-            return (problem.strerror or type(problem).__name__).lower()
-        case _:
-            return type(problem).__name__
-
-
-def _untrusted(problem: ssl.SSLCertVerificationError, bridge: Link) -> str:
-    # OpenSSL's X509_V_ERR codes.
-    match problem.verify_code:
-        case 10:
-            return "certificate expired: renew it, or check the clocks"
-        case 9:
-            return "certificate not valid yet: check the clocks"
-        case 62 | 64:
-            return "certificate for another name: correct url"
-    own = "not signed by ca_file" if bridge.ca_file else "set ca_file to its issuer"
-    return f"certificate not trusted: {own}"
-
-
-def _tls(problem: ssl.SSLError) -> str:
-    words = f"{problem.reason} {problem}".lower()
-    if "certificate" in words and "alert" in words:
-        return "client certificate required: set client_cert, client_key"
-    if "version_number" in words or "record layer" in words or "http_request" in words:
-        return "no TLS on this port: use ws://?"
-    return f"TLS: {(problem.reason or 'error').lower().replace('_', ' ')}"
-
-
 def failed_handshake(text: str, bridge: Link, lost_by: Exception | None) -> str:
     """Return the reason that a connection did not become a WebSocket; `text` is autobahn's."""
     if isinstance(lost_by, ssl.SSLError):
-        return _tls(lost_by)
+        return tls_problem(lost_by, bridge)
     status = re.search(r"upgrade failed \[(\d+)\]", text)
     if status:
         return _http(int(status.group(1)), bridge)

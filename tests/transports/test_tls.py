@@ -7,7 +7,7 @@ import pytest
 
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError
-from fleet_tui.transports.rosbridge.tls import tls_context
+from fleet_tui.transports.tls import tls_context
 from tests.support.certificates import sign
 
 

@@ -1,4 +1,4 @@
-"""TLS to a bridge: always verified, by the system's authorities or the configured one."""
+"""TLS to a server: always verified, by the system's authorities or the configured one."""
 
 import ssl
 from pathlib import Path
@@ -9,7 +9,7 @@ from fleet_tui.errors import LinkError
 
 
 def tls_context(bridge: Link) -> ssl.SSLContext | None:
-    """Return the context that verifies the bridge and sends our certificate; None for ws://. Reads files.
+    """Return the context that verifies the server and sends our certificate; None without TLS. Reads files.
 
     Raises LinkError with the key and the name of an unusable file, and its remedy.
     """

@@ -1,0 +1,182 @@
+"""One session with a broker, from its connection to its loss: a client of paho on the network loop.
+
+MQTT 3.1.1 with a clean session. Only this package uses paho. By itself it blocks while it connects, keeps
+messages for a later connection unless their QoS is 0, and notices a frozen broker after twice the keepalive.
+"""
+
+import asyncio
+import logging
+import time
+from collections.abc import Sequence
+from typing import Any
+
+import paho.mqtt.client as mqtt
+from paho.mqtt.enums import CallbackAPIVersion
+from paho.mqtt.reasoncodes import ReasonCode
+
+from fleet_tui.config.access import secret
+from fleet_tui.config.schema import Link
+from fleet_tui.errors import LinkError
+from fleet_tui.transports.mqtt import reasons
+from fleet_tui.transports.mqtt.driver import PahoDriver
+from fleet_tui.transports.mqtt.listener import BrokerListener
+from fleet_tui.transports.tls import tls_context
+
+LOG = logging.getLogger(__name__)
+
+PORTS = {"mqtt": 1883, "mqtts": 8883}
+KEEPALIVE = 5
+"""Seconds without a message after which the broker is told that we live, and tells others that we don't."""
+CONNECT_TIMEOUT = 5.0
+BEAT_EVERY, BEAT_TIMEOUT = 2.0, 5.0
+"""Seconds between our questions to the broker, and until one without an answer means that it is frozen."""
+NOWHERE = "fleet-tui/heartbeat"
+"""A topic to unsubscribe from without a subscription: a broker must answer that, whatever the user's rights,
+and it changes nothing."""
+FAILED = 128
+"""Reason code of a refused subscription."""
+
+
+class BrokerSession:
+    """A connected client. Everything runs on the network loop unless noted otherwise."""
+
+    def __init__(self, link: Link, client_id: str, listener: BrokerListener) -> None:
+        self._link, self._listener = link, listener
+        self._limit = int(link.max_message_mb * 1e6)
+        self._opened: asyncio.Future[str] = asyncio.get_running_loop().create_future()
+        """The reason that there is no session, empty if there is one."""
+        self._ended: asyncio.Future[str] = asyncio.get_running_loop().create_future()
+        self._asked: dict[int, Sequence[str]] = {}
+        """Patterns by the ids of unanswered subscriptions."""
+        self._beats: dict[int, float] = {}
+        """Times at which unanswered signs of life were sent, by their ids."""
+        self._beating: asyncio.Task[None] | None = None
+        self._client = self._paho(client_id)
+        self._driver = PahoDriver(self._client, self._fail)
+
+    def _paho(self, client_id: str) -> mqtt.Client:
+        client = mqtt.Client(
+            CallbackAPIVersion.VERSION2,
+            client_id,
+            clean_session=True,
+            protocol=mqtt.MQTTv311,
+            reconnect_on_failure=False,
+        )
+        client.connect_timeout = CONNECT_TIMEOUT
+        client.on_connect = self._on_connect
+        client.on_disconnect = self._on_disconnect
+        client.on_message = self._on_message
+        client.on_subscribe = self._on_subscribe
+        client.on_unsubscribe = self._on_unsubscribe
+        return client
+
+    async def open(self) -> None:
+        """Connect and log in, with secrets and certificates read again: they may have been renewed.
+
+        Raises LinkError, ConfigError, OSError or ValueError.
+        """
+        link, client = self._link, self._client
+        if user := secret(link, "user"):
+            client.username_pw_set(user, secret(link, "password") or None)
+        if context := await asyncio.to_thread(tls_context, link):
+            client.tls_set_context(context)
+        host, port = link.host_and_port
+        await asyncio.to_thread(client.connect, host, port or PORTS[link.scheme], KEEPALIVE)
+        try:
+            reason = await asyncio.wait_for(asyncio.shield(self._opened), CONNECT_TIMEOUT)
+        except TimeoutError:
+            reason = reasons.NO_ANSWER
+        if reason:
+            raise LinkError(reason)
+        self._beating = asyncio.ensure_future(self._beat())
+
+    async def ended(self) -> str:
+        """Wait for the end of the connection, and return its reason."""
+        return await asyncio.shield(self._ended)
+
+    @property
+    def silence(self) -> float:
+        """Seconds for which the broker owes us an answer, 0 if it owes none."""
+        return time.monotonic() - min(self._beats.values()) if self._beats else 0.0
+
+    def subscribe(self, patterns: Sequence[str]) -> None:
+        """Subscribe to topics; the answers come one by one. Raises LinkError."""
+        code, number = self._client.subscribe([(pattern, 1) for pattern in patterns])
+        if code or number is None:
+            raise LinkError("no link")
+        self._asked[number] = patterns
+
+    def publish(self, topic: str, payload: bytes) -> None:
+        """Send a message now, once at most: nothing repeats it. Raises LinkError."""
+        if self._ended.done() or self._client.publish(topic, payload, qos=0).rc:
+            raise LinkError("no link")
+        self._driver.write()
+        if self._ended.done():
+            raise LinkError("no link")
+        self._listener.on_sent(topic, payload)
+
+    def close(self) -> None:
+        """Close the connection: the broker hears of it if it can."""
+        if self._beating is not None:
+            self._beating.cancel()
+        self._driver.close()
+        self._end(reasons.LOST)
+
+    def _open(self, reason: str) -> None:
+        if not self._opened.done():
+            self._opened.set_result(reason)
+
+    def _end(self, reason: str) -> None:
+        if not self._ended.done():
+            self._ended.set_result(reason)
+
+    def _fail(self) -> None:
+        """End a connection whose server sends what is not MQTT."""
+        self._open(reasons.NO_ANSWER)
+        self._end(reasons.LOST)
+
+    async def _beat(self) -> None:
+        """Ask the broker for a sign of life, again and again."""
+        while not self._ended.done():
+            if self.silence > BEAT_TIMEOUT:
+                self._end(reasons.STOPPED)
+                return
+            code, number = self._client.unsubscribe(NOWHERE)
+            if not code and number is not None:
+                self._beats[number] = time.monotonic()
+                self._driver.write()
+            await asyncio.sleep(BEAT_EVERY)
+
+    def _on_connect(
+        self, _client: mqtt.Client, _data: Any, _flags: mqtt.ConnectFlags, code: ReasonCode, _more: Any
+    ) -> None:
+        self._open(reasons.rejected(code.value, self._link) if code.value else "")
+
+    def _on_disconnect(
+        self, _client: mqtt.Client, _data: Any, _flags: mqtt.DisconnectFlags, _code: ReasonCode, _more: Any
+    ) -> None:
+        self._open(reasons.dropped(self._link))
+        self._end(reasons.LOST)
+
+    def _on_message(self, _client: mqtt.Client, _data: Any, message: mqtt.MQTTMessage) -> None:
+        try:
+            size = len(message.payload)
+            if size > self._limit:
+                self._listener.on_too_large(message.topic, size)
+            else:
+                self._listener.on_message(message.topic, bytes(message.payload), message.retain)
+        except Exception:
+            LOG.exception("message of %d bytes", len(message.payload))
+
+    def _on_subscribe(
+        self, _client: mqtt.Client, _data: Any, number: int, codes: list[ReasonCode], _more: Any
+    ) -> None:
+        for pattern, code in zip(self._asked.pop(number, ()), codes, strict=False):
+            self._listener.on_subscribed(pattern, code.value < FAILED)
+
+    def _on_unsubscribe(
+        self, _client: mqtt.Client, _data: Any, number: int, _codes: list[ReasonCode], _more: Any
+    ) -> None:
+        sent_at = self._beats.pop(number, None)
+        if sent_at is not None:
+            self._listener.on_answer(time.monotonic() - sent_at)

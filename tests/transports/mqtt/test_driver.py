@@ -1,0 +1,56 @@
+"""Tests of fleet_tui/transports/mqtt/driver.py, against a real mosquitto."""
+
+import asyncio
+from pathlib import Path
+
+from fleet_tui.config.schema import Link
+from tests.support.broker_events import connecting
+from tests.support.certificates import sign
+from tests.support.mosquitto import ANYONE, free_port, mosquitto, needs_mosquitto
+from tests.support.polling import until
+
+pytestmark = needs_mosquitto
+
+
+async def test_tls_with_a_certificate_of_the_client(tmp_path: Path) -> None:
+    server, client = sign(tmp_path, "localhost"), sign(tmp_path, "console")
+    lines = (
+        *ANYONE,
+        f"certfile {server.cert_file}",
+        f"keyfile {server.key_file}",
+        f"cafile {client.cert_file}",
+        "require_certificate true",
+    )
+    with mosquitto(tmp_path, *lines) as broker:
+        url = f"mqtts://127.0.0.1:{broker.port}"
+        own = Link(url, client_cert=str(client.cert_file), client_key=str(client.key_file))
+        async with connecting(replace(own, ca_file=str(server.cert_file))) as events:
+            await events.subscribe("a")
+            await events.call(lambda: events.connection.publish("a", b"x" * 100_000))
+            await until(lambda: events.messages)
+            assert len(events.messages[0][1]) == 100_000
+        for link, reason in (
+            (own, "certificate not trusted: set ca_file to its issuer"),
+            (Link(url, ca_file=str(server.cert_file)), "connection dropped at once: client_cert required?"),
+            (Link(broker.url), "connection dropped at once: not an MQTT broker, or mqtts://?"),
+        ):
+            async with connecting(link, wait=False) as events:
+                await until(lambda: events.lost)
+                assert reason in events.lost[0][0]
+
+
+async def test_a_server_that_is_no_broker_is_named(tmp_path: Path) -> None:
+    async def speak(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        await reader.read(1)
+        writer.write(b"HTTP/1.1 400 Bad Request\r\n\r\n" * 20)
+        writer.close()
+
+    server = await asyncio.start_server(speak, "127.0.0.1", 0)
+    port = server.sockets[0].getsockname()[1]
+    async with connecting(Link(f"mqtt://127.0.0.1:{port}"), wait=False) as events:
+        await until(lambda: events.lost)
+        assert "not an MQTT broker" in events.lost[0][0]
+    server.close()
+    async with connecting(Link(f"mqtt://127.0.0.1:{free_port()}"), wait=False) as events:
+        await until(lambda: events.lost)
+        assert events.lost[0][0] == "connection refused"

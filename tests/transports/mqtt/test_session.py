@@ -1,0 +1,104 @@
+"""Tests of fleet_tui/transports/mqtt/session.py, against a real mosquitto."""
+
+import asyncio
+import json
+import time
+from pathlib import Path
+
+import pytest
+
+from fleet_tui.config.schema import Link
+from tests.support.broker_events import connecting
+from tests.support.mosquitto import ANYONE, mosquitto, needs_mosquitto
+from tests.support.mqtt_peer import Peer
+from tests.support.polling import until
+
+pytestmark = needs_mosquitto
+
+
+async def test_what_peers_publish_arrives_and_what_is_retained_says_so(tmp_path: Path) -> None:
+    with mosquitto(tmp_path) as broker:
+        peer = Peer(broker.port, "out/#")
+        peer.publish("in/old", b"kept", retain=True, qos=1)
+        async with connecting(Link(broker.url)) as events:
+            await events.subscribe("in/+", "other")
+            await until(lambda: events.messages)
+            peer.publish("in/new", b"fresh")
+            await until(lambda: len(events.messages) == 2)
+            assert events.messages == [("in/old", b"kept", True), ("in/new", b"fresh", False)]
+            await events.call(lambda: events.connection.publish("out/a", b"ours"))
+            await until(lambda: peer.told)
+            assert events.sent == [("out/a", b"ours")] == [peer.told[0][:2]]
+            await until(lambda: events.answers)
+            assert 0 < events.answers[0] < 1
+        peer.close()
+
+
+async def test_a_frozen_broker_is_noticed_within_ten_seconds(tmp_path: Path) -> None:
+    with mosquitto(tmp_path) as broker:
+        async with connecting(Link(broker.url)) as events:
+            await until(lambda: events.answers)
+            broker.freeze()
+            began = time.monotonic()
+            await until(lambda: events.connection.silence > 1)
+            await until(lambda: events.lost)
+            assert events.lost[0][0] == "broker not responding"
+            assert time.monotonic() - began < 10
+            broker.thaw()
+            await until(lambda: events.opened == 2)
+
+
+async def test_a_wrong_password_names_the_keys_and_a_right_one_may_come_later(tmp_path: Path) -> None:
+    passwords, user, password = tmp_path / "passwords", tmp_path / "user", tmp_path / "password"
+    made = await asyncio.create_subprocess_exec("mosquitto_passwd", "-b", "-c", passwords, "ana", "right")
+    assert await made.wait() == 0
+    for file, text in ((user, "ana"), (password, "wrong")):
+        file.touch(mode=0o600)
+        file.write_text(text)
+    with mosquitto(tmp_path, "allow_anonymous false", f"password_file {passwords}") as broker:
+        async with connecting(Link(broker.url), wait=False) as events:
+            await until(lambda: events.lost)
+            assert events.lost[0][0] == "access denied: set user_file and password_file"
+        known = Link(broker.url, user_file=str(user), password_file=str(password))
+        async with connecting(known, wait=False) as events:
+            await until(lambda: events.lost)
+            assert events.lost[0][0] == "access denied: correct user_file and password_file"
+            password.write_text("right")
+            await until(lambda: events.opened)
+
+
+def _roles(folder: Path) -> list[str]:
+    """The lines for a broker that refuses all subscriptions but those of `free/#`."""
+    plugin = next(Path("/usr/lib").rglob("mosquitto_dynamic_security.so"), None)
+    if plugin is None:
+        pytest.skip("mosquitto's dynamic security is not installed")
+    refused = {"acltype": "subscribePattern", "topic": "secret/#", "allow": False, "priority": 1}
+    allowed = {"acltype": "subscribePattern", "topic": "#", "allow": True, "priority": 0}
+    access = {name: name.startswith("unsub") for name in ("publishClientSend", "subscribe", "unsubscribe")}
+    content = {
+        "defaultACLAccess": {**access, "publishClientReceive": True},
+        "anonymousGroup": "anyone",
+        "groups": [{"groupname": "anyone", "roles": [{"rolename": "watcher"}]}],
+        "roles": [{"rolename": "watcher", "acls": [refused, allowed]}],
+    }
+    file = folder / "roles.json"
+    file.write_text(json.dumps(content))
+    return [f"plugin {plugin}", f"plugin_opt_config_file {file}"]
+
+
+async def test_a_subscription_that_the_broker_refuses_is_told(tmp_path: Path) -> None:
+    with mosquitto(tmp_path, *ANYONE, *_roles(tmp_path)) as broker:
+        async with connecting(Link(broker.url)) as events:
+            await events.subscribe("free/a", "secret/b")
+            assert events.granted == {"free/a": True, "secret/b": False}
+            await until(lambda: events.answers)
+
+
+async def test_a_message_over_the_limit_is_dropped_with_its_size(tmp_path: Path) -> None:
+    with mosquitto(tmp_path) as broker:
+        async with connecting(Link(broker.url, max_message_mb=0.001)) as events:
+            await events.subscribe("#")
+            await events.call(lambda: events.connection.publish("map", b"x" * 2000))
+            await events.call(lambda: events.connection.publish("state", b"x"))
+            await until(lambda: events.messages)
+            assert events.too_large == [("map", 2000)] and events.messages == [("state", b"x", False)]
