@@ -3,6 +3,8 @@
 import asyncio
 from pathlib import Path
 
+from msgspec.structs import replace
+
 from fleet_tui.config.schema import Link
 from tests.support.broker_events import connecting
 from tests.support.certificates import sign
