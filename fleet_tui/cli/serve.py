@@ -6,8 +6,10 @@ import click
 
 from fleet_tui.cli.options import NearestGroup, drawing_mode, fleet, merged
 from fleet_tui.config.load import find, load
+from fleet_tui.config.rights import own_rights
 from fleet_tui.errors import ConfigError, FleetError, NoConfigError
 from fleet_tui.log_file import log_to_file
+from fleet_tui.model.problem import Right
 
 
 @click.group(cls=NearestGroup)
@@ -85,5 +87,7 @@ def _file(config_file: str | None, demo: bool) -> list[str]:
 
 def _said(allow_commands: bool) -> str:
     if allow_commands:
+        if refusal := own_rights().refusal(Right.DISPATCH):
+            return f"{refusal}: no tab can command the robots."
         return "Commands allowed: every tab can command the robots."
     return "read-only: no commands; allow them with --allow-commands."

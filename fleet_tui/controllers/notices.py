@@ -25,6 +25,7 @@ class Notices:
         self._text, self._until, self.at = text, clock() + SHOWN, 0.0
         self.key_at = 0.0
         """The time of the last key of the console (monotonic seconds, of the state)."""
+        self._said: set[str] = set()
 
     @property
     def text(self) -> str:
@@ -35,6 +36,12 @@ class Notices:
         """Show a text at once."""
         self.note(text, stays)
         self._refresh()
+
+    def say_once(self, text: str) -> None:
+        """Show a text that is news only the first time."""
+        if text not in self._said:
+            self._said.add(text)
+            self.say(text)
 
     def note(self, text: str, stays: bool = False) -> None:
         """Show a text with the next tick; if it `stays`, until there is a newer one."""

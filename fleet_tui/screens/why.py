@@ -18,7 +18,7 @@ from fleet_tui.rules.why.complaints import complaints
 from fleet_tui.screens.robot.overlay import RobotOverlay, robot_bindings
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.impact import why_impact
-from fleet_tui.view.lines.why import why_lines
+from fleet_tui.view.lines.why import UNBROKEN, why_lines
 from fleet_tui.widgets.background import run_in_background
 
 IMPACT_EVERY = 1.0
@@ -38,7 +38,7 @@ def _wrapped(lines: list[str], width: int) -> list[str]:
         return lines
     indents = (" " * (len(line) - len(line.lstrip(" ▶▲"))) for line in lines)
     return [
-        piece
+        piece.replace(UNBROKEN, " ")
         for line, indent in zip(lines, indents, strict=True)
         for piece in wrap(line, width, subsequent_indent=indent) or [""]
     ]

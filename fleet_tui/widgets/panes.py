@@ -47,7 +47,7 @@ PAGE_BESIDE = 45
 def lines_below(overlay: Widget) -> int:
     """Return the lines of panes at the bottom of the screen that an overlay covers: 1 of one beside the map,
     for which no pane may take its place."""
-    if overlay.display and overlay.styles.dock == "bottom":
+    if overlay.display and overlay.styles.dock == "bottom" and overlay.styles.offset.x.value == 0:
         return overlay.outer_size.height + overlay.styles.margin.bottom - BELOW
     return int(overlay.display)
 

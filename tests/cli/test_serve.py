@@ -1,5 +1,6 @@
 """The command that serves the console: what it refuses before it serves."""
 
+import os
 import socket
 import sys
 from pathlib import Path
@@ -8,6 +9,7 @@ import pytest
 from click.testing import CliRunner
 
 from fleet_tui.cli.serve import serve
+from fleet_tui.config import rights
 from fleet_tui.errors import NoConfigError
 from tests.support.cli import config_file, run
 
@@ -50,6 +52,20 @@ def test_a_tab_watches_unless_commands_are_allowed(tmp_path: Path, monkeypatch: 
     command, said = served(monkeypatch, "--config", path, "--allow-commands", "--drawing", "ascii", "--debug")
     assert command == ["--config", path, "--debug", "--drawing", "ascii"]
     assert said == "Commands allowed: every tab can command the robots.\n"
+
+
+def test_who_may_only_view_is_told_that_no_tab_commands(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    tmp_path.chmod(0o755)
+    rights_file = tmp_path / "rights.toml"
+    rights_file.write_text('[dispatch]\nusers = ["nobody else"]\n')
+    rights_file.chmod(0o644)
+    monkeypatch.setattr(rights, "FILE", rights_file)
+    monkeypatch.setattr(rights, "OWNER", os.getuid())
+    path = str(config_file(tmp_path, "ws://127.0.0.1:1"))
+    said = served(monkeypatch, "--config", path, "--allow-commands")[1]
+    assert said == "not allowed: dispatch: no tab can command the robots.\n"
 
 
 def test_a_demo_needs_no_configuration(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

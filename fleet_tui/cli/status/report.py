@@ -25,6 +25,7 @@ def _link(state: FleetState, link: LinkState) -> Values:
     return {
         "name": link.name,
         "url": link.url,
+        "site": link.site or None,
         "state": link.phase.value,
         "reason": link.reason or None,
         "since_s": _age(state, link.since),

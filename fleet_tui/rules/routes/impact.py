@@ -27,6 +27,10 @@ STANDS_FROM = 5.0
 """Seconds without movement from which a robot in trouble is in the way."""
 
 
+FACING = math.pi / 4
+"""Radians from a robot's heading within which it faces an edge."""
+
+
 class CutOrder(Struct, frozen=True):
     """An order whose way an edge is on: `metres` of that way, and `around`: those of the shortest one without
     the edge, None if there is none."""
@@ -46,11 +50,30 @@ class CutOrder(Struct, frozen=True):
 
 
 def edge_under(robot: Robot) -> Ends | None:
-    """Return the edge that a robot is on, None if its place on a graph is unknown."""
+    """Return the edge that a robot is on, at a vertex the one that it faces; None if that is unknown."""
     for floor, spots in place_of(robot):
+        at = [vertex for vertex, metres in spots if metres <= AT_VERTEX]
+        if at:
+            return _edge_ahead(robot, floor, at[0])
         if len(spots) == 2:
             return ends_of(floor, spots[0][0], spots[1][0])
     return None
+
+
+def _edge_ahead(robot: Robot, floor: str, vertex: str) -> Ends | None:
+    graph = robot.maps[floor].graph
+    if graph is None or robot.pose is None:
+        return None
+    here, yaw = graph.vertices[vertex], robot.pose.value.yaw
+    turns = {}
+    for edge in graph.edges:
+        if vertex in (edge.start, edge.end):
+            other = edge.end if edge.start == vertex else edge.start
+            there = graph.vertices[other]
+            towards = math.atan2(there.y - here.y, there.x - here.x)
+            turns[other] = abs(math.remainder(towards - yaw, math.tau))
+    ahead = min(turns, key=lambda other: turns[other], default="")
+    return ends_of(floor, vertex, ahead) if ahead and turns[ahead] <= FACING else None
 
 
 def closed_edge_at(
@@ -61,6 +84,26 @@ def closed_edge_at(
     far = {edge: _metres_from(at, _line(graph, edge.ends[1:])) for edge in known}
     nearest = min(far, key=lambda edge: far[edge], default=None)
     return nearest if nearest is not None and far[nearest] <= IN_REACH else None
+
+
+def closed_on_way(
+    closed: Sequence[ClosedEdge], robot: Robot, lines: Mapping[str, Sequence[Line]]
+) -> list[ClosedEdge]:
+    """Return the closed edges of a robot's graphs that a way is on, by its lines on each floor."""
+    return [edge for edge in closed if _is_on(robot, edge.ends, lines)]
+
+
+def _is_on(robot: Robot, ends: Ends, lines: Mapping[str, Sequence[Line]]) -> bool:
+    floor, *vertices = ends
+    graph = robot.maps[floor].graph if floor in robot.maps else None
+    if graph is None or not graph.vertices.keys() >= set(vertices):
+        return False
+    return _has(lines.get(floor, ()), _line(graph, vertices))
+
+
+def _has(lines: Sequence[Line], line: Line) -> bool:
+    """Tell whether a line is among others, in any direction."""
+    return line in lines or (*line[2:], *line[:2]) in lines
 
 
 def _metres_from(at: tuple[float, float], line: Line) -> float:
@@ -163,8 +206,7 @@ def _way_cut(
     # A robot on the edge itself, between its ends, has to turn back.
     is_on_it = floor == ends[0] and {id_ for id_, _ in spots} == set(ends[1:])
     is_on_it &= any(id_ == towards and before > AT_VERTEX for id_, before in spots)
-    on_way = lines.get(ends[0], ())
-    if not is_on_it and line not in on_way and (*line[2:], *line[:2]) not in on_way:
+    if not is_on_it and not _has(lines.get(ends[0], ()), line):
         return None
     left = tuple(spot for spot in spots if not is_on_it or spot[0] != towards)
     left = tuple(spot for spot in left if math.isfinite(spot[1]))

@@ -3,13 +3,15 @@
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.routes.order_draft import Drafted, draft_route
 from fleet_tui.screens.ordering.form import OrderForm
+from fleet_tui.view.lines.impact import draft_text
 
 
 def show_route(form: OrderForm, state: FleetState) -> Drafted | None:
     """Return the order that is being typed and its way, None without a place, and show its length."""
     draft = form.draft()
-    route = None if draft is None else draft_route(state.robots[draft.robot], draft)
-    text = "" if route is None else route.text
+    robot = None if draft is None else state.robots[draft.robot]
+    route = None if draft is None or robot is None else draft_route(robot, draft)
+    text = "" if robot is None or route is None else draft_text(state, robot, route)
     if text != form.route.content:  # an update lays out the whole screen
         form.route.update(text)
     return None if draft is None or not (draft.places or draft.marked) else (draft, route)

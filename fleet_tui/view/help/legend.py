@@ -117,7 +117,7 @@ def _tables() -> tuple[HelpRow, ...]:
         ),
         SIGNS[AlarmStage.RETURNED]: (StyleRole.DIM, "alarm that is over, not acknowledged"),
         SIGNS[AlarmStage.SHELVED]: (StyleRole.DIM, "alarm put aside for a while; robot with such an alarm"),
-        "▲H": (StyleRole.ROBOT_ALARM, "high priority in a narrow table; ▲M medium, ▲L low"),
+        "▲ high": (StyleRole.ROBOT_ALARM, "priority of an alarm: high, medium (med), low"),
         "suppressed": (StyleRole.DIM, "alarms that another one stands for: of its group, or of its link"),
         FOREIGN.strip(): (text, "an order that another client gave: another console, the shell, RViz"),
         "lost": (alarm, "an order that the robot no longer lists, and that nobody saw end"),

@@ -5,8 +5,10 @@ from collections.abc import Iterator, Sequence
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.edges import edge_text
-from fleet_tui.rules.routes.impact import CutOrder, cut_orders, edge_under, is_in_the_way
+from fleet_tui.rules.routes.impact import CutOrder, closed_on_way, cut_orders, edge_under, is_in_the_way
+from fleet_tui.rules.routes.order_draft import DraftRoute
 from fleet_tui.rules.why.reason import mission
+from fleet_tui.text.limits import some
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import counted
 
@@ -23,6 +25,13 @@ def impact_text(cut: Sequence[CutOrder]) -> str:
     lost = sum(one.around is None for one in cut)
     rest = f", {lost} without another" if lost else ", there is another"
     return f"cuts the way of {counted(len(cut), 'order')}{rest}"
+
+
+def draft_text(state: FleetState, robot: Robot, route: DraftRoute) -> str:
+    """Return the length and time of an order that is being typed, and the closed edges on its way."""
+    closed = closed_on_way(state.desk.closed, robot, route.lines)
+    named = some([edge_text(robot, edge.ends) for edge in closed])
+    return sanitize(f"{route.text}; closed: {named}" if closed else route.text)
 
 
 def why_impact(state: FleetState, robot: Robot) -> list[str]:

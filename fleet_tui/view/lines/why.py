@@ -27,6 +27,8 @@ if TYPE_CHECKING:  # numpy
 
 SHOWN = 5
 """Number of reasons that fit on a small terminal; the weakest are dropped."""
+UNBROKEN = "\u00a0"
+"""A space at which no line is broken."""
 ACTS = {"battery": ("order",), "data": ("diagnostics",)}
 """The ids of keys for what a class of alarms asks to do."""
 
@@ -105,8 +107,11 @@ def _age(state: FleetState, robot: Robot, reason: Reason) -> str:
 def _help_lines(
     ids: Iterable[str], keys: Mapping[str, tuple[str, ...]], hidden: Collection[str]
 ) -> Iterator[str]:
-    for id_ in ids:
-        if id_ in hidden:
-            continue
-        name = " ".join(keys[id_][:1]) or "(palette)"
-        yield f"{name}  {BY_ID[id_].text}"
+    """Yield one line of the keys, each with its hint in one piece: no space breaks it."""
+    shown = [(keys[id_], BY_ID[id_]) for id_ in ids if id_ not in hidden]
+    named = [
+        (key_name(pressed[0]) if pressed else "(palette)", key.hint.replace(" ", UNBROKEN) or key.text)
+        for pressed, key in shown
+    ]
+    if named:
+        yield "   ".join(map(UNBROKEN.join, named))

@@ -14,14 +14,17 @@ from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells, Roles
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.glyphs import vertex_glyph
-from fleet_tui.view.map.labels import CellOccupancy, Label, draw_label
 from fleet_tui.view.map.places import Place, Same, cells_of_vertices
+from fleet_tui.view.map.placing.labels import Label, draw_label
+from fleet_tui.view.map.placing.occupancy import CellOccupancy
 from fleet_tui.view.map.raster import ground
 from fleet_tui.view.map.scene import Scene, SceneVertex
 from fleet_tui.view.roles import StyleRole
 
 CELLS_OF_LABEL = 48
 """Cells of the view for each label that is tried: more would fill it, and take long."""
+CELLS_OF_FEW = 60
+"""Cells of the view for each label from which one rather covers walls than is left out."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,19 +128,21 @@ def _placed(
     look: MapOptions,
     quiet: Roles,
 ) -> list[tuple[SceneVertex, Label]]:
-    """Return the labels that find a place, in their order, none over the `marks` of vertices; over walls only
-    those of the `wanted` vertices."""
+    """Return the labels that find a place, in their order, none over the `marks` of vertices. Among many only
+    those of the `wanted` vertices cover walls."""
     occupancy = CellOccupancy(camera.width, camera.height)
     for x, y in marks:
         occupancy.take(x, y, 1)
     found = []
+    are_few = len(labelled) * CELLS_OF_FEW <= camera.width * camera.height
     for vertex, (x, y) in labelled[: camera.width * camera.height // CELLS_OF_LABEL + 1]:
         text = sanitize(vertex.label)
         if look.plain:
             text = text.encode("ascii", "replace").decode()
-        spot = occupancy.label_spot(x, y, text, quiet, is_wanted=vertex.id in wanted)
+        covers_walls = are_few or vertex.id in wanted
+        spot = occupancy.label_spot(x, y, text, quiet, covers_walls)
         if spot:
-            found.append((vertex, Label((x, y), spot, text, False)))
+            found.append((vertex, Label((x, y), spot, text, False, covers_walls)))
     return found
 
 

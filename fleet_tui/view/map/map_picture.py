@@ -8,11 +8,11 @@ import numpy as np
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.caption import Caption, caption_row
 from fleet_tui.view.map.cells import Cells
-from fleet_tui.view.map.labels import Backdrop
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.modes.mode import MapMode, ViewMode
 from fleet_tui.view.map.picture import backdrop, picture
 from fleet_tui.view.map.places import seen_robots
+from fleet_tui.view.map.placing.labels import Backdrop
 from fleet_tui.view.map.robots import Arrangement
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.view.map.trails import Trails

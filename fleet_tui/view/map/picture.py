@@ -5,7 +5,6 @@ from dataclasses import replace
 
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
-from fleet_tui.view.map.labels import Backdrop
 from fleet_tui.view.map.layers import (
     MapOptions,
     draw_cursor,
@@ -14,6 +13,7 @@ from fleet_tui.view.map.layers import (
     draw_vertices,
 )
 from fleet_tui.view.map.lines import draw_approach, draw_closed, draw_edges, draw_mission, draw_trails
+from fleet_tui.view.map.placing.labels import Backdrop
 from fleet_tui.view.map.robots import Arrangement, draw_outlines, draw_robots
 from fleet_tui.view.map.scene import Scene
 from fleet_tui.view.map.streams import draw_path, draw_scan

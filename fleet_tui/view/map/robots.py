@@ -11,10 +11,11 @@ from fleet_tui.model.geometry import Line
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.glyphs import robot_glyph, robot_number, robot_roles, robot_tag
-from fleet_tui.view.map.labels import Backdrop, CellOccupancy, move_aside
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.lines import blank_mask, ends_of, stroke, trace
 from fleet_tui.view.map.places import Place, quiet_places, seen_robots
+from fleet_tui.view.map.placing.labels import Backdrop, move_aside
+from fleet_tui.view.map.placing.occupancy import CellOccupancy
 from fleet_tui.view.map.scene import Scene, SceneRobot
 from fleet_tui.view.roles import StyleRole
 

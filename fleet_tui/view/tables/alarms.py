@@ -23,6 +23,7 @@ SIGNS = {
     AlarmStage.SHELVED: "◇ shelved",
 }
 _PRIORITIES = {Priority.HIGH: "high  ", Priority.MEDIUM: "medium", Priority.LOW: "low   "}
+_SHORT = {Priority.HIGH: "high", Priority.MEDIUM: "med ", Priority.LOW: "low "}
 
 
 WITH_PRIORITY = 44
@@ -63,10 +64,10 @@ def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float],
 
 
 def _signs(alarm: Alarm, shelf: str, is_wide: bool, role: StyleRole) -> list[Run]:
-    """Return stage and priority, in a narrow pane as a sign and a letter: of what is most urgent as a chip,
-    like a robot's on the map."""
-    sign, priority = SIGNS[alarm.stage], _PRIORITIES[alarm.condition.priority]
-    text = f"{sign}{shelf} {priority}" if is_wide else f"{sign[0]}{priority[0].upper()}{shelf}"
+    """Return stage and priority, in a narrow pane the stage as a sign: what is most urgent as a chip, like a
+    robot's on the map."""
+    sign, priority = SIGNS[alarm.stage], alarm.condition.priority
+    text = f"{sign}{shelf} {_PRIORITIES[priority]}" if is_wide else f"{sign[0]} {_SHORT[priority]}{shelf}"
     if alarm.needs_acknowledgement and alarm.holds and alarm.condition.priority is Priority.HIGH:
         chip = text.rstrip()
         return [(chip, StyleRole.ROBOT_ALARM), (text[len(chip) :] + " ", role)]

@@ -143,6 +143,13 @@ def test_a_console_that_is_behind_and_a_bridge_that_is_late_need_attention_at_on
     assert report(state)["links"][0]["late_s"] == 3.0 and not changes(report(up), report(state)).get("links")
 
 
+def test_a_link_has_its_site() -> None:
+    up = reduced(fleet(), link_up(T0), tick(T0))
+    assert report(up)["links"][0]["site"] is None
+    state = replace(up, links={LINK: replace(up.links[LINK], site="plant-a")})
+    assert report(state)["links"][0]["site"] == "plant-a"
+
+
 def test_ages_alone_are_no_change() -> None:
     def at(age: float, floor: str = "floor_0") -> dict[str, object]:
         robot = {"name": "robot_0", "floor": floor, "heard_s": age, "pose": {"x_m": 1.0, "age_s": age}}

@@ -3,8 +3,10 @@
 from fleet_tui.model.desk.desk import ends_of
 from fleet_tui.model.desk.events import DeskJoined, EdgeClosed
 from fleet_tui.model.events import ObstacleReported
+from fleet_tui.rules.language.lookup import Place
 from fleet_tui.rules.routes.impact import cut_orders
-from fleet_tui.view.lines.impact import impact_lines, impact_text, why_impact
+from fleet_tui.rules.routes.order_draft import Draft, draft_route
+from fleet_tui.view.lines.impact import draft_text, impact_lines, impact_text, why_impact
 from tests.support.fleets import F0, R0, T0, labels, pose, queue, reduced
 from tests.support.street import fleet_with
 
@@ -48,3 +50,17 @@ def test_nothing_blocked_nothing_told_and_many_are_counted() -> None:
     many = reduced(state, queue(T0, *orders, current=1))
     lines = list(impact_lines(many, cut_orders(many, ends_of(F0, "2", "3"))))
     assert len(lines) == 9 and lines[-1] == "and 5 more"
+
+
+def test_an_order_that_is_typed_names_the_closed_edges_on_its_way() -> None:
+    state = fleet_with(pose(T0, 0.0, 0.0), labels({2: "Hall"}), EdgeClosed(ends_of(F0, "3", "2"), 0.0))
+    robot = state.robots[R0]
+    for ends, expected in (
+        (("1", "5"), "; closed: Hall - 3"),
+        (("5", "1"), "; closed: Hall - 3"),
+        (("1", "2"), ""),
+    ):
+        draft = Draft(R0, tuple(Place(one, one, F0) for one in ends))
+        route = draft_route(robot, draft)
+        assert route is not None
+        assert draft_text(state, robot, route) == route.text + expected

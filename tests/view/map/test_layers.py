@@ -55,9 +55,12 @@ def _safe(label: str) -> str:
     return label.replace("\x1b", "␛").replace("\u202e", "\ufffd").replace("\n", "␊")
 
 
-def test_only_the_label_of_an_orders_end_or_under_the_cursor_covers_a_wall() -> None:
+def test_few_labels_cover_walls_of_many_only_an_orders_end_or_the_one_under_the_cursor() -> None:
     inside = (SceneVertex("1", 7.5, 5.8, label="Rack"),)
     scene = replace(SCENE, vertices=inside, robots=(), target_vertices=())
+    assert "Rack" in backdrop(scene, FIT, MapOptions()).text()
+    far = tuple(SceneVertex(str(n), 1.0, 1.0 + n * 0.01, label="Bay") for n in range(2, 60))
+    scene = replace(scene, vertices=(*inside, *far))
     assert "Rack" not in backdrop(scene, FIT, MapOptions()).text()
     assert "Rack" in backdrop(replace(scene, target_vertices=("1",)), FIT, MapOptions()).text()
     assert "Rack" in backdrop(scene, FIT, MapOptions(pointed="1")).text()

@@ -1,15 +1,13 @@
-"""Placement of labels and numbers: whole and without overlap, or not at all: labels step aside."""
+"""The cells of a view that are taken, and the places left for numbers and labels."""
 
 import sys
-from dataclasses import dataclass
 from functools import lru_cache
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from fleet_tui.text.sanitize import cell_width
-from fleet_tui.view.map.cells import Cells, Roles
+from fleet_tui.view.map.cells import Roles
 from fleet_tui.view.map.places import Place
 from fleet_tui.view.roles import WALLS, StyleRole
 
@@ -118,29 +116,28 @@ class CellOccupancy:
         return not held and (not 0 <= beyond < self.width or not kept_clear >> self._bit(beyond, y) & 1)
 
     def label_spot(
-        self, x: int, y: int, text: str, roles: Roles, in_row: bool = True, is_wanted: bool = False
+        self, x: int, y: int, text: str, roles: Roles, covers_walls: bool = False, in_row: bool = True
     ) -> tuple[int, int] | None:
         """Occupy the place for a label near its vertex at (x, y), in its row if `in_row`. Return None if it
-        doesn't fit, or only over a wall: that is for a label that `is_wanted`.
+        doesn't fit, or only over a wall unless it `covers_walls`.
 
         Of the free places it is the one that hides least of the map, rather beside the vertex; a label keeps
         two cells' distance from its neighbours, so that two labels never read as one."""
         cells = cell_width(text)
         best: Place | None = None
-        least = sys.maxsize if is_wanted else _WALL
+        least = sys.maxsize if covers_walls else _WALL
         for right, down, further in _spots(cells, in_row):
             if least <= further:
                 break
             column, row = x + right, y + down
             if not self._apart(column, row, cells):
                 continue
-            cost = further
+            cost = further + sum(roles[row, column : column + cells].tobytes().translate(_WEIGHTS))
             if further == _FAR and roles[row, x] != StyleRole.UNKNOWN:
-                # On the floor it is read as of its vertex only without a wall between.
-                if least <= _ASTRAY or roles[(y + row) // 2, x] in _WALLS:
+                # On the floor it is read as of its vertex only without a wall below it or between.
+                if cost >= _WALL or roles[(y + row) // 2, x] in _WALLS:
                     continue
-                cost = _ASTRAY
-            cost += sum(roles[row, column : column + cells].tobytes().translate(_WEIGHTS))
+                cost += _ASTRAY
             best, least = ((column, row), cost) if cost < least else (best, least)
         if best is not None:
             self.take(best[0] - 1, best[1], cells + 2)
@@ -153,69 +150,6 @@ class CellOccupancy:
         # As `free`, without its call: this is asked a dozen times for each label.
         held = (self._taken | self._texts) >> y * self._stride + _MARGIN + start
         return not held & (1 << end - start) - 1
-
-
-class Label(NamedTuple):
-    """A label beside its vertex; both with their (first) cell."""
-
-    vertex: Place
-    at: Place
-    text: str
-    is_target: bool
-
-
-def draw_label(cells: Cells, label: Label) -> None:
-    """Draw a label in the role for the ground that it covers most of."""
-    x, y = label.at
-    below = cells.roles[y, x : x + cell_width(label.text)]
-    role = StyleRole.TARGET if label.is_target else StyleRole.LABEL
-    if np.count_nonzero(below == StyleRole.UNKNOWN) * 2 > below.size:
-        role = StyleRole.TARGET_BEYOND if label.is_target else StyleRole.LABEL_BEYOND
-    cells.write(x, y, label.text, role)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Backdrop(Cells):
-    """A picture without its moving parts, and `bare` the same without its `labels`."""
-
-    bare: Cells
-    labels: tuple[Label, ...]
-
-
-def move_aside(cells: Cells, behind: Backdrop, occupancy: CellOccupancy, aside: dict[Place, Place]) -> None:
-    """Move labels from below occupied cells, or leave them out: half a name reads as another one.
-
-    `aside`: the first cells of the labels that gave way, now by before. They stay there until they would be
-    covered again.
-    """
-    for label in behind.labels:
-        size = cell_width(label.text)
-        moved = aside.pop(label.at, None)
-        if moved is None and not occupancy.is_taken(*label.at, size):
-            continue
-        _erase(cells, behind, label.at, size)
-        if moved is not None and occupancy.free(*moved, size):
-            occupancy.take(*moved, size)
-        elif moved is not None and not occupancy.is_taken(*label.at, size):
-            moved = label.at
-        else:
-            # Robots come along the row of their way: above and below it is quieter.
-            moved = occupancy.label_spot(
-                *label.vertex, label.text, behind.bare.roles, in_row=False, is_wanted=label.is_target
-            )
-        if moved is None:
-            continue
-        draw_label(cells, label._replace(at=moved))
-        if moved != label.at:
-            aside[label.at] = moved
-
-
-def _erase(cells: Cells, behind: Backdrop, at: Place, size: int) -> None:
-    """Replace a label by what is behind it, but for cells with something over it: a trail, an outline."""
-    row, columns = at[1], slice(at[0], at[0] + size)
-    is_label = cells.codes[row, columns] == behind.codes[row, columns]
-    for plane, bare in ((cells.codes, behind.bare.codes), (cells.roles, behind.bare.roles)):
-        plane[row, columns] = np.where(is_label, bare[row, columns], plane[row, columns])
 
 
 def _start(x: int, arrow: int, cells: int, side: int) -> int:

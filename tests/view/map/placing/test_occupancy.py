@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Role
 from fleet_tui.view.map.camera import Camera
-from fleet_tui.view.map.labels import CellOccupancy
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop, picture
+from fleet_tui.view.map.placing.occupancy import CellOccupancy
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.view.roles import StyleRole
 
@@ -88,15 +88,15 @@ def ground(*walls: slice) -> np.ndarray:
 
 @given(st.sets(places, max_size=WIDTH * HEIGHT), places, st.booleans())
 def test_only_a_wanted_label_covers_a_wall(
-    walls: set[tuple[int, int]], at: tuple[int, int], is_wanted: bool
+    walls: set[tuple[int, int]], at: tuple[int, int], covers_walls: bool
 ) -> None:
     roles = ground()
     for x, y in walls:
         roles[y, x] = StyleRole.WALL
-    spot = CellOccupancy(WIDTH, HEIGHT).label_spot(*at, "Base", roles, is_wanted=is_wanted)
-    assert spot or not is_wanted
+    spot = CellOccupancy(WIDTH, HEIGHT).label_spot(*at, "Base", roles, covers_walls=covers_walls)
+    assert spot or not covers_walls
     free = CellOccupancy(WIDTH, HEIGHT).label_spot(*at, "Base", roles)
-    if spot and (free or not is_wanted):
+    if spot and (free or not covers_walls):
         assert spot == free and (roles[spot[1], spot[0] : spot[0] + 4] == StyleRole.FLOOR).all()
 
 

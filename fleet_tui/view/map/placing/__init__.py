@@ -1,0 +1,1 @@
+"""The places of labels and of the robots' numbers on the map."""
