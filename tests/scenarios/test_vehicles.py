@@ -1,5 +1,6 @@
 """Vehicles that share no code with the console, over a real broker: watched, paused, driven, cancelled."""
 
+import json
 from collections.abc import AsyncIterator, Callable
 from contextlib import AbstractAsyncContextManager, asynccontextmanager
 from pathlib import Path
@@ -7,10 +8,11 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.client.fleet_link import FleetLink
+from fleet_tui.maps.route_graphs import load_floor_graph
 from fleet_tui.model.commands import ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
-from fleet_tui.model.order import Stop
+from fleet_tui.model.order import Stop, at_vertices
 from tests.support.links import finished
 from tests.support.mosquitto import Mosquitto, mosquitto, needs_mosquitto
 from tests.support.vda_broker import console_on
@@ -26,6 +28,8 @@ VEHICLES = {
     "vda-5050-lib, 2.0": (lambda broker: npm_vehicle(broker, "2.0.0"), OLD_FIELD),
     "vda-5050-lib, 1.1": (lambda broker: npm_vehicle(broker, "1.1.0"), ""),
 }
+TYPE = {"vehicleTypeNodeProperties": [{"vehicleTypeId": "t"}]}
+EDGE_TYPE = {"vehicleTypeEdgeProperties": [{"vehicleTypeId": "t"}]}
 FAR = PlaceOrder("agv", (Stop(pose=Pose(20.0, 0.0)), Stop(pose=Pose(20.0, 5.0))))
 NEAR = PlaceOrder("agv", (Stop(pose=Pose(1.0, 0.0)),))
 
@@ -81,3 +85,35 @@ async def test_who_watches_is_refused_and_sees_it_go(tmp_path: Path, name: str) 
         await store.until(lambda state: not state.is_online(state.robots["agv"]))
         connection = store.state.robots["agv"].connection
         assert connection is not None and connection.value.is_gone
+
+
+LIF = {
+    "metaInformation": {"lifVersion": "1.0.0"},
+    "layouts": [
+        {
+            "layoutId": "hall",
+            "nodes": [
+                {"nodeId": id_, "nodeName": name, "mapId": "hall", "nodePosition": {"x": x, "y": 0.0}, **TYPE}
+                for id_, name, x in (("n0", "Base", 0.0), ("n1", "Rack", 2.0), ("n2", "Dock", 4.0))
+            ],
+            "edges": [
+                {"edgeId": f"{a}-{b}", "startNodeId": a, "endNodeId": b, **EDGE_TYPE}
+                for a, b in (("n0", "n1"), ("n1", "n2"))
+            ],
+            "stations": [],
+        }
+    ],
+}
+
+
+async def test_it_drives_over_a_graph_of_lif(tmp_path: Path) -> None:
+    (tmp_path / "hall.lif.json").write_text(json.dumps(LIF))
+    loaded = load_floor_graph("hall", tmp_path / "hall.lif.json")
+    async with site(tmp_path, "vda-5050-lib, 2.0") as (link, store, vehicle), vehicle:
+        link.post(loaded)
+        await store.until(lambda state: seen(state) and state.robots["agv"].maps["hall"].graph)
+        assert store.state.robots["agv"].name_of("n2") == "Dock"
+        assert await outcome(link, store, PlaceOrder("agv", at_vertices("n2"))) is Stage.CONFIRMED
+        await store.until(lambda state: state.commands[-1].stage is Stage.DONE)
+        agv = store.state.robots["agv"]
+        assert agv.vehicle is not None and agv.vehicle.value.last_node == "n2"

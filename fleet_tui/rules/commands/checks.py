@@ -23,7 +23,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetUpCommand
 from fleet_tui.rules.commands.claims import claimed
 from fleet_tui.rules.commands.local_queue import all_orders, clearable
-from fleet_tui.rules.commands.masters import commanded_elsewhere, foreign_pause, own_mode
+from fleet_tui.rules.commands.masters import VEHICLE_CHECKS
 from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.rules.commands.rights import not_allowed
 from fleet_tui.rules.commands.route_checks import (
@@ -186,9 +186,7 @@ CHECKS: tuple[Check, ...] = (
     paused,
     floor_mismatch,
     claimed,
-    commanded_elsewhere,
-    own_mode,
-    foreign_pause,
+    *VEHICLE_CHECKS,
 )
 FIRST: tuple[Check, ...] = (no_way_there, cargo)
 """Checks of only the first command to a robot: the others follow it."""

@@ -7,6 +7,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.problem import Problem
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.goals import active
+from fleet_tui.rules.commands.shared_ways import shared_way
 from fleet_tui.text.durations import age
 
 QUIET_FOR = 60.0
@@ -46,3 +47,6 @@ def foreign_pause(state: FleetState, robot: Robot, command: Command) -> Iterator
     if is_resumed and state.is_paused(robot) and not robot.paused_by_us:
         text = f"{robot.name} was not paused by this console: maybe by a person at the vehicle"
         yield Problem("paused elsewhere", text, blocks=False)
+
+
+VEHICLE_CHECKS = (commanded_elsewhere, own_mode, foreign_pause, shared_way)
