@@ -49,7 +49,7 @@ def _pose_lost(state: FleetState, robot: Robot, active: ActiveConditions) -> Con
     if not state.is_online(robot) and not was_active(active, robot.name, robot.link, "localisation"):
         return None
     if robot.pose is None:
-        due = state.began.get((robot.name, "localisation"), state.now) + state.patience
+        due = state.began.get((robot.name, "localisation"), state.now) + state.patience(robot)
         return Condition(
             robot.name, "localisation", Priority.MEDIUM, "no pose received", "localisation recovered", due
         )

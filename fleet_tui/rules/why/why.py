@@ -46,6 +46,7 @@ from fleet_tui.rules.why.robot import (
     silent_robot,
     stale_pose,
 )
+from fleet_tui.rules.why.vehicles import VEHICLE_REASONS
 
 if TYPE_CHECKING:  # numpy
     from fleet_tui.rules.localisation.match import Match
@@ -58,6 +59,7 @@ FOLLOWING: tuple[Rule, ...] = (none_current, no_orders)
 
 RULES: tuple[Rule, ...] = (
     paused,
+    *VEHICLE_REASONS,
     obstacle,
     *NAVIGATION_REASONS,
     own_late_pause,
