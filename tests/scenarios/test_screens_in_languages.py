@@ -27,8 +27,8 @@ _DATA = (
 )
 DATA = frozenset(_DATA.split(" "))
 """Names of the simulated fleet, keys, and what is typed or in a file as it is."""
-OWN_WORDS = re.compile(r"robot_\d: |REJECTED|simulator")
-"""A line with what a robot itself says."""
+OWN_WORDS = re.compile(r"robot_\d: |REJECTED|simulator|[\d:]{8} [A-Z]+ ")
+"""A line with what a robot itself says, or of the log."""
 EXAMPLE = re.compile(r"[ │]*(order|clear|pause|resume|cancel|claim|close|note|save|settle|goto|robot_\d) ")
 """The begin of an example of a typed command, which is in English."""
 SCREENS = {
@@ -124,7 +124,7 @@ def untranslated(it: Console, language: str) -> list[str]:
 
 def cut_words(it: Console) -> list[str]:
     """The lines with a word that is cut."""
-    return [line.strip(" │") for line in it.text.splitlines() if "…" in line]
+    return [line.strip(" │") for line in it.text.splitlines() if "…" in line and not OWN_WORDS.search(line)]
 
 
 async def close(it: Console) -> None:
