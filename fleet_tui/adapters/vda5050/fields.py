@@ -39,9 +39,15 @@ class Fields:
 
     def _find(self, names: tuple[str, ...]) -> tuple[str, Any]:
         """Return the first of several names that has a value, and the value: versions name it differently."""
-        return next(
-            ((name, one) for name in names if (one := self._values.get(name)) is not None), (names[0], None)
-        )
+        for name in names:
+            value = self._values.get(name)
+            if value is not None:
+                return name, value
+        return names[0], None
+
+    def raw(self, name: str) -> Any:
+        """Return a value as it is, to be compared."""
+        return self._values.get(name)
 
     def _checked(self, names: tuple[str, ...], is_good: Callable[[Any], bool], what: str) -> Any:
         name, value = self._find(names)
@@ -57,12 +63,12 @@ class Fields:
 
     def flag(self, *names: str) -> bool | None:
         """Return a truth value."""
-        found: bool | None = self._checked(names, lambda value: isinstance(value, bool), "true or false")
+        found: bool | None = self._checked(names, _is_flag, "true or false")
         return found
 
     def text(self, *names: str, longest: int = LONGEST_NAME) -> str:
         """Return a text, empty without one."""
-        return truncate(self._checked(names, lambda value: isinstance(value, str), "text") or "", longest)
+        return truncate(self._checked(names, _is_text, "text") or "", longest)
 
     def word(self, *names: str) -> str:
         """Return a word of a fixed set, in the spelling of 2.0: versions differ in case and underscores."""
@@ -76,13 +82,13 @@ class Fields:
     def part(self, *names: str) -> "Fields | None":
         """Return an object within this one."""
         name, _ = self._find(names)
-        found = self._checked(names, lambda value: isinstance(value, dict), "an object")
+        found = self._checked(names, _is_object, "an object")
         return None if found is None else Fields(found, self.faults, f"{self._path}{name}.")
 
     def parts(self, most: int, *names: str) -> "list[Fields] | None":
         """Return the objects of a list, at most so many, None without a list."""
         name, _ = self._find(names)
-        found = self._checked(names, lambda value: isinstance(value, list), "a list")
+        found = self._checked(names, _is_list, "a list")
         return None if found is None else list(self._objects(found[:most], name))
 
     def _objects(self, found: list[Any], name: str) -> Iterator["Fields"]:
@@ -106,6 +112,22 @@ def _decoded(payload: bytes) -> Any:
         return msgspec.json.decode(payload)
     except msgspec.DecodeError:
         return json.loads(payload)
+
+
+def _is_flag(value: object) -> bool:
+    return isinstance(value, bool)
+
+
+def _is_text(value: object) -> bool:
+    return isinstance(value, str)
+
+
+def _is_object(value: object) -> bool:
+    return isinstance(value, dict)
+
+
+def _is_list(value: object) -> bool:
+    return isinstance(value, list)
 
 
 def _is_number(value: object) -> bool:

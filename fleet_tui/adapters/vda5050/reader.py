@@ -6,7 +6,8 @@ from typing import cast
 from fleet_tui.adapters.adapter import Adapter, Feed, Limit
 from fleet_tui.adapters.vda5050.adapter import VehicleAdapter
 from fleet_tui.adapters.vda5050.fields import Fields
-from fleet_tui.adapters.vda5050.frames import BrokerMessage, frame_of, message_of
+from fleet_tui.adapters.vda5050.frames import BrokerMessage, message_of
+from fleet_tui.adapters.vda5050.memory import StateMemory
 from fleet_tui.adapters.vda5050.reading import READERS, MessageOrigin
 from fleet_tui.adapters.vda5050.topics import VehicleAddress
 from fleet_tui.errors import WireError
@@ -40,6 +41,7 @@ class MessageReader:
             for one in self._feeds.values()
         ]
         self.counter = LinkCounter(self._link, asked)
+        self._memory = StateMemory()  # the state may be an earlier one now
 
     def whose(self, topic: str) -> tuple[str, VehicleAddress] | None:
         """Return the robot and the address of a topic, None if it is none of a configured vehicle."""
@@ -65,10 +67,10 @@ class MessageReader:
             return ()
         robot, address = found
         counter = self.counter.topics[self._feeds[robot, address.name].address]
-        counter.count_frame(*frame_of(message), at)
+        counter.count_frame(message.payload, False, at)
         if message.kept and address.name not in KEPT:
             return ()  # its age is unknown: the sender's clock may be any
-        origin = MessageOrigin(robot, address.base, at, message.kept, self._owns[robot])
+        origin = MessageOrigin(robot, address.base, at, message.kept, self._owns[robot], self._memory)
         try:
             fields = Fields.of(message.payload)
         except WireError as problem:

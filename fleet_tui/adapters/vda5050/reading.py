@@ -7,10 +7,10 @@ from typing import NamedTuple
 
 from fleet_tui.adapters.vda5050.clock import unix_second
 from fleet_tui.adapters.vda5050.fields import Fields
+from fleet_tui.adapters.vda5050.memory import StateMemory
 from fleet_tui.adapters.vda5050.state import (
     CANCEL,
     MOST_ACTIONS,
-    MOST_NODES,
     charge_of,
     graph_of,
     is_running,
@@ -40,13 +40,15 @@ MOST_FACTS = 100
 
 class MessageOrigin(NamedTuple):
     """Where a message came from: the robot, the base of its topics, the monotonic second of its arrival, and
-    whether the broker had kept it. `owns` tells whether an order was given by this operator's consoles."""
+    whether the broker had kept it. `owns` tells whether an order was given by this operator's consoles;
+    `memory` has the states before."""
 
     robot: str
     base: str
     at: float
     is_kept: bool = False
     owns: Callable[[str], bool] = lambda _id: False
+    memory: StateMemory = StateMemory()
 
 
 def short_id(id_: str) -> str:
@@ -71,7 +73,8 @@ def stamp_of(message: Fields) -> float | None:
 def read_state(origin: MessageOrigin, message: Fields) -> Iterator[events.Event]:
     """Read a state: everything that a vehicle reports."""
     robot, at = origin.robot, origin.at
-    vehicle = vehicle_of(message, origin.base)
+    nodes, is_new = origin.memory.nodes(robot, message)
+    vehicle = vehicle_of(message, origin.base, nodes)
     yield VehicleReported(robot, at, vehicle)
     yield from read_visualization(origin, message)
     charge = charge_of(message)
@@ -81,30 +84,23 @@ def read_state(origin: MessageOrigin, message: Fields) -> Iterator[events.Event]
         yield events.CargoReported(robot, at, bool(vehicle.load))
     if vehicle.paused is not None:
         yield events.PausedReported(robot, at, vehicle.paused)
-    graph, frame = graph_of(message, "nodeStates", "edgeStates")
-    if graph.vertices:
-        yield NodesReported(robot, at, frame, graph)
-    yield GoalsReported(robot, at, ORDER, _orders(vehicle, message, origin.owns(vehicle.order_id)))
+    if is_new and nodes.graph.vertices:
+        yield NodesReported(robot, at, nodes.frame, nodes.graph)
+    orders = _orders(vehicle, nodes.target, origin.owns(vehicle.order_id))
+    if origin.memory.is_news(robot, orders, at):
+        yield GoalsReported(robot, at, ORDER, orders)
 
 
-def _orders(vehicle: Vehicle, message: Fields, is_ours: bool) -> tuple[Goal, ...]:
+def _orders(vehicle: Vehicle, target: str, is_ours: bool) -> tuple[Goal, ...]:
     """Return the one order of a vehicle, which it names even after its end."""
     if not vehicle.order_id:
         return ()
-    target = _target(message)
     state = OrderState.IN_PROCESS if is_running(vehicle) else _end(vehicle)
     word = f"{len(vehicle.nodes_left)} nodes left"
     stops = (Stop(target),) if target else ()
     return (
         Goal(short_id(vehicle.order_id), vehicle.order_id, ORDER, state, word, stops=stops, is_ours=is_ours),
     )
-
-
-def _target(message: Fields) -> str:
-    """Return the last node of the order, released or not."""
-    nodes = message.parts(MOST_NODES, "nodeStates") or []
-    last = max(nodes, key=lambda node: node.number("sequenceId") or 0.0, default=None)
-    return last.text("nodeId") if last is not None else ""
 
 
 def _end(vehicle: Vehicle) -> OrderState:

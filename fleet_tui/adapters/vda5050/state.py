@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from itertools import pairwise
+from typing import NamedTuple
 
 from fleet_tui.adapters.vda5050.fields import Fields
 from fleet_tui.model.geometry import Pose
@@ -16,13 +17,36 @@ ENDED = frozenset({"FINISHED", "FAILED"})
 CANCEL = "cancelOrder"
 
 
-def vehicle_of(state: Fields, base: str) -> Vehicle:
-    """Return the state of a vehicle, whose topics begin with `base`."""
+class OrderNodes(NamedTuple):
+    """The nodes of an order that are left: the `released` ones by id, the number of the others, the last of
+    all, and whether the vehicle is at the end of the released ones. `graph` are those with a place, `frame`
+    is their map."""
+
+    released: tuple[str, ...]
+    horizon: int
+    target: str
+    is_at_base_end: bool
+    graph: RouteGraph
+    frame: str
+
+
+def nodes_of(state: Fields) -> OrderNodes:
+    """Return the nodes that are left of the order in a state."""
     nodes = sorted(state.parts(MOST_NODES, "nodeStates") or [], key=_sequence)
     edges = state.parts(MOST_NODES, "edgeStates") or []
     released = [node for node in nodes if node.flag("released") is not False]
     horizon = len(nodes) - len(released)
-    is_at_base_end = horizon > 0 and not released and not any(one.flag("released") for one in edges)
+    return OrderNodes(
+        tuple(node.text("nodeId") for node in released),
+        horizon,
+        nodes[-1].text("nodeId") if nodes else "",
+        horizon > 0 and not released and not any(one.flag("released") for one in edges),
+        *graph_of(state, "nodeStates", "edgeStates"),
+    )
+
+
+def vehicle_of(state: Fields, base: str, nodes: OrderNodes) -> Vehicle:
+    """Return the state of a vehicle, whose topics have the base `base`."""
     position, power = _position(state), state.part("batteryState", "powerSupply")
     safety = state.part("safetyState")
     return Vehicle(
@@ -35,9 +59,9 @@ def vehicle_of(state: Fields, base: str) -> Vehicle:
         e_stop=_e_stop(safety) if safety else "",
         field_violation=safety.flag("fieldViolation") if safety else None,
         last_node=state.text("lastNodeId"),
-        nodes_left=tuple(node.text("nodeId") for node in released),
-        horizon=horizon,
-        waits=state.flag("newBaseRequest") is True or is_at_base_end,
+        nodes_left=nodes.released,
+        horizon=nodes.horizon,
+        waits=state.flag("newBaseRequest") is True or nodes.is_at_base_end,
         load=_load(state),
         order_id=state.text("orderId"),
         paused=state.flag("paused"),

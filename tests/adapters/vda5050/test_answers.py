@@ -6,7 +6,7 @@ import pytest
 
 from fleet_tui.adapters.vda5050.answers import answer
 from fleet_tui.adapters.vda5050.fields import Fields
-from fleet_tui.adapters.vda5050.state import vehicle_of
+from fleet_tui.adapters.vda5050.state import nodes_of, vehicle_of
 from fleet_tui.model.commands import (
     CancelOrder,
     ClearOrders,
@@ -24,7 +24,8 @@ PAUSE, RESUME, CLEAR = PauseRobot("agv"), ResumeRobot("agv"), ClearOrders("agv")
 
 
 def said(command: Command, **fields: Any) -> tuple[Stage, str] | None:
-    return answer(command, "mine", 7, vehicle_of(Fields.of(state(**fields)), "base"))
+    message = Fields.of(state(**fields))
+    return answer(command, "mine", 7, vehicle_of(message, "base", nodes_of(message)))
 
 
 def action(status: str, id_: str = "mine", **more: str) -> list[dict[str, str]]:

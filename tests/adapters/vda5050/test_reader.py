@@ -45,6 +45,7 @@ def test_what_can_not_be_read_names_its_topic() -> None:
 def test_frames_of_a_recording_are_read_alike() -> None:
     site = VehicleSite()
     direct = site.read("state", state())
+    site.reader.recount()
     frame = frame_of(BrokerMessage(f"{BASE}/state", state()))
     assert site.reader.read(*frame, site.now) == direct
     (rejected,) = site.reader.read(b"nothing", False, site.now)

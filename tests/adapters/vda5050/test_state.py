@@ -4,7 +4,7 @@ import json
 from typing import Any
 
 from fleet_tui.adapters.vda5050.fields import Fields
-from fleet_tui.adapters.vda5050.state import charge_of, graph_of, is_running, pose_of, vehicle_of
+from fleet_tui.adapters.vda5050.state import charge_of, graph_of, is_running, nodes_of, pose_of, vehicle_of
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleAction, VehicleError
 from tests.support.vda_messages import error, message, node, position, state, state_3
@@ -12,7 +12,7 @@ from tests.support.vda_messages import error, message, node, position, state, st
 
 def read(payload: bytes) -> Vehicle:
     fields = Fields.of(payload)
-    found = vehicle_of(fields, "base")
+    found = vehicle_of(fields, "base", nodes_of(fields))
     assert fields.faults == []
     return found
 
