@@ -4,6 +4,7 @@ from collections.abc import Iterable
 
 from fleet_tui.model.alarm import Alarm, AlarmStage
 from fleet_tui.model.fleet import FleetState, is_missing
+from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
 
 LONG_STILL = 30.0
@@ -84,7 +85,7 @@ def _may_be(state: FleetState, robot: Robot) -> bool:
 
 
 def _whose(alarm: Alarm) -> list[str]:
-    return [alarm.condition.source, *sorted(alarm.condition.parts)]
+    return [alarm.condition.source, *sorted(alarm.condition.parts, key=natural)]
 
 
 def trouble_elsewhere(state: FleetState, floor: str) -> str:
