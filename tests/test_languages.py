@@ -3,7 +3,6 @@
 import re
 import typing
 from collections.abc import Iterator
-from importlib.resources import files
 
 import pytest
 
@@ -24,7 +23,7 @@ def english_again() -> Iterator[None]:
 
 
 def file_of(language: str) -> str:
-    return files("fleet_tui").joinpath("locales", f"{language}.po").read_text(encoding="utf-8")
+    return (ROOT / "locales" / f"{language}.po").read_text(encoding="utf-8")
 
 
 def test_the_configuration_accepts_english_and_each_file() -> None:
