@@ -8,7 +8,7 @@ import pytest
 
 from fleet_tui.config.schema import Ui
 from fleet_tui.languages import ENGLISH, use_language
-from fleet_tui.text.language import FIGURES, Catalogue, places, read_catalogue, tr
+from fleet_tui.text.language import FIGURES, Catalogue, read_catalogue, tr
 from tests.support.screen_texts import ROOT, texts
 
 LANGUAGES = sorted(path.stem for path in (ROOT / "locales").glob("*.po"))
@@ -20,6 +20,11 @@ COMPOSED = "\n# composed\n"
 def english_again() -> Iterator[None]:
     yield
     use_language(ENGLISH)
+
+
+def places(message: str) -> list[str]:
+    """The names of what is filled in."""
+    return re.findall(r"\{(\w+)\}", message)
 
 
 def file_of(language: str) -> str:
