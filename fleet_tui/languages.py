@@ -1,6 +1,6 @@
 """The languages of the screen: one catalogue each, `locales/LANGUAGE.po`."""
 
-from importlib.resources import files
+from pathlib import Path
 
 from fleet_tui.text.language import Catalogue, read_catalogue, speak
 
@@ -13,5 +13,5 @@ def use_language(language: str) -> None:
     if language == ENGLISH:
         speak(None)
         return
-    text = files("fleet_tui").joinpath("locales", f"{language}.po").read_text(encoding="utf-8")
-    speak(Catalogue(read_catalogue(text)))
+    file = Path(__file__).with_name("locales") / f"{language}.po"
+    speak(Catalogue(read_catalogue(file.read_text(encoding="utf-8"))))

@@ -13,10 +13,12 @@ from fleet_tui.config.schema import Alarms, Config
 from fleet_tui.console import ask_first, open_console, replaying
 from fleet_tui.controllers.replay import Replay
 from fleet_tui.errors import ConfigError
+from fleet_tui.languages import ENGLISH, use_language
 from fleet_tui.recording.play.start import playing
 from fleet_tui.state.store import Store
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.terminal.plain_driver import PlainDriver
+from fleet_tui.text.language import tr
 from fleet_tui.themes import load_themes
 from fleet_tui.view.map.drawing import Drawing
 from tests.support.fleets import T0, tick
@@ -86,6 +88,18 @@ def test_a_master_control_says_so_when_it_opens(
     open_console(from_text(config_text(role=role)), read_only, "ascii", False)
     (app,) = opened
     assert isinstance(app, FleetApp) and said in app.main.notices.text
+
+
+def test_the_screen_speaks_the_language_of_the_configuration(opened: list[LeanApp]) -> None:
+    config = config_of("ws://site:9090")
+    try:
+        open_console(replace(config, ui=replace(config.ui, language="de")), False, None, False)
+        assert tr("no link") == "keine Verbindung"
+        open_console(config, False, None, False)
+        assert tr("no link") == "no link"
+    finally:
+        use_language(ENGLISH)
+    assert len(opened) == 2
 
 
 def test_without_unicode_the_driver_sends_ascii(

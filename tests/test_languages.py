@@ -3,13 +3,12 @@
 import re
 import typing
 from collections.abc import Iterator
-from importlib.resources import files
 
 import pytest
 
 from fleet_tui.config.schema import Ui
 from fleet_tui.languages import ENGLISH, use_language
-from fleet_tui.text.language import FIGURES, Catalogue, places, read_catalogue, tr
+from fleet_tui.text.language import FIGURES, Catalogue, read_catalogue, tr
 from tests.support.screen_texts import ROOT, texts
 
 LANGUAGES = sorted(path.stem for path in (ROOT / "locales").glob("*.po"))
@@ -23,8 +22,13 @@ def english_again() -> Iterator[None]:
     use_language(ENGLISH)
 
 
+def places(message: str) -> list[str]:
+    """The names of what is filled in."""
+    return re.findall(r"\{(\w+)\}", message)
+
+
 def file_of(language: str) -> str:
-    return files("fleet_tui").joinpath("locales", f"{language}.po").read_text(encoding="utf-8")
+    return (ROOT / "locales" / f"{language}.po").read_text(encoding="utf-8")
 
 
 def test_the_configuration_accepts_english_and_each_file() -> None:

@@ -7,7 +7,7 @@ figures and names, which come ready from the state, find their translation, too.
 
 import json
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from functools import lru_cache
 
 from msgspec import Struct
@@ -23,19 +23,7 @@ _TEXTS = (
 TEXTS = frozenset(_TEXTS.split(" "))
 """Places whose values are texts of the console, and translated, too; those of all others stay as they are:
 names, paths, figures, and what robots say."""
-_COUNTS = [
-    "alarms",
-    "count",
-    "edges",
-    "faults",
-    "fresh",
-    "marks",
-    "metres",
-    "orders",
-    "placed",
-    "vertices",
-    "waiting",
-]
+_COUNTS = ("alarms", "count", "edges", "faults", "fresh", "marks", "metres", "orders", "placed", "vertices")
 FIGURES = {
     **dict.fromkeys((*_COUNTS, "waiting"), r"[-\d.,]+"),
     **dict.fromkeys(("age", "duration", "lasted"), r"[\d.]+ \w+|never"),
@@ -61,7 +49,8 @@ _FIELD = re.compile(r'(msgid|msgstr)? *(".*")')
 
 
 class MessagePattern(Struct, frozen=True):
-    """A message with places: the longest text between them, all of it as an expression, its translation."""
+    """A message with places: the longest text between them, all of it as an expression, its translation;
+    `fits_all`: it has few letters of its own."""
 
     part: str
     expression: re.Pattern[str]
@@ -151,11 +140,6 @@ def read_catalogue(text: str) -> dict[str, str]:
         if fields["msgid"] and fields["msgstr"]:
             found[fields["msgid"]] = fields["msgstr"]
     return found
-
-
-def places(message: str) -> Iterator[str]:
-    """Yield the names of a message's places."""
-    return (place[1] for place in _PLACE.finditer(message))
 
 
 def _as_it_is(text: str) -> str:

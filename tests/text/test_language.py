@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from fleet_tui.text.language import LONGEST, Catalogue, places, read_catalogue, speak, tr
+from fleet_tui.text.language import LONGEST, Catalogue, read_catalogue, speak, tr
 
 MESSAGES = {
     "no link": "keine Verbindung",
@@ -77,7 +77,3 @@ def test_reads_a_po_file() -> None:
 def test_refuses_what_is_no_po_file() -> None:
     with pytest.raises(ValueError, match="no line of a catalogue: Auftrag"):
         read_catalogue('msgid "order"\nAuftrag\n')
-
-
-def test_names_the_places_of_a_message() -> None:
-    assert list(places("{stopped} of {able}")) == ["stopped", "able"]
