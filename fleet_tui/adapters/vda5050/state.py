@@ -56,6 +56,7 @@ def vehicle_of(state: Fields, base: str, nodes: OrderNodes) -> Vehicle:
         driving=state.flag("driving"),
         charging=power.flag("charging") if power else None,
         localised=position.flag("positionInitialized", "localized") if position else None,
+        is_placed=position is not None,
         e_stop=_e_stop(safety) if safety else "",
         field_violation=safety.flag("fieldViolation") if safety else None,
         last_node=state.text("lastNodeId"),
