@@ -103,7 +103,12 @@ def _errors(state: Fields) -> Iterator[VehicleError]:
 def _reference(one: Fields) -> str:
     """Return the id that an error concerns. Numbers of messages are named: they could be ids of orders."""
     key, value = one.text("referenceKey"), one.id("referenceValue")
-    return f"{key} {value}" if key == "headerId" else value
+    return number_reference(value) if key == "headerId" else value
+
+
+def number_reference(number: str) -> str:
+    """Return the reference to a message by its number."""
+    return f"headerId {number}"
 
 
 def _actions(state: Fields) -> Iterator[VehicleAction]:

@@ -10,6 +10,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.rules.routes.nearest import Nearest, nearest, why_none
 from fleet_tui.rules.routes.order_draft import Draft
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 
 AGAIN = 1.0
@@ -42,5 +43,5 @@ class Proposal(Static):
         self._places, self._at = places, state.now
         self._found = nearest(state, places) if places else None
         reason = why_none(state, places) if places else ""
-        self.update(sanitize(self._found.text if self._found is not None else reason))
+        self.update(tr(sanitize(self._found.text if self._found is not None else reason)))
         self.display = bool(places)
