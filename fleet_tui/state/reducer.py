@@ -31,7 +31,7 @@ from fleet_tui.state.goal_reports import without_ended, without_unlisted
 from fleet_tui.state.link_events import apply_to_link
 from fleet_tui.state.navigation_reports import apply_navigation
 from fleet_tui.state.reports import apply_map_fact, apply_report
-from fleet_tui.state.vehicle_reports import apply_vehicle
+from fleet_tui.state.vehicle_reports import apply_vehicle, at_last_node
 
 # Made once: putting the types together for every event would take as long as finding one among them.
 _OfRobot = events.Telemetry | Navigation | VehicleFact | events.MapFactReceived | events.MessageRejected
@@ -131,7 +131,7 @@ def _apply_to_robot(state: FleetState, event: _OfRobot) -> FleetState:
     if isinstance(event, Navigation):
         return _moved(state, apply_navigation(robot, event))
     if isinstance(event, VehicleFact):
-        return with_robot(state, apply_vehicle(robot, event))
+        return _moved(state, at_last_node(state, apply_vehicle(robot, event), event.at))
     match event:
         case events.MessageRejected():
             return with_robot(state, with_fault(robot, event.text))

@@ -5,11 +5,15 @@ from typing import assert_never
 
 from msgspec.structs import replace
 
+from fleet_tui.model.events import PoseReported
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Edge, RouteGraph
 from fleet_tui.model.navigation import Blocked
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.model.vehicles import events as vehicle_events
 from fleet_tui.state.goal_reports import with_sign_of_life
+from fleet_tui.state.reports import apply_report
 
 NODE = "node of an order"
 """Type of the vertices that only an order has told."""
@@ -80,3 +84,17 @@ def _with_nodes(robot: Robot, event: vehicle_events.NodesReported) -> Robot:
     if found == graph:
         return robot
     return replace(robot, maps={**robot.maps, robot.floor or "": replace(robot_map, graph=found)})
+
+
+def at_last_node(state: FleetState, robot: Robot, at: float) -> Robot:
+    """Place a vehicle that reports no position at the node where it was last, if a graph has it."""
+    vehicle = robot.vehicle.value if robot.vehicle is not None and robot.vehicle.at == at else None
+    if vehicle is None or vehicle.is_placed or not vehicle.last_node:
+        return robot
+    for name, one in robot.maps.items():
+        node = one.graph.vertices.get(vehicle.last_node) if one.graph is not None else None
+        if node is not None and name in state.floors:
+            pose = Pose(node.x, node.y, robot.pose.value.yaw if robot.pose else 0.0)
+            frame = state.floors[name].frame_id
+            return apply_report(robot, PoseReported(robot.name, at, pose, frame, None))
+    return robot

@@ -98,3 +98,15 @@ def test_properties_and_masters_are_kept() -> None:
     assert site.agv.factsheet == {"speedMax": "2"}
     site.read("order", message(orderId="o", nodes=[], edges=[]))
     assert site.agv.master is not None and site.agv.master.value == "order o"
+
+
+def test_a_vehicle_without_a_position_is_drawn_at_its_last_node() -> None:
+    site = VehicleSite()
+    site.apply(events.FloorGraphLoaded("hall", RouteGraph({"n0": Vertex("n0", 3.0, 4.0)})))
+    site.read("state", state(agvPosition=None))
+    assert site.agv.pose is not None and (site.agv.pose.value.x, site.agv.pose.value.y) == (3.0, 4.0)
+    assert site.agv.floor == "hall"
+    site.read("state", state(agvPosition=None, lastNodeId="unknown"))
+    assert site.agv.pose.value.x == 3.0
+    site.read("state", state())
+    assert site.agv.pose is not None and site.agv.pose.value.x == 1.0

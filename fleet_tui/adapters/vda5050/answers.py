@@ -2,7 +2,7 @@
 
 from typing import assert_never
 
-from fleet_tui.adapters.vda5050.state import is_running
+from fleet_tui.adapters.vda5050.state import is_running, number_reference
 from fleet_tui.model.commands import (
     CancelOrder,
     ClearOrders,
@@ -63,7 +63,7 @@ def _concerns(error: VehicleError, command: Command, id_: str, number: int) -> b
     if id_ in error.references:
         # An order that fails on its way has errors, too.
         return not isinstance(command, PlaceOrder) or "order" in error.type.lower() or _is_rejection(error)
-    own = f"headerId {number}"
+    own = number_reference(str(number))
     if own in error.references:
         return isinstance(command, PlaceOrder) and set(error.references) <= {own, id_}
     is_cancel = isinstance(command, CancelOrder | ClearOrders)

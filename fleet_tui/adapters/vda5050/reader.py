@@ -15,6 +15,8 @@ from fleet_tui.model import events
 from fleet_tui.model.counters import LinkCounter, TopicCounter
 from fleet_tui.text.limits import truncate
 
+MOST_KNOWN = 20_000
+"""Maximum topics that are remembered: a hostile client may make up versions without end."""
 KEPT = ("connection", "factsheet")
 """Topics whose kept message counts: the other ones are fresh or nothing."""
 
@@ -32,6 +34,8 @@ class MessageReader:
         self._topics = list(dict.fromkeys(adapter.topics for adapter in known.values()))
         self._owns = {robot: adapter.owns for robot, adapter in known.items()}
         self._robots = {adapter.vehicle(robot): robot for robot, adapter in known.items()}
+        self._known: dict[str, tuple[str, VehicleAddress]] = {}
+        """Topics that were parsed before: there are a few for each vehicle."""
         self.recount()
 
     def recount(self) -> None:
@@ -45,11 +49,17 @@ class MessageReader:
 
     def whose(self, topic: str) -> tuple[str, VehicleAddress] | None:
         """Return the robot and the address of a topic, None if it is none of a configured vehicle."""
+        if (known := self._known.get(topic)) is not None:
+            return known
         for topics in self._topics:
             address = topics.parse(topic)
             if address is not None:
                 robot = self._robots.get(address[:2]) or self._robots.get(("", address.serial))
-                return (robot, address) if robot is not None and address.name in READERS else None
+                if robot is None or address.name not in READERS:
+                    return None
+                if len(self._known) < MOST_KNOWN:
+                    self._known[topic] = robot, address
+                return robot, address
         return None
 
     def read(self, payload: bytes, _is_binary: bool, at: float) -> tuple[events.Event, ...]:

@@ -56,6 +56,7 @@ def vehicle_of(state: Fields, base: str, nodes: OrderNodes) -> Vehicle:
         driving=state.flag("driving"),
         charging=power.flag("charging") if power else None,
         localised=position.flag("positionInitialized", "localized") if position else None,
+        is_placed=position is not None,
         e_stop=_e_stop(safety) if safety else "",
         field_violation=safety.flag("fieldViolation") if safety else None,
         last_node=state.text("lastNodeId"),
@@ -102,7 +103,12 @@ def _errors(state: Fields) -> Iterator[VehicleError]:
 def _reference(one: Fields) -> str:
     """Return the id that an error concerns. Numbers of messages are named: they could be ids of orders."""
     key, value = one.text("referenceKey"), one.id("referenceValue")
-    return f"{key} {value}" if key == "headerId" else value
+    return number_reference(value) if key == "headerId" else value
+
+
+def number_reference(number: str) -> str:
+    """Return the reference to a message by its number."""
+    return f"headerId {number}"
 
 
 def _actions(state: Fields) -> Iterator[VehicleAction]:

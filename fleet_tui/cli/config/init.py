@@ -17,11 +17,14 @@ def example() -> str:
 
 
 def from_live(known: Config, url: str, timeout: float) -> DiscoveredSite:
-    """Return the site behind the bridge at `url`, reached with the settings of `known`.
+    """Return the site behind the bridge or broker at `url`, reached with the settings that `known` has for
+    it, else with those of its [rosbridge].
 
     Raises ConfigError for an invalid address, LinkError if it can't be reached, FleetError if rosapi fails.
     """
-    bridge = bridge_at(url, known.whole().rosbridge)
+    whole = known.whole()
+    same = (link for link in whole.links.values() if link.url == url)
+    bridge = bridge_at(url, next(same, whole.rosbridge))
     return start_discovery(bridge, timeout).result()
 
 

@@ -32,10 +32,10 @@ class VehicleAction(Struct, frozen=True):
 
 class Vehicle(Struct, frozen=True):
     """One state of a vehicle; None: not reported. `address` is the base of its topics, `version` that of its
-    messages. `e_stop` is the word for its emergency stop, empty if it is not active. `last_node` is where it
-    was last, `nodes_left` are the released nodes that it has still to reach, `horizon` the number of those
-    not released; `waits`: it may not drive on until its master control releases them. `load`: empty without
-    one."""
+    messages. `is_placed`: it reports a position. `e_stop` is the word for its emergency stop, empty if it is
+    not active. `last_node` is where it was last, `nodes_left` are the released nodes that it has still to
+    reach, `horizon` the number of those not released; `waits`: it may not drive on until its master control
+    releases them. `load`: empty without one."""
 
     address: str
     version: str
@@ -43,6 +43,7 @@ class Vehicle(Struct, frozen=True):
     driving: bool | None = None
     charging: bool | None = None
     localised: bool | None = None
+    is_placed: bool = True
     e_stop: str = ""
     field_violation: bool | None = None
     last_node: str = ""

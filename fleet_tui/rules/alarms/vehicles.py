@@ -7,12 +7,13 @@ from fleet_tui.model.vehicles.vehicle import HIGH, MEDIUM, Vehicle, VehicleError
 from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
 
 
-def _reported(state: FleetState, robot: Robot, active: ActiveConditions, kind: str) -> Vehicle | None:
-    """Return its last state as long as it holds. An alarm that it began goes on when the vehicle is gone."""
-    if robot.vehicle is None:
-        return None
-    holds = state.is_fresh(robot, "vehicle") or was_active(active, robot.name, robot.link, kind)
-    return robot.vehicle.value if holds else None
+def _holds(state: FleetState, robot: Robot, active: ActiveConditions, kind: str) -> bool:
+    """Tell whether its last state holds. An alarm that it began goes on when the vehicle is gone."""
+    return state.is_fresh(robot, "vehicle") or was_active(active, robot.name, robot.link, kind)
+
+
+def _reported(robot: Robot) -> Vehicle | None:
+    return robot.vehicle.value if robot.vehicle is not None else None
 
 
 def priority_of(error: VehicleError) -> Priority:
@@ -38,8 +39,8 @@ def fault_text(vehicle: Vehicle) -> str:
 
 def fault(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
     """Raise for the errors that a vehicle reports about itself."""
-    vehicle = _reported(state, robot, active, "fault")
-    if vehicle is None or not vehicle.errors:
+    vehicle = _reported(robot)
+    if vehicle is None or not vehicle.errors or not _holds(state, robot, active, "fault"):
         return None
     priority = priority_of(sorted_errors(vehicle)[0])
     parts = frozenset(error.type for error in vehicle.errors)
@@ -48,16 +49,16 @@ def fault(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
 
 def emergency_stop(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
     """Raise while an emergency stop is active."""
-    vehicle = _reported(state, robot, active, "e-stop")
-    if vehicle is None or not vehicle.e_stop:
+    vehicle = _reported(robot)
+    if vehicle is None or not vehicle.e_stop or not _holds(state, robot, active, "e-stop"):
         return None
     return Condition(robot.name, "e-stop", Priority.HIGH, vehicle.e_stop_text, "e-stop released")
 
 
 def unlocalised(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
     """Raise for a vehicle that does not know its place."""
-    vehicle = _reported(state, robot, active, "localisation")
-    if vehicle is None or vehicle.localised is not False:
+    vehicle = _reported(robot)
+    if vehicle is None or vehicle.localised is not False or not _holds(state, robot, active, "localisation"):
         return None
     return Condition(robot.name, "localisation", Priority.MEDIUM, "not localised", "localised again")
 

@@ -95,7 +95,7 @@ def _vehicle(state: FleetState, robot: Robot) -> Iterator[Run]:
         return
     vehicle = robot.vehicle.value
     if vehicle.e_stop:
-        yield sanitize(vehicle.e_stop_text), StyleRole.ALARM
+        yield tr(sanitize(vehicle.e_stop_text)), StyleRole.ALARM
     for error in sorted_errors(vehicle)[:1]:
         is_high = priority_of(error) is Priority.HIGH
         yield sanitize(error.type), StyleRole.ALARM if is_high else StyleRole.WARN
@@ -104,7 +104,7 @@ def _vehicle(state: FleetState, robot: Robot) -> Iterator[Run]:
         "waits for clearance": vehicle.waits,
         "not localised": vehicle.localised is False,
     }
-    yield from ((sanitize(text), StyleRole.WARN) for text, holds in texts.items() if holds)
+    yield from ((tr(sanitize(text)), StyleRole.WARN) for text, holds in texts.items() if holds)
 
 
 def _short(text: str) -> str:

@@ -13,7 +13,7 @@ def progress_text(state: FleetState, robot: Robot, order: Order) -> str:
     vehicle = robot.vehicle.value if robot.vehicle is not None else None
     if vehicle is not None and robot.orders.is_current(order) and state.is_fresh(robot, "vehicle"):
         left = len(vehicle.nodes_left) + vehicle.horizon
-        return f"{left} node{'s' * (left != 1)} left" if left else ""
+        return tr(f"{left} node{'s' * (left != 1)} left") if left else ""
     if robot.progress is None or not robot.orders.is_current(order) or not state.is_fresh(robot, "progress"):
         return ""
     reported = robot.progress.value
