@@ -25,7 +25,8 @@ class Feed(NamedTuple):
     message. `wanted_for`: subscribed only while that is needed, a `map` on screen, the `target` of a goal
     that no other topic reports, or a `stream` beside the fleet state. `large`: requested as CBOR and decoded
     off the loop. `fast`: as frequent as poses. `silent`: may rightly send nothing for hours. `is_shared`: one
-    topic may report on all robots. `queue_length`: messages that the bridge keeps for this console; with more
+    topic may report on all robots of a link; its messages name them, but for a map, which is of none.
+    `queue_length`: messages that the bridge keeps for this console; with more
     than one of them each counts, not only the newest.
     """
 

@@ -51,7 +51,7 @@ class Registered:
         return cast("type[Struct]", self._module("settings").SETTINGS)
 
 
-KINDS = {name: Registered(name) for name in ("oh_ressources", "nav2", "move_base")}
+KINDS = {name: Registered(name) for name in ("oh_ressources", "nav2", "move_base", "rmf")}
 
 
 def kind_of(profile: "Profile") -> str:

@@ -6,6 +6,7 @@ from msgspec import Struct, field
 
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.desk.events import OperatorEvent
+from fleet_tui.model.fleets.events import MemberFact
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
@@ -209,6 +210,7 @@ class TimePassed(Struct, frozen=True, tag=True):
 Event = (
     Telemetry
     | Navigation
+    | MemberFact
     | MapFactReceived
     | MessageRejected
     | FrameRejected

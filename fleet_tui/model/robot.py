@@ -7,6 +7,7 @@ from typing import Generic, TypeVar
 from msgspec import Struct, field
 from msgspec.structs import replace
 
+from fleet_tui.model.fleets.member import Member
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
@@ -70,7 +71,7 @@ class Robot(Struct, frozen=True, eq=False):
     `mapping_by_us` that this console switched mapping on; `counts_percent`: its battery was seen to count to
     100; `size` is its length and width in metres, None if not configured; `laser` is the pose of its laser on
     it, None if unknown, `laser_flipped` that it hangs upside down, `base_frame` the frame of the robot
-    itself, empty for a usual one."""
+    itself, empty for a usual one; `member` are the reports of its fleet adapter."""
 
     name: str
     number: int
@@ -122,6 +123,7 @@ class Robot(Struct, frozen=True, eq=False):
     laser: Pose | None = None
     laser_flipped: bool = False
     base_frame: str = ""
+    member: Reading[Member] | None = None
 
     @property
     def has_cargo(self) -> bool:

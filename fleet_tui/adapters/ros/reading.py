@@ -142,7 +142,7 @@ class FrameReader:
         if feed.large:
             self.counter.keep_one_map(counter)
             self.maps_received.add(feed.address)
-        return found if not feed.is_shared else _of_none(found)
+        return _of_none(found) if feed.is_shared and feed.wanted_for == "map" else found
 
     def _stream(self, feed: Feed, msg: object, at: float) -> None:
         """Pass on the value of a watched stream. Raises WireError."""

@@ -26,6 +26,7 @@ from fleet_tui.config.schema import Config
 from fleet_tui.errors import WireError
 from fleet_tui.maps.map_process import decode_apart
 from fleet_tui.model import events
+from fleet_tui.model.fleets.events import MemberReported, StatusReported
 from fleet_tui.model.kind import CAMERA
 from fleet_tui.model.link import Phase
 from fleet_tui.model.navigation_events import Live, LocalisationReported, OdometryReported
@@ -41,6 +42,7 @@ LARGE_FRAME = 100_000
 TRIM_AFTER = 1.0
 # Bytes of frames that wait to be decoded: more are dropped.
 MOST_WAITING = 64 * 2**20
+_SIGNS = events.Telemetry | Live | MemberReported | StatusReported
 _PLACES = events.PoseReported | OdometryReported | LocalisationReported
 # Seconds between checks for silent robots.
 CHECK_EVERY = 0.2
@@ -196,7 +198,7 @@ class Telemetry:
     def _apply(self, event: events.Event) -> None:
         if isinstance(event, events.MessageRejected | events.FrameRejected):
             self._log_once(event.text)
-        elif isinstance(event, events.Telemetry | Live):
+        elif isinstance(event, _SIGNS):
             self._last_messages[event.robot] = event.at
         self._writer.store.apply(event)
         robots = self._writer.store.state.robots

@@ -61,6 +61,8 @@ def _listed(old: Goal, goal: Goal, at: float, seen_at: float) -> Goal:
         state=goal.state,
         word=goal.word,
         said=goal.said,
+        label=goal.label,
+        tokens=goal.tokens,
         is_ending=goal.is_ending,
         begun_at=begun,
         ended_at=ended,
@@ -124,8 +126,8 @@ def _order_of(goal: Goal, offset: float | None) -> Order:
         goal.word,
         goal.serial,
         None if goal.stamp is None or offset is None else goal.stamp + offset,
-        goal.label,
-        goal.uuid,
+        "" if goal.stops else goal.label,
+        goal.requester or goal.uuid,
         goal.said or ("a stop was missed" if has_failed else ""),
     )
 

@@ -1,0 +1,106 @@
+"""The adapter of robots in fleets of Open-RMF."""
+
+import math
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
+
+from fleet_tui.adapters.adapter import Feed, Outgoing, ServiceCall, Site
+from fleet_tui.adapters.probes import Probe
+from fleet_tui.adapters.profile import Profile
+from fleet_tui.adapters.rmf.fleets import Read, read_fleets, read_statuses
+from fleet_tui.adapters.rmf.tasks import read_tasks
+from fleet_tui.adapters.rmf.vocabulary import VOCABULARY
+from fleet_tui.adapters.ros.names import Names
+from fleet_tui.errors import CommandError, WireError
+from fleet_tui.model import events, kind
+from fleet_tui.model.commands import Command, Stage
+from fleet_tui.model.robot import Robot
+
+if TYPE_CHECKING:
+    from fleet_tui.model.set_up.streams import StreamValue
+
+EACH = 100
+"""Messages that a bridge keeps for this console: each is of another fleet or task."""
+LATCHED = frozenset({"statuses", "tasks"})
+ON_CHANGE = frozenset({"tasks"})
+REPORTS = {
+    "fleets": ("pose", "battery", "member"),
+    "statuses": ("pose", "battery", "member"),
+    "tasks": ("queue", "paused", "progress"),
+}
+"""The values in each topic."""
+SILENCE = dict.fromkeys(("queue", "paused", "progress"), math.inf)
+
+
+class Rmf:
+    """Robots that take tasks from a dispatcher: all topics are those of the whole site."""
+
+    def __init__(self, profile: Profile, site: Site) -> None:
+        self.names = names = Names(VOCABULARY, profile, site.table)
+        self._readers: dict[str, Read] = {
+            "fleets": read_fleets(),
+            "statuses": read_statuses(),
+            "tasks": read_tasks(),
+        }
+        reported = [value for key in self._readers if names.topic(key, "") for value in REPORTS[key]]
+        self.kind = kind.Kind(
+            "rmf",
+            tuple(dict.fromkeys(reported)),
+            (),
+            {**SILENCE, **names.profile.silence},
+            reports_ends=True,
+            takes_stops=True,
+        )
+
+    def feeds(self, robot: str, floors: Sequence[str]) -> Iterable[Feed]:
+        """Return the topics to subscribe to. Never throttled: one message would hide another's."""
+        for key in self._readers:
+            if topic := self.names.topic(key, robot):
+                yield Feed(
+                    *(key, (robot,), "", topic, self.names.type(key)),
+                    latched=key in LATCHED,
+                    silent=key in ON_CHANGE,
+                    is_shared=True,
+                    queue_length=EACH,
+                )
+
+    def read(self, feed: Feed, msg: object, at: float) -> Iterable[events.Event]:
+        """Return the events of a message. Raises WireError."""
+        return self._readers[feed.key](frozenset(feed.robots), msg, at)
+
+    def stream(self, feed: Feed, msg: object) -> "StreamValue":
+        """Such robots have no streams. Raises WireError."""
+        raise WireError(f"{feed.address} is no stream")
+
+    def services(self, robot: str) -> Iterable[tuple[str, str, str]]:
+        """Return nothing: requests are messages."""
+        return ()
+
+    def publications(self, robot: str) -> Iterable[tuple[str, str]]:
+        """Return the topic of requests."""
+        return ()
+
+    def probes(self, robot: str) -> Iterable[Probe]:
+        """Return the checks of its fleet."""
+        return ()
+
+    def outgoing(
+        self, command: Command, command_id: int, robot: Robot, unique: str = ""
+    ) -> Sequence[Outgoing]:
+        """Return the messages of a command. Raises CommandError for one that must not be sent."""
+        raise CommandError(self.kind.lack("order"))
+
+    def outcome(
+        self, command: Command, values: object, result: bool, status: int | None = None
+    ) -> tuple[Stage, str]:
+        """Return the stage for an answer to a call: there are none."""
+        return Stage.UNKNOWN, "unrecognised reply"
+
+    def learned(
+        self, call: ServiceCall, values: object, robot: Robot, sent_at: float, at: float
+    ) -> Iterable[events.Event]:
+        """Return nothing: topics report everything."""
+        return ()
+
+
+ADAPTER = Rmf
