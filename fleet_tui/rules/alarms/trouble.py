@@ -61,7 +61,7 @@ def by_urgency(state: FleetState) -> list[str]:
 def next_in_trouble(state: FleetState, after: str, marked: object = None) -> str:
     """Return the robot of the marked alarm. If `after` has it, or it is no robot's, return the next one in
     the order of the alarms pane and around its end, of those that need a person while there are some; if none
-    is in trouble, one whose alarm is shelved or whose pose is missing; empty without one."""
+    is in trouble, one that waits, whose alarm is shelved or whose pose is missing; empty without one."""
     troubled, known = by_urgency(state), acknowledged(state)
     of_marked = {name for one in state.alarms if one.key == marked for name in _whose(one)}
     if of_marked and after not in of_marked and (found := [name for name in troubled if name in of_marked]):
@@ -69,7 +69,9 @@ def next_in_trouble(state: FleetState, after: str, marked: object = None) -> str
     silenced = shelved(state)
     names = [name for name in troubled if name not in known] or troubled
     names = names or [
-        name for name, robot in state.robots.items() if name in silenced or is_missing(state, robot, "pose")
+        name
+        for name, robot in state.robots.items()
+        if name in silenced or waits(state, robot) or is_missing(state, robot, "pose")
     ]
     start = names.index(after) + 1 if after in names else 0
     return names[start % len(names)] if names else ""

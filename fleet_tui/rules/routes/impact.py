@@ -27,6 +27,10 @@ STANDS_FROM = 5.0
 """Seconds without movement from which a robot in trouble is in the way."""
 
 
+FACING = math.pi / 4
+"""Radians from a robot's heading within which it faces an edge."""
+
+
 class CutOrder(Struct, frozen=True):
     """An order whose way an edge is on: `metres` of that way, and `around`: those of the shortest one without
     the edge, None if there is none."""
@@ -46,11 +50,30 @@ class CutOrder(Struct, frozen=True):
 
 
 def edge_under(robot: Robot) -> Ends | None:
-    """Return the edge that a robot is on, None if its place on a graph is unknown."""
+    """Return the edge that a robot is on, at a vertex the one that it faces; None if that is unknown."""
     for floor, spots in place_of(robot):
+        at = [vertex for vertex, metres in spots if metres <= AT_VERTEX]
+        if at:
+            return _edge_ahead(robot, floor, at[0])
         if len(spots) == 2:
             return ends_of(floor, spots[0][0], spots[1][0])
     return None
+
+
+def _edge_ahead(robot: Robot, floor: str, vertex: str) -> Ends | None:
+    graph = robot.maps[floor].graph
+    if graph is None or robot.pose is None:
+        return None
+    here, yaw = graph.vertices[vertex], robot.pose.value.yaw
+    turns = {}
+    for edge in graph.edges:
+        if vertex in (edge.start, edge.end):
+            other = edge.end if edge.start == vertex else edge.start
+            there = graph.vertices[other]
+            towards = math.atan2(there.y - here.y, there.x - here.x)
+            turns[other] = abs(math.remainder(towards - yaw, math.tau))
+    ahead = min(turns, key=lambda other: turns[other], default="")
+    return ends_of(floor, vertex, ahead) if ahead and turns[ahead] <= FACING else None
 
 
 def closed_edge_at(

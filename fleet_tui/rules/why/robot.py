@@ -8,9 +8,10 @@ from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.battery.charging import charger_of
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import STANDS_AFTER, own_pause_text
+from fleet_tui.rules.lag import BEHIND
 from fleet_tui.rules.movement import JUMPS_WITHIN
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, name_of, stationary_since
-from fleet_tui.text.durations import age
+from fleet_tui.text.durations import age, duration
 from fleet_tui.text.units import ago
 
 JUMPS = 2
@@ -49,15 +50,30 @@ def no_link(state: FleetState, robot: Robot) -> Reason | None:
     return Reason("no link", evidence, since=link.since, keys=DIAGNOSE, remedy=remedy)
 
 
+def late_link(state: FleetState, robot: Robot) -> Reason | None:
+    """Report that the messages of an offline robot may still come: its bridge is behind."""
+    link = state.links[robot.link]
+    if link.phase is not Phase.UP or state.is_online(robot) or link.late < BEHIND:
+        return None
+    name, remedy = f"messages {duration(link.late)} late", CLASSES["late"].action
+    return Reason(name, f"bridge of {link.name} overloaded", keys=DIAGNOSE, remedy=remedy)
+
+
 def silent_robot(state: FleetState, robot: Robot) -> Reason | None:
     """Report that it is offline while the link is up."""
     if state.links[robot.link].phase is not Phase.UP or state.is_online(robot):
         return None
+    strength = Strength.POSSIBLE if late_link(state, robot) else Strength.CERTAIN
     remedy = CLASSES["offline"].action
+    beside = [one for one in state.robots.values() if one.link == robot.link]
+    if len(beside) > 1 and not any(map(state.is_online, beside)):
+        remedy = (
+            f"All {len(beside)} robots of {robot.link} are silent: check its bridge and the network first"
+        )
     if robot.last_received is None:
-        return Reason("never seen", "link up, no message received", keys=DIAGNOSE, remedy=remedy)
-    name = f"offline {age(state.now - robot.last_received)}"
-    return Reason(name, "link up, no messages", since=robot.last_received, keys=DIAGNOSE, remedy=remedy)
+        return Reason("never seen", "link up, no message received", strength, keys=DIAGNOSE, remedy=remedy)
+    name, since = f"offline {age(state.now - robot.last_received)}", robot.last_received
+    return Reason(name, "link up, no messages", strength, since, keys=DIAGNOSE, remedy=remedy)
 
 
 def paused(state: FleetState, robot: Robot) -> Reason | None:

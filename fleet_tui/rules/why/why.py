@@ -36,6 +36,7 @@ from fleet_tui.rules.why.robot import (
     battery,
     charges,
     jumps,
+    late_link,
     moves,
     no_link,
     obstacle,
@@ -48,7 +49,7 @@ from fleet_tui.rules.why.robot import (
 if TYPE_CHECKING:  # numpy
     from fleet_tui.rules.localisation.match import Match
 
-DEAF: tuple[Rule, ...] = (no_link, silent_robot)
+DEAF: tuple[Rule, ...] = (no_link, late_link, silent_robot)
 """If one of these holds, everything else is an earlier report."""
 
 FOLLOWING: tuple[Rule, ...] = (none_current, no_orders)

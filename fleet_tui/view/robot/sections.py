@@ -18,7 +18,7 @@ from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import SIGNS
 from fleet_tui.view.tables.missions import way, whose_mission
-from fleet_tui.view.tables.news import news
+from fleet_tui.view.tables.news import news_of_page
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.robot_page import NAME, command_rows, ended_rows, named, value_rows
 from fleet_tui.view.tables.table import Run, cut, width_of
@@ -59,9 +59,12 @@ def state_section(state: FleetState, robot: Robot, complaints: Sequence[Complain
 
 def _state(state: FleetState, robot: Robot, complaints: Sequence[Complaint]) -> Iterator[Line]:
     holding = [one for one in state.alarms if one.holds and one.condition.source == robot.name]
-    alarms = [(sanitize(one.text), StyleRole.ALARM) for one in holding]
+    alarms = [
+        (sanitize(one.text), StyleRole.ALARM if one.needs_acknowledgement else StyleRole.WARN)
+        for one in holding
+    ]
     usual = [] if complaints else [("nothing unusual", StyleRole.TEXT)]
-    for n, runs in enumerate(_packed(list(news(state, robot)) or alarms or usual, STATE - NAME)):
+    for n, runs in enumerate(_packed(list(news_of_page(state, robot)) or alarms or usual, STATE - NAME)):
         yield named("" if n else "State", *runs)
     for one in complaints:
         role = StyleRole.ALARM if one.is_error else StyleRole.WARN

@@ -17,7 +17,7 @@ from fleet_tui.view.lines.commands import command_text, stage_text
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.fleet_columns import floor_text
 from fleet_tui.view.tables.missions import whose_mission
-from fleet_tui.view.tables.news import news
+from fleet_tui.view.tables.news import news_of_page
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import Row, Run, Table
 
@@ -33,7 +33,7 @@ def robot_page(state: FleetState, name: str, width: int, clock: Callable[[float]
     """Return the page of a robot for a pane of `width` cells; `clock` formats Unix seconds as local time."""
     robot = state.robots[name]
     rows = [
-        named("State", *news(state, robot)),
+        named("State", *news_of_page(state, robot)),
         *_alarms(state, robot, width - NAME - 1),
         *value_rows(state, robot, width),
     ]

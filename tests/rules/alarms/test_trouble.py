@@ -3,6 +3,7 @@
 from fleet_tui.model.desk.events import AlarmAcknowledged, AlarmShelved
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.alarms.trouble import (
+    LONG_STILL,
     acknowledged,
     by_urgency,
     in_trouble,
@@ -10,7 +11,20 @@ from fleet_tui.rules.alarms.trouble import (
     shelved,
     trouble_elsewhere,
 )
-from tests.support.fleets import F0, LINK, R0, T0, battery, fleet, link_lost, link_up, pose, reduced, tick
+from tests.support.fleets import (
+    F0,
+    LINK,
+    R0,
+    T0,
+    battery,
+    fleet,
+    link_lost,
+    link_up,
+    pose,
+    queue,
+    reduced,
+    tick,
+)
 
 F1 = F0.replace("0", "1")
 
@@ -42,6 +56,20 @@ def test_the_next_one_in_trouble_is_the_next_row_of_the_alarms() -> None:
     assert next_in_trouble(state, R0) == "robot_1" and next_in_trouble(state, "robot_1") == R0
     first = reduced(state, AlarmAcknowledged(R0, "battery"))
     assert next_in_trouble(first, "robot_2") == "robot_1", "who needs a person is first"
+
+
+def test_without_an_alarm_the_next_one_is_a_robot_that_waits() -> None:
+    standing = [pose(T0 + n, robot="robot_1") for n in range(int(LONG_STILL) + 1)]
+    state = reduced(
+        fleet(2),
+        link_up(T0),
+        queue(T0, (1, 1, 2, "W"), current=1, robot="robot_1"),
+        *standing,
+        pose(T0 + LONG_STILL, 5.0),
+        tick(T0 + LONG_STILL),
+    )
+    assert next_in_trouble(state, R0) == "robot_1"
+    assert next_in_trouble(reduced(state, pose(T0 + LONG_STILL, 9.0, robot="robot_1")), R0) == ""
 
 
 def test_the_marked_alarm_is_the_next_one_until_its_robot_is_selected() -> None:

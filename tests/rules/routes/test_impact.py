@@ -5,8 +5,9 @@ from msgspec.structs import replace
 
 from fleet_tui.model.desk.desk import ends_of
 from fleet_tui.model.desk.events import EdgeClosed
-from fleet_tui.model.events import ObstacleReported
+from fleet_tui.model.events import ObstacleReported, PoseReported
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.geometry import Pose
 from fleet_tui.rules.routes.impact import cut_orders, edge_under, is_in_the_way
 from tests.support.fleets import F0, R0, T0, fleet, link_up, pose, queue, reduced
 from tests.support.street import AROUND, fleet_with
@@ -70,3 +71,11 @@ def test_another_way_that_is_no_longer_is_no_detour() -> None:
     (found,) = cut_orders(state, ends_of(F0, "2", "3"))
     same = replace(found, around=found.metres)
     assert (found.text[:8], same.text) == ("detour +", "another way, as long")
+
+
+@pytest.mark.parametrize(
+    ("yaw", "ahead"), [(0.1, ("2", "3")), (3.1, ("1", "2")), (1.5, ("2", "4")), (-1.5, None)]
+)
+def test_at_a_vertex_it_is_the_edge_that_the_robot_faces(yaw: float, ahead: tuple[str, str] | None) -> None:
+    robot = fleet_with(PoseReported(R0, T0, Pose(10.2, 0.0, yaw), F0, None), robots=1).robots[R0]
+    assert edge_under(robot) == (ends_of(F0, *ahead) if ahead else None)

@@ -1,6 +1,7 @@
 """Reasons that a robot itself gives: what it says, how late, and where it jumped."""
 
 import pytest
+from msgspec.structs import replace
 
 from fleet_tui.model.commands import (
     PauseRobot,
@@ -12,7 +13,10 @@ from fleet_tui.model.events import (
     Event,
     PausedReported,
 )
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import Kind
+from fleet_tui.rules.alarms.classes import CLASSES
+from fleet_tui.rules.why.reason import Strength
 from fleet_tui.rules.why.robot import stale_pose
 from fleet_tui.rules.why.why import reasons
 from tests.support.fleets import (
@@ -127,3 +131,22 @@ def test_no_orders_is_not_told_below_a_certain_cause() -> None:
     assert names(Planted("obstacle:robot_0").run(6).state)[0].startswith("obstacle")
     assert "no orders" not in names(Planted("obstacle:robot_0").run(6).state)
     assert "no orders" in names(Planted().run(6).state)
+
+
+def late_and_silent(late: float) -> FleetState:
+    state = reduced(fleet(2), link_up(T0), pose(T0), pose(T0, robot="robot_1"), tick(T0 + 20))
+    return replace(state, links={name: replace(link, late=late) for name, link in state.links.items()})
+
+
+def test_silence_behind_a_bridge_that_is_late_is_laid_to_the_bridge() -> None:
+    bridge, silence = reasons(late_and_silent(25.0), late_and_silent(25.0).robots[R0])[:2]
+    assert (bridge.name, bridge.strength) == ("messages 25 s late", Strength.CERTAIN)
+    assert (silence.name, silence.strength) == ("offline 20 s", Strength.POSSIBLE)
+    assert reasons(late_and_silent(0.0), late_and_silent(0.0).robots[R0])[0].name == "offline 20 s"
+
+
+def test_silence_of_all_robots_of_a_link_points_to_what_they_share() -> None:
+    alone = reduced(late_and_silent(0.0), pose(T0 + 20, robot="robot_1"))
+    assert reasons(alone, alone.robots[R0])[0].remedy == CLASSES["offline"].action
+    both = late_and_silent(0.0)
+    assert reasons(both, both.robots[R0])[0].remedy.startswith("All 2 robots of rosbridge are silent")
