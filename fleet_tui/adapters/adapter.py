@@ -78,12 +78,14 @@ class ActionGoal(NamedTuple):
 
 class Publication(NamedTuple):
     """A message on a topic, without an answer. `name` is the name under which the robot will list the order
-    that it gives, if any. A second delivery has no further effect."""
+    that it gives, if any. A second delivery has no further effect, unless `is_request`: then it is sent
+    once only, and answered by the event RequestAnswered with its name."""
 
     address: str
     type: str
     message: Mapping[str, object]
     name: str = ""
+    is_request: bool = False
 
 
 Outgoing = ServiceCall | ActionGoal | Publication

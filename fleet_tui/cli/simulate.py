@@ -15,7 +15,7 @@ from fleet_tui.cli.options import NearestGroup, NumberRange, appearance, merged,
 from fleet_tui.errors import did_you_mean
 from fleet_tui.simulator.faults import parse_faults_of
 from fleet_tui.simulator.kinds import KINDS
-from fleet_tui.simulator.site import MIXED, faults_of, needs_graph_files, site_of
+from fleet_tui.simulator.site import MIXED, faults_of, mixed_kinds, needs_graph_files, site_of
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -97,8 +97,8 @@ _floors = _count("--floors", 20, SimulatedFleet().floors, "Number of floors.")
 def _check(kind: str, robots: int, ros: str | None) -> None:
     """Reject options that such robots don't support. Raises UsageError."""
     if kind == MIXED:
-        if robots < len(KINDS):
-            raise click.UsageError(f"all {len(KINDS)} kinds need at least --robots {len(KINDS)}")
+        if robots < (least := len(mixed_kinds())):
+            raise click.UsageError(f"all {least} kinds need at least --robots {least}")
         if ros:
             raise click.UsageError("--ros needs a single kind: a mixed fleet runs on ROS 1 and 2")
     elif ros and ros not in KINDS[kind].ros:

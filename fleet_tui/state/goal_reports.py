@@ -104,7 +104,8 @@ def know_stops(robot: Robot, order_id: str, stops: tuple[Stop, ...], is_ours: bo
     if goals == robot.goals or robot.queue is None:
         return robot
     orders = tuple(
-        replace(order, stops=stops) if order.id == order_id else order for order in robot.orders.orders
+        replace(order, stops=stops, label="") if order.id == order_id else order
+        for order in robot.orders.orders
     )
     traces = {
         id_: replace(trace, order=replace(trace.order, stops=stops)) if id_ == order_id else trace

@@ -9,7 +9,7 @@ from fleet_tui.model import events, navigation_events
 from fleet_tui.model.alarm import advance
 from fleet_tui.model.desk.events import OperatorEvent
 from fleet_tui.model.fleet import FleetState, with_robot
-from fleet_tui.model.fleets.events import MemberFact
+from fleet_tui.model.fleets.events import DispatchFailed, MemberFact, RequestAnswered
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.link import Phase
 from fleet_tui.model.navigation_events import Navigation
@@ -206,7 +206,7 @@ def apply(state: FleetState, event: events.Event) -> FleetState:
             return issue_command(state, event)
         case events.CommandAdvanced():
             return advance_command(state, event)
-        case navigation_events.GoalAnswered():
+        case navigation_events.GoalAnswered() | RequestAnswered() | DispatchFailed():
             return take_answer(state, event)
         case navigation_events.QueueHeld() | navigation_events.OrderMoved():
             return change_queue(state, event)

@@ -69,7 +69,7 @@ LABELS = st.lists(st.tuples(IDS, st.text(max_size=3)), max_size=3).map(tuple)
 
 
 COMMANDS = st.one_of(
-    st.builds(PlaceOrder, ROBOTS, STOPS.filter(len)),
+    st.builds(PlaceOrder, ROBOTS, STOPS.filter(len), st.booleans()),
     st.builds(CancelOrder, ROBOTS, IDS),
     *(st.builds(kind, ROBOTS) for kind in (ClearOrders, PauseRobot, ResumeRobot, Localise, Settle)),
     *(st.builds(kind, ROBOTS, FLOORS, PLACES) for kind in (SetPose, SendGoal)),
@@ -165,6 +165,11 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
         *(ROBOTS, AT, st.sampled_from(["idle", "offline"]), IDS, ISSUES, st.none() | PLACES, FLOORS),
         st.none() | st.floats(0, 101),
     ),
+    fleet_events.RequestAnswered: st.builds(
+        fleet_events.RequestAnswered,
+        *(IDS, AT, st.sampled_from([Stage.ACCEPTED, Stage.REFUSED]), st.text(max_size=4), IDS),
+    ),
+    fleet_events.DispatchFailed: st.builds(fleet_events.DispatchFailed, IDS, AT, st.text(max_size=4)),
     fleet_events.TaskReported: st.builds(fleet_events.TaskReported, ROBOTS, AT, TASKS, FEW),
     events.PoseReported: st.builds(
         events.PoseReported,

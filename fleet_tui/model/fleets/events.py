@@ -6,6 +6,7 @@ life.
 
 from msgspec import Struct
 
+from fleet_tui.model.commands import Stage
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation import Goal
 
@@ -46,4 +47,24 @@ class TaskReported(Struct, frozen=True, tag=True):
     seconds: float | None = None
 
 
+class RequestAnswered(Struct, frozen=True, tag=True):
+    """The answer to a request of any console, by its id: ACCEPTED or REFUSED with the reason. `task` is the
+    id of the task that it made, empty for none."""
+
+    request: str
+    at: float
+    stage: Stage
+    detail: str = ""
+    task: str = ""
+
+
+class DispatchFailed(Struct, frozen=True, tag=True):
+    """A task for which the dispatcher found no robot."""
+
+    task: str
+    at: float
+    reason: str
+
+
+DispatchFact = RequestAnswered | DispatchFailed
 MemberFact = MemberReported | StatusReported | TaskReported

@@ -14,7 +14,7 @@ from msgspec.structs import replace
 from fleet_tui.errors import did_you_mean
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, PAUSE, RESUME
+from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_ANY, ORDER_TO, PAUSE, RESUME
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.order import PENDING
 from fleet_tui.model.problem import Permissions, Problem
@@ -57,7 +57,7 @@ def ability_for(command: Command) -> str:
     """Return the ability that a robot needs for a command."""
     match command:
         case PlaceOrder():
-            return ORDER_TO if command.with_cargo else ORDER
+            return ORDER_ANY if command.to_any else ORDER_TO if command.with_cargo else ORDER
         case CancelOrder():
             return CANCEL
         case ClearOrders():
@@ -148,7 +148,7 @@ def nothing_to_clear(state: FleetState, robot: Robot, command: Command) -> Itera
     if isinstance(command, ClearOrders) and robot.kind.lists_orders:
         if clearable(state, robot):
             return
-        old, ours = not state.is_fresh(robot, "queue"), " of this console" * robot.kind.keeps_goals
+        old, ours = not state.is_fresh(robot, "queue"), " of this console" * robot.kind.clears_own
         text = f"{robot.name} {f'had no orders{ours} at last report' if old else f'has no orders{ours}'}"
         yield Problem("nothing to clear", text, blocks=not old)
 
@@ -190,6 +190,9 @@ FIRST: tuple[Check, ...] = (no_way_there, cargo)
 """Checks of only the first command to a robot: the others follow it."""
 
 
+OF_ANY: tuple[Check, ...] = (no_link, unknown_vertex, same_place)  # its dispatcher knows the rest
+
+
 def not_accepted(state: FleetState, commands: Sequence[Command]) -> list[Problem]:
     """Return the commands that robots can't take because of their kind; robots with the same reason are named
     together."""
@@ -228,7 +231,8 @@ def problems(state: FleetState, request: Request, allowed: Permissions) -> list[
         if robot is None:
             found.append(unknown_robot(state, command.robot))
             continue
-        for check in CHECKS if robot.name in asked else CHECKS + FIRST:
+        checks = CHECKS if robot.name in asked else CHECKS + FIRST
+        for check in OF_ANY if isinstance(command, PlaceOrder) and command.to_any else checks:
             found += check(state, robot, command)
         if robot.name not in asked:
             found += mistakable(robot, request.floors)
