@@ -23,6 +23,7 @@ from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.errors import ConfigError, did_you_mean
 from fleet_tui.keymap import keymap
 from fleet_tui.keys.key import key_name
+from fleet_tui.languages import use_language
 from fleet_tui.log_file import log_to_file, state_folder
 from fleet_tui.maps.draft_file import draft_of
 from fleet_tui.recording.incident import pack as pack_incident
@@ -224,6 +225,7 @@ def _ready(
         LOG.warning("%s", warning)
     more = f" and {len(warnings) - 1} more" if warnings[1:] else ""
     message = "; ".join([*(f"{one}{more}" for one in warnings[:1]), *filter(None, [message])])
+    use_language(config.ui.language)
     mode, colour = drawing_for(drawing or config.ui.drawing), has_colour()
     app = make(themes, mode, colour, terminal=description(mode, colour), message=message)
     if mode is Drawing.ASCII and not has_unicode():

@@ -96,10 +96,12 @@ class Operator(msgspec.Struct, frozen=True):
 
 
 class Ui(msgspec.Struct, frozen=True):
-    """`[ui]`: ticks per second of the screen, milliseconds between messages of a topic."""
+    """`[ui]`: ticks per second of the screen, milliseconds between messages of a topic; a `language` has a
+    catalogue of its name in `locales/`."""
 
     theme: str = "dark"
     drawing: Literal["auto", "braille", "half-block", "ascii"] = "auto"
+    language: Literal["en", "pt", "de"] = "en"
     ticks_per_second: Annotated[float, msgspec.Meta(ge=1, le=30)] = 10.0
     pose_ms: Annotated[int, msgspec.Meta(ge=0, le=60_000)] = 100
     status_ms: Annotated[int, msgspec.Meta(ge=0, le=60_000)] = 500

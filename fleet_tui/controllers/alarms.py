@@ -16,6 +16,7 @@ from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.sites import of_site, sites_of
 from fleet_tui.state.store import Store
 from fleet_tui.text.durations import age
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.tables.alarms import unacknowledged
 from fleet_tui.widgets.rows_pane import RowsPane
@@ -110,7 +111,7 @@ class AlarmResponses:
             self._navigation.select(source)
         first, last = self._clock(alarm.first_wall), self._clock(alarm.last_wall)
         seen = f"first seen {first}, last seen {last}, x{alarm.count}"
-        title = f"{source}: {sanitize(alarm.text)}\n{CLASSES[class_of(kind)].action}\n{seen}"
+        title = f"{source}: {tr(sanitize(alarm.text))}\n{CLASSES[class_of(kind)].action}\n{seen}"
         # What is not always offered is last: each number means the same also after an acknowledgement.
         entries = [*self._ways_to(alarm), *self._shelve(alarm), *self._commands(alarm), *self._answers(alarm)]
         self._open_menu(title, entries)

@@ -16,6 +16,7 @@ from fleet_tui.keys import KEYS, Key, Pane, outdone
 from fleet_tui.keys.key import key_name
 from fleet_tui.rules.sites import robots_at, sites_of
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.help.synonyms import SYNONYMS
 from fleet_tui.view.lines.hints import hidden_keys, unoffered_keys
@@ -57,17 +58,24 @@ class Offers:
         for key in KEYS:
             if key.in_palette and key.pane in (*self._session.panes, Pane.ANYWHERE) and key.id not in hidden:
                 shown = "".join(map(key_name, self._settings.keys[key.id][:1]))
-                yield Offer(key.text, partial(self._run, key), shown, also=SYNONYMS.get(key.id, ""))
+                yield Offer(
+                    tr(key.text),
+                    partial(self._run, key),
+                    shown,
+                    also=f"{key.text} {SYNONYMS.get(key.id, '')}",
+                )
         for name in state.robots:
-            yield Offer(f"Go to robot {name}", partial(navigation.find_robot, name), name=name)
+            yield Offer(tr(f"Go to robot {name}"), partial(navigation.find_robot, name), name=name)
         for floor in state.floors:
-            yield Offer(f"Go to floor {floor}", partial(navigation.find_floor, floor), name=floor)
+            yield Offer(tr(f"Go to floor {floor}"), partial(navigation.find_floor, floor), name=floor)
         for site in filter(None, sites_of(state)):
             for first in robots_at(state, site)[:1]:
-                yield Offer(f"Go to site {sanitize(site)}", partial(navigation.find_robot, first), name=site)
+                yield Offer(
+                    tr(f"Go to site {sanitize(site)}"), partial(navigation.find_robot, first), name=site
+                )
         yield from self._vertices()
         for name, use in self._settings.themes.items():
-            yield Offer(f"Theme: {sanitize(name)}", use)
+            yield Offer(tr(f"Theme: {sanitize(name)}"), use)
 
     def _vertices(self) -> Iterator[Offer]:
         robot = self._store.state.robots[self._navigation.robot]
@@ -76,7 +84,7 @@ class Offers:
                 vertex = robot_map.graph.vertices.get(id_) if robot_map.graph else None
                 if vertex is not None:
                     find = partial(self._navigation.find_vertex, floor, vertex.x, vertex.y)
-                    yield Offer(f"Go to vertex {sanitize(label)}", find, name=label)
+                    yield Offer(tr(f"Go to vertex {sanitize(label)}"), find, name=label)
 
     def typed(self, line: str) -> Typed:
         """Parse a typed line: a time, a file to save to, else a command."""

@@ -18,6 +18,7 @@ from fleet_tui.audit.search import Search, search_of
 from fleet_tui.errors import FleetError
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.screens.overlay import Overlay
+from fleet_tui.text.language import tr
 from fleet_tui.view.tables.audit import audit_table, details
 from fleet_tui.widgets.field import Field, Keys
 from fleet_tui.widgets.messages import RowChosen, RowPicked
@@ -51,7 +52,7 @@ class AuditLog(Overlay):
             "pageup": partial(self.rows.move, -10),
             "pagedown": partial(self.rows.move, 10),
         }
-        yield Field(keys, id="audit-filter", placeholder=HOW)
+        yield Field(keys, id="audit-filter", placeholder=tr(HOW))
         yield self.rows
         yield Static(id="audit-detail", markup=False)
 
@@ -76,7 +77,7 @@ class AuditLog(Overlay):
         """Return the log and the search, unless the typed text is no valid search."""
         audit = self._audit()
         if audit is None:
-            self._list([], empty="no audit log on this console")
+            self._list([], empty=tr("no audit log on this console"))
             return None
         try:
             typed = self.query_one(Field).value
@@ -95,7 +96,7 @@ class AuditLog(Overlay):
         """Read the newest matching records, in a thread."""
         worker = get_current_worker()
         found: list[AuditRecord] = []
-        problem = "no matching record"
+        problem = tr("no matching record")
         try:
             for record in reading.newest_first():
                 if worker.is_cancelled:
@@ -105,8 +106,8 @@ class AuditLog(Overlay):
                     if len(found) > SHOWN:
                         break
         except OSError as failed:
-            problem = f"log not readable: {failed.strerror}"
-        note = f"newest {SHOWN}" if len(found) > SHOWN else str(len(found))
+            problem = tr(f"log not readable: {failed.strerror}")
+        note = tr(f"newest {SHOWN}") if len(found) > SHOWN else str(len(found))
         if reading.note:
             note += f", {reading.note}"
         if not worker.is_cancelled:
@@ -141,7 +142,7 @@ class AuditLog(Overlay):
     def _export(self) -> None:
         wanted = self._wanted()
         if wanted is not None:
-            self._say("writing ...")
+            self._say(tr("writing ..."))
             self.run_worker(partial(self._write, *wanted), thread=True, group="audit export")
 
     def _write(self, reading: "AuditReader", search: "Search") -> None:
@@ -157,9 +158,9 @@ class AuditLog(Overlay):
         path = reading.path.with_name(f"audit-{datetime.now():%Y%m%d-%H%M%S}.csv")
         try:
             count = export(path, wanted())
-            said = f"{count} record{'s' * (count != 1)} written to {path}"
+            said = tr(f"{count} record{'s' * (count != 1)} written to {path}")
         except InterruptedError:
             return
         except OSError as problem:
-            said = f"not written: {path}: {problem.strerror}"
+            said = tr(f"not written: {path}: {problem.strerror}")
         self.app.call_from_thread(self._say, said)

@@ -10,6 +10,7 @@ from textual.containers import Horizontal
 from textual.widgets import Button, Static
 
 from fleet_tui.screens.overlay import Dialog, MouseButton
+from fleet_tui.text.language import tr
 
 ASK_AGAIN_EVERY = 0.5
 
@@ -26,8 +27,8 @@ class Confirm(Dialog, can_focus=True):
         """Compose the question above its two answers."""
         yield Static(id="question", markup=False)
         with Horizontal():
-            yield MouseButton("y  Yes", id="yes", compact=True)
-            yield MouseButton("n  No (Enter)", id="no", compact=True)
+            yield MouseButton(tr("y  Yes"), id="yes", compact=True)
+            yield MouseButton(tr("n  No (Enter)"), id="no", compact=True)
 
     def on_mount(self) -> None:
         """Update the question while it is open."""
@@ -36,7 +37,7 @@ class Confirm(Dialog, can_focus=True):
     def ask(self, question: Callable[[], str], then: Callable[[], None]) -> None:
         """Ask, and call `then` only after a yes."""
         self._question, self._then = question, then
-        self.query_one("#question", Static).update(question())
+        self.query_one("#question", Static).update(tr(question()))
         self._timer.resume()
         self.open(self)
 
@@ -44,7 +45,7 @@ class Confirm(Dialog, can_focus=True):
         if not self.is_open:
             self._timer.pause()
         elif question := self._question():
-            self.query_one("#question", Static).update(question)
+            self.query_one("#question", Static).update(tr(question))
         else:
             self.action_close()
 

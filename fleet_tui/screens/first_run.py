@@ -14,6 +14,7 @@ from fleet_tui.discovery.address import bridge_at
 from fleet_tui.discovery.site import WITHIN, DiscoveredSite, start_discovery
 from fleet_tui.errors import FleetError
 from fleet_tui.screens.before import RowsScreen
+from fleet_tui.text.language import tr
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrival import Asked, Rows, first_run_rows
 from fleet_tui.widgets.field import Field
@@ -46,7 +47,7 @@ class FirstRun(RowsScreen):
     ) -> None:
         super().__init__(styles, KEYS)
         self._places, self._done = places, done
-        self._address, self._asked = address, Asked(address, "discovering the fleet")
+        self._address, self._asked = address, Asked(address, tr("discovering the fleet"))
         self._site: DiscoveredSite | None = None
         self._asking: Worker[None] | None = None
         self._field = Field({"enter": self._typed, "escape": self._close}, id="address")
@@ -77,7 +78,7 @@ class FirstRun(RowsScreen):
 
     async def _ask(self) -> None:
         address = self._address
-        self._asked = Asked(address, "discovering the fleet")
+        self._asked = Asked(address, tr("discovering the fleet"))
         try:
             asking = start_discovery(bridge_at(address), WITHIN, self._watch)
             site = await asyncio.wrap_future(asking)
@@ -90,8 +91,8 @@ class FirstRun(RowsScreen):
 
     def _watch(self, done: int, total: int, doing: str) -> None:
         """Record progress, on the network's thread."""
-        count = f", {done} of {total}" if total else ""
-        self._asked = self._asked._replace(words=f"discovering the fleet: {doing}{count}")
+        count = tr(f", {done} of {total}") if total else ""
+        self._asked = self._asked._replace(words=tr(f"discovering the fleet: {doing}{count}"))
 
     def action_open(self) -> None:
         """Open the console on the discovered robots."""
@@ -133,10 +134,10 @@ class FirstRun(RowsScreen):
 def _found(site: DiscoveredSite) -> Asked:
     """Return the text of the result. Raises FleetError if no robot was found."""
     names, floors = [robot.name for robot in site.config.robots], [floor.name for floor in site.config.floors]
-    more = [_listed(names), _listed(floors), "Enter opens the console. No commands are sent before that."]
+    more = [_listed(names), _listed(floors), tr("Enter opens the console. No commands are sent before that.")]
     return Asked(site.bridge.shown, site.summary, tuple(more), is_found=True, is_over=True)
 
 
 def _listed(names: Sequence[str], most: int = 6) -> str:
-    more = f" and {len(names) - most} more" if len(names) > most else ""
+    more = tr(f" and {len(names) - most} more") if len(names) > most else ""
     return ", ".join(names[:most]) + more

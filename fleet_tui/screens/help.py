@@ -9,6 +9,7 @@ from textual.widgets import Input
 
 from fleet_tui.documentation import headings, pages, subject
 from fleet_tui.screens.overlay import Overlay
+from fleet_tui.text.language import tr
 from fleet_tui.view.help.layout import help_lines
 from fleet_tui.view.help.pages import Pages, tabs
 from fleet_tui.view.help.section import HelpRow, HelpSection, search
@@ -32,7 +33,7 @@ def _documentation() -> HelpSection:
         for name, text in texts.items()
         if name != "index"
     ]
-    return HelpSection("Documentation, in a shell", tuple(rows))
+    return HelpSection(tr("Documentation, in a shell"), tuple(rows))
 
 
 class Help(Overlay):
@@ -57,7 +58,9 @@ class Help(Overlay):
             "pagedown": partial(self._text.scroll_pages, 1),
         }
         yield Field(
-            keys, id="search", placeholder="type to search all pages; Tab: next page; PgDn: more; Esc: close"
+            keys,
+            id="search",
+            placeholder=tr("type to search all pages; Tab: next page; PgDn: more; Esc: close"),
         )
         yield self._tabs
         yield self._text
@@ -105,7 +108,7 @@ class Help(Overlay):
             every = {id(one): one for sections in self._pages.values() for one in sections}
             sections = search([*every.values(), _documentation()], wanted)
         if not sections:
-            sections = [HelpSection(f"nothing matches {wanted!r}", (HelpRow((), ELSEWHERE),))]
+            sections = [HelpSection(tr(f"nothing matches {wanted!r}"), (HelpRow((), tr(ELSEWHERE)),))]
         runs, buttons = tabs(self._pages, "" if wanted else self._page)
         self._tabs.show(runs, buttons=buttons)
         self._text.show(partial(help_lines, sections))

@@ -9,6 +9,7 @@ from textual.widgets import OptionList, Static
 
 from fleet_tui.controllers.typed import Entry
 from fleet_tui.screens.overlay import Dialog
+from fleet_tui.text.language import tr
 
 
 class Menu(Dialog):
@@ -29,10 +30,10 @@ class Menu(Dialog):
     def show(self, title: str, entries: Sequence[Entry]) -> None:
         """Show the entries."""
         self._entries = entries
-        self.query_one("#menu-title", Static).update(title)
+        self.query_one("#menu-title", Static).update(tr(title))
         options = self.query_one(OptionList)
         options.clear_options()
-        options.add_options([f"{n}  {text}" for n, (text, _) in enumerate(entries, 1)])
+        options.add_options([f"{n}  {tr(text)}" for n, (text, _) in enumerate(entries, 1)])
         options.highlighted = 0
         self.open(options)
 

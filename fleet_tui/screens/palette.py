@@ -11,6 +11,7 @@ from fleet_tui.controllers.offers import Offer
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.rules.language.ranking import rank
 from fleet_tui.screens.overlay import Overlay
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.widgets.field import Field, Keys
 from fleet_tui.widgets.matches import Matches
@@ -38,7 +39,7 @@ class Palette(Overlay):
             "down": partial(self._matches.step, 1),
             "ctrl+p": self.action_close,
         }
-        yield Field(keys, id="request", placeholder="action, robot, place or order: robot_0 Base > Store")
+        yield Field(keys, id="request", placeholder=tr("action, robot, place or order: robot_0 Base > Store"))
         yield self._matches
 
     def show(self, line: str = "") -> None:
@@ -69,7 +70,7 @@ class Palette(Overlay):
         line = self.query_one(Field).value
         typed, command = line.strip(), self._typed_as(line)
         entries = list(self._entries())
-        offers = (Offer(*entry) for entry in command.entries)
+        offers = (Offer(tr(text), do) for text, do in command.entries)
         found = [*offers, *_matching(typed, entries)][:SHOWN]
         if command.is_command or not found:
             lines = [one for one in command.completed if one.strip() != typed]
@@ -77,7 +78,7 @@ class Palette(Overlay):
         if typed and not command.is_command:
             found += [one for one in entries if rank(typed, one.also) is not None and one not in found]
         if not found and typed:
-            said = command.problem or f"no match for {sanitize(typed)}: press ? for all keys"
+            said = tr(command.problem) or tr(f"no match for {sanitize(typed)}: press ? for all keys")
             found = [Offer(said, partial(self._go_on, line))]
         self._found = found
         self._matches.show([offer.text for offer in found], keys=[offer.key for offer in found])

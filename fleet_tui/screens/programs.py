@@ -20,6 +20,7 @@ from fleet_tui.programs.arguments import log
 from fleet_tui.programs.log_tail import LogTail
 from fleet_tui.programs.watch import ProgramWatch
 from fleet_tui.screens.overlay import ReturningOverlay
+from fleet_tui.text.language import tr
 from fleet_tui.view.programs.table import log_table, note, program_table
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.widgets.bindings import overlay_bindings
@@ -69,7 +70,7 @@ class Programs(ReturningOverlay):
             "pagedown": partial(self.rows.move, 10),
         }
         yield Field(
-            keys, id="program-filter", placeholder="type to filter the log; Esc: back to the programs"
+            keys, id="program-filter", placeholder=tr("type to filter the log; Esc: back to the programs")
         )
         yield self.rows
         yield Static(id="program-note", markup=False)
@@ -151,7 +152,7 @@ class Programs(ReturningOverlay):
         said = note(marked, now) if marked is not None else ""
         if said != self._noted:  # an update lays out the whole screen
             self._noted = said
-            self.query_one("#program-note", Static).update(said)
+            self.query_one("#program-note", Static).update(tr(said))
 
     def _show_log(self) -> None:
         wanted = self.query_one(Field).value.strip()

@@ -179,23 +179,23 @@ class Rest:
 
     async def mount(self, screen: "MainScreen") -> None:
         """Mount all widgets, the focus on the map. The audit log starts before there is a link."""
-        opens = (self.order_form, self.confirm, self.menu, self.key_help, self.palette, self.why)
+        panes, below_map = screen.panes, (self.order_form, self.why, self.menu)
+        opens = (*below_map, self.confirm, self.key_help, self.palette)
         with screen.app.batch_update():
             await screen.query_one("#map").remove()
-            await screen.panes.floor.mount(self.camera_switch.view, self.map, before=0)
+            await panes.floor.mount(self.camera_switch.view, self.map, before=0)
             if len(screen.store.state.floors) > 1:
-                aside, below = self.small_maps
-                await screen.panes.small_maps.mount(aside)
-                await screen.panes.maps_below.mount(below)
+                await panes.mount_small_maps(*self.small_maps)
             tools = (self.audit_log, self.diagnostics, self.history, self.programs, self.routines)
             await screen.mount(*opens, *tools, *self.tables.widgets, self.robot_page)
+            panes.keep_below_map(*below_map)
             if (time_line := screen.session.time_line()) is not None:
                 self.styled.append(time_line)
                 await screen.mount(time_line, before="#hints")
         has_few_colours = not screen.app.is_headless and screen.app.console.color_system == "standard"
         self._has_few_colours = screen.app.ansi_color or has_few_colours
         self.map.picture.hatch(self._has_few_colours)
-        self.map.picture.hint = "".join(f"{key_name(key)} legend" for key in screen.settings.keys["help"][:1])
+        self.map.picture.hint = "".join(key_name(key) for key in screen.settings.keys["help"][:1])
         screen.set_focus(self.map)
         screen.files.open()
         join_desk(screen)

@@ -18,6 +18,7 @@ from fleet_tui.controllers.typed import OpenMenu
 from fleet_tui.log_file import state_folder
 from fleet_tui.routines.look import RoutinePlace
 from fleet_tui.screens.overlay import ReturningOverlay
+from fleet_tui.text.language import tr
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.routines.table import routine_table, text_table
 from fleet_tui.widgets.bindings import overlay_bindings
@@ -125,7 +126,7 @@ class Routines(ReturningOverlay):
         text = marked.runs[-1][0] if marked is not None else ""
         if text != self._noted:  # an update lays out the whole screen
             self._noted = text
-            self.query_one("#routine-note", Static).update(text)
+            self.query_one("#routine-note", Static).update(tr(text))
 
     @property
     def has_losses(self) -> bool:

@@ -13,6 +13,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.lookup import Place, destination_only, may_skip_start, order_of, places
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 
 
@@ -74,7 +75,7 @@ class Simple(Vertical):
         """Compose the four buttons, a note on missing input, and the list that replaces them."""
         for field in ("robot", "from", "to"):
             yield Large("", field, self._ask)
-        yield Large("Send", "send", self._finish, variant="primary")
+        yield Large(tr("Send"), "send", self._finish, variant="primary")
         yield Static(id="simple-missing", markup=False)
         yield Static(id="simple-question", markup=False)
         yield Choices(self._choose)
@@ -87,17 +88,17 @@ class Simple(Vertical):
             self._chosen.clear()
             self._leave()
         only_to = destination_only(robot)
-        to = "To, for the cargo on board: " if only_to and robot.has_cargo else "To: "
-        start = "current position" if may_skip_start(robot) else "choose ..."
+        to = tr("To, for the cargo on board: ") if only_to and robot.has_cargo else tr("To: ")
+        start = tr("current position") if may_skip_start(robot) else tr("choose ...")
         shown = (robot.name, only_to, self._choosing, *self._chosen.items())
         if shown == self._shown:
             return
         self._shown = shown
         names = {field: sanitize(place.name) for field, place in self._chosen.items()}
         # As Content: a label from the wire is text, whatever markup it looks like.
-        self._button("robot").label = Content(f"Robot: {sanitize(robot.name)}")
-        self._button("from").label = Content(f"From: {names.get('from', start)}")
-        self._button("to").label = Content(to + names.get("to", "choose ..."))
+        self._button("robot").label = Content(tr(f"Robot: {sanitize(robot.name)}"))
+        self._button("from").label = Content(tr(f"From: {names.get('from', start)}"))
+        self._button("to").label = Content(to + names.get("to", tr("choose ...")))
         self._button("send").variant = "default" if self._missing() else "primary"
         for field in ("robot", "from", "to", "send"):
             self._button(field).display = not self._choosing and (field != "from" or not only_to)
@@ -120,7 +121,7 @@ class Simple(Vertical):
     def _say(self, text: str) -> None:
         note = self.query_one("#simple-missing", Static)
         note.set_class(bool(text), "-missing")
-        note.update(text or "Esc: back to the map")
+        note.update(tr(text) or tr("Esc: back to the map"))
 
     def _leave(self) -> None:
         self._choosing = ""
@@ -157,15 +158,15 @@ class Simple(Vertical):
         self._choices = [] if field == "robot" else places(robot)
         names = [f"{sanitize(place.name)}  ({place.floor})" for place in self._choices]
         if field != "robot" and not names:
-            self._say(f"no places of {robot.name} received yet")
+            self._say(tr(f"no places of {robot.name} received yet"))
             return
         self._choosing = field
         options = self.query_one(OptionList)
         options.clear_options()
         options.add_options(list(self._state().robots) if field == "robot" else names)
         options.highlighted = 0
-        question = {"robot": "Which robot?", "from": "From where?", "to": "Where to?"}[field]
-        self.query_one("#simple-question", Static).update(f"{question}  (Esc: back)")
+        question = {"robot": tr("Which robot?"), "from": tr("From where?"), "to": tr("Where to?")}[field]
+        self.query_one("#simple-question", Static).update(tr(f"{question}  (Esc: back)"))
         self.show()
         self.screen.set_focus(options)
 
@@ -186,7 +187,7 @@ class Simple(Vertical):
     def _finish(self, _field: str) -> None:
         robot, missing = self._robot(), self._missing()
         if missing:
-            self._say(f"{missing.capitalize()} is missing: choose where {_PURPOSE[missing]}")
+            self._say(tr(f"{tr(missing.capitalize())} is missing: choose where {tr(_PURPOSE[missing])}"))
             self.screen.set_focus(self._button(missing))
             return
         only_to = destination_only(robot) or (may_skip_start(robot) and "from" not in self._chosen)

@@ -16,6 +16,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.localisation.match import Match
 from fleet_tui.rules.why.complaints import complaints
 from fleet_tui.screens.robot.overlay import RobotOverlay, robot_bindings
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.impact import why_impact
 from fleet_tui.view.lines.why import UNBROKEN, why_lines
@@ -79,7 +80,7 @@ class Why(RobotOverlay):
     def look(self) -> None:
         """Show the current reasons."""
         state, name = self._looked_at()
-        self.border_title = Content(f"Why: {sanitize(name)}")
+        self.border_title = Content(tr(f"Why: {sanitize(name)}"))
         text, robot = self.query_one("#reasons", Static), state.robots[name]
         self._search_ways(state, robot)
         cut = self._cut[1] if self._cut[0] == name else []

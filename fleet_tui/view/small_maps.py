@@ -6,6 +6,7 @@ from dataclasses import replace
 from msgspec.structs import replace as with_floor
 
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width
 from fleet_tui.view.layout import USUAL_SHAPE
 from fleet_tui.view.map.cells import Cells
@@ -32,8 +33,8 @@ def _robots(scene: Scene, width: int) -> str:
     """Return the names of the robots on a floor, their number if that is too long for a caption."""
     names, count = ", ".join(robot.name for robot in scene.robots), len(scene.robots)
     if cell_width(names) > width - cell_width(scene.floor) - CAPTION_GAPS:
-        return f"{count} robot{'s' * (count > 1)}"
-    return names or "no robot"
+        return tr(f"{count} robot{'s' * (count > 1)}")
+    return names or tr("no robot")
 
 
 def grid_of(count: int, width: int, height: int) -> tuple[int, int]:

@@ -79,6 +79,17 @@ class Panes(Container):
         self._shape = USUAL_SHAPE
         self._wanted = Wanted(0, 0, 0), 0
         self._shared_out: tuple[str, str, int] | None = None
+        self._below_map: tuple[Widget, ...] = ()
+
+    async def mount_small_maps(self, aside: Widget, below: Widget) -> None:
+        """Mount the maps of other floors, for the place beside the map and that below it."""
+        await self.small_maps.mount(aside)
+        await self.maps_below.mount(below)
+
+    def keep_below_map(self, *overlays: Widget) -> None:
+        """Keep overlays as wide as the map beside the tables."""
+        self._below_map, self._shared_out = overlays, None
+        self.share_out()
 
     @property
     def tables(self) -> tuple[RowsPane, ...]:
@@ -191,6 +202,8 @@ class Panes(Container):
         self.screen.set_class(len(heights) == 4 and not is_wide, "-beside")
         self.styles.grid_rows = rows
         self.styles.grid_columns = f"{map_width} 1fr" if is_wide else None
+        for overlay in self._below_map:
+            overlay.styles.width = map_width if is_wide else None
         for pane in self.children:
             keeps = is_wide and pane.id == "floor"
             spans = (not is_wide and not self._is_small) or alone == "floor"

@@ -4,6 +4,7 @@ from collections.abc import Callable, Sequence
 
 from textual import events, on
 
+from fleet_tui.text.language import tr
 from fleet_tui.view.tables.table import Run, cut
 from fleet_tui.widgets.runs_view import RunsView
 
@@ -43,7 +44,7 @@ class TextView(RunsView):
         self.paint_rows([*seen, *[cut((), width)] * (height - len(seen))])
         last = self._top + len(seen)
         is_whole = len(lines) <= height
-        self._moved("" if is_whole else f"{self._top + 1}-{last} of {len(lines)}, PgUp PgDn")
+        self._moved("" if is_whole else tr(f"{self._top + 1}-{last} of {len(lines)}, PgUp PgDn"))
 
     @on(events.MouseScrollUp)
     @on(events.MouseScrollDown)

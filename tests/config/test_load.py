@@ -150,6 +150,7 @@ def test_every_table_is_taken(write: Write) -> None:
         ("path = 'x'\n", "path: unknown key"),
         ("[ui]\nticks_per_second = 'ten'\n", "ui.ticks_per_second: expected a number, got text"),
         ("[ui]\npose_ms = 0.5\n", "ui.pose_ms: expected a whole number, got a number"),
+        ("[ui]\nlanguage = 'fr'\n", "ui.language: 'fr' is not one of en, pt, de"),
         (
             "[ui]\ndrawing = 'brail'\n",
             "'brail' is not one of auto, braille, half-block, ascii, did you mean braille?",

@@ -29,6 +29,7 @@ from fleet_tui.routines.progress import RoutineProgress, progress_path, resumabl
 from fleet_tui.routines.run import RoutineRun, RunParts
 from fleet_tui.rules.routines.orders import objection
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 
 UNTOLD = ("resumed", "step")
@@ -105,7 +106,7 @@ class LedRoutines:
         """Tell what a person must know: the list has the rest."""
         if not note.line and note.change not in UNTOLD:
             detail = f": {note.detail}" if note.detail else ""
-            self._notices.note(sanitize(f"{name} {robot} {note.change}{detail}"))
+            self._notices.note(sanitize(f"{name} {robot} {tr(note.change)}{tr(detail)}"))
 
     def _save(self, path: Path, progress: RoutineProgress) -> None:
         self._newest[path] = progress

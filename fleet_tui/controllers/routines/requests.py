@@ -27,6 +27,7 @@ from fleet_tui.routines.look import RoutinePlace, look_at_all
 from fleet_tui.routines.run import RoutineRun
 from fleet_tui.routines.start import Examined, examine
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.routines.lines import lane_text, lane_word, row_word
 
@@ -96,7 +97,7 @@ class RoutineRequests:
         lane = next((one for one in row.lanes if one.robot == robot and not row.is_left), None)
         state = lane_word(lane) if lane is not None else row_word(row)
         by = f", led by {row.owner}" if row.owner and run is None else ""
-        title = f"{' '.join(filter(None, (name, robot)))}: {state}{by}"
+        title = f"{' '.join(filter(None, (name, robot)))}: {tr(state)}{tr(by)}"
         where = lane_text(row.plans[robot], lane) if lane is not None else ""
         self._open_menu("\n".join(sanitize(line) for line in (title, where) if line), entries)
 

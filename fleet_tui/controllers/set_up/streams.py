@@ -11,6 +11,7 @@ from fleet_tui.model.kind import PATH, SCAN
 from fleet_tui.model.set_up.streams import Beams, PlannedPath, Points
 from fleet_tui.rules.localisation.match import Match
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import tr
 from fleet_tui.text.units import percent
 from fleet_tui.view.map.map_picture import MapPicture
 from fleet_tui.view.map.modes.place import PlaceMode
@@ -47,12 +48,12 @@ class ShownStreams:
         kind = self._store.state.robots[self._navigation.robot].kind
         if key in self._shown:
             self._shown.remove(key)
-            self._notices.say(f"{name} hidden")
+            self._notices.say(f"{tr(name)} hidden")
         elif key not in kind.streams:
             self._notices.say(kind.lack(key))
         else:
             self._shown.add(key)
-            self._notices.say(f"{name} of {self._navigation.robot}: waiting for it")
+            self._notices.say(f"{tr(name)} of {self._navigation.robot}: waiting for it")
 
     def on(self, scene: Scene) -> Scene:
         """Return the scene with the shown streams; watch those of the robot that is selected now."""

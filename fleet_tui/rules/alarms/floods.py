@@ -93,12 +93,12 @@ def _grouped(
 
 def _group(link: str, kind: str, members: Sequence[Condition]) -> Condition:
     flood, names = FLOODS[kind], [one.source for one in members]
-    same = {one.text for one in members}
+    same, count = {one.text for one in members}, len(names)
     text = "never seen" if same == {"never seen"} else flood.text
     return Condition(
         *group_key(link, kind),
         flood.priority,
-        f"{len(names)} robot{'s' * (len(names) != 1)} {text}: {some(names)}",
+        f"{count} robot{'s' * (count != 1)} {text}: {some(names)}",
         flood.over,
         parts=frozenset(names),
     )

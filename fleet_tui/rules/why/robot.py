@@ -17,6 +17,9 @@ from fleet_tui.text.units import ago
 JUMPS = 2
 """This many jumps within JUMPS_WITHIN seconds are more than corrections."""
 
+OFF_MAP = 2.0
+"""Metres beyond the map's edge from which a pose is no place on the floor."""
+
 NO_POSE = "Check the robot's localisation: its node, its laser, the topic's name"
 DIAGNOSE = ("diagnostics",)
 FULL = 95.0
@@ -148,6 +151,23 @@ def jumps(state: FleetState, robot: Robot) -> Reason | None:
     last = recent[-1]
     evidence = f"{len(recent)} pose jumps in {JUMPS_WITHIN:.0f} s, the last {last.value:.1f} m"
     return Reason("localisation jumps", evidence, Strength.LIKELY, recent[0].at, last.at, ("pose", "centre"))
+
+
+def off_map(state: FleetState, robot: Robot) -> Reason | None:
+    """Report a pose beyond the floor's map: its localisation is wrong, or it is on another floor."""
+    floor = state.floors.get(robot.floor or "")
+    if floor is None or floor.grid is None or not floor.tied or robot.pose is None:
+        return None
+    frame, pose = floor.grid.frame, robot.pose.value
+    column, row = frame.to_pixel(pose.x, pose.y)
+    beyond = max(-column, column - frame.width, -row, row - frame.height) * frame.resolution
+    if not beyond > OFF_MAP:
+        return None
+    evidence = f"{pose.x:.1f}, {pose.y:.1f} m is {beyond:.0f} m beyond the map of {floor.name}"
+    keys = ("pose", "centre")
+    return Reason(
+        "pose off the map", evidence, Strength.LIKELY, seen=robot.pose.at, keys=keys, remedy=NO_POSE
+    )
 
 
 def charges(state: FleetState, robot: Robot) -> Reason | None:

@@ -40,6 +40,7 @@ from fleet_tui.rules.why.robot import (
     moves,
     no_link,
     obstacle,
+    off_map,
     own_late_pause,
     paused,
     silent_robot,
@@ -62,6 +63,7 @@ RULES: tuple[Rule, ...] = (
     own_late_pause,
     stale_pose,
     jumps,
+    off_map,
     command,
     failed_order,
     cargo,
@@ -100,7 +102,7 @@ def reasons(
     if deaf:
         return deaf + [replace(reason, strength=Strength.POSSIBLE) for reason in others]
     moving = moves(state, robot)
-    if moving is not None and jumps(state, robot) is None:
+    if moving is not None and not _held((jumps, off_map), state, robot):
         return [moving]
     others = _misplaced(match) + others
     if not _has_certain(others):

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from fleet_tui.screens.diagnosing.pages import Page, Pages, line_of
 from fleet_tui.terminal.clipboard import clipboard, copied_text
+from fleet_tui.text.language import tr
 
 if TYPE_CHECKING:
     from fleet_tui.screens.diagnosing.overlay import Diagnostics
@@ -46,7 +47,7 @@ class DiagnosticsControls:
 
     def freeze(self) -> None:
         """Freeze the message or the log, or resume."""
-        nothing = "only the message and the robot log can be frozen"
+        nothing = tr("only the message and the robot log can be frozen")
         self.notice = "" if self._pages.freeze(self.current) else nothing
         self._view.look()
 
@@ -56,14 +57,14 @@ class DiagnosticsControls:
         output = self._view.output
         text, what = self._pages.copy(self.current, self._view.rows.listing.cursor, output.budget)
         if not text:
-            self.notice = "nothing to copy"
+            self.notice = tr("nothing to copy")
         elif output.call(clipboard(text)):
             self.notice = copied_text(what)
         elif tries > 1:
             self._view.set_timer(0.1, partial(self.copy, tries - 1))
             return
         else:
-            self.notice = "not copied: the terminal is not reading"
+            self.notice = tr("not copied: the terminal is not reading")
         self._view.look()
 
     def next_level(self) -> None:

@@ -14,6 +14,7 @@ from fleet_tui.screens.diagnosing.pages import FILTERED, Page, Pages
 from fleet_tui.screens.tables.paged_overlay import PagedOverlay
 from fleet_tui.terminal.display_driver import DisplayDriver
 from fleet_tui.terminal.lean_app import LeanApp
+from fleet_tui.text.language import tr
 from fleet_tui.view.lines.diagnostics import foot_runs, page_runs
 from fleet_tui.widgets.bindings import bindings, overlay_bindings
 
@@ -34,7 +35,7 @@ class Diagnostics(PagedOverlay):
         self._controls = DiagnosticsControls(self, pages)
         self._end: Hashable = None
         self._timer: Timer | None = None
-        text = "filter text; Enter keeps it, Esc clears it"
+        text = tr("filter text; Enter keeps it, Esc clears it")
         super().__init__("diagnostics", self._controls.choose, text)
 
     def show(self, robot: str) -> None:

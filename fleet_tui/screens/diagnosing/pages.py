@@ -13,6 +13,7 @@ from fleet_tui.model.ros_logs import LogLine, Severity
 from fleet_tui.rules.alarms.trouble import in_trouble
 from fleet_tui.terminal.budget import Budget, memory
 from fleet_tui.text.durations import age
+from fleet_tui.text.language import tr
 from fleet_tui.view.tables.diagnostics.console import OwnFacts, console_table
 from fleet_tui.view.tables.diagnostics.health import health_table
 from fleet_tui.view.tables.diagnostics.links import Links, link_table
@@ -113,7 +114,7 @@ class Pages:
     def _raw_table(self, state: FleetState) -> Table:
         topic = self._topic()
         if topic is None:
-            return Table((), (), "no topic selected: press Enter on a row of Topics")
+            return Table((), (), tr("no topic selected: press Enter on a row of Topics"))
         if Page.RAW not in self._frozen:
             bad = topic.bad
             if self.shows_bad:
@@ -157,19 +158,19 @@ class Pages:
     def frozen(self, page: Page) -> str:
         """Return the text for the time since a page was frozen, empty if it is live."""
         at = self._frozen.get(page)
-        return "" if at is None else f"frozen {age(self._state().now - at)} ago"
+        return "" if at is None else tr(f"frozen {age(self._state().now - at)} ago")
 
     def copy(self, page: Page, key: Hashable, budget: Budget) -> tuple[str, str]:
         """Return the text to copy, and its description; empty if there is nothing."""
         if page is Page.RAW and self._raw[0] is not None and self.topic is not None:
             text, size = copied(self._raw[0])
-            return text, f"the message of {self.topic[1]}, {size}"
+            return text, tr(f"the message of {self.topic[1]}, {size}")
         table, key = self.table(page, budget), line_of(key) if page is Page.LOG else key
         if key not in table.keys:
             return "", ""
         row = table.rows[table.keys.index(key)]
         text = "".join(part for part, _ in row.runs).strip()
-        return text, f"the row, {len(text)} characters"
+        return text, tr(f"the row, {len(text)} characters")
 
 
 def line_of(key: Hashable) -> Hashable:

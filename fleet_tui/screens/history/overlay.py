@@ -15,6 +15,7 @@ from fleet_tui.keys import HISTORY, Pane, by_id
 from fleet_tui.log_file import state_folder
 from fleet_tui.screens.history.pages import HistoryPages, long_moment
 from fleet_tui.screens.tables.paged_overlay import PagedOverlay
+from fleet_tui.text.language import tr
 from fleet_tui.view.history.tables import NAMES
 from fleet_tui.view.lines.history import foot_runs, page_runs
 from fleet_tui.view.tables.table import column
@@ -44,7 +45,7 @@ def history_overlay(screen: "MainScreen", rest: "Rest") -> "HistoryOverlay":
             with screen.app.suspend():
                 return run_in_terminal(command)
         except SuspendNotSupported:
-            return "this terminal can't be given to a recording: open it in another one"
+            return tr("this terminal can't be given to a recording: open it in another one")
 
     replaying = PastReplay(screen.files, state_folder(), lambda: _loss(rest), run)
     return HistoryOverlay(screen, pages, replaying)
@@ -53,8 +54,8 @@ def history_overlay(screen: "MainScreen", rest: "Rest") -> "HistoryOverlay":
 def _loss(rest: "Rest") -> str:
     """Return the reason why this console can't be left alone, empty if it can."""
     if rest.drives.mode is not None:
-        return "a robot is driven by hand"
-    return "a routine runs here" if rest.routines.has_losses else ""
+        return tr("a robot is driven by hand")
+    return tr("a routine runs here") if rest.routines.has_losses else ""
 
 
 class HistoryOverlay(PagedOverlay):
@@ -71,7 +72,7 @@ class HistoryOverlay(PagedOverlay):
         in_background = partial(run_in_background, self)
         self._controls = HistoryControls(self, screen.files, replaying, in_background, low)
         self._timer: Timer | None = None
-        words = "words, !word; Enter keeps them, Esc clears them"
+        words = tr("words, !word; Enter keeps them, Esc clears them")
         super().__init__("history", self._controls.choose, words)
 
     def show(self) -> None:
@@ -105,7 +106,7 @@ class HistoryOverlay(PagedOverlay):
         controls = self._controls
         size = self.rows.row_width, max(1, self.rows.size.height - 1)
         self.rows.show(self._pages.table(controls, words_of(self._field.value), size))
-        until = long_moment(controls.until) if controls.until else "now"
+        until = long_moment(controls.until) if controls.until else tr("now")
         self._tabs.show(*page_runs(controls.page_number, controls.span, until, self._tabs.size.width))
         self._foot.show(*foot_runs(self._keys, controls.name, controls.notice))
 

@@ -9,6 +9,7 @@ from fleet_tui.controllers.history.controls import HistoryControls
 from fleet_tui.controllers.navigation import Navigation
 from fleet_tui.rules.history.division import Division
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.history.places import heat_rows, places_table
 from fleet_tui.view.history.tables import (
@@ -66,8 +67,11 @@ class HistoryPages:
         charges, drawing = shown.charges.get(robot, ()), self._options().drawing
         samples = curve_of(charges, shown.time)
         lines = battery_chart(samples, (until, until), size, low, self._clock, drawing) if samples else ()
-        title = ((f"Battery of {sanitize(robot)}", StyleRole.TITLE), ("  Esc: all robots", StyleRole.DIM))
-        return Table(title, [Row(None, tuple(line)) for line in lines], "no level in this time")
+        title = (
+            (tr(f"Battery of {sanitize(robot)}"), StyleRole.TITLE),
+            (tr("  Esc: all robots"), StyleRole.DIM),
+        )
+        return Table(title, [Row(None, tuple(line)) for line in lines], tr("no level in this time"))
 
     def _places(self, controls: HistoryControls, size: tuple[int, int], is_ascii: bool) -> Table:
         places = controls.shown.places
@@ -78,7 +82,7 @@ class HistoryPages:
         if floors:
             selection = replace(selection, floor=floors[controls.floor % len(floors)])
         rows = heat_rows(self._store.state, selection, places, self._options(), size, is_ascii)
-        empty = controls.shown.problem or "no robot was blocked in this time"
+        empty = controls.shown.problem or tr("no robot was blocked in this time")
         return places_table(rows if floors else [], selection, places, empty)
 
     def _moment(self, time: Division) -> Callable[[float], str]:

@@ -10,6 +10,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.anyone import ANYONE, any_matches
 from fleet_tui.rules.language.favourites import Favourite, Given, favourites
 from fleet_tui.rules.language.lookup import Place, matches, places, recent_ends
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 
 SHOWN = 8
@@ -59,28 +60,28 @@ def is_in_label(robot: Robot | None, typed: str) -> bool:
 def title(robot: Robot | None, has_start: bool) -> str:
     """Return the title of the form; without a robot the order is for anyone."""
     if robot is None:
-        return "Order for the nearest idle robot"
-    return "Destination of the cargo on board" if robot.has_cargo and not has_start else "Order"
+        return tr("Order for the nearest idle robot")
+    return tr("Destination of the cargo on board") if robot.has_cargo and not has_start else tr("Order")
 
 
 def wanted_now(robot: Robot, only_to: bool) -> str:
     """Return the notice after a change of the robot's cargo or orders."""
-    alone = "now has cargo and no orders: To only" if robot.has_cargo else "needs only To"
-    return f"{robot.name} {alone if only_to else 'now needs From'}. Enter sends"
+    alone = tr("now has cargo and no orders: To only") if robot.has_cargo else tr("needs only To")
+    return tr(f"{robot.name} {alone if only_to else tr('now needs From')}. Enter sends")
 
 
 def missing(field: str, typed: str = "") -> str:
     """Return the text for a missing field."""
     if typed.strip():
-        return f"{field.capitalize()}: Enter takes the marked place"
-    remedy = "its name" if field == "robot" else "a label or a vertex id"
-    return f"{field.capitalize()} is missing: type {remedy}"
+        return tr(f"{tr(field.capitalize())}: Enter takes the marked place")
+    remedy = tr("its name") if field == "robot" else tr("a label or a vertex id")
+    return tr(f"{tr(field.capitalize())} is missing: type {remedy}")
 
 
 def no_match(robot: Robot | None, field: str, typed: str) -> str:
     """Return the text for typed words that are no choice, with the nearest place or nothing."""
     near = did_you_mean(typed, [place.name for place in places(robot)]) if robot and field != "robot" else ""
-    return f"{field.capitalize()}: no match for {typed!r}{sanitize(near)}"
+    return tr(f"{tr(field.capitalize())}: no match for {typed!r}{sanitize(near)}")
 
 
 def without_places(robot: Robot | None) -> str:
@@ -88,22 +89,22 @@ def without_places(robot: Robot | None) -> str:
     if robot is None or places(robot):
         return ""
     if "graph" in robot.kind.reports:
-        return f"{robot.name} has no route graph yet: there are no places to choose"
-    aim = "; G sends it to a point of the map" if robot.kind.can(GOAL) else ""
-    return f"{robot.name} publishes no route graph: set [[floors]] graph = FILE in the configuration{aim}"
+        return tr(f"{robot.name} has no route graph yet: there are no places to choose")
+    aim = tr("; G sends it to a point of the map") if robot.kind.can(GOAL) else ""
+    return tr(f"{robot.name} publishes no route graph: set [[floors]] graph = FILE in the configuration{aim}")
 
 
 def hindrance(state: FleetState, robot: Robot | None) -> str:
     """Return why no order can be given to a robot now, empty if one can."""
     if robot is not None and state.links[robot.link].phase is not Phase.UP:
-        return "no link: an order is not sent now, and not later"
+        return tr("no link: an order is not sent now, and not later")
     return without_places(robot)
 
 
 def line(choice: Choice) -> str:
     """Return the line of a choice."""
     if isinstance(choice, Favourite):
-        return f"{sanitize(choice.start.name)} -> {sanitize(choice.end.name)}  ({choice.reason})"
+        return f"{sanitize(choice.start.name)} -> {sanitize(choice.end.name)}  ({tr(choice.reason)})"
     if isinstance(choice, str):
-        return f"{ANYONE}: the nearest idle robot" if choice == ANYONE else choice
+        return tr(f"{ANYONE}: the nearest idle robot") if choice == ANYONE else choice
     return f"{sanitize(choice.name)}  ({sanitize(choice.vertex)}, {choice.floor})"

@@ -10,6 +10,7 @@ from textual.widgets import Static
 from fleet_tui.rules.language.favourites import Favourite
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.screens.ordering.legs import LegField, Legs
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.widgets.field import Keys
 
@@ -33,7 +34,7 @@ class OrderFields(Vertical):
         """Compose each field after its name."""
         for name, box in self._boxes.items():
             with Horizontal(classes="field"):
-                yield Static(name.capitalize(), classes="name")
+                yield Static(tr(name.capitalize()), classes="name")
                 yield box
 
     @property

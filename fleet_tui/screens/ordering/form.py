@@ -29,6 +29,7 @@ from fleet_tui.screens.ordering.legs import SIGN, Legs
 from fleet_tui.screens.ordering.proposal import Proposal
 from fleet_tui.screens.ordering.sending import Give, GiveAnyone, OrderSending
 from fleet_tui.screens.overlay import MouseButton, Overlay
+from fleet_tui.text.language import tr
 
 NEXT, SEND = "Enter  next", "Enter  send"
 """Labels of the button for Enter: before the last field, and in it."""
@@ -46,7 +47,7 @@ class OrderForm(Overlay):
         self._picked: Place | None = None
         self._said_of: list[str] = []
         self.route = Static(id="route", markup=False)
-        self._send = MouseButton(NEXT, id="send", compact=True)
+        self._send = MouseButton(tr(NEXT), id="send", compact=True)
         self._fields = OrderFields(
             {
                 "enter": self._enter,
@@ -97,7 +98,7 @@ class OrderForm(Overlay):
     def _say(self, text: str, field: str = "") -> None:
         """Show an error, and focus its field."""
         self._said_of = self._fields.values
-        self.query_one("#missing", Static).update(text)
+        self.query_one("#missing", Static).update(tr(text))
         if field:
             self.screen.set_focus(self._fields[field])
 
@@ -106,7 +107,7 @@ class OrderForm(Overlay):
         """List the matches of the field with the cursor, the first one marked."""
         if self.is_open:
             robot = self._robot()
-            self._send.label = SEND if self._fields.current == "to" else NEXT
+            self._send.label = tr(SEND if self._fields.current == "to" else NEXT)
             self._choices.refill(robot)
             if notice := hindrance(self._state(), robot):
                 self._say(notice)

@@ -11,6 +11,7 @@ from fleet_tui.rules.language.lookup import Place
 from fleet_tui.rules.routes.dispatching import to_any
 from fleet_tui.rules.routes.nearest import Nearest, nearest, why_none
 from fleet_tui.rules.routes.order_draft import Draft
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 
 CHOSEN = "the dispatcher chooses the robot"
@@ -46,5 +47,5 @@ class Proposal(Static):
         is_dispatched = to_any(state, places) is not None
         self._found = nearest(state, places) if places and not is_dispatched else None
         reason = why_none(state, places) if places and not is_dispatched else CHOSEN * is_dispatched
-        self.update(sanitize(self._found.text if self._found is not None else reason))
+        self.update(tr(sanitize(self._found.text if self._found is not None else reason)))
         self.display = bool(places)

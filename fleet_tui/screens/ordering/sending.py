@@ -9,6 +9,7 @@ from fleet_tui.rules.language.anyone import is_anyone
 from fleet_tui.rules.language.lookup import Place, destination_only, may_skip_start, order_of
 from fleet_tui.screens.ordering.choices import missing, wanted_now
 from fleet_tui.screens.ordering.fields import OrderFields
+from fleet_tui.text.language import tr
 
 Give = Callable[[Request, Callable[[], None]], str]
 """Sends a request, and calls back when it was sent. Returns its problem."""
@@ -30,7 +31,7 @@ class OrderSending:
         if robot is not None:
             return self._for(robot, sent)
         if not is_anyone(typed := self._fields["robot"].value.strip(), self._state()):
-            return f"Robot: no match for {typed!r}", "robot"
+            return tr(f"Robot: no match for {typed!r}"), "robot"
         return self._without(("from", "to")) or (self._give_anyone(self._fields.visited(False), sent), "to")
 
     def _for(self, robot: Robot, sent: Callable[[], None]) -> tuple[str, str]:

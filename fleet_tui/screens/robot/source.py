@@ -12,6 +12,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.battery.forecast import forecast
 from fleet_tui.rules.battery.history import BatteryHistories
 from fleet_tui.rules.why.complaints import complaints
+from fleet_tui.text.language import tr
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.robot.page import PageContent, page_lines
 from fleet_tui.view.robot.sections import LAST, Clock, Line
@@ -83,5 +84,5 @@ class PageSource:
                 records = AuditReader(audit.file.path).newest_first()
                 past = past_alarms(records, audit.origin.run, name, LAST)
             except OSError as failed:
-                note = f"past ones: log not readable: {failed.strerror}"
+                note = tr(f"past ones: log not readable: {failed.strerror}")
         self._past, self._can_draw = (name, past, note), True

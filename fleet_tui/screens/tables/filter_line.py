@@ -11,6 +11,7 @@ from textual.containers import Horizontal
 from textual.widgets import Input, Label
 
 from fleet_tui.screens.overlay import Overlay
+from fleet_tui.text.language import tr
 from fleet_tui.widgets.field import Field
 from fleet_tui.widgets.pace import Pace
 from fleet_tui.widgets.rows_pane import RowsPane
@@ -46,8 +47,8 @@ class FilterLine(Overlay):
         self._pane = pane
         pane.arrangement.is_typing = True
         keys = " ".join(f"{name}:" for name in pane.arrangement.names)
-        self._field.placeholder = f"words !word {keys} Enter keeps, Esc clears"
-        self._title.update(f" {(pane.id or '').capitalize()} /")
+        self._field.placeholder = tr(f"words !word {keys} Enter keeps, Esc clears")
+        self._title.update(f" {tr((pane.id or '').capitalize())} /")
         with self._field.prevent(Input.Changed):
             self._field.value = pane.arrangement.typed
         self._typed_at = time.monotonic()

@@ -9,6 +9,7 @@ from textual.widgets import Static
 from fleet_tui.model.commands import Command, CommandRecord
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.text.details import detail_text
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import command_text, stage_text
 
@@ -23,7 +24,7 @@ class Outcomes(Static):
 
     def __init__(self, state: Callable[[], FleetState]) -> None:
         super().__init__(id="outcomes", markup=False)
-        self.border_title, self.border_subtitle = "Outcomes", "marks cleared, Esc closes"
+        self.border_title, self.border_subtitle = tr("Outcomes"), tr("marks cleared, Esc closes")
         self._state = state
         self._told: Sequence[tuple[Command, str]] = ()
         self._since, self._ends = 0.0, math.inf
@@ -56,7 +57,7 @@ class Outcomes(Static):
             return
         told = zip(self._told, records, strict=True)
         lines = [_line(state, command, problem, record) for (command, problem), record in told]
-        more = [f"and {len(lines) - SHOWN} more: L has all"] if len(lines) > SHOWN else []
+        more = [tr(f"and {len(lines) - SHOWN} more: L has all")] if len(lines) > SHOWN else []
         text = "\n".join([*lines[:SHOWN], *more])
         if text != self.content:
             self.update(text)
@@ -76,5 +77,5 @@ def _record(state: FleetState, command: Command, since: float) -> CommandRecord 
 def _line(state: FleetState, command: Command, problem: str, record: CommandRecord | None) -> str:
     text = command_text(state, command)
     if record is None:
-        return f"{text}: {sanitize(problem) or 'sending'}"
-    return f"{text}: {stage_text(record, state.now)}{detail_text(sanitize(record.detail))}"
+        return f"{text}: {tr(sanitize(problem)) or tr('sending')}"
+    return f"{text}: {stage_text(record, state.now)}{detail_text(tr(sanitize(record.detail)))}"

@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 from fleet_tui.text.durations import age
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
 
 OLD, GONE = 2.0, 10.0
@@ -23,10 +24,10 @@ class CameraFacts(NamedTuple):
 def caption(facts: CameraFacts, width: int) -> tuple[str, bool]:
     """Return robot, age, rate and size, as many of them as fit into `width` cells, and whether that is a
     warning."""
-    parts = [fit(f"Camera {sanitize(facts.robot)}", width).rstrip()]
+    parts = [fit(tr(f"Camera {sanitize(facts.robot)}"), width).rstrip()]
     is_old = facts.seconds is not None and facts.seconds > OLD
     if facts.seconds is not None:
-        parts += [f"old: {age(facts.seconds)}" if is_old else age(facts.seconds), facts.rate]
+        parts += [tr(f"old: {age(facts.seconds)}") if is_old else age(facts.seconds), facts.rate]
     if facts.size != (0, 0):
         parts.append(f"{facts.size[0]}x{facts.size[1]}")
     while len(parts) > 1 and cell_width("  ".join(parts)) > width:
@@ -37,7 +38,7 @@ def caption(facts: CameraFacts, width: int) -> tuple[str, bool]:
 def note(facts: CameraFacts) -> str:
     """Return the text in the place of the picture, empty if it is shown."""
     if facts.problem:
-        return facts.problem if facts.problem.startswith("no ") else f"no picture: {facts.problem}"
+        return facts.problem if facts.problem.startswith("no ") else tr(f"no picture: {facts.problem}")
     if facts.seconds is None:
-        return "waiting for the first picture"
-    return f"no picture for {age(facts.seconds)}" if facts.seconds > GONE else ""
+        return tr("waiting for the first picture")
+    return tr(f"no picture for {age(facts.seconds)}") if facts.seconds > GONE else ""

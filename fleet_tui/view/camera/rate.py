@@ -2,6 +2,8 @@
 
 import math
 
+from fleet_tui.text.language import tr
+
 EVERY, SLOWEST = 0.5, 8.0
 """Seconds between two pictures, and at the most."""
 EARLY = 0.2
@@ -24,8 +26,8 @@ class PictureRate:
     @property
     def text(self) -> str:
         """Return the rate in words, with the limit that halved it."""
-        halved = f" (limit {self._limit / 1000:g} kB/s)" if self.every > EVERY else ""
-        return f"{1 / self.every:g} fps{halved}"
+        halved = tr(f" (limit {self._limit / 1000:g} kB/s)") if self.every > EVERY else ""
+        return tr(f"{1 / self.every:g} fps{halved}")
 
     def is_due(self, at: float) -> bool:
         """Tell whether another picture may be shown."""

@@ -10,6 +10,7 @@ from fleet_tui.model.alarm import AlarmStage
 from fleet_tui.model.geometry import Line, MapFrame, Pose
 from fleet_tui.model.graph import Role
 from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, Classes, build_grid
+from fleet_tui.text.language import tr
 from fleet_tui.view.help.section import HelpRow, HelpSection
 from fleet_tui.view.lines.time import MARKS, MarkKind
 from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
@@ -100,27 +101,29 @@ _LINES = (
 )
 
 
+NEW_ALARM = "alarm that waits for an acknowledgement; robot with an alarm"
+SUPPRESSED = "alarms that another one stands for: of its group, or of its link"
+
+
 def _tables() -> tuple[HelpRow, ...]:
     alarm, text = StyleRole.ALARM, StyleRole.TEXT
+    signs = {stage: tr(sign) for stage, sign in SIGNS.items()}
     marks = {
         CURSOR: (StyleRole.ACCENT, "cursor of the table"),
         "●": (StyleRole.GOOD, "online; in the status line: the link is up"),
         "○": (alarm, "offline, or no link"),
         CARGO: (text, "cargo on board"),
-        SIGNS[AlarmStage.UNACKNOWLEDGED]: (
-            alarm,
-            "alarm that waits for an acknowledgement; robot with an alarm",
-        ),
-        SIGNS[AlarmStage.ACKNOWLEDGED]: (
+        signs[AlarmStage.UNACKNOWLEDGED]: (alarm, NEW_ALARM),
+        signs[AlarmStage.ACKNOWLEDGED]: (
             text,
             "acknowledged alarm that still holds; robot with such an alarm",
         ),
-        SIGNS[AlarmStage.RETURNED]: (StyleRole.DIM, "alarm that is over, not acknowledged"),
-        SIGNS[AlarmStage.SHELVED]: (StyleRole.DIM, "alarm put aside for a while; robot with such an alarm"),
-        "▲ high": (StyleRole.ROBOT_ALARM, "priority of an alarm: high, medium (med), low"),
-        "suppressed": (StyleRole.DIM, "alarms that another one stands for: of its group, or of its link"),
-        FOREIGN.strip(): (text, "an order that another client gave: another console, the shell, RViz"),
-        "lost": (alarm, "an order that the robot no longer lists, and that nobody saw end"),
+        signs[AlarmStage.RETURNED]: (StyleRole.DIM, "alarm that is over, not acknowledged"),
+        signs[AlarmStage.SHELVED]: (StyleRole.DIM, "alarm put aside for a while; robot with such an alarm"),
+        f"▲ {tr('high')}": (StyleRole.ROBOT_ALARM, "priority of an alarm: high, medium (med), low"),
+        tr("suppressed"): (StyleRole.DIM, SUPPRESSED),
+        tr(FOREIGN.strip()): (text, "an order that another client gave: another console, the shell, RViz"),
+        tr("lost"): (alarm, "an order that the robot no longer lists, and that nobody saw end"),
         MARKS[MarkKind.COMMAND][0]: (StyleRole.ACCENT, "recording: a command"),
         MARKS[MarkKind.GAP][0]: (StyleRole.WARN, "recording: a gap"),
         MARKS[MarkKind.ALARM][0]: (alarm, "recording: an alarm"),
@@ -158,6 +161,6 @@ def legend(look: MapOptions) -> tuple[HelpSection, ...]:
     drawn["robots"] += (_headings(look),)
     drawn["ground"] += (cursor,)
     return (
-        *(HelpSection(f"Legend: {name}, {look.drawing.value}", rows) for name, rows in drawn.items()),
+        *(HelpSection(f"Legend: {kind}, {look.drawing.value}", rows) for kind, rows in drawn.items()),
         HelpSection("Legend: tables and status line", _tables()),
     )

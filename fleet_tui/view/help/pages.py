@@ -4,8 +4,9 @@ from collections.abc import Collection, Mapping, Sequence
 
 from fleet_tui.keys import KEYS, Pane, outdone
 from fleet_tui.model.kind import GOAL, LOCALISE, MAP_SAVE, MAPPING, POSE, SETTLE, Kind
+from fleet_tui.text.language import tr
 from fleet_tui.view.help.legend import legend
-from fleet_tui.view.help.section import HelpRow, HelpSection, key_row
+from fleet_tui.view.help.section import HelpRow, HelpSection, key_row, translated
 from fleet_tui.view.help.synonyms import SYNONYMS
 from fleet_tui.view.help.tasks import ROBOTS, tasks
 from fleet_tui.view.map.layers import MapOptions
@@ -87,12 +88,13 @@ def help_pages(
     own = [] if pane in (Pane.MAP, Pane.ROWS, Pane.CONSOLE) else [_section(pane, keys, hidden)]
     ordered = sorted(SECTIONS, key=lambda section: section is not pane)
     every = [_section(section, keys, hidden) for section in ordered]
-    return {
+    pages = {
         "Tasks": [*own, *tasks(keys, hidden)],
         "Keys": [section for section in every if section.rows],
         "Legend": legend(look),
         "Commands": [_typed(kind), HelpSection("Notes", _texts((*NOTES, terminal)))],
     }
+    return {name: list(map(translated, sections)) for name, sections in pages.items()}
 
 
 def _section(pane: Pane, keys: Mapping[str, tuple[str, ...]], hidden: Collection[str]) -> HelpSection:
@@ -114,7 +116,7 @@ def _typed(kind: Kind) -> HelpSection:
     alone = "cargo on board" if "cargo" in kind.reports else "directly"
     accepted = [example for verb, examples in TYPED.items() if kind.can(verb) for example in examples]
     rows = [
-        HelpRow(((example, StyleRole.KEY),), text.format(alone=alone))
+        HelpRow(((example, StyleRole.KEY),), tr(text).format(alone=tr(alone)))
         for example, text in (*accepted, *ALWAYS)
     ]
     return HelpSection("Typed commands: Tab completes, Enter sends", tuple(rows))
@@ -131,7 +133,7 @@ def tabs(pages: Pages, shown: str) -> tuple[list[Run], list[Button]]:
     for name in pages:
         start = width_of(runs)
         is_shown = name == shown
-        text = f"[{name}]" if is_shown else f" {name} "
+        text = f"[{tr(name)}]" if is_shown else f" {tr(name)} "
         runs.append((text, StyleRole.TITLE_FOCUSED if is_shown else StyleRole.DIM))
         buttons.append(Button(start, width_of(runs), name))
     return runs, buttons

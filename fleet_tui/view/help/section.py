@@ -5,6 +5,7 @@ from collections.abc import Iterable, Mapping
 from msgspec import Struct
 
 from fleet_tui.keys.key import key_name
+from fleet_tui.text.language import tr
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run
 
@@ -35,9 +36,15 @@ def key_row(
     every = [key for id_ in ids for key in keys[id_]]
     names = " ".join(key_name(key) for id_ in ids for key in keys[id_][:most])
     for listed, short in _RANGES.items():
-        names = names.replace(listed, short)
-    mark = (names, StyleRole.KEY) if names else ("palette", StyleRole.DIM)
+        names = names.replace(listed, tr(short))
+    mark = (names, StyleRole.KEY) if names else (tr("palette"), StyleRole.DIM)
     return HelpRow((mark,), text, (*ids, *every, also))
+
+
+def translated(section: HelpSection) -> HelpSection:
+    """Return a section in the language of the user; the words that find a row in English find it still."""
+    rows = (HelpRow(row.mark, tr(row.text), (*row.also, row.text)) for row in section.rows)
+    return HelpSection(tr(section.title), tuple(rows))
 
 
 def search(sections: Iterable[HelpSection], wanted: str) -> list[HelpSection]:

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 
 from fleet_tui.model.history.facts import Activity
+from fleet_tui.text.language import tr
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run
 
@@ -43,5 +44,5 @@ def legend_of(bars: Iterable[Iterable[Activity | None]], is_ascii: bool) -> tupl
         part
         for activity, (glyph, letter, role) in BARS.items()
         if activity in seen
-        for part in ((f"  {letter if is_ascii else glyph}", role), (f" {activity.value}", StyleRole.DIM))
+        for part in ((f"  {letter if is_ascii else glyph}", role), (f" {tr(activity.value)}", StyleRole.DIM))
     )

@@ -10,6 +10,7 @@ from fleet_tui.model.history.facts import LinkChange, Note
 from fleet_tui.model.history.lives import AlarmLife, PastCommand, PastOrder
 from fleet_tui.text.details import detail_text
 from fleet_tui.text.durations import age
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 
 TROUBLE = frozenset(stage.value for stage in FAILURES)
@@ -44,10 +45,10 @@ class PastEvent(Struct, frozen=True):
     @property
     def text(self) -> str:
         """Return it as a line without its time, which no terminal executes."""
-        by = f", by {self.operator}" if self.operator else ""
+        by = tr(f", by {self.operator}") if self.operator else ""
         subject = f"{self.subject} " if self.subject else ""
-        outcome = f": {self.outcome}" if self.outcome else ""
-        return sanitize(f"{subject}{self.what}{outcome}{detail_text(self.detail)}{by}")
+        outcome = f": {tr(self.outcome)}" if self.outcome else ""
+        return sanitize(f"{subject}{tr(self.what)}{outcome}{detail_text(tr(self.detail))}{by}")
 
 
 def past_events(

@@ -9,13 +9,14 @@ from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.link import Phase
 from fleet_tui.rules.history.activity import activity
 from fleet_tui.text.durations import age
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import fit
 from fleet_tui.view.history.bars import bars_of, legend_of
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Row, Table, column
 
-EVERY = 10.0
-"""Seconds of a cell."""
+FIRST, LAST = 1.25, 10.0
+"""Seconds of a cell, at first and after a while: the bars have something to show from the start."""
 CELLS = 180
 """Cells that are kept."""
 NAMES, HEADS = 14, 2
@@ -28,17 +29,18 @@ class RecentActivity:
     def __init__(self) -> None:
         self._parts: deque[Mapping[str, Activity]] = deque(maxlen=CELLS)
         self._at = -math.inf
+        self.every = FIRST
 
     def note(self, state: FleetState) -> None:
         """Record what the robots do, every so many seconds. Time that was not watched stays blank; before an
         earlier time, as of a recording, nothing is known."""
         passed = state.now - self._at
-        if 0.0 <= passed < EVERY:
+        if 0.0 <= passed < self.every:
             return
         if passed < 0.0:
             self._parts.clear()
         elif self._parts:
-            self._parts.extend({} for _ in range(min(CELLS, int(passed / EVERY) - 1)))
+            self._parts.extend({} for _ in range(min(CELLS, int(passed / self.every) - 1)))
         self._at = state.now
         self._parts.append(
             {
@@ -47,6 +49,10 @@ class RecentActivity:
                 if robot.last_received is not None and state.links[robot.link].phase is Phase.UP
             }
         )
+
+        if len(self._parts) == CELLS and self.every < LAST:
+            self._parts = deque(list(self._parts)[1::2], maxlen=CELLS)
+            self.every *= 2
 
     def of(self, robot: str, cells: int) -> list[Activity | None]:
         """Return what a robot did in the last `cells` parts."""
@@ -65,7 +71,7 @@ def activity_table(
     rows = tuple(
         Row(None, ((fit(name, start), StyleRole.DIM), *bars_of(bar, is_ascii))) for name, bar in bars.items()
     )
-    since = f"{age(cells * EVERY)} ago"
-    head = f"{' ' * start}{since}{'now':>{max(0, cells - len(since))}}"
-    title = ("Activity", StyleRole.TITLE), *legend_of(bars.values(), is_ascii)
+    since = tr(f"{age(cells * recent.every)} ago")
+    head = f"{' ' * start}{since}{tr('now'):>{max(0, cells - len(since))}}"
+    title = (tr("Activity"), StyleRole.TITLE), *legend_of(bars.values(), is_ascii)
     return Table(title, rows, head=((head, StyleRole.DIM),))

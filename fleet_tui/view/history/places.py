@@ -7,6 +7,7 @@ from dataclasses import replace
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.totals import BlockedPlace
 from fleet_tui.text.durations import age
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.view.map.floor_scene import floor_scene
 from fleet_tui.view.map.layers import MapOptions
@@ -63,7 +64,7 @@ def heat_rows(
 
 def _listed(state: FleetState, places: Sequence[BlockedPlace]) -> list[tuple[Run, ...]]:
     total = sum(place.seconds for place in places)
-    lines: list[tuple[Run, ...]] = [((f" {age(total)} blocked here", StyleRole.TITLE),)] if places else []
+    lines: list[tuple[Run, ...]] = [((tr(f" {age(total)} blocked here"), StyleRole.TITLE),)] if places else []
     for place in places:
         at = f"({place.x:.1f}, {place.y:.1f})"
         name = near(state, place)
@@ -105,6 +106,6 @@ def places_table(
     others = [floor for floor in floors if floor != selection.floor]
     said = f" {sanitize(selection.floor)}"
     if others:
-        said += f"; also on {sanitize(', '.join(others))}: f goes there"
-    title = (("Places", StyleRole.TITLE), (said, StyleRole.DIM))
+        said += tr(f"; also on {sanitize(', '.join(others))}: f goes there")
+    title = ((tr("Places"), StyleRole.TITLE), (said, StyleRole.DIM))
     return Table(title, rows if places else [], empty)

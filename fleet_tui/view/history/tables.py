@@ -9,6 +9,7 @@ from fleet_tui.rules.battery.forecast import BatteryForecast
 from fleet_tui.rules.battery.history import BatterySample
 from fleet_tui.rules.history.division import Division
 from fleet_tui.text.durations import age
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.view.history.bars import bars_of, legend_of, level
 from fleet_tui.view.history.events import EventKind, PastEvent, matching
@@ -26,7 +27,7 @@ HELD = "█", "#"
 def events_table(shown: ShownShift, words: Sequence[str], clock: Clock) -> Table:
     """Return the events with every word, the newest first; the key of a row is the event."""
     events = matching(shown.events, words)[::-1]
-    title = _title("Events", f"{len(events):,}")
+    title = _title(tr("Events"), f"{len(events):,}")
 
     def row(place: int) -> Row:
         event = events[place]
@@ -34,7 +35,7 @@ def events_table(shown: ShownShift, words: Sequence[str], clock: Clock) -> Table
         look = StyleRole.ACCENT if event.kind is EventKind.NOTE else role
         return Row(event, ((f"{clock(event.at)}  ", StyleRole.DIM), (event.text, look)))
 
-    return Table(title, LateRows(events, row), empty=_empty(shown, words, "nothing happened"))
+    return Table(title, LateRows(events, row), empty=_empty(shown, words, tr("nothing happened")))
 
 
 def robots_table(shown: ShownShift, words: Sequence[str], clock: Clock, is_ascii: bool) -> Table:
@@ -46,10 +47,12 @@ def robots_table(shown: ShownShift, words: Sequence[str], clock: Clock, is_ascii
         for name in names
     ]
     title = (
-        *_title("Robots", str(len(rows))),
+        *_title(tr("Robots"), str(len(rows))),
         *legend_of((shown.timeline[name] for name in names), is_ascii),
     )
-    return Table(title, rows, _empty(shown, words, "no robot was seen"), head=_head(shown.time, width, clock))
+    return Table(
+        title, rows, _empty(shown, words, tr("no robot was seen")), head=_head(shown.time, width, clock)
+    )
 
 
 def batteries_table(
@@ -70,9 +73,9 @@ def batteries_table(
         )
         for name in names
     ]
-    title = _title("Batteries", str(len(rows)))
+    title = _title(tr("Batteries"), str(len(rows)))
     head = _head(shown.time, width + LEVEL_CELLS, clock)
-    return Table(title, rows, _empty(shown, words, "no battery was seen"), head=head)
+    return Table(title, rows, _empty(shown, words, tr("no battery was seen")), head=head)
 
 
 LEVEL_CELLS = 12
@@ -83,18 +86,18 @@ def alarms_table(shown: ShownShift, words: Sequence[str], clock: Clock, is_ascii
     life."""
     ranked = sorted(_by_alarm(shown), key=lambda one: -sum(_held(life, shown.time) for life in one))
     lives = [one for one in ranked if _has(f"{one[0].kind} {one[0].source} {one[0].text}", words)]
-    names = [f"{one[0].kind} {one[0].source}" for one in lives]
+    names = [f"{tr(one[0].kind)} {one[0].source}" for one in lives]
     width = column(map(sanitize, names), at_most=2 * NAMES)
     rows = []
     for name, of_one in zip(names, lives, strict=True):
         total, count = sum(_held(life, shown.time) for life in of_one), sum(life.count for life in of_one)
-        said = f"{fit(f'{count} times', 10)}{fit(age(total), 8)}"
+        said = f"{fit(tr(f'{count} times'), 10)}{fit(age(total), 8)}"
         line = _held_cells(of_one, shown.time, is_ascii)
         runs = ((f"{fit(sanitize(name), width)} ", StyleRole.TEXT), (said, StyleRole.DIM), *line)
         rows.append(Row(of_one[-1], runs))
-    title = _title("Alarms", str(len(rows)))
+    title = _title(tr("Alarms"), str(len(rows)))
     head = _head(shown.time, width + 18, clock)
-    return Table(title, rows, _empty(shown, words, "no alarm"), head=head)
+    return Table(title, rows, _empty(shown, words, tr("no alarm")), head=head)
 
 
 def curve_of(charges: Sequence[ChargeTotal], time: Division) -> list[BatterySample]:
@@ -125,8 +128,8 @@ def _title(name: str, count: str) -> tuple[Run, ...]:
 
 def _empty(shown: ShownShift, words: Sequence[str], nothing: str) -> str:
     if shown.problem:
-        return sanitize(shown.problem)
-    return f"{nothing} with: {sanitize(' '.join(words))}" if words else f"{nothing} in this time"
+        return tr(sanitize(shown.problem))
+    return tr(f"{nothing} with: {sanitize(' '.join(words))}") if words else tr(f"{nothing} in this time")
 
 
 def _has(text: str, words: Sequence[str]) -> bool:
@@ -157,7 +160,7 @@ def _curve(charges: Sequence[ChargeTotal], parts: int, is_ascii: bool) -> str:
 
 
 def _lasts(guess: BatteryForecast | None) -> str:
-    return "" if guess is None else f"empty in {age(guess.empty_in)}"
+    return "" if guess is None else tr(f"empty in {age(guess.empty_in)}")
 
 
 def _by_alarm(shown: ShownShift) -> list[list[AlarmLife]]:

@@ -10,6 +10,7 @@ from fleet_tui.model.set_up.commands import SetUpCommand
 from fleet_tui.rules.commands.batches import TOGETHER, pauses, summary
 from fleet_tui.text.details import detail_text
 from fleet_tui.text.durations import age
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.missions import way
@@ -44,17 +45,17 @@ def command_text(state: FleetState, command: commands.Command) -> str:
     robot = state.robots[command.robot]
     match command:
         case commands.PlaceOrder(name, stops):
-            return f"{name} {command.text(robot.kind, way(robot, stops))}"
+            return f"{name} {tr(command.text(robot.kind, way(robot, stops)))}"
         case commands.CancelOrder(name, order_id):
-            return f"{name} cancel order {sanitize(order_id)}"
+            return tr(f"{name} cancel order {sanitize(order_id)}")
         case commands.ClearOrders(name):
-            return f"{name} clear all orders"
+            return tr(f"{name} clear all orders")
         case commands.PauseRobot(name):
-            return f"{name} pause"
+            return tr(f"{name} pause")
         case commands.ResumeRobot(name):
-            return f"{name} resume"
+            return tr(f"{name} resume")
         case SetUpCommand(name):
-            return f"{name} {command.text}"
+            return f"{name} {tr(command.text)}"
         case _:
             assert_never(command)
 
@@ -62,8 +63,8 @@ def command_text(state: FleetState, command: commands.Command) -> str:
 def stage_text(record: commands.CommandRecord, now: float) -> str:
     """Return the text of a command's stage, the same everywhere."""
     if record.stage in (commands.Stage.SENT, commands.Stage.ACCEPTED):
-        return f"{record.stage.value} {age(now - record.at)} ago"
-    return "sending" if record.stage is commands.Stage.CHECKED else str(record.stage.value)
+        return f"{tr(record.stage.value)} {tr(f'{age(now - record.at)} ago')}"
+    return tr("sending") if record.stage is commands.Stage.CHECKED else tr(record.stage.value)
 
 
 def _group_runs(
@@ -73,12 +74,12 @@ def _group_runs(
     first = records[0]
     text = command_text(state, first.command)
     if brief and isinstance(first.command, commands.PlaceOrder):
-        text = f"{first.command.robot} order"
+        text = tr(f"{first.command.robot} order")
     if len(records) > 1:
-        text += f" +{len(records) - 1} more"
+        text += tr(f" +{len(records) - 1} more")
     role = StyleRole.ALARM if first.stage in TROUBLE else _ROLES.get(first.stage, StyleRole.DIM)
     # A robot's answer on accepting ("paused") is true only at that moment.
-    detail = "" if first.stage is commands.Stage.ACCEPTED else detail_text(sanitize(first.detail))
+    detail = "" if first.stage is commands.Stage.ACCEPTED else detail_text(tr(sanitize(first.detail)))
     return (text, StyleRole.TEXT), (f": {stage_text(first, state.now)}", role), (detail, StyleRole.DIM)
 
 
@@ -136,7 +137,7 @@ def _batch_runs(state: FleetState, batch: Sequence[commands.CommandRecord]) -> P
         role = StyleRole.ALARM
     else:
         role = StyleRole.GOOD if all(record.is_decided for record in batch) else StyleRole.DIM
-    return (what, StyleRole.TEXT), (f": {detail}", role)
+    return (tr(what), StyleRole.TEXT), (f": {tr(detail)}", role)
 
 
 def message_line(state: FleetState, said: str, said_at: float, width: int, key_at: float = -math.inf) -> Part:
@@ -149,8 +150,9 @@ def message_line(state: FleetState, said: str, said_at: float, width: int, key_a
         parts.append(returned)
         briefs.append(returned)
     if said and _is_news(state, said_at):
-        parts.insert(0, ((said, StyleRole.WARN),))
-        briefs.insert(0, ((said, StyleRole.WARN),))
+        notice = ((tr(said), StyleRole.WARN),)
+        parts.insert(0, notice)
+        briefs.insert(0, notice)
     runs = _in_line(parts)
     return runs if width_of(runs) <= width else _squeezed(parts, briefs, width)
 
@@ -160,7 +162,7 @@ def _returned(state: FleetState) -> Iterator[Part]:
     for link in state.links.values():
         text = returned_text(state, link)
         if text and state.now - link.since < REMEMBERED:
-            yield ((sanitize(text), StyleRole.TEXT),)
+            yield ((tr(sanitize(text)), StyleRole.TEXT),)
 
 
 def _in_line(parts: list[tuple[Run, ...]]) -> tuple[Run, ...]:

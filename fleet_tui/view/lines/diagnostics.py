@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 
 from fleet_tui.keys import PAGES
 from fleet_tui.keys.key import key_name
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run
@@ -14,7 +15,7 @@ def page_runs(names: Sequence[str], shown: int, frozen: str) -> tuple[list[Run],
     runs: list[Run] = []
     for number, name in enumerate(names, 1):
         is_shown = number == shown
-        text = f"[{number} {name}]" if is_shown else f" {number} {name} "
+        text = f"[{number} {tr(name)}]" if is_shown else f" {number} {tr(name)} "
         runs.append((text, StyleRole.TITLE_FOCUSED if is_shown else StyleRole.DIM))
     return runs, [(frozen, StyleRole.WARN)] if frozen else []
 
@@ -22,7 +23,7 @@ def page_runs(names: Sequence[str], shown: int, frozen: str) -> tuple[list[Run],
 def foot_runs(keys: Mapping[str, tuple[str, ...]], page: int, said: str) -> tuple[list[Run], list[Run]]:
     """Return the response to the last key, else the keys, at the right."""
     if said:
-        return [(sanitize(said), StyleRole.WARN)], []
+        return [(tr(sanitize(said)), StyleRole.WARN)], []
     hints: list[tuple[str, str]] = []
     shown = list(PAGES.values())[page - 1]
     if shown.enter:
@@ -31,5 +32,5 @@ def foot_runs(keys: Mapping[str, tuple[str, ...]], page: int, said: str) -> tupl
     hints += [(keys[id_][0], word) for id_, word in (("next_page", "page"), ("leave", "back")) if keys[id_]]
     runs: list[Run] = []
     for key, word in hints:
-        runs += [(f" {key_name(key)} ", StyleRole.KEY), (f"{word} ", StyleRole.DIM)]
+        runs += [(f" {key_name(key)} ", StyleRole.KEY), (f"{tr(word)} ", StyleRole.DIM)]
     return [], runs

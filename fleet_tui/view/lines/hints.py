@@ -13,6 +13,7 @@ from fleet_tui.model.link import Phase
 from fleet_tui.model.problem import Right
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.trouble import in_trouble
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import unacknowledged
@@ -95,14 +96,18 @@ def hints(
         offered = [key for key in offered if key.pane is pane or key.id in PASSES]
     if pane is Pane.ANYWHERE:
         return _of_overlay(offered, about_robot), []
-    offered = [
-        replace(key, hint=f"{key.hint} {sanitize(alarmed)}") if key.id == "acknowledge" and alarmed else key
-        for key in offered
-    ]
+    offered = [_of_robot(key, alarmed) for key in offered]
     offered.sort(key=lambda key: (OF_ROWS.get(focused) != key.id, *_rank(key, pane)))
     offered = _alarm_first(offered)
     left = [key for key in offered if key.pane in (pane, Pane.CONSOLE) and not key.always]
     return left, [key for key in offered if key.always]
+
+
+def _of_robot(key: Key[Any], alarmed: str) -> Key[Any]:
+    """Return a key that names who has the marked alarm, if that is another robot."""
+    if key.id != "acknowledge" or not alarmed:
+        return key
+    return replace(key, hint=f"{tr(key.hint)} {sanitize(alarmed)}")
 
 
 def _alarm_first(offered: list[Key[Any]]) -> list[Key[Any]]:
@@ -167,7 +172,7 @@ def _whole(
     kept = []
     for key in offered:
         name = key_name(keys[key.id][0])
-        parts = [(f" {name} ", StyleRole.KEY), (f"{key.hint} ", StyleRole.DIM)]
+        parts = [(f" {name} ", StyleRole.KEY), (f"{tr(key.hint)} ", StyleRole.DIM)]
         width -= width_of(parts)
         if width < 0:
             break

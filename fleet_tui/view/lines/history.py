@@ -4,9 +4,10 @@ from collections.abc import Mapping
 
 from fleet_tui.keys import HISTORY_PAGES
 from fleet_tui.keys.key import key_name
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.table import Run
+from fleet_tui.view.tables.table import Run, width_of
 
 ALL_FROM = 74
 """Cells from which all pages are named."""
@@ -23,25 +24,25 @@ HINTS = (
 def page_runs(page: int, span: str, until: str, width: int) -> tuple[list[Run], list[Run]]:
     """Return the title, all pages, the open one in brackets, in few cells that one alone; at the right the
     time that is shown."""
-    runs: list[Run] = [("History ", StyleRole.TITLE)]
-    if width < ALL_FROM:
-        name = list(HISTORY_PAGES)[page - 1]
-        runs.append((f"[{page} of {len(HISTORY_PAGES)} {name}]", StyleRole.TITLE_FOCUSED))
-        return runs, [(f"{span} to {until} ", StyleRole.TEXT)]
+    title, time = (tr("History "), StyleRole.TITLE), [(tr(f"{span} to {until} "), StyleRole.TEXT)]
+    runs: list[Run] = [title]
     for number, name in enumerate(HISTORY_PAGES, 1):
         is_shown = number == page
-        text = f"[{number} {name}]" if is_shown else f" {number} {name} "
+        text = f"[{number} {tr(name)}]" if is_shown else f" {number} {tr(name)} "
         runs.append((text, StyleRole.TITLE_FOCUSED if is_shown else StyleRole.DIM))
-    return runs, [(f"{span} to {until} ", StyleRole.TEXT)]
+    if width >= ALL_FROM and width_of(runs) + width_of(time) < width:
+        return runs, time
+    name = list(HISTORY_PAGES)[page - 1]
+    return [title, (tr(f"[{page} of {len(HISTORY_PAGES)} {tr(name)}]"), StyleRole.TITLE_FOCUSED)], time
 
 
 def foot_runs(keys: Mapping[str, tuple[str, ...]], page: str, said: str) -> tuple[list[Run], list[Run]]:
     """Return the response to the last key, else the keys, at the right."""
     if said:
-        return [(sanitize(said), StyleRole.WARN)], []
+        return [(tr(sanitize(said)), StyleRole.WARN)], []
     own = [("history_floor", "floor")] if page == "Places" else []
     runs: list[Run] = []
     for id_, word in [*own, *HINTS]:
         if keys[id_]:
-            runs += [(f" {key_name(keys[id_][0])} ", StyleRole.KEY), (f"{word} ", StyleRole.DIM)]
+            runs += [(f" {key_name(keys[id_][0])} ", StyleRole.KEY), (f"{tr(word)} ", StyleRole.DIM)]
     return [], runs

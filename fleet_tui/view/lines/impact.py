@@ -8,6 +8,7 @@ from fleet_tui.rules.language.edges import edge_text
 from fleet_tui.rules.routes.impact import CutOrder, closed_on_way, cut_orders, edge_under, is_in_the_way
 from fleet_tui.rules.routes.order_draft import DraftRoute
 from fleet_tui.rules.why.reason import mission
+from fleet_tui.text.language import tr
 from fleet_tui.text.limits import some
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import counted
@@ -21,26 +22,30 @@ MOST_SHOWN = 8
 def impact_text(cut: Sequence[CutOrder]) -> str:
     """Return how many ways an edge cuts, and how many orders have no other."""
     if not cut:
-        return "cuts the way of no order"
+        return tr("cuts the way of no order")
     lost = sum(one.around is None for one in cut)
-    rest = f", {lost} without another" if lost else ", there is another"
-    return f"cuts the way of {counted(len(cut), 'order')}{rest}"
+    rest = tr(f", {lost} without another") if lost else tr(", there is another")
+    return tr(f"cuts the way of {counted(len(cut), 'order')}{rest}")
 
 
 def draft_text(state: FleetState, robot: Robot, route: DraftRoute) -> str:
     """Return the length and time of an order that is being typed, and the closed edges on its way."""
     closed = closed_on_way(state.desk.closed, robot, route.lines)
     named = some([edge_text(robot, edge.ends) for edge in closed])
-    return sanitize(f"{route.text}; closed: {named}" if closed else route.text)
+    return tr(sanitize(f"{route.text}; closed: {named}" if closed else route.text))
 
 
 def why_impact(state: FleetState, robot: Robot) -> list[str]:
     """Return the orders whose way is cut by the edge that a blocked robot is on, and by closed ones, those of
     its floor first."""
     under = edge_under(robot) if is_in_the_way(state, robot) else None
-    edges = [(under, "Blocked edge")] if under is not None else []
+    edges = [(under, tr("Blocked edge"))] if under is not None else []
     closed = sorted(state.desk.closed, key=lambda edge: edge.ends[0] != robot.floor)
-    edges += [(edge.ends, f"Closed by {edge.by or 'this console'}:") for edge in closed if edge.ends != under]
+    edges += [
+        (edge.ends, tr(f"Closed by {edge.by or tr('this console')}:"))
+        for edge in closed
+        if edge.ends != under
+    ]
     lines = []
     for ends, what in edges[:MOST_EDGES]:
         cut = cut_orders(state, ends)
@@ -55,6 +60,6 @@ def impact_lines(state: FleetState, cut: Sequence[CutOrder]) -> Iterator[str]:
     """Yield each order whose way is cut, with its detour; those without a way first."""
     for one in sorted(cut, key=lambda found: found.around is not None)[:MOST_SHOWN]:
         told = mission(state.robots[one.robot], one.order)
-        yield sanitize(f"{one.robot} {told}: {one.text}")
+        yield sanitize(f"{one.robot} {tr(told)}: {tr(one.text)}")
     if len(cut) > MOST_SHOWN:
-        yield f"and {len(cut) - MOST_SHOWN} more"
+        yield tr(f"and {len(cut) - MOST_SHOWN} more")

@@ -11,6 +11,7 @@ from fleet_tui.model.set_up.commands import SetUpCommand
 from fleet_tui.rules.commands.batches import batch_name
 from fleet_tui.rules.commands.local_queue import all_orders, clearable
 from fleet_tui.rules.commands.set_up.losses import set_up_losses
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import command_text
 from fleet_tui.view.tables.missions import mission
@@ -24,17 +25,17 @@ def losses(state: FleetState, request: Request) -> Iterator[str]:
         robot = state.robots[command.robot]
         match command:
             case CancelOrder(name, order_id):
-                yield f"Cancel order {sanitize(order_id)} of {name}?"
+                yield tr(f"Cancel order {sanitize(order_id)} of {name}?")
                 orders = all_orders(state, robot)
                 yield from (mission(robot, order) for order in orders if order.id == order_id)
             case ClearOrders(name):
                 orders = clearable(state, robot)
-                yield f"Clear all {len(orders)} order{'s' * (len(orders) != 1)} of {name}?"
+                yield tr(f"Clear all {len(orders)} order{'s' * (len(orders) != 1)} of {name}?")
                 yield from (f"  {sanitize(order.id)}  {mission(robot, order)}" for order in orders[:SHOWN])
                 if len(orders) > SHOWN:
-                    yield f"  and {len(orders) - SHOWN} more"
+                    yield tr(f"  and {len(orders) - SHOWN} more")
             case SetUpCommand():
-                yield from set_up_losses(state, robot, command)
+                yield from map(tr, set_up_losses(state, robot, command))
             case PlaceOrder() | PauseRobot() | ResumeRobot():
                 pass
             case _:
@@ -45,20 +46,23 @@ def request_text(state: FleetState, request: Request) -> str:
     """Return the text of a request in one line."""
     first = command_text(state, request.commands[0])
     if len({command.robot for command in request.commands}) > 1:
-        return batch_name(state, request.commands)
+        return tr(batch_name(state, request.commands))
     robot = request.commands[0].robot
-    rest = (command_text(state, command).removeprefix(f"{robot} order ") for command in request.commands[1:])
+    rest = (
+        command_text(state, command).removeprefix(f"{robot} {tr('order')} ")
+        for command in request.commands[1:]
+    )
     return ", ".join([first, *rest])
 
 
 def question(state: FleetState, request: Request, found: Sequence[Problem]) -> str:
     """Return the question, with its warnings."""
-    against = [sanitize(problem.text) for problem in found]
+    against = [tr(sanitize(problem.text)) for problem in found]
     lost = list(losses(state, request))
     if lost:
         return "\n".join([*lost, *against])
-    ask = [f"{', '.join(against)}: send anyway?"] if against else ["Send?"]
+    ask = [tr(f"{', '.join(against)}: send anyway?")] if against else [tr("Send?")]
     robots = list(dict.fromkeys(command.robot for command in request.commands))
-    more = f" and {len(robots) - SHOWN} more" if len(robots) > SHOWN else ""
+    more = tr(f" and {len(robots) - SHOWN} more") if len(robots) > SHOWN else ""
     named = [", ".join(map(sanitize, robots[:SHOWN])) + more] if len(robots) > 1 else []
     return "\n".join([*ask, request_text(state, request), *named])

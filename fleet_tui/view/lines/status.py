@@ -9,6 +9,7 @@ from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.rules.lag import BEHIND
 from fleet_tui.rules.sites import alarms_by_site, site_of, sites_of
 from fleet_tui.text.durations import age, duration
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run
@@ -32,13 +33,15 @@ def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: f
     # Of a robot that is not heard nobody knows whether it stands.
     online = [robot for robot in able if state.is_online(robot)]
     stopped = [robot for robot in online if state.is_paused(robot)]
-    paused = f"ALL {PAUSED}" if len(stopped) == len(able) else f"{len(stopped)} of {len(able)} {PAUSED}"
+    paused = (
+        tr(f"ALL {PAUSED}") if len(stopped) == len(able) else tr(f"{len(stopped)} of {len(able)} {PAUSED}")
+    )
     notes = {
         paused: len(stopped) >= SEVERAL or (bool(stopped) and len(stopped) == len(online)),
-        "read-only": read_only,
-        "not armed": not armed,
-        behind_text(state): state.behind >= BEHIND,
-        f"no updates for {age(standstill)}: restart this console": standstill > BLIND_AFTER,
+        tr("read-only"): read_only,
+        tr("not armed"): not armed,
+        tr(behind_text(state)): state.behind >= BEHIND,
+        tr(f"no updates for {age(standstill)}: restart this console"): standstill > BLIND_AFTER,
     }
     return [note for note, holds in notes.items() if holds]
 
@@ -46,26 +49,26 @@ def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: f
 def resume_all(keys: Mapping[str, tuple[str, ...]]) -> str:
     """Return the way to resume all robots: a key, or typed in the palette."""
     if keys["resume_all"]:
-        return f"{key_name(keys['resume_all'][0])} resumes all"
+        return tr(f"{key_name(keys['resume_all'][0])} resumes all")
     key = "".join(map(key_name, keys["palette"][:1]))
-    return f"{key}{' ' * (len(key) > 1)}resume all"
+    return tr(f"{key}{' ' * (len(key) > 1)}resume all")
 
 
 def _no_link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
     if not link.was_up and now - link.since < STARTING:
-        yield "○ connecting ", StyleRole.TEXT
+        yield tr("○ connecting "), StyleRole.TEXT
         yield f"{address} ", StyleRole.DIM
-        yield sanitize(link.reason), StyleRole.DIM
+        yield tr(sanitize(link.reason)), StyleRole.DIM
         return
-    yield f"○ no link for {age(now - link.since)}, ", StyleRole.ALARM
+    yield tr(f"○ no link for {age(now - link.since)}, "), StyleRole.ALARM
     if link.phase is Phase.CONNECTING or link.next_try is None:
-        yield "connecting", StyleRole.TEXT
+        yield tr("connecting"), StyleRole.TEXT
     else:
-        yield f"retry in {max(0.0, link.next_try - now):.0f} s", StyleRole.TEXT
+        yield tr(f"retry in {max(0.0, link.next_try - now):.0f} s"), StyleRole.TEXT
     # The end is cut first.
     if link.reason:
-        yield f": {sanitize(link.reason)}", StyleRole.WARN
-    last = "" if link.last_received is None else f", last message {age(now - link.last_received)} ago"
+        yield f": {tr(sanitize(link.reason))}", StyleRole.WARN
+    last = "" if link.last_received is None else tr(f", last message {age(now - link.last_received)} ago")
     yield f"{last} {address}", StyleRole.DIM
 
 
@@ -76,20 +79,20 @@ def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
     yield "● ", StyleRole.GOOD
     yield f"{address} ", StyleRole.TEXT
     if link.last_received is None:
-        yield "nothing received yet", StyleRole.DIM
+        yield tr("nothing received yet"), StyleRole.DIM
     else:
         silent = max(0.0, now - link.last_received)
         yield f"{duration(silent)}", StyleRole.DIM if silent < SILENT_AFTER else StyleRole.WARN
     if link.command_path is CommandPath.DEAD:
-        yield f" commands dead: {sanitize(link.command_reason)}", StyleRole.ALARM
+        yield tr(f" commands dead: {sanitize(link.command_reason)}"), StyleRole.ALARM
     elif link.command_path is CommandPath.UNREGISTERED:
-        yield f" {sanitize(link.command_reason)}", StyleRole.ALARM
+        yield f" {tr(sanitize(link.command_reason))}", StyleRole.ALARM
     if link.unsourced:
-        yield f" {sanitize(link.unsourced_text)}", StyleRole.ALARM
+        yield f" {tr(sanitize(link.unsourced_text))}", StyleRole.ALARM
     if link.late >= BEHIND:
-        yield f" {duration(link.late)} late: bridge overloaded", StyleRole.WARN
+        yield tr(f" {duration(link.late)} late: bridge overloaded"), StyleRole.WARN
     if link.faults:
-        yield f" {link.faults} bad frames", StyleRole.WARN
+        yield tr(f" {link.faults} bad frames"), StyleRole.WARN
 
 
 def _worst(state: FleetState) -> LinkState:
@@ -116,7 +119,9 @@ def status_line(
     shown = f"{sanitize(site)}: {sanitize(selected)}" if site else sanitize(selected)
     runs: list[Run] = [(f" {shown}  ", StyleRole.ACCENT)]
     sign, role = ("▲", StyleRole.ALARM) if fresh else ("△", StyleRole.TEXT if alarms else StyleRole.DIM)
-    runs.append((f"{sign} {alarms} alarm{'s' * (alarms != 1)}" + (f" ({fresh} new)" if fresh else ""), role))
+    runs.append(
+        (tr(f"{sign} {alarms} alarm{'s' * (alarms != 1)}") + (tr(f" ({fresh} new)") if fresh else ""), role)
+    )
     runs.extend(_by_site(state, role))
     runs.append(("  ", StyleRole.TEXT))
     runs.extend((note + "  ", StyleRole.WARN) for note in notes)
@@ -125,14 +130,14 @@ def status_line(
     runs.extend(_link_runs(link, state.now, sanitize(link.url if addressed or link.is_bag else link.name)))
     if others > 0:
         up = sum(link.phase is Phase.UP for link in state.links.values())
-        runs.append((f"  {up} of {others + 1} links up", StyleRole.DIM))
+        runs.append((tr(f"  {up} of {others + 1} links up"), StyleRole.DIM))
     return tuple(runs)
 
 
 def _by_site(state: FleetState, role: StyleRole) -> Iterator[Run]:
     """Yield the alarms of each site, of several."""
     if found := alarms_by_site(state):
-        told = ", ".join(f"{sanitize(site) or 'no site'} {count}" for site, count in found.items())
+        told = ", ".join(f"{sanitize(site) or tr('no site')} {count}" for site, count in found.items())
         yield f": {told}", role
 
 

@@ -5,6 +5,7 @@ from enum import IntEnum
 
 from msgspec import Struct
 
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import percent
 from fleet_tui.view.roles import StyleRole
@@ -102,11 +103,11 @@ def factor(speed: float) -> str:
 
 def _pace(moment: ReplayPosition) -> str:
     if moment.busy is not None:
-        return f"seeking: {percent(moment.busy)}"
+        return tr(f"seeking: {percent(moment.busy)}")
     if moment.is_over:
-        return "end of recording"
-    reached = f" ({factor(round(moment.reached, 1))} reached)" if moment.reached is not None else ""
-    return f"{'stopped' if moment.paused else 'playing'} {factor(moment.speed)}{reached}"
+        return tr("end of recording")
+    reached = tr(f" ({factor(round(moment.reached, 1))} reached)") if moment.reached is not None else ""
+    return f"{tr('stopped') if moment.paused else tr('playing')} {factor(moment.speed)}{reached}"
 
 
 def passed(moment: ReplayPosition) -> TimeMark | None:
@@ -121,14 +122,14 @@ def position_runs(moment: ReplayPosition, clock: Callable[[float], str], width: 
     sign = "‖" if moment.paused else "▸"
     runs: list[Run] = [
         (f" {sign} {clock(moment.wall)} ", StyleRole.TEXT),
-        (f"{_pace(moment)}  read-only  ", StyleRole.DIM),
+        (tr(f"{_pace(moment)}  read-only  "), StyleRole.DIM),
     ]
     mark = passed(moment)
     if mark is not None:
         sign, role = MARKS[mark.kind]
-        runs += [(f"{sign} ", role), (f"{sanitize(mark.text)}  ", StyleRole.TEXT)]
+        runs += [(f"{sign} ", role), (f"{tr(sanitize(mark.text))}  ", StyleRole.TEXT)]
     if moment.note:
-        runs.append((sanitize(moment.note), StyleRole.WARN))
+        runs.append((tr(sanitize(moment.note)), StyleRole.WARN))
     return cut(runs, width) if width_of(runs) > width else tuple(runs)
 
 

@@ -18,6 +18,7 @@ from fleet_tui.rules.why.reason import Reason, Strength, stationary_since
 from fleet_tui.rules.why.robot import moves
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.text.durations import age
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import ago
 from fleet_tui.view.lines.hints import hidden_keys
@@ -46,13 +47,17 @@ def why_lines(
     found, hidden = reasons(state, robot, match, complaints), hidden_keys(state, robot.name)
     if found and moves(state, robot) == found[0]:
         alarms = [*_alarms(state, robot, keys, hidden), *impact]
-        return [f"{sanitize(found[0].name)} ({found[0].evidence})", *alarms, *_others(state, robot, keys)]
+        return [
+            f"{tr(sanitize(found[0].name))} ({tr(found[0].evidence)})",
+            *alarms,
+            *_others(state, robot, keys),
+        ]
     lines = [_standing(state, robot)]
     for number, reason in enumerate(found[:SHOWN], 1):
         mark = "▶" if number == 1 else " "
-        strength = "" if reason.strength is Strength.NONE else f"  ({reason.strength.name.lower()})"
-        lines += ["", f"{mark} {number}. {sanitize(reason.name)}{strength}"]
-        told = (sanitize(reason.evidence), _age(state, robot, reason), reason.remedy)
+        strength = "" if reason.strength is Strength.NONE else f"  ({tr(reason.strength.name.lower())})"
+        lines += ["", f"{mark} {number}. {tr(sanitize(reason.name))}{strength}"]
+        told = (tr(sanitize(reason.evidence)), _age(state, robot, reason), tr(reason.remedy))
         lines += [f"    {line}" for line in (*told, *_help_lines(reason.keys, keys, hidden)) if line]
     return [*lines, *impact, *_others(state, robot, keys)]
 
@@ -64,7 +69,7 @@ def _alarms(
     for alarm in state.alarms:
         if alarm.holds and alarm.condition.source == robot.name:
             class_ = class_of(alarm.condition.kind)
-            yield from ("", f"▲ {sanitize(alarm.text)}", f"    {CLASSES[class_].action}")
+            yield from ("", f"▲ {tr(sanitize(alarm.text))}", f"    {tr(CLASSES[class_].action)}")
             yield from (f"    {line}" for line in _help_lines(ACTS.get(class_, ()), keys, hidden))
 
 
@@ -73,34 +78,38 @@ def _others(state: FleetState, robot: Robot, keys: Mapping[str, tuple[str, ...]]
     troubled = sorted(in_trouble(state) - acknowledged(state), key=natural)
     if not troubled or robot.name in troubled or not keys["next_trouble"]:
         return
-    named = sanitize(troubled[0]) if len(troubled) == 1 else f"{len(troubled)} other robots"
-    are = "is" if len(troubled) == 1 else "are"
-    yield from ("", f"{named} {are} in trouble: {key_name(keys['next_trouble'][0])} goes there")
+    key = key_name(keys["next_trouble"][0])
+    name, others = sanitize(troubled[0]), len(troubled)
+    one, many = (
+        f"{name} is in trouble: {key} goes there",
+        f"{others} other robots are in trouble: {key} goes there",
+    )
+    yield from ("", tr(one if others == 1 else many))
 
 
 def _standing(state: FleetState, robot: Robot) -> str:
-    place = sanitize(place_text(robot))
-    seen = f"{place[:1].upper()}{place[1:]}." if state.is_fresh(robot, "pose") else f"Last seen {place}."
+    place = tr(sanitize(place_text(robot)))
+    seen = f"{place[:1].upper()}{place[1:]}." if state.is_fresh(robot, "pose") else tr(f"Last seen {place}.")
     return f"{_movement(state, robot)} {seen}" if place else _movement(state, robot)
 
 
 def _movement(state: FleetState, robot: Robot) -> str:
     if "pose" not in robot.kind.reports:
-        return "Position not reported by this kind of robot."
+        return tr("Position not reported by this kind of robot.")
     if robot.pose is None or robot.standing is None:
-        return "No pose received."
+        return tr("No pose received.")
     if state.is_old(robot, "pose"):
-        return f"Last pose {age(state.now - robot.pose.at)} old."
+        return tr(f"Last pose {age(state.now - robot.pose.at)} old.")
     still = robot.still_for
-    return f"No movement for {age(still)}." if still >= STANDS_AFTER else "Pose changing."
+    return tr(f"No movement for {age(still)}.") if still >= STANDS_AFTER else tr("Pose changing.")
 
 
 def _age(state: FleetState, robot: Robot, reason: Reason) -> str:
     parts = []
     if reason.since is not None and reason.since != stationary_since(robot):  # the first line has that one
-        parts.append(f"for {age(state.now - reason.since)}")
+        parts.append(tr(f"for {age(state.now - reason.since)}"))
     if reason.seen is not None:
-        parts.append(f"reported {ago(reason.seen, state.now)}")
+        parts.append(tr(f"reported {ago(reason.seen, state.now)}"))
     return ", ".join(parts)
 
 
@@ -110,7 +119,10 @@ def _help_lines(
     """Yield one line of the keys, each with its hint in one piece: no space breaks it."""
     shown = [(keys[id_], BY_ID[id_]) for id_ in ids if id_ not in hidden]
     named = [
-        (key_name(pressed[0]) if pressed else "(palette)", key.hint.replace(" ", UNBROKEN) or key.text)
+        (
+            key_name(pressed[0]) if pressed else tr("(palette)"),
+            tr(key.hint).replace(" ", UNBROKEN) or tr(key.text),
+        )
         for pressed, key in shown
     ]
     if named:

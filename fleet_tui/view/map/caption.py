@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from fleet_tui.model.geometry import MapFrame
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.view.map.camera import Camera, scale_bar
 from fleet_tui.view.map.cells import Cells
@@ -73,11 +74,11 @@ def _pieces(facts: Caption) -> list[Piece]:
     return [
         *pieces,
         *([(facts.pixel, StyleRole.TEXT)] if facts.pixel else []),
-        *([("follow on", StyleRole.TEXT)] if facts.follow else []),
+        *([(tr("follow on"), StyleRole.TEXT)] if facts.follow else []),
         (_bar(facts), StyleRole.DIM),
         *_turn(facts),
-        *([("zoom robot", StyleRole.DIM)] if facts.zoom_robot else []),
-        *([(facts.hint, StyleRole.DIM)] if facts.hint else []),
+        *([(tr("zoom robot"), StyleRole.DIM)] if facts.zoom_robot else []),
+        *([(tr(f"{facts.hint} legend"), StyleRole.DIM)] if facts.hint else []),
     ]
 
 
@@ -85,8 +86,8 @@ def _turn(facts: Caption) -> list[Piece]:
     """Return the rotation of the picture in the world, if any."""
     yaw = facts.frame.origin.yaw
     degrees = round(math.degrees(yaw)) if math.isfinite(yaw) else 0
-    unit = " deg" if facts.drawing is Drawing.ASCII else "°"
-    return [(f"yaw {degrees}{unit}", StyleRole.DIM)] if degrees else []
+    unit = tr(" deg") if facts.drawing is Drawing.ASCII else "°"
+    return [(tr(f"yaw {degrees}{unit}"), StyleRole.DIM)] if degrees else []
 
 
 def _bar(facts: Caption) -> str:

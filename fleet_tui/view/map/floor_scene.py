@@ -22,6 +22,7 @@ from fleet_tui.rules.alarms.trouble import (
 from fleet_tui.rules.commands.set_up.mode import mapping_text
 from fleet_tui.rules.marks import marks_of
 from fleet_tui.rules.routes.order_draft import Drafted
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.area import worth_seeing
 from fleet_tui.view.map.mission import mission, targets
@@ -99,21 +100,21 @@ def _with_map(state: FleetState, floor: Floor, robot_map: RobotMap, scene: Scene
     if grid is not None and floor.tied:
         note = ""
         if frame is not None and not _same_size(frame, grid.frame):
-            note = "map_metadata differs from the map file"
+            note = tr("map_metadata differs from the map file")
         return replace(scene, grid=grid, frame=grid.frame, note=note)
     if grid is not None and frame is not None:
         if (frame.width, frame.height) == (grid.frame.width, grid.frame.height):
             return replace(scene, grid=grid, frame=frame)
         image, size = grid.frame, f"{frame.width} x {frame.height}"
-        return replace(scene, note=f"map image {image.width} x {image.height} px, map_metadata {size}")
+        return replace(scene, note=tr(f"map image {image.width} x {image.height} px, map_metadata {size}"))
     if floor.problem:
-        return replace(scene, note=floor.problem)
+        return replace(scene, note=tr(floor.problem))
     if grid is not None:
-        return replace(scene, note="map image waiting for map_metadata")
+        return replace(scene, note=tr("map image waiting for map_metadata"))
     live = robot_map.grid or floor.live or _same_map(state, floor.name, robot_map)
     if live is not None:
         return replace(scene, grid=live, frame=live.frame)
-    missing = "no map yet" if robot_map.graph is not None else "no map and no graph yet"
+    missing = tr("no map yet") if robot_map.graph is not None else tr("no map and no graph yet")
     return replace(scene, frame=frame or scene.frame, note=missing)
 
 
@@ -188,12 +189,12 @@ def _elsewhere(state: FleetState, selection: Selection) -> str:
     robot = state.robots[selection.robot]
     actual = robot.floor
     if "pose" not in robot.kind.reports:
-        return f"{robot.name} reports no position"
+        return tr(f"{robot.name} reports no position")
     if robot.pose is None:
-        return f"{robot.name} has no pose yet"
+        return tr(f"{robot.name} has no pose yet")
     if actual is None:
-        return f"{robot.name} is on unknown floor {sanitize(robot.frame_id)}"
-    return f"{robot.name} is on {actual}" if actual != selection.floor else ""
+        return tr(f"{robot.name} is on unknown floor {sanitize(robot.frame_id)}")
+    return tr(f"{robot.name} is on {actual}") if actual != selection.floor else ""
 
 
 def _way(robot: Robot, floor: str, drafted: Drafted | None) -> tuple[tuple[str, ...], Mission | None]:
@@ -234,7 +235,7 @@ def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None
         picked=vertices_of_way[-1] if drafted is not None and vertices_of_way else "",
         mission=way,
         closed=_closed(state, floor.name, robot_map),
-        note=", ".join(notes),
+        note=", ".join(map(tr, notes)),
         elsewhere=trouble_elsewhere(state, floor.name),
         waits=state.now - state.links[selected.link].since < PATIENCE,
     )

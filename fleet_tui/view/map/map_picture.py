@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from fleet_tui.text.language import tr
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.caption import Caption, caption_row
 from fleet_tui.view.map.cells import Cells
@@ -115,7 +116,7 @@ class MapPicture:
         if self.mode.cursor is None or scene.grid is None:
             return ""
         column, row = map(math.floor, scene.frame.to_pixel(*self.mode.cursor))
-        return f"cell {column}, {row}"
+        return tr(f"cell {column}, {row}")
 
     def _still(self, scene: Scene, camera: Camera) -> Backdrop:
         """Return the backdrop of the robots, redrawn only on a change."""
@@ -133,15 +134,15 @@ def _trouble_out_of_view(scene: Scene, camera: Camera) -> str:
     seen = {robot.name for robot, _ in seen_robots(replace(scene, robots=alarmed), camera)} if alarmed else ()
     hidden = [robot.name for robot in alarmed if robot.name not in seen]
     if len(hidden) > 1:
-        return f"! {len(hidden)} out of view"
-    return f"! {hidden[0]} out of view" if hidden else ""
+        return tr(f"! {len(hidden)} out of view")
+    return tr(f"! {hidden[0]} out of view") if hidden else ""
 
 
 def _out_of_view(scene: Scene, camera: Camera) -> str:
     """Return a note if the selected robot is on the floor and not in the view."""
     selected = tuple(robot for robot in scene.robots if robot.selected and not robot.alarmed)
     is_outside = selected and not seen_robots(replace(scene, robots=selected), camera)
-    return f"{selected[0].name} is out of view" if is_outside else ""
+    return tr(f"{selected[0].name} is out of view") if is_outside else ""
 
 
 def _same(before: tuple[Scene, Camera, MapOptions], now: tuple[Scene, Camera, MapOptions]) -> bool:

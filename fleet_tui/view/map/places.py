@@ -19,7 +19,7 @@ Rows = TypeVar("Rows", bound=tuple[object, ...])
 
 CROWDED = 45
 """Cells of the view for each robot in it below which the numbers of robots without anything special cover
-nothing but floor."""
+no labels."""
 
 
 class Same(Generic[Rows]):

@@ -113,16 +113,16 @@ def _beside_arrow(
     is_quiet: bool,
 ) -> _Numbers | None:
     """Return the numbers of the robots in a cell beside their arrow of `arrow` cells, None without space.
-    Those of quiet ones cover nothing."""
+    Those of quiet ones cover no label."""
     (x, y), first = at, robots[0]
-    number, is_alone = first.number, len(robots) == 1
-    has_alarm = occupancy.width >= LARGE and is_alone and first.alarmed and first.online
+    number = first.number
+    has_alarm = occupancy.width >= LARGE and first.alarmed and first.online and first.said != ""
     for n, runs in enumerate(_numbers(robots, look.plain, has_alarm)):
         cells = sum(len(text) for text, _ in runs)
         # The age of a pose, or an alarm, is also in a table: it covers no label.
         is_long = n == 0 and (has_alarm or not all(robot.online for robot in robots))
         before = sides.get(number, 0)
-        if side := occupancy.number_side(x, y, arrow, cells, before, is_long or is_quiet, is_quiet):
+        if side := occupancy.number_side(x, y, arrow, cells, before, is_long or is_quiet):
             sides[number] = side
             # The colour of the arrow is the first one's: where that is special, its number is beside it.
             is_special = robot_roles(robots[0])[1] != StyleRole.ROBOT
@@ -180,18 +180,21 @@ def _numbers(
     robots: list[SceneRobot], plain: bool, has_alarm: bool = False
 ) -> Iterator[list[tuple[str, StyleRole]]]:
     """Yield the texts beside the arrow of the robots in one cell, each with its role, the most telling first:
-    all of them, the first with a count of the others, each with states and without; the first alone."""
+    all of them, the first with a count of the others, each with states and without; the first alone. Beside
+    one in trouble the others are only counted: it must be clear whose arrow it is."""
     first, more = robots[0], len(robots) - 1
-    role = robot_roles(first)[1]
+    role, count = robot_roles(first)[1], [(f"+{more}", StyleRole.ROBOT)] if more else []
     if has_alarm and first.said.isascii() and first.said.isprintable():  # each letter takes one cell
-        yield [(f"{robot_tag(first, plain)} {first.said}", role)]
+        yield [(f"{robot_tag(first, plain)} {first.said}{' ' * bool(more)}", role), *count]
+    if first.alarmed and more:
+        yield [(robot_tag(first, plain), role), *count]
     for text in (partial(robot_tag, plain=plain), robot_number):
         # Among several an age would read as a number of its own.
         texts = [text(one) if one.online or not more else robot_number(one) for one in robots]
         tags = [(tag, robot_roles(one)[1]) for tag, one in zip(texts, robots, strict=True)]
         yield [run for tag in tags for run in (tag, (",", StyleRole.ROBOT))][:-1]
         if more:
-            yield [tags[0], (f"+{more}", StyleRole.ROBOT)]
+            yield [tags[0], *count]
     yield [(robot_number(first), role)]
 
 

@@ -52,8 +52,8 @@ class SceneRobot(NamedTuple):
 
     @property
     def is_odd(self) -> bool:
-        """Tell whether it may need a person soon: it is no alarm yet."""
-        return (self.waits or self.obstacle) and not self.acknowledged
+        """Tell whether it may need a person soon, or a person knows of its trouble."""
+        return self.waits or self.obstacle or self.acknowledged
 
 
 @dataclass(frozen=True, slots=True)

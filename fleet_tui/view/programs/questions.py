@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 
 from fleet_tui.model.programs.program import ENDED, ProgramRow, ProgramState
+from fleet_tui.text.language import tr
 from fleet_tui.text.limits import some
 from fleet_tui.text.sanitize import sanitize
 
@@ -10,8 +11,8 @@ from fleet_tui.text.sanitize import sanitize
 def change_question(rows: Mapping[str, ProgramRow], name: str, verb: str, now: float) -> str:
     """Return the question, with a line for each consequence."""
     row = rows[name]
-    where = f" on {row.host}" if row.host else ""
-    lines = [f"{verb.capitalize()} {name}{where}? It is {row.state(now).value}."]
+    where = tr(f" on {row.host}") if row.host else ""
+    lines = [tr(f"{tr(verb.capitalize())} {name}{where}? It is {tr(row.state(now).value)}.")]
     lines += consequences(rows, name, verb, now)
     return "\n".join(map(sanitize, lines))
 
@@ -22,11 +23,11 @@ def consequences(rows: Mapping[str, ProgramRow], name: str, verb: str, now: floa
     if verb == "start":
         for need in row.needs:
             if rows[need].state(now) is not ProgramState.RUNNING:
-                yield f"It needs {need}, which is {rows[need].state(now).value}."
+                yield tr(f"It needs {need}, which is {rows[need].state(now).value}.")
         return
     units = row.status.dependents if row.status is not None else ()
     if units:
-        yield f"systemd also {verb}s {some(units)}."
+        yield tr(f"systemd also {verb}s {some(units)}.")
     for other in rows.values():
         if name in other.needs and other.state(now) not in ENDED:
-            yield f"{other.name} needs it, and is {other.state(now).value}."
+            yield tr(f"{other.name} needs it, and is {other.state(now).value}.")

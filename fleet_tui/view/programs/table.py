@@ -4,6 +4,7 @@ from collections.abc import Callable, Sequence
 
 from fleet_tui.model.programs.program import ProgramRow, ProgramState
 from fleet_tui.text.durations import age
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
@@ -35,13 +36,20 @@ _LOOKS = {
 def program_table(rows: Sequence[ProgramRow], clock: Callable[[float], str], now: float) -> Table:
     """Return a row for each program, in the order of the configuration. `clock` formats Unix seconds, `now`
     is of the monotonic clock."""
-    title = (("Programs", StyleRole.TITLE), ("  Enter: start, stop, restart, log", StyleRole.DIM))
+    title = ((tr("Programs"), StyleRole.TITLE), (tr("  Enter: start, stop, restart, log"), StyleRole.DIM))
     if not rows:
-        help_rows = [Row(n, ((line, StyleRole.TEXT),)) for n, line in enumerate(NONE_CONFIGURED)]
-        return Table((("Programs", StyleRole.TITLE),), help_rows)
+        told = [line if line.startswith(" ") else tr(line) for line in NONE_CONFIGURED]
+        help_rows = [Row(n, ((line, StyleRole.TEXT),)) for n, line in enumerate(told)]
+        return Table(((tr("Programs"), StyleRole.TITLE),), help_rows)
     names = column((row.name for row in rows), 7, 16)
-    hosts = column((row.host or HERE for row in rows), 4, 12)
-    head = f"{'program':<{names}} {'host':<{hosts}} {'state':<10} {'since':<11} {'restarts':>8}  note"
+    hosts = column((row.host or tr(HERE) for row in rows), 4, 12)
+    heads = (("program", names), ("host", hosts), ("state", 10), ("since", 11))
+    head = " ".join(
+        (
+            *(fit(tr(word), cells) for word, cells in heads),
+            f"{tr('restarts'):>8}  {tr('note')}",
+        )
+    )
     shown = [Row(row.name, _runs(row, names, hosts, clock, now)) for row in rows]
     return Table(title, shown, head=((head, StyleRole.DIM),))
 
@@ -56,8 +64,8 @@ def _runs(
     restarts = status.restarts if is_known and status is not None else None
     return (
         (fit(row.name, names) + " ", StyleRole.TEXT),
-        (fit(row.host or HERE, hosts) + " ", StyleRole.DIM),
-        (f"{sign}{state.value:<8} ", role),
+        (fit(row.host or tr(HERE), hosts) + " ", StyleRole.DIM),
+        (f"{sign}{tr(state.value):<8} ", role),
         (f"{fit(since, 11)} ", StyleRole.TEXT),
         (f"{'-' if restarts is None else restarts:>8}  ", StyleRole.WARN if restarts else StyleRole.DIM),
         (note(row, now), StyleRole.ALARM if state is ProgramState.FAILED else StyleRole.TEXT),
@@ -67,15 +75,17 @@ def _runs(
 def note(row: ProgramRow, now: float) -> str:
     """Return what is under way, the reason of a failure, and of an unknown state what was known last."""
     if row.pending:
-        return f"{row.pending} is under way ..."
+        return tr(f"{tr(row.pending)} is under way ...")
     if row.status is None:
-        return "looking ..."
+        return tr("looking ...")
     if row.state(now) is not ProgramState.UNKNOWN:
-        return sanitize(row.status.detail)
+        return tr(sanitize(row.status.detail))
     known = row.last_known
-    before = f"{known.state.value} {age(now - known.at)} ago; " if known is not None else ""
+    before = tr(f"{tr(known.state.value)} {age(now - known.at)} ago; ") if known is not None else ""
     is_late = row.status.state is not ProgramState.UNKNOWN
-    return sanitize(before + (f"no answer for {age(now - row.status.at)}" if is_late else row.status.detail))
+    return sanitize(
+        before + (tr(f"no answer for {age(now - row.status.at)}") if is_late else tr(row.status.detail))
+    )
 
 
 def log_table(name: str, found: Sequence[tuple[int, str]], total: int, wanted: str, note: str) -> Table:
@@ -85,9 +95,9 @@ def log_table(name: str, found: Sequence[tuple[int, str]], total: int, wanted: s
         number, text = found[n]
         return Row(number, ((sanitize(text), StyleRole.TEXT),))
 
-    counted = f" {len(found)} of {total} lines" + (f", matching {sanitize(wanted)}" if wanted else "")
-    title: list[Run] = [(f"Log of {sanitize(name)}", StyleRole.TITLE), (counted, StyleRole.DIM)]
+    counted = tr(f" {len(found)} of {total} lines") + (tr(f", matching {sanitize(wanted)}") if wanted else "")
+    title: list[Run] = [(tr(f"Log of {sanitize(name)}"), StyleRole.TITLE), (counted, StyleRole.DIM)]
     if note:
-        title.append((f"  {sanitize(note)}", StyleRole.WARN))
-    empty = "no matching line" if total else sanitize(note) or "no line yet"
+        title.append((f"  {tr(sanitize(note))}", StyleRole.WARN))
+    empty = tr("no matching line") if total else tr(sanitize(note)) or tr("no line yet")
     return Table(tuple(title), LateRows([number for number, _ in found], row), empty)

@@ -11,6 +11,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.battery.forecast import BatteryForecast
 from fleet_tui.rules.why.complaints import Complaint
 from fleet_tui.text.durations import age
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.robot.sections import (
     STATE,
@@ -57,7 +58,7 @@ class PageContent(Struct, frozen=True):
 def page_title(state: FleetState, name: str) -> tuple[Run, ...]:
     """Return the robot, its kind and link, and its place in the configuration."""
     robot, names = state.robots[name], list(state.robots)
-    about = f"  {robot.kind.name} on {sanitize(robot.link)}, {names.index(name) + 1} of {len(names)}"
+    about = tr(f"  {robot.kind.name} on {sanitize(robot.link)}, {names.index(name) + 1} of {len(names)}")
     return (f" {sanitize(name)}", StyleRole.TITLE_FOCUSED), (about, StyleRole.DIM)
 
 
@@ -95,16 +96,16 @@ def _beside(one: Sequence[Line], other: Sequence[Line], left: int, right: int) -
 
 def _battery(content: PageContent, width: int, height: int) -> PageSection:
     """Return the curve of the levels that this console saw, and in its title the guess that fits."""
-    title: tuple[Run, ...] = (("Battery", StyleRole.TITLE),)
+    title: tuple[Run, ...] = ((tr("Battery"), StyleRole.TITLE),)
     for guess in _guesses(content):
         told = (*title, (f" {guess}", StyleRole.TEXT))
         if width_of(told) + 4 <= width:
             title = told
             break
     if "battery" not in content.robot.kind.reports:
-        return PageSection(title, (), "this kind of robot reports none")
+        return PageSection(title, (), tr("this kind of robot reports none"))
     lines = content.curve(width, height) if content.curve is not None else ()
-    return PageSection(title, lines, "none seen yet" if content.curve is not None else "...")
+    return PageSection(title, lines, tr("none seen yet") if content.curve is not None else "...")
 
 
 def _guesses(content: PageContent) -> Iterator[str]:
@@ -112,10 +113,10 @@ def _guesses(content: PageContent) -> Iterator[str]:
     guess = content.forecast
     if guess is None:
         return
-    left = f"{age(guess.empty_in)} left"
+    left = tr(f"{age(guess.empty_in)} left")
     if guess.low_in is not None:
-        low = f"low at {content.clock(content.state.wall + guess.low_in)[:HOURS_MINUTES]}"
-        yield f"a guess: {low}, about {left}"
-        yield f"maybe {low}"
-    yield f"a guess: about {left}"
-    yield f"maybe {left}"
+        low = tr(f"low at {content.clock(content.state.wall + guess.low_in)[:HOURS_MINUTES]}")
+        yield tr(f"a guess: {low}, about {left}")
+        yield tr(f"maybe {low}")
+    yield tr(f"a guess: about {left}")
+    yield tr(f"maybe {left}")

@@ -14,6 +14,7 @@ from fleet_tui.rules.routes.remaining import metres_left
 from fleet_tui.rules.why.complaints import Complaint
 from fleet_tui.rules.why.traffic import stops_left
 from fleet_tui.text.durations import age
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import SIGNS
@@ -54,16 +55,16 @@ def _titled(title: str, lines: Iterator[Line], empty: str) -> PageSection:
 
 def state_section(state: FleetState, robot: Robot, complaints: Sequence[Complaint] = ()) -> PageSection:
     """Return the news, the robot's own complaints, and each value with its age."""
-    return _titled("State", _state(state, robot, complaints), "")
+    return _titled(tr("State"), _state(state, robot, complaints), "")
 
 
 def _state(state: FleetState, robot: Robot, complaints: Sequence[Complaint]) -> Iterator[Line]:
     holding = [one for one in state.alarms if one.holds and one.condition.source == robot.name]
     alarms = [
-        (sanitize(one.text), StyleRole.ALARM if one.needs_acknowledgement else StyleRole.WARN)
+        (tr(sanitize(one.text)), StyleRole.ALARM if one.needs_acknowledgement else StyleRole.WARN)
         for one in holding
     ]
-    usual = [] if complaints else [("nothing unusual", StyleRole.TEXT)]
+    usual = [] if complaints else [(tr("nothing unusual"), StyleRole.TEXT)]
     for n, runs in enumerate(_packed(list(news_of_page(state, robot)) or alarms or usual, STATE - NAME)):
         yield named("" if n else "State", *runs)
     for one in complaints:
@@ -85,7 +86,7 @@ def _packed(runs: Sequence[Run], cells: int) -> list[list[Run]]:
 
 def route_section(state: FleetState, robot: Robot) -> PageSection:
     """Return the current order, its stops that are left, and the metres."""
-    return _titled("Route", _route(state, robot), "no order is driven")
+    return _titled(tr("Route"), _route(state, robot), tr("no order is driven"))
 
 
 def _route(state: FleetState, robot: Robot) -> Iterator[Line]:
@@ -99,29 +100,31 @@ def _route(state: FleetState, robot: Robot) -> Iterator[Line]:
         return
     metres = metres_left(robot, order)
     if metres is None or robot.pose is None:
-        yield named("Left", ("no way on the graph is known", StyleRole.DIM))
+        yield named("Left", (tr("no way on the graph is known"), StyleRole.DIM))
     elif state.is_old(robot, "pose"):
-        seen = f"{metres:.0f} m from its pose {age(state.now - robot.pose.at)} ago"
+        seen = tr(f"{metres:.0f} m from its pose {age(state.now - robot.pose.at)} ago")
         yield named("Left", (seen, StyleRole.WARN))
     else:
-        yield named("Left", (f"{metres:.0f} m on the graph", StyleRole.TEXT))
+        yield named("Left", (tr(f"{metres:.0f} m on the graph"), StyleRole.TEXT))
 
 
 def orders_section(state: FleetState, robot: Robot) -> PageSection:
     """Return the orders that wait, and how the last ones ended."""
     return _titled(
-        "Orders", _orders(state, robot), "no further orders" if robot.orders.current else "no orders"
+        tr("Orders"),
+        _orders(state, robot),
+        tr("no further orders") if robot.orders.current else tr("no orders"),
     )
 
 
 def _orders(state: FleetState, robot: Robot) -> Iterator[Line]:
     if robot.queue is not None and state.is_old(robot, "queue"):
-        yield named("Queue", (f"{age(state.now - robot.queue.at)} old", StyleRole.WARN))
+        yield named("Queue", (tr(f"{age(state.now - robot.queue.at)} old"), StyleRole.WARN))
     waiting = [order for order in robot.orders.open if not robot.orders.is_current(order)]
     for order in waiting[:LAST]:
         yield named("Waiting", (whose_mission(state, robot, order), StyleRole.TEXT))
     if len(waiting) > LAST:
-        yield named("", (f"and {len(waiting) - LAST} more", StyleRole.DIM))
+        yield named("", (tr(f"and {len(waiting) - LAST} more"), StyleRole.DIM))
     yield from ended_rows(state, robot)
 
 
@@ -130,29 +133,29 @@ def alarms_section(
 ) -> PageSection:
     """Return the alarms that are listed, and those of this session that are over; `note` is said about
     these."""
-    section = _titled("Alarms", _alarms(state, robot, past, clock), "none in this session")
-    title = (*section.title, (f" {sanitize(note)}", StyleRole.DIM)) if note else section.title
-    return PageSection(title, section.lines, "none now" if note else section.empty)
+    section = _titled(tr("Alarms"), _alarms(state, robot, past, clock), tr("none in this session"))
+    title = (*section.title, (f" {tr(sanitize(note))}", StyleRole.DIM)) if note else section.title
+    return PageSection(title, section.lines, tr("none now") if note else section.empty)
 
 
 def _alarms(state: FleetState, robot: Robot, past: Sequence[PastAlarm], clock: Clock) -> Iterator[Line]:
     own = [alarm for alarm in state.alarms if alarm.condition.source == robot.name]
     for alarm in own:
         role = StyleRole.ALARM if alarm.holds and alarm.needs_acknowledgement else StyleRole.TEXT
-        since = f" since {clock(alarm.first_wall)}"
-        yield ((f"{SIGNS[alarm.stage]} {sanitize(alarm.text)}", role), (since, StyleRole.DIM))
+        since = tr(f" since {clock(alarm.first_wall)}")
+        yield ((f"{tr(SIGNS[alarm.stage])} {tr(sanitize(alarm.text))}", role), (since, StyleRole.DIM))
         if alarm.holds:
-            action = CLASSES[class_of(alarm.condition.kind)].action
+            action = tr(CLASSES[class_of(alarm.condition.kind)].action)
             yield ((f"      {action}", StyleRole.DIM),)
     listed = {alarm.condition.kind for alarm in own if alarm.stage is AlarmStage.RETURNED}
     for over in past[:LAST]:
         if over.kind in listed:  # listed above, not acknowledged yet
             listed.remove(over.kind)
             continue
-        times = f"{sanitize(over.began)} to {sanitize(over.ended)}"
-        yield ((f"  over {times}  {sanitize(over.text)}", StyleRole.DIM),)
+        times = tr(f"{sanitize(over.began)} to {sanitize(over.ended)}")
+        yield ((tr(f"  over {times}  {sanitize(over.text)}"), StyleRole.DIM),)
 
 
 def commands_section(state: FleetState, robot: Robot, clock: Clock) -> PageSection:
     """Return the last commands of this console and their outcomes."""
-    return _titled("Commands", command_rows(state, robot, clock), "none from this console")
+    return _titled(tr("Commands"), command_rows(state, robot, clock), tr("none from this console"))

@@ -9,6 +9,7 @@ from fleet_tui.model.routines.row import RoutineRow
 from fleet_tui.rules.routines.positions import block_at
 from fleet_tui.rules.routines.timeline import TimelineEntry
 from fleet_tui.text.durations import age
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import counted
 
@@ -17,7 +18,7 @@ HELD, PAUSED, WAITING, RUNNING, NEVER = "held", "paused", "waiting", "running", 
 
 def problem_line(name: str, problem: RoutineProblem) -> str:
     """Return a problem with its place."""
-    return sanitize(f"{name}, line {problem.line}: {problem.text}")
+    return sanitize(tr(f"{name}, line {problem.line}: {problem.text}"))
 
 
 def timeline_lines(entries: Sequence[TimelineEntry]) -> Iterator[str]:
@@ -26,9 +27,11 @@ def timeline_lines(entries: Sequence[TimelineEntry]) -> Iterator[str]:
         yield sanitize(f"{robot}:")
         for entry in of_robot:
             at = _clock(entry.at, entry.is_least)
-            lasts = "" if entry.seconds is None else f"about {age(entry.seconds)}"
+            lasts = "" if entry.seconds is None else tr(f"about {age(entry.seconds)}")
             notes = ", ".join(part for part in (lasts, entry.note) if part)
-            yield sanitize(f"{at:>8}  line {entry.line:<4} {entry.text}" + (f" ({notes})" if notes else ""))
+            yield sanitize(
+                f"{at:>8}  " + tr(f"line {entry.line:<4} {entry.text}") + (f" ({notes})" if notes else "")
+            )
 
 
 def timeline_totals(entries: Sequence[TimelineEntry]) -> Iterator[str]:
@@ -36,9 +39,9 @@ def timeline_totals(entries: Sequence[TimelineEntry]) -> Iterator[str]:
     for robot, of_robot in groupby(entries, lambda entry: entry.robot):
         found = list(of_robot)
         last = found[-1]
-        how = "at least" if last.is_least or last.seconds is None else "about"
+        how = tr("at least") if last.is_least or last.seconds is None else tr("about")
         ends = _clock(last.at + (last.seconds or 0.0), False)
-        yield sanitize(f"{robot}: {counted(len(found), 'instruction')}, {how} {ends} min")
+        yield sanitize(tr(f"{robot}: {counted(len(found), 'instruction')}, {how} {ends} min"))
 
 
 def _clock(seconds: float, is_least: bool) -> str:
@@ -56,16 +59,16 @@ def lane_word(lane: Lane) -> str:
 def lane_text(plan: LanePlan, lane: Lane) -> str:
     """Return the current instruction of a lane, and the reason of a hold or a failure."""
     block = None if lane.is_over else block_at(plan, lane.path)
-    at = f"line {block.line}: {block.text}" if block is not None else ""
+    at = tr(f"line {block.line}: {block.text}") if block is not None else ""
     goes_on = lane_word(lane) in (HELD, PAUSED) and lane.phase is LanePhase.ORDERED
     shows = lane.has_failed or lane.gate is Gate.HELD
-    parts = (at, "its order goes on" * goes_on, lane.detail if shows else "")
+    parts = (at, tr("its order goes on") * goes_on, tr(lane.detail) if shows else "")
     return sanitize("; ".join(part for part in parts if part))
 
 
 def note_text(note: LaneNote) -> str:
     """Return a change of a lane in words."""
-    where = f"line {note.line}: {note.text}: " if note.line else ""
+    where = tr(f"line {note.line}: {note.text}: ") if note.line else ""
     return sanitize(f"{where}{note.change}" + (f": {note.detail}" if note.detail else ""))
 
 

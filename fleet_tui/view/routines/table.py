@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from fleet_tui.model.routines.lane import Lane
 from fleet_tui.model.routines.row import RoutineRow
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.routines.lines import (
@@ -43,26 +44,29 @@ _LOOKS = {
 def routine_table(rows: Sequence[RoutineRow], folder: str, clock: Callable[[float], str]) -> Table:
     """Return the routines; the key of a row is the name, or the name and the robot. `clock` formats Unix
     seconds."""
-    title = (("Routines", StyleRole.TITLE), ("  Enter: start, pause, resume, stop", StyleRole.DIM))
+    title = ((tr("Routines"), StyleRole.TITLE), (tr("  Enter: start, pause, resume, stop"), StyleRole.DIM))
     if not rows:
-        text = (f"No routine in {sanitize(folder)}.", *NONE_THERE)
+        text = (tr(f"No routine in {sanitize(folder)}."), *NONE_THERE)
         return Table(
-            (("Routines", StyleRole.TITLE),),
-            [Row(n, ((line, StyleRole.TEXT),)) for n, line in enumerate(text)],
+            ((tr("Routines"), StyleRole.TITLE),),
+            [
+                Row(n, ((line if line.startswith(" ") else tr(line), StyleRole.TEXT),))
+                for n, line in enumerate(text)
+            ],
         )
     names = column((name for row in rows for name in (row.name, *(f"  {one}" for one in row.plans))), 7, 18)
-    head = f"{'routine':<{names}} {'state':<11} {'since':<11} instruction"
+    head = f"{fit(tr('routine'), names)} {fit(tr('state'), 11)} {fit(tr('since'), 11)} {tr('instruction')}"
     shown = [one for row in rows for one in _rows(row, names, clock)]
     return Table(title, shown, head=((head, StyleRole.DIM),))
 
 
 def _rows(row: RoutineRow, names: int, clock: Callable[[float], str]) -> Iterator[Row]:
-    times = f"every {', every '.join(row.times)}" if row.times else ""
-    by = f"led by {row.owner}" if row.owner and not any(lane.is_over for lane in row.lanes) else ""
+    times = ", ".join(tr(f"every {time}") for time in row.times)
+    by = tr(f"led by {row.owner}") if row.owner and not any(lane.is_over for lane in row.lanes) else ""
     note = "; ".join(sanitize(part) for part in (by, times) if part)
     role = StyleRole.ALARM if row.problem else StyleRole.DIM
     since = clock(row.at) if row.lanes else "-"
-    yield Row(row.name, _runs(row.name, names, row_word(row), since, sanitize(row.problem) or note, role))
+    yield Row(row.name, _runs(row.name, names, row_word(row), since, tr(sanitize(row.problem)) or note, role))
     if not all(lane.is_over for lane in row.lanes):
         for lane in row.lanes:
             yield Row((row.name, lane.robot), _lane(row, lane, names, clock))
@@ -78,7 +82,7 @@ def _runs(name: str, names: int, word: str, since: str, note: str, role: StyleRo
     sign, look = _LOOKS[word]
     return (
         (fit(name, names) + " ", StyleRole.TEXT),
-        (fit(f"{sign}{word}", 11) + " ", look),
+        (fit(f"{sign}{tr(word)}", 11) + " ", look),
         (fit(since, 11) + " ", StyleRole.DIM),
         (note, role),
     )
@@ -86,5 +90,5 @@ def _runs(name: str, names: int, word: str, since: str, note: str, role: StyleRo
 
 def text_table(title: str, lines: Sequence[str]) -> Table:
     """Return the lines of a text about a routine."""
-    shown = [Row(n, ((sanitize(line), StyleRole.TEXT),)) for n, line in enumerate(lines)]
-    return Table(((sanitize(title), StyleRole.TITLE), ("  Esc: back", StyleRole.DIM)), shown)
+    shown = [Row(n, ((tr(sanitize(line)), StyleRole.TEXT),)) for n, line in enumerate(lines)]
+    return Table(((tr(sanitize(title)), StyleRole.TITLE), (tr("  Esc: back"), StyleRole.DIM)), shown)

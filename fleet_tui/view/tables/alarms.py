@@ -1,6 +1,6 @@
 """The alarm pane: conditions that need a person, and unacknowledged alarms."""
 
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Sequence
 from textwrap import wrap
 
 from msgspec.structs import replace
@@ -11,6 +11,7 @@ from fleet_tui.model.order import natural
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.alarms.floods import is_group
 from fleet_tui.rules.alarms.trouble import urgency
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrangement import RowArrangement, Value
@@ -29,6 +30,8 @@ _SHORT = {Priority.HIGH: "high", Priority.MEDIUM: "med ", Priority.LOW: "low "}
 WITH_PRIORITY = 44
 """Cells of a pane from which alarms have words for stage and priority, seconds, and robots long names."""
 HOURS_MINUTES = 5
+SHORT = 4
+"""Cells of a priority in a narrow pane."""
 REST_AT, LEAST_REST = 2, 10
 """Cells before the rest of a long text, and those that each of its lines has at least."""
 UNBOUNDED = 10_000
@@ -49,13 +52,13 @@ def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float],
     count = f" x{alarm.count}" if alarm.count > 1 else ""
     shelf = ""
     if alarm.stage is AlarmStage.SHELVED:
-        shelf = f" until {clock(state.wall + alarm.shelved_until - state.now)}"
+        shelf = tr(f" until {clock(state.wall + alarm.shelved_until - state.now)}")
     is_wide = width >= WITH_PRIORITY
     at = clock(_at(alarm))
     runs = _signs(alarm, shelf, is_wide, role)
     runs.append((fit(alarm.condition.source, sources) + " ", StyleRole.TEXT))
     left = width - 1 - sum(cell_width(text) for text, _ in runs)
-    text = _short(sanitize(alarm.text), left)
+    text = _short(tr(sanitize(alarm.text)), left)
     since = f" {at if is_wide else at[:HOURS_MINUTES]}"
     # Half a time is none.
     since = since if cell_width(text + since + count) <= left else ""
@@ -67,7 +70,11 @@ def _signs(alarm: Alarm, shelf: str, is_wide: bool, role: StyleRole) -> list[Run
     """Return stage and priority, in a narrow pane the stage as a sign: what is most urgent as a chip, like a
     robot's on the map."""
     sign, priority = SIGNS[alarm.stage], alarm.condition.priority
-    text = f"{sign}{shelf} {_PRIORITIES[priority]}" if is_wide else f"{sign[0]} {_SHORT[priority]}{shelf}"
+    if is_wide:
+        signs = list(SIGNS.values())[:-1]
+        text = f"{_padded(sign, signs)}{shelf} {_padded(_PRIORITIES[priority], _PRIORITIES.values())}"
+    else:
+        text = f"{sign[0]} {tr(_SHORT[priority])[:SHORT]}{shelf}"
     if alarm.needs_acknowledgement and alarm.holds and alarm.condition.priority is Priority.HIGH:
         chip = text.rstrip()
         return [(chip, StyleRole.ROBOT_ALARM), (text[len(chip) :] + " ", role)]
@@ -75,10 +82,15 @@ def _signs(alarm: Alarm, shelf: str, is_wide: bool, role: StyleRole) -> list[Run
     return [(text + " ", StyleRole.WARN if is_known else role)]
 
 
+def _padded(word: str, others: Iterable[str]) -> str:
+    """Return a word in the cells of the longest of its column."""
+    return f"{tr(word.strip()):<{max(cell_width(tr(one.strip())) for one in others)}}"
+
+
 def _in_full(row: Row, alarm: Alarm, width: int) -> list[Row]:
     """Return the row of a single alarm; if it would be cut, the rest of its text below: there is space for
     it."""
-    text, role = sanitize(alarm.text), row.runs[-2][1]
+    text, role = tr(sanitize(alarm.text)), row.runs[-2][1]
     head = row.runs[:-2]
     left = width - sum(cell_width(part) for part, _ in head)
     if cell_width(text) <= left:
@@ -97,7 +109,8 @@ def _advice(alarm: Alarm, width: int, whose: str = "") -> list[Row]:
     several."""
     if not alarm.holds or alarm.stage is AlarmStage.SHELVED or width >= UNBOUNDED:
         return []
-    lines = wrap(whose + CLASSES[class_of(alarm.condition.kind)].action, max(LEAST_REST, width - 1 - REST_AT))
+    action = tr(CLASSES[class_of(alarm.condition.kind)].action)
+    lines = wrap(whose + action, max(LEAST_REST, width - 1 - REST_AT))
     return [_below(line, StyleRole.TEXT) for line in lines]
 
 
@@ -135,9 +148,9 @@ def _at(alarm: Alarm) -> float:
 def _values(clock: Callable[[float], str]) -> tuple[Value[Alarm], ...]:
     return (
         Value("robot", lambda alarm: alarm.condition.source, lambda alarm: natural(alarm.condition.source)),
-        Value("alarm", lambda alarm: alarm.text, lambda alarm: alarm.condition.kind),
-        Value("priority", lambda alarm: _PRIORITIES[alarm.condition.priority].strip()),
-        Value("stage", lambda alarm: SIGNS[alarm.stage][2:].strip()),
+        Value("alarm", lambda alarm: tr(alarm.text), lambda alarm: alarm.condition.kind),
+        Value("priority", lambda alarm: tr(_PRIORITIES[alarm.condition.priority].strip())),
+        Value("stage", lambda alarm: tr(SIGNS[alarm.stage])[2:].strip()),
         Value("time", lambda alarm: clock(_at(alarm)), lambda alarm: -_at(alarm), is_apart=True),
     )
 
@@ -163,12 +176,12 @@ def alarm_table(
     elif 1 < len(alarms) <= FEW:
         meant = next((alarm for alarm in alarms if alarm.key == marked), alarms[0])
         rows = [*rows, *_advice(meant, width, f"{sanitize(meant.condition.source)}: ")]
-    title: list[Run] = [("Alarms", StyleRole.TITLE)]
+    title: list[Run] = [(tr("Alarms"), StyleRole.TITLE)]
     if state.unacknowledged:
-        title.append((f" {state.unacknowledged} new", StyleRole.ALARM))
+        title.append((tr(f" {state.unacknowledged} new"), StyleRole.ALARM))
     if state.shelved:
-        title.append((f" {state.shelved} shelved", StyleRole.DIM))
+        title.append((tr(f" {state.shelved} shelved"), StyleRole.DIM))
     if suppressed := _suppressed(state):
-        title.append((f" {suppressed} suppressed", StyleRole.DIM))
-    empty = arrangement.no_match if state.alarms else "all clear"
+        title.append((tr(f" {suppressed} suppressed"), StyleRole.DIM))
+    empty = arrangement.no_match if state.alarms else tr("all clear")
     return Table((*title, *arrangement.notes(len(alarms))), rows, empty, unfiltered=len(state.alarms))

@@ -7,6 +7,7 @@ from typing import Any, Generic, TypeVar
 from msgspec import Struct
 
 from fleet_tui.errors import did_you_mean
+from fleet_tui.text.language import tr
 from fleet_tui.text.row_filter import filter_terms, is_wanted
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
@@ -106,11 +107,11 @@ class RowArrangement:
         typed = (word.removeprefix("!").partition(":") for word in self.typed.casefold().split())
         unknown = [name for name, colon, _ in typed if colon and name.isalpha() and name not in self.names]
         if not unknown:
-            return NO_MATCH
+            return tr(NO_MATCH)
         near = did_you_mean(unknown[0], self.names) or f": {', '.join(self.names)}"
-        return f"no value {sanitize(unknown[0])}{near}"
+        return tr(f"no value {sanitize(unknown[0])}{near}")
 
     def notes(self, shown: int) -> list[Run]:
         """Return what the title says of it; `shown` rows are left."""
         runs = [(f" /{self.typed}: {shown}", StyleRole.ACCENT)] if self.typed else []
-        return runs + [(f" by {self.column}", StyleRole.ACCENT)] * bool(self.column)
+        return runs + [(tr(f" by {tr(self.column)}"), StyleRole.ACCENT)] * bool(self.column)

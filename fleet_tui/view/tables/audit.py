@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.commands import FAILURES, Stage
 from fleet_tui.text.details import detail_text
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
@@ -60,7 +61,7 @@ def audit_table(records: Sequence[AuditRecord], note: str = "", empty: str = "")
     operators = column((record.operator for record in records), 3, 10)
     rows = LateRows(range(len(records)), lambda place: _row(place, records[place], operators))
     return Table(
-        (("Audit log", StyleRole.TITLE), (f" {sanitize(note)}", StyleRole.DIM)), rows, sanitize(empty)
+        ((tr("Audit log"), StyleRole.TITLE), (f" {sanitize(note)}", StyleRole.DIM)), rows, sanitize(empty)
     )
 
 

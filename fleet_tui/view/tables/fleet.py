@@ -12,6 +12,7 @@ from fleet_tui.rules.alarms.trouble import LONG_STILL, acknowledged, by_urgency,
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.why.robot import charges
 from fleet_tui.text.durations import age
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, fit
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrangement import RowArrangement, Value
@@ -93,7 +94,7 @@ def _movement(state: FleetState, robot: Robot) -> str:
     """Return whether a robot with an order moves, empty if nothing fresh tells."""
     if robot.standing is None or not state.is_fresh(robot, "pose"):
         return ""
-    return f"still {age(robot.still_for)}" if robot.still_for >= STILL_FROM else "moving"
+    return tr(f"still {age(robot.still_for)}") if robot.still_for >= STILL_FROM else tr("moving")
 
 
 def _movement_role(state: FleetState, robot: Robot) -> StyleRole:
@@ -108,10 +109,10 @@ def _without_order(state: FleetState, robot: Robot) -> str:
         return ""
     waiting = sum(not order.is_over for order in all_orders(state, robot))
     if robot.queue is None and not waiting:
-        return missing_text(state, robot, "queue")
+        return tr(missing_text(state, robot, "queue"))
     if waiting:
-        return f"{waiting} waiting"
-    return CHARGING if charges(state, robot) is not None else IDLE
+        return tr(f"{waiting} waiting")
+    return tr(CHARGING if charges(state, robot) is not None else IDLE)
 
 
 def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Columns) -> Row:
@@ -148,7 +149,7 @@ def _with_rest(runs: list[Run], rest: str, failed: int) -> list[Run]:
     """Return the news of a robot without an order, if there are none but those of a command that failed with
     its state."""
     # "lost idle" would read as one.
-    is_told = runs and (len(runs) != failed or rest in CALM)
+    is_told = runs and (len(runs) != failed or rest in map(tr, CALM))
     return runs if is_told else [*runs, (rest, StyleRole.DIM), (" ", StyleRole.TEXT)]
 
 
@@ -163,11 +164,11 @@ def _after_news(order: str, progress: str, cells: int, is_news: bool) -> str:
     """Return an order and its progress where there is no column for them: without whose it is, with less of
     the progress, or not at all, if there is no space."""
     shorter = progress.partition(", ")[0]
-    for text, far in ((order, progress), (order.removesuffix(FOREIGN), progress), (order, shorter)):
+    for text, far in ((order, progress), (order.removesuffix(tr(FOREIGN)), progress), (order, shorter)):
         told = "  ".join(part for part in (text, far) if part)
         if cell_width(told) <= cells:
             return told
-    return "" if is_news else order.removesuffix(FOREIGN)  # beside news a letter of it tells nothing
+    return "" if is_news else order.removesuffix(tr(FOREIGN))  # beside news a letter of it tells nothing
 
 
 def _state_text(state: FleetState, robot: Robot) -> str:
@@ -235,5 +236,5 @@ def fleet_table(
     notes = arrangement.notes(len(rows))
     # Filtered it is about other numbers.
     counted = [] if arrangement.typed else fleet_counts(state, width - width_of(notes))
-    told = (("Fleet", StyleRole.TITLE), *counted, *notes)
+    told = ((tr("Fleet"), StyleRole.TITLE), *counted, *notes)
     return Table(told, rows, arrangement.no_match, head=columns.head, unfiltered=total)

@@ -7,6 +7,7 @@ from typing import NamedTuple
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.marks import marks_of
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import fit
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, column
@@ -69,7 +70,7 @@ class Columns(NamedTuple):
             name=column((robot.name for robot in robots), 6, 14) + 1,
             battery=6 if "battery" in reported else 0,
             bar=BAR + 1 if "battery" in reported and width >= WITH_BAR else 0,
-            floor=column(floors.values(), FLOOR if is_narrow else len("Floor"), 13) + 1
+            floor=column(floors.values(), FLOOR if is_narrow else len(tr("Floor")), 13) + 1
             if "pose" in reported and not is_obvious
             else 0,
             cargo=2 if "cargo" in reported else 0,
@@ -78,7 +79,7 @@ class Columns(NamedTuple):
             seen=7 if width >= WITH_SEEN else 0,
             floors=floors,
             by_place=by_place,
-            number_head="#" if by_place else "Key",
+            number_head="#" if by_place else tr("Key"),
         )
         left = width - DOT - sum(fixed[:-4])
         order = min(left - STATE, ORDER_MOST) if left >= WITH_ORDER else 0
@@ -95,17 +96,17 @@ class Columns(NamedTuple):
         """Return their names."""
         names = (
             (self.number_head.rjust(DOT + self.number - 1), DOT + self.number),
-            ("Robot", self.name),
-            ("Batt", self.battery),
+            (tr("Robot"), self.name),
+            (tr("Batt"), self.battery),
             ("", self.bar),
-            ("Floor"[: max(FLOOR, self.floor - 1)], self.floor),
+            (tr("Floor")[: max(FLOOR, self.floor - 1)], self.floor),
             ("", self.cargo),
-            ("Queue", self.waiting),
+            (tr("Queue"), self.waiting),
             ("  Seen", self.seen),
-            ("Order", self.order),
+            (tr("Order"), self.order),
         )
         shown = "".join(fit(name, width) for name, width in names if width)
-        return ((shown + ("State" if self.order else "State, order"), StyleRole.DIM),)
+        return ((shown + (tr("State") if self.order else tr("State, order")), StyleRole.DIM),)
 
 
 def shortened(floors: Collection[str]) -> Mapping[str, str]:

@@ -5,6 +5,7 @@ from collections import Counter
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity
 from fleet_tui.rules.history.activity import activity
+from fleet_tui.text.language import tr
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, width_of
 
@@ -29,9 +30,9 @@ def fleet_counts(state: FleetState, width: int) -> list[Run]:
     done = [(activity(state, robot), robot.queue is not None) for robot in robots]
     found = Counter(one for one, is_listed in done if is_listed or one is not Activity.IDLE)
     online = len(robots) - found[Activity.OFFLINE]
-    runs: list[Run] = [(f" {online} of {len(robots)} online", StyleRole.DIM)]
+    runs: list[Run] = [(tr(f" {online} of {len(robots)} online"), StyleRole.DIM)]
     left = width - BESIDE - 3 * len(str(len(robots)))
-    counts = [(f"{found[one]} {one.value}", role) for one, role in COUNTED.items() if found[one]]
+    counts = [(f"{found[one]} {tr(one.value)}", role) for one, role in COUNTED.items() if found[one]]
     for place, (text, role) in enumerate(counts):
         more: list[Run] = [(", " if place else ": ", StyleRole.DIM), (text, role)]
         if width_of([*runs, *more]) > left:

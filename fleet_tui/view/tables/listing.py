@@ -4,6 +4,7 @@ import re
 from bisect import bisect_left, bisect_right
 from collections.abc import Hashable, Sequence
 
+from fleet_tui.text.language import tr
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Button, Run, Table, cut, width_of
 
@@ -110,9 +111,9 @@ class Listing:
             for text, role in self._table.title
         ]
         if self.marks:
-            title.insert(1, (f" {len(self.marks)} marked", StyleRole.KEY))
+            title.insert(1, (tr(f" {len(self.marks)} marked"), StyleRole.KEY))
         if len(self._table.rows) > rows and self.cursor is not None and not self._table.title_buttons:
-            seen = f"{self._top + 1}-{self._top + rows} of {len(self._table.rows)}"
+            seen = tr(f"{self._top + 1}-{self._top + rows} of {len(self._table.rows)}")
             title.append((f"  {seen}", StyleRole.DIM))
         rule = StyleRole.ACCENT if focused else StyleRole.RULE
         runs = [("─ ", rule), *title, (" ", rule)]

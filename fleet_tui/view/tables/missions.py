@@ -6,6 +6,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import Order, Stop, pose_text, route_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.local_queue import foreign
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 
 FOREIGN = " (elsewhere)"
@@ -31,7 +32,7 @@ def destinations(robot: Robot, order: Order) -> str:
 def whose_mission(state: FleetState, robot: Robot, order: Order) -> str:
     """Return the mission, marked if another client gave it, for robots without a queue."""
     ours = not robot.kind.keeps_goals or order.is_over or order not in foreign(state, robot)
-    return mission(robot, order) + ("" if ours else FOREIGN)
+    return mission(robot, order) + ("" if ours else tr(FOREIGN))
 
 
 def way(robot: Robot, stops: tuple[Stop, ...]) -> str:

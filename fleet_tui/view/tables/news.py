@@ -13,6 +13,7 @@ from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.text.durations import age
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, width_of
@@ -24,49 +25,49 @@ _NAMES = {name: name for name in ("pose", "battery", "queue", "cargo", "obstacle
 def _old(state: FleetState, robot: Robot) -> Iterator[Run]:
     """Yield the old values of a robot that is online, and a missing pose: they must not look live."""
     if is_missing(state, robot, "pose"):
-        yield missing_text(state, robot, "pose"), StyleRole.WARN
+        yield tr(missing_text(state, robot, "pose")), StyleRole.WARN
     for value, name in _NAMES.items():
         if state.is_old(robot, value):
             reading: Reading[object] = getattr(robot, value)
-            yield f"{name} {age(state.now - reading.at)} old", StyleRole.WARN
+            yield tr(f"{tr(name)} {age(state.now - reading.at)} old"), StyleRole.WARN
 
 
 def _paused(state: FleetState, robot: Robot) -> str:
     if robot.paused is None:
-        return own_pause_text(state, robot)
-    return "paused" if own_pause(state, robot) else "paused (elsewhere)"
+        return tr(own_pause_text(state, robot))
+    return tr("paused") if own_pause(state, robot) else tr("paused (elsewhere)")
 
 
 def failed_command(state: FleetState, robot: Robot) -> Iterator[Run]:
     """Return the alarm of a command that failed, if there is one."""
     for alarm in state.alarms:
         if alarm.key == (robot.name, "command") and alarm.holds and alarm.stage is not AlarmStage.SHELVED:
-            yield sanitize(alarm.text), StyleRole.ALARM
+            yield tr(sanitize(alarm.text)), StyleRole.ALARM
 
 
 def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     """Return the news of a robot, the most urgent first."""
     online = state.is_online(robot)
     if robot.last_received is None:
-        yield "never seen", StyleRole.ALARM if robot.name in in_trouble(state) else StyleRole.DIM
+        yield tr("never seen"), StyleRole.ALARM if robot.name in in_trouble(state) else StyleRole.DIM
     elif not online:
-        yield f"offline {age(state.now - robot.last_received)}", StyleRole.ALARM
+        yield tr(f"offline {age(state.now - robot.last_received)}"), StyleRole.ALARM
     contact = robot.obstacle if state.was_obstructed(robot) else None
     is_old = state.is_old(robot, "obstacle")
     if contact is not None and not is_old:
         is_alarm = obstacle_lasts(state, robot) and robot.name not in shelved(state)
-        yield obstacle_text(state, robot, contact), StyleRole.ALARM if is_alarm else StyleRole.WARN
+        yield tr(obstacle_text(state, robot, contact)), StyleRole.ALARM if is_alarm else StyleRole.WARN
     yield from _navigation(state, robot)
     if state.is_paused(robot) and robot.last_received is not None:
         yield _paused(state, robot), StyleRole.WARN
     if contact is not None and is_old:
-        yield obstacle_text(state, robot, contact), StyleRole.DIM
+        yield tr(obstacle_text(state, robot, contact)), StyleRole.DIM
     if holders := state.desk.holders(robot.name):
-        yield f"claimed by {sanitize(' and '.join(holders))}", StyleRole.ACCENT
+        yield tr(f"claimed by {sanitize(' and '.join(holders))}"), StyleRole.ACCENT
     if online:
         yield from _old(state, robot)
     if is_news(state, robot.fault_at):
-        yield f"bad data x{robot.faults}", StyleRole.WARN
+        yield tr(f"bad data x{robot.faults}"), StyleRole.WARN
 
 
 def news_of_page(state: FleetState, robot: Robot) -> Iterator[Run]:
@@ -78,11 +79,11 @@ def news_of_page(state: FleetState, robot: Robot) -> Iterator[Run]:
 
 def _navigation(state: FleetState, robot: Robot) -> Iterator[Run]:
     if robot.blocked is not None and robot.blocked.value.is_stopped and state.is_fresh(robot, "blocked"):
-        yield blocked_text(robot.blocked.value, state.now), StyleRole.ALARM
+        yield tr(blocked_text(robot.blocked.value, state.now)), StyleRole.ALARM
     if feedback_ceased_at(state, robot) is not None or is_unsteady(state, robot):
-        yield "navigation silent", StyleRole.ALARM
+        yield tr("navigation silent"), StyleRole.ALARM
     if robot.variance is not None and robot.variance.value > LOST_ABOVE:
-        yield "pose uncertain", StyleRole.WARN
+        yield tr("pose uncertain"), StyleRole.WARN
 
 
 def _short(text: str) -> str:
@@ -98,8 +99,9 @@ def shortened_news(runs: list[Run], cells: int) -> list[Run]:
     alarm has it), then one word for a pause, and beside others its sign."""
     if width_of(runs) - 1 > cells:
         runs = [(_short(text) if role is StyleRole.ALARM else text, role) for text, role in runs]
-    for short in ("paused", "‖")[: len(runs) // 2]:
+    paused = tr("paused")
+    for short in (paused, "‖")[: len(runs) // 2]:
         if width_of(runs) - 1 <= cells:
             break
-        runs = [(short if text.startswith("paused") else text, role) for text, role in runs]
+        runs = [(short if text.startswith(paused) else text, role) for text, role in runs]
     return runs

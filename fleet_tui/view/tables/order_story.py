@@ -7,15 +7,16 @@ from fleet_tui.model.commands import CommandRecord, PlaceOrder, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import Order
 from fleet_tui.rules.commands.order_search import could_be
+from fleet_tui.text.language import tr
 
 NEVER_THERE = frozenset({Stage.CHECKED, Stage.WAITING, Stage.NOT_SENT, Stage.REFUSED})
 
 
 def _outcome(record: CommandRecord) -> str:
     """Return the stages of a command."""
-    stages = [step.stage.value for step in record.steps if step.stage not in (Stage.CHECKED, Stage.SENT)]
+    stages = [tr(step.stage.value) for step in record.steps if step.stage not in (Stage.CHECKED, Stage.SENT)]
     # A waiting order that was moved waits on.
-    return ", ".join([stage for stage, _ in groupby(stages)] or ["sent"])
+    return ", ".join([stage for stage, _ in groupby(stages)] or [tr("sent")])
 
 
 def _may_be(record: CommandRecord, order: Order) -> bool:
@@ -33,8 +34,8 @@ def origin(state: FleetState, robot: str, order: Order, clock: Callable[[float],
     ours = [record for record in state.commands if record.command.robot == robot]
     for record in ours:
         if record.order_id == order.id and isinstance(record.command, PlaceOrder):
-            return f"sent here at {clock(record.wall)}, {_outcome(record)}"
+            return tr(f"sent here at {clock(record.wall)}, {_outcome(record)}")
     for record in ours:
         if _may_be(record, order):
-            return f"possibly sent here at {clock(record.wall)}, {_outcome(record)}"
-    return "not sent by this console"
+            return tr(f"possibly sent here at {clock(record.wall)}, {_outcome(record)}")
+    return tr("not sent by this console")

@@ -4,6 +4,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import Order
 from fleet_tui.model.robot import Robot
 from fleet_tui.text.durations import age
+from fleet_tui.text.language import tr
 
 
 def progress_text(state: FleetState, robot: Robot, order: Order) -> str:
@@ -14,11 +15,11 @@ def progress_text(state: FleetState, robot: Robot, order: Order) -> str:
     reported = robot.progress.value
     parts = []
     if reported.metres is not None:
-        parts.append(f"{reported.metres:.{int(reported.metres < 100)}f} m left")
+        parts.append(tr(f"{reported.metres:.{int(reported.metres < 100)}f} m left"))
     if reported.seconds is not None:
         parts.append(age(reported.seconds))
     if reported.stop is not None and len(order.stops) > 1:
-        parts.append(f"stop {min(reported.stop + 1, len(order.stops))} of {len(order.stops)}")
+        parts.append(tr(f"stop {min(reported.stop + 1, len(order.stops))} of {len(order.stops)}"))
     if reported.recoveries:
-        parts.append(f"{reported.recoveries} recover{'ies' if reported.recoveries > 1 else 'y'}")
+        parts.append(tr(f"{reported.recoveries} recover{'ies' if reported.recoveries > 1 else 'y'}"))
     return ", ".join(parts)

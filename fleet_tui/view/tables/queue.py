@@ -10,6 +10,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.commands.order_search import find_order
 from fleet_tui.text.durations import age
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.view.lines.commands import stage_text
 from fleet_tui.view.roles import StyleRole
@@ -70,10 +71,10 @@ def _leaving(state: FleetState, records: Iterable[CommandRecord]) -> Mapping[tup
 def _mission(mission: str, cells: int, order: Order, space: int) -> tuple[str, str]:
     """Return an order's mission and its state: in columns, close together if space is short, or without
     the state of one in the queue."""
-    status = sanitize(order.state_text)
+    status = tr(sanitize(order.state_text))
     if cells + len(GAP) + cell_width(status) <= space:
         return fit(mission, cells) + GAP, status
-    short = SHORT.get(order.state, status) if order.state else status
+    short = tr(SHORT[order.state]) if order.state in SHORT else status
     shown = fit(mission, cells).rstrip()
     if not order.is_over and cell_width(shown) + len(", ") + cell_width(short) > space:
         return shown, ""  # its place in the queue says as much as two letters of it
@@ -93,41 +94,41 @@ def _row(
         (fit(f"#{order.id}", ids) + " ", StyleRole.DIM),
     ]
     has_button = may and robot.kind.can(kind.CANCEL) and not order.is_over
-    space = width - 1 - (len(CANCEL) if has_button else 0)
+    space = width - 1 - (len(tr(CANCEL)) if has_button else 0)
     left = space - has_button - width_of(runs)
     mission, status = _mission(whose_mission(state, robot, order), missions, order, left)
     runs += [(mission, StyleRole.WARN if unknown else StyleRole.TEXT), (status, role)]
     if progress := progress_text(state, robot, order):
         runs.append((f", {progress}", StyleRole.DIM))
-    runs.append((f", cancel {leaving}" if leaving else "", StyleRole.WARN))
-    runs.append((", unknown vertex" if unknown else "", StyleRole.WARN))
+    runs.append((tr(f", cancel {leaving}") if leaving else "", StyleRole.WARN))
+    runs.append((tr(", unknown vertex") if unknown else "", StyleRole.WARN))
     key = (robot.name, order.id, position)
     if not has_button:
         return Row(key, tuple(cut(runs, space)))
-    button = Button(space, space + len(CANCEL), "cancel")
-    return Row(key, (*cut(runs, space - 1), (" ", role), (CANCEL, StyleRole.KEY)), (button,))
+    button = Button(space, space + len(tr(CANCEL)), "cancel")
+    return Row(key, (*cut(runs, space - 1), (" ", role), (tr(CANCEL), StyleRole.KEY)), (button,))
 
 
 def _title(
     robot: Robot, state: FleetState, count: int, placed: int, all_robots: bool, width: int
 ) -> list[Run]:
     ours = not all_robots and robot.kind.keeps_goals
-    runs: list[Run] = [("Queue all robots" if all_robots else f"Queue {robot.name}", StyleRole.TITLE)]
+    runs: list[Run] = [(tr("Queue all robots") if all_robots else tr(f"Queue {robot.name}"), StyleRole.TITLE)]
     if all_robots or (robot.kind.lists_orders and (count or not ours)):
-        left = width - width_of(runs) - len(CLEAR) - 2
-        counted = f" {count} order{'s' * (count != 1)}"
-        whose = " from here" if ours and len(counted + " from here") <= left else ""
+        left = width - width_of(runs) - len(tr(CLEAR)) - 2
+        counted = tr(f" {count} order{'s' * (count != 1)}")
+        whose = tr(" from here") if ours and len(counted + tr(" from here")) <= left else ""
         runs.append((counted + whose, StyleRole.DIM))
     if ours and robot.held:
-        runs.append((f" held: {robot.held}", StyleRole.WARN))
+        runs.append((tr(f" held: {sanitize(robot.held)}"), StyleRole.WARN))
     if placed:
-        runs.append((f" +{placed} not in the queue yet", StyleRole.WARN))
+        runs.append((tr(f" +{placed} not in the queue yet"), StyleRole.WARN))
     if not all_robots and robot.has_cargo:
-        texts = (" cargo on board", " cargo", f" {CARGO}")
-        left = width - width_of(runs) - len(CLEAR) - 2
+        texts = (tr(" cargo on board"), tr(" cargo"), f" {CARGO}")
+        left = width - width_of(runs) - len(tr(CLEAR)) - 2
         runs.append((next((text for text in texts if len(text) <= left), texts[-1]), StyleRole.TEXT))
     if not all_robots and robot.queue is not None and state.is_old(robot, "queue"):
-        runs.append((f" {age(state.now - robot.queue.at)} old", StyleRole.WARN))
+        runs.append((tr(f" {age(state.now - robot.queue.at)} old"), StyleRole.WARN))
     return runs
 
 
@@ -184,20 +185,20 @@ def queue_table(
     listing = any(one.kind.lists_orders for one in state.robots.values())
     buttons: tuple[Button, ...] = ()
     if may and not all_robots and rows and robot.kind.can(kind.CLEAR):
-        start = width - len(CLEAR) - 2  # its end above that of [Cancel]
+        start = width - len(tr(CLEAR)) - 2  # its end above that of [Cancel]
         if width_of(title) >= start:
             title = [run for run in title if run[1] is not StyleRole.DIM]  # the number of orders goes first
         if start > LEAST_TITLE:
-            title = [*cut(title, start - 1), (" " + CLEAR, StyleRole.KEY)]
-            buttons = (Button(start, start + len(CLEAR), "clear"),)
-    empty = "no orders" if all_robots and listing else _empty(robot, may)
+            title = [*cut(title, start - 1), (" " + tr(CLEAR), StyleRole.KEY)]
+            buttons = (Button(start, start + len(tr(CLEAR)), "clear"),)
+    empty = tr("no orders") if all_robots and listing else _empty(robot, may)
     return Table(tuple(title), rows, arrangement.no_match if known else empty, buttons, unfiltered=len(known))
 
 
 def _empty(robot: Robot, may: bool) -> str:
     """Return the text shown without orders."""
     if not robot.kind.lists_orders:
-        return "this kind has no queue"
+        return tr("this kind has no queue")
     if robot.queue is not None:
-        return "no orders" + ": press o to order" * (may and robot.kind.can(kind.ORDER))
-    return "no queue received yet" if robot.kind.expects("queue") else "no orders reported yet"
+        return tr("no orders") + tr(": press o to order") * (may and robot.kind.can(kind.ORDER))
+    return tr("no queue received yet") if robot.kind.expects("queue") else tr("no orders reported yet")

@@ -13,6 +13,7 @@ from fleet_tui.model.order_life import GoneOrder
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.batches import pauses, summary
 from fleet_tui.rules.commands.follow_up import seen_end
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.view.lines.commands import TROUBLE, command_text, stage_text
 from fleet_tui.view.roles import StyleRole
@@ -38,7 +39,7 @@ def recent_table(state: FleetState, clock: Callable[[float], str], lines: int, w
         Row(None, ((f"{clock(at)[:shown]} ", StyleRole.DIM), (fit(source, sources), StyleRole.DIM), *runs()))
         for at, source, runs in newest
     )
-    return Table((("Recent", StyleRole.TITLE),), rows, "nothing yet")
+    return Table(((tr("Recent"), StyleRole.TITLE),), rows, tr("nothing yet"))
 
 
 def _alarms(state: FleetState) -> Iterator[Event]:
@@ -55,20 +56,20 @@ def _links(state: FleetState) -> Iterator[Event]:
 
 
 def _returned(text: str) -> tuple[Run, ...]:
-    return ((sanitize(text), StyleRole.TEXT),)
+    return ((tr(sanitize(text)), StyleRole.TEXT),)
 
 
 def _alarm(alarm: Alarm) -> tuple[Run, ...]:
     is_quiet = not alarm.holds or alarm.stage is AlarmStage.SHELVED
     # As it was at its time: a duration that counts on would contradict that.
     text = (alarm.holds and alarm.first_text) or alarm.text
-    return ((sanitize(text), StyleRole.DIM if is_quiet else StyleRole.ALARM),)
+    return ((tr(sanitize(text)), StyleRole.DIM if is_quiet else StyleRole.ALARM),)
 
 
 def _commands(state: FleetState) -> Iterator[Event]:
     together = pauses(state.commands)
     for batch in together:
-        yield batch[0].wall, f"{len(batch)} robots", partial(_batch, state, batch)
+        yield batch[0].wall, tr(f"{len(batch)} robots"), partial(_batch, state, batch)
     of_batches = {record.id for batch in together for record in batch}
     for record in state.commands:
         if record.id in of_batches:
@@ -87,7 +88,7 @@ def _command(state: FleetState, record: CommandRecord) -> tuple[Run, ...]:
 def _batch(state: FleetState, batch: list[CommandRecord]) -> tuple[Run, ...]:
     name, outcome = summary(state, batch)
     worst = next((record.stage for record in batch if record.stage in FAILED), batch[0].stage)
-    return _said(f"{name}: {outcome}", worst)
+    return _said(f"{tr(name)}: {tr(outcome)}", worst)
 
 
 def _orders(state: FleetState, is_narrow: bool) -> Iterator[Event]:
@@ -112,12 +113,12 @@ def _is_alarm(state: FleetState, robot: Robot, gone: GoneOrder) -> bool:
 
 
 def _begun(state: FleetState, robot: Robot, order: Order, is_narrow: bool) -> tuple[Run, ...]:
-    return ((_what(state, robot, order, "started", is_narrow), StyleRole.DIM),)
+    return ((_what(state, robot, order, tr("started"), is_narrow), StyleRole.DIM),)
 
 
 def _order(state: FleetState, robot: Robot, gone: GoneOrder, is_narrow: bool) -> tuple[Run, ...]:
     stage = seen_end(state, robot.name, gone)
-    return _said(_what(state, robot, gone.order, stage.value, is_narrow), stage)
+    return _said(_what(state, robot, gone.order, tr(stage.value), is_narrow), stage)
 
 
 def _what(state: FleetState, robot: Robot, order: Order, happened: str, is_narrow: bool) -> str:

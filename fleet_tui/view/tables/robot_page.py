@@ -12,6 +12,7 @@ from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.commands.follow_up import seen_end
 from fleet_tui.rules.why.place import place_text
 from fleet_tui.text.durations import age, duration
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import command_text, stage_text
 from fleet_tui.view.roles import StyleRole
@@ -41,7 +42,7 @@ def robot_page(state: FleetState, name: str, width: int, clock: Callable[[float]
     listed = tuple(Row(None, runs) for runs in rows if runs)
     title = (
         (sanitize(name), StyleRole.TITLE),
-        (f" {robot.kind.name} on {sanitize(robot.link)}", StyleRole.DIM),
+        (tr(f" {robot.kind.name} on {sanitize(robot.link)}"), StyleRole.DIM),
     )
     return Table(title, listed)
 
@@ -51,16 +52,16 @@ def named(name: str, *runs: Run) -> tuple[Run, ...]:
     if not runs:
         return ()
     spaced = [run for one in runs for run in (one, (" ", StyleRole.TEXT))]
-    return ((f"{name:<{NAME}}", StyleRole.DIM), *spaced)
+    return ((f"{tr(name):<{NAME}}", StyleRole.DIM), *spaced)
 
 
 def _alarms(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Run, ...]]:
     """Yield each alarm as a whole, and what to do."""
     for alarm in state.alarms:
         if alarm.holds and alarm.condition.source == robot.name:
-            for n, line in enumerate(wrap(sanitize(alarm.text), max(20, width))):
+            for n, line in enumerate(wrap(tr(sanitize(alarm.text)), max(20, width))):
                 yield named("" if n else "Alarm", (line, StyleRole.TEXT))
-            for line in wrap(CLASSES[class_of(alarm.condition.kind)].action, max(20, width)):
+            for line in wrap(tr(CLASSES[class_of(alarm.condition.kind)].action), max(20, width)):
                 yield named("", (line, StyleRole.DIM))
 
 
@@ -68,7 +69,7 @@ def value_rows(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Ru
     """Yield each value that this kind of robot reports, with its age; in less than the `width` of the columns
     closer, and without `ago`."""
     is_narrow = width <= NAME + VALUE + AGE
-    cells, ago = (VALUE - 2, "") if is_narrow else (VALUE, " ago")
+    cells = VALUE - 2 if is_narrow else VALUE
     texts: dict[str, tuple[str, Reading[Any] | None]] = {
         "pose": (_pose_text(state, robot), robot.pose),
         "battery": (_percent(robot.battery), robot.battery),
@@ -80,31 +81,35 @@ def value_rows(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Ru
         if value not in robot.kind.reports:
             continue
         if reading is None:
-            yield named(value.capitalize(), ("not received", StyleRole.DIM))
+            yield named(value.capitalize(), (tr("not received"), StyleRole.DIM))
             continue
         is_old = not state.is_fresh(robot, value)
         yield named(
             value.capitalize(),
             (f"{text:<{cells}}", StyleRole.DIM if is_old else StyleRole.TEXT),
             # In whole seconds: tenths would never be at rest.
-            (f"{age(state.now - reading.at)}{ago}", StyleRole.WARN if is_old else StyleRole.DIM),
+            (_since(state.now - reading.at, is_narrow), StyleRole.WARN if is_old else StyleRole.DIM),
         )
     yield from _movement(state, robot)
+
+
+def _since(seconds: float, is_narrow: bool) -> str:
+    return age(seconds) if is_narrow else tr(f"{age(seconds)} ago")
 
 
 def _movement(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
     """Yield the place it is at, the last jump of its pose, and whether it stands."""
     if place := place_text(robot):
-        yield named("Place", (sanitize(place), StyleRole.TEXT))
+        yield named("Place", (tr(sanitize(place)), StyleRole.TEXT))
     if robot.relocated is not None:
         yield named(
             "Jumped",
             (f"{sanitize(robot.relocated.value):<{VALUE}}", StyleRole.TEXT),
-            (f"{age(state.now - robot.relocated.at)} ago", StyleRole.DIM),
+            (tr(f"{age(state.now - robot.relocated.at)} ago"), StyleRole.DIM),
         )
     if robot.standing is not None and state.is_fresh(robot, "pose"):
         still = robot.still_for
-        text = f"standing for {age(still)}" if still >= STANDS_FROM else "moving"
+        text = tr(f"standing for {age(still)}") if still >= STANDS_FROM else tr("moving")
         yield named("Movement", (text, StyleRole.TEXT))
 
 
@@ -112,7 +117,7 @@ def _pose_text(state: FleetState, robot: Robot) -> str:
     if robot.pose is None:
         return ""
     pose = robot.pose.value
-    degrees = f"{math.degrees(pose.yaw):.0f}°" if math.isfinite(pose.yaw) else "no heading"
+    degrees = f"{math.degrees(pose.yaw):.0f}°" if math.isfinite(pose.yaw) else tr("no heading")
     return f"{pose.x:.1f}, {pose.y:.1f} m, {degrees}, {floor_text(state, robot)}"
 
 
@@ -122,11 +127,11 @@ def _percent(reading: Reading[float] | None) -> str:
 
 
 def _contact(reading: Reading[float] | None) -> str:
-    return "none" if reading is None or reading.value == 0.0 else f"for {duration(reading.value)}"
+    return tr("none") if reading is None or reading.value == 0.0 else tr(f"for {duration(reading.value)}")
 
 
 def _yes_or_no(reading: Reading[bool] | None) -> str:
-    return "" if reading is None else "yes" if reading.value else "no"
+    return "" if reading is None else tr("yes") if reading.value else tr("no")
 
 
 def _orders(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
@@ -144,8 +149,8 @@ def ended_rows(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
         text = whose_mission(state, robot, gone.order)
         yield named(
             "Ended",
-            (f"{text}: {seen_end(state, robot.name, gone).value}", StyleRole.TEXT),
-            (f"{age(state.now - gone.at)} ago", StyleRole.DIM),
+            (f"{text}: {tr(seen_end(state, robot.name, gone).value)}", StyleRole.TEXT),
+            (tr(f"{age(state.now - gone.at)} ago"), StyleRole.DIM),
         )
 
 

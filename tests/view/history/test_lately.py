@@ -1,8 +1,10 @@
 """Activities of the last minutes."""
 
+from msgspec.structs import replace
+
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity
-from fleet_tui.view.history.lately import CELLS, EVERY, RecentActivity, activity_table
+from fleet_tui.view.history.lately import CELLS, FIRST, LAST, RecentActivity, activity_table
 from tests.support.fleets import R0, T0, battery, fleet, link_lost, link_up, pose, reduced, text_of, tick
 
 IDLE = Activity.IDLE
@@ -20,27 +22,35 @@ def watched(*seconds: float) -> RecentActivity:
 
 
 def test_a_part_for_every_so_many_seconds_the_newest_last() -> None:
-    recent = watched(0.0, 1.0, EVERY - 0.1, EVERY, 2 * EVERY)
-    assert recent.of(R0, 5) == [None, None, Activity.DRIVING, IDLE, IDLE]
+    recent = watched(0.0, 1.0, FIRST - 0.1, FIRST, 4 * FIRST)
+    assert recent.of(R0, 5) == [Activity.DRIVING, Activity.DRIVING, None, None, IDLE]
     assert recent.of(R0, 1) == [IDLE]
 
 
 def test_time_that_was_not_watched_and_robots_that_were_never_seen_are_blank() -> None:
-    recent = watched(0.0, 4 * EVERY)
+    recent = watched(0.0, 4 * FIRST)
     assert recent.of(R0, 5) == [Activity.DRIVING, None, None, None, IDLE]
     assert recent.of("robot_1", 5) == [None] * 5
-    assert watched(*(n * EVERY for n in range(CELLS + 9))).of(R0, CELLS).count(IDLE) == CELLS
+
+
+def test_cells_of_the_start_are_short_and_later_ones_as_long_as_the_memory_needs() -> None:
+    recent = RecentActivity()
+    state = seen(T0 + 9.0)
+    for n in range(CELLS * 9):
+        recent.note(replace(state, now=state.now + n * FIRST))
+        assert n * FIRST < LAST or recent.of(R0, 3) != [None] * 3
+    assert recent.every == LAST and None not in recent.of(R0, CELLS // 2)
 
 
 def test_nothing_is_known_before_an_earlier_time_nor_behind_a_lost_link() -> None:
-    recent = watched(0.0, EVERY, 5.0)
+    recent = watched(0.0, FIRST, 5.0)
     assert recent.of(R0, 3) == [None, None, IDLE]
-    recent.note(reduced(seen(T0 + 20.0), link_lost(T0 + 21.0), tick(T0 + 22.0)))
+    recent.note(reduced(seen(T0 + 5.0), link_lost(T0 + 6.0), tick(T0 + 5.0 + FIRST)))
     assert recent.of(R0, 2) == [IDLE, None]
 
 
 def test_a_pane_has_as_many_robots_as_lines_and_says_since_when() -> None:
-    table = activity_table(watched(0.0, EVERY), [R0, "robot_1"], 3, 20, is_ascii=False)
+    table = activity_table(watched(FIRST, 2 * FIRST), [R0, "robot_1"], 3, 20, is_ascii=False)
     assert [text_of(row.runs) for row in table.rows] == ["robot_0           ▆▁"]
     assert text_of(table.title) == "Activity  ▆ driving  ▁ idle"
-    assert text_of(table.head) == "        2 min agonow"
+    assert text_of(table.head) == "        15 s ago now"

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from fleet_tui.model.set_up.driving import DrivePhase, DriveState
 from fleet_tui.rules.driving.clearance import FAR
 from fleet_tui.rules.driving.speed import SLOW_WITHIN, Caps
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
@@ -46,10 +47,10 @@ class DriveMode(PlainMode):
     def banner(self, shown: str) -> str:
         """Return robot and speed."""
         if self.state.phase is DrivePhase.STARTING:
-            return f"DRIVE {sanitize(self.robot)}: starting"
+            return tr(f"DRIVE {sanitize(self.robot)}: starting")
         if self.state.phase is DrivePhase.ENDED:
-            return f"DRIVE {sanitize(self.robot)} ended: let go of the key"
-        return f"DRIVE {sanitize(self.robot)} {self.state.sent.linear:.2f} m/s"
+            return tr(f"DRIVE {sanitize(self.robot)} ended: let go of the key")
+        return tr(f"DRIVE {sanitize(self.robot)} {self.state.sent.linear:.2f} m/s")
 
     @property
     def gauges(self) -> str:
@@ -57,12 +58,12 @@ class DriveMode(PlainMode):
         turning, trip, free = self.state.sent.turning, self.state.round_trip, self.clearance
         parts = [self._bar]
         if free is not None:
-            more = "over " if free >= FAR else "SLOW " if free < SLOW_WITHIN else ""
-            parts.append(f"{more}{free:.1f} m free")
+            more = tr("over ") if free >= FAR else tr("SLOW ") if free < SLOW_WITHIN else ""
+            parts.append(tr(f"{more}{free:.1f} m free"))
         if turning:
-            parts.append(f"{'left' if turning > 0 else 'right'} {abs(turning):.2f} rad/s")
+            parts.append(tr(f"{tr('left') if turning > 0 else tr('right')} {abs(turning):.2f} rad/s"))
         if trip is not None:
-            parts.append(f"{trip * 1000:.0f} ms")
+            parts.append(tr(f"{trip * 1000:.0f} ms"))
         return "  ".join(parts)
 
     def move(self, view: Viewport, scene: Scene, dx: int, dy: int) -> None:

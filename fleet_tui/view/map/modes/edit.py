@@ -11,6 +11,7 @@ from fleet_tui.model.graph import Role
 from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor, DocumentVertex
 from fleet_tui.model.graphs.draft import Change
 from fleet_tui.model.graphs.live import role_of
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.layers import draw_cursor
 from fleet_tui.view.map.modes.mode import place_text
@@ -97,13 +98,13 @@ class EditMode:
 
     def banner(self, shown: str) -> str:
         """Return the cursor's place, the counts, and the distance from the selected vertex."""
-        place = place_text("EDIT", self.floor.name, shown, self.cursor)
-        text = " ".join(filter(None, (place, self.note)))
+        place = place_text(tr("EDIT"), self.floor.name, shown, self.cursor)
+        text = " ".join(filter(None, (place, tr(self.note))))
         if self.selected:
             vertex = self.floor.vertices[self.selected]
             away = math.dist((vertex.x, vertex.y), self.cursor)
             name = sanitize(vertex.label or vertex.id)
-            text += f", {'moving' if self.held else 'from'} {name} {away:.1f} m"
+            text += f", {tr('moving') if self.held else tr('from')} {name} {away:.1f} m"
         return text
 
     def adjusted(self, scene: Scene) -> Scene:

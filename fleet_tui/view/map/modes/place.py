@@ -4,6 +4,7 @@ import math
 from dataclasses import replace
 
 from fleet_tui.model.geometry import Pose
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
@@ -39,9 +40,9 @@ class PlaceMode(PlainMode):
 
     def banner(self, shown: str) -> str:
         """Return the chosen pose: its place and match first, the heading is seen on the map, too."""
-        place = place_text(self.title, self.floor, shown, self.cursor)
-        degrees = f"{round(math.degrees(self.yaw)) + 0} degrees"
-        return ", ".join(filter(None, (place, self.note, degrees, sanitize(self.robot))))
+        place = place_text(tr(self.title), self.floor, shown, self.cursor)
+        degrees = tr(f"{round(math.degrees(self.yaw)) + 0} degrees")
+        return ", ".join(filter(None, (place, tr(self.note), degrees, sanitize(self.robot))))
 
     def adjusted(self, scene: Scene) -> Scene:
         """Return the scene with the laser scan as it would lie with the robot at the chosen pose."""

@@ -63,15 +63,12 @@ class CellOccupancy:
         """Tell whether one of these cells, all in the view, is occupied."""
         return bool(self._taken >> self._bit(x, y) & (1 << cells) - 1)
 
-    def number_side(
-        self, x: int, y: int, arrow: int, cells: int, before: int, spares: bool = False, inside: bool = False
-    ) -> int:
+    def number_side(self, x: int, y: int, arrow: int, cells: int, before: int, spares: bool = False) -> int:
         """Occupy the cells for a number of `cells` cells beside an arrow of `arrow` cells at (x, y).
 
         Return its side: -1 left, 1 right, 0 if it fits on neither. Beside it is only its arrow: two numbers
         never read as one. It stays on the side that it had `before`, if need be beside the arrow of a robot
-        that drives past; else it covers a label only if both sides do, and none at all if it `spares` them;
-        `inside`: it must be on the floor."""
+        that drives past; else it covers a label only if both sides do, none at all if it `spares` them."""
         if before and not spares and self._fits(x, y, arrow, cells, before, self._numbers):
             self._take_number(_start(x, arrow, cells, before), y, cells)
             return before
@@ -85,9 +82,8 @@ class CellOccupancy:
             spared = [before]
         # A number beyond the floor's edge reads as one of nothing, and one on a wall breaks it.
         on_floor = [side for side in spared if not self._is_beyond(_start(x, arrow, cells, side), y, cells)]
-        side = [*on_floor, *spared, *sides][0] if on_floor or not inside else 0
-        if side:
-            self._take_number(_start(x, arrow, cells, side), y, cells)
+        side = [*on_floor, *spared, *sides][0]
+        self._take_number(_start(x, arrow, cells, side), y, cells)
         return side
 
     def extends(self, x: int, y: int, cells: int, side: int) -> bool:

@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from msgspec import Struct
 
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import milliseconds, size_text
 from fleet_tui.view.roles import StyleRole
@@ -32,33 +33,35 @@ class OwnFacts(Struct, frozen=True):
 
 def _spread(spread: Spread | None) -> str:
     if spread is None:
-        return "not measured yet"
+        return tr("not measured yet")
     median, most, longest = map(milliseconds, spread)
-    return f"{median}, 95 % within {most}, max {longest}"
+    return tr(f"{median}, 95 % within {most}, max {longest}")
 
 
 def _facts(facts: OwnFacts) -> Iterator[tuple[str, str, StyleRole]]:
     over = facts.tick is not None and facts.tick[1] > facts.budget
-    budget = f"  budget {milliseconds(facts.budget)}" + (" exceeded" if over else "")
+    budget = tr(f"  budget {milliseconds(facts.budget)}" + (" exceeded" if over else ""))
     yield "tick", _spread(facts.tick) + budget, StyleRole.WARN if over else StyleRole.TEXT
     yield "encoding", _spread(facts.paint), StyleRole.TEXT
-    sent = f"{facts.pictures:.1f} frames/s, {size_text(facts.sent)}/s"
-    held = f", {facts.held:,} held back: terminal not reading" if facts.held else ", none held back"
+    sent = tr(f"{facts.pictures:.1f} frames/s, {size_text(facts.sent)}/s")
+    held = tr(f", {facts.held:,} held back: terminal not reading" if facts.held else ", none held back")
     yield "terminal", sent + held, StyleRole.TEXT
-    memory = "not available on this system"
+    memory = tr("not available on this system")
     if facts.memory is not None and facts.peak is not None:
-        memory = f"{size_text(facts.memory)}, peak {size_text(facts.peak)}"
+        memory = tr(f"{size_text(facts.memory)}, peak {size_text(facts.peak)}")
     yield "memory", memory, StyleRole.TEXT
-    yield "process", f"{facts.threads} threads, uptime {facts.up}", StyleRole.TEXT
+    yield "process", tr(f"{facts.threads} threads, uptime {facts.up}"), StyleRole.TEXT
 
 
 def console_table(facts: OwnFacts, log: Sequence[str], wanted: str) -> Table:
     """Return the facts, then the log, newest first, of the lines that contain `wanted`."""
-    above = [Row(name, ((f"{name:<10}", StyleRole.DIM), (text, role))) for name, text, role in _facts(facts)]
+    above = [
+        Row(name, ((f"{tr(name):<10}", StyleRole.DIM), (text, role))) for name, text, role in _facts(facts)
+    ]
     sought = wanted.casefold()
     lines = [line for line in reversed(log) if sought in line.casefold()]
     note = f"log, newest first: {len(lines)} of {len(log)} lines" + (f", matching {wanted}" if wanted else "")
-    above.append(Row("log", ((f"── {sanitize(note)}", StyleRole.DIM),)))
+    above.append(Row("log", ((f"── {tr(sanitize(note))}", StyleRole.DIM),)))
 
     def row(n: int) -> Row:
         if n < len(above):
@@ -67,7 +70,7 @@ def console_table(facts: OwnFacts, log: Sequence[str], wanted: str) -> Table:
         return Row(id(line), ((sanitize(line), _role(line)),))
 
     keys = [*(one.key for one in above), *map(id, lines)]
-    return Table((("Console", StyleRole.TITLE),), LateRows(keys, row))
+    return Table(((tr("Console"), StyleRole.TITLE),), LateRows(keys, row))
 
 
 def _role(line: str) -> StyleRole:

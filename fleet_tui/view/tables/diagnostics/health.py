@@ -5,6 +5,7 @@ from collections.abc import Collection, Hashable, Iterator, Mapping
 
 from fleet_tui.model.order import natural
 from fleet_tui.model.ros_logs import Health, PartDiagnosis
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.text.units import ago
 from fleet_tui.view.roles import StyleRole
@@ -24,7 +25,7 @@ _BY_LEVEL: Mapping[int, int] = {Health.ERROR: 0, Health.STALE: 1, Health.WARN: 2
 
 
 def _look(level: int) -> tuple[str, StyleRole]:
-    return _LOOKS.get(level, (f"? level {level}", StyleRole.WARN))
+    return _LOOKS.get(level, (tr(f"? level {level}"), StyleRole.WARN))
 
 
 def health_table(links: Links, opened: Collection[Hashable], wanted: str, now: float) -> Table:
@@ -42,14 +43,14 @@ def health_table(links: Links, opened: Collection[Hashable], wanted: str, now: f
     names = column((one.name for _, one in found), 6, 30)
     rows = [row for key, one in found for row in _rows(key, one, names, key in opened, now)]
     levels = Counter(_look(one.level)[0][2:] for _, one in found if one.level != Health.OK)
-    note = f" /diagnostics  {len(found)} parts"
+    note = tr(f" /diagnostics  {len(found)} parts")
     note += "".join(f", {count} {word}" for word, count in sorted(levels.items()))
-    note += f", matching {sanitize(wanted)}" if wanted else ""
-    title = ("Robot diagnostics", StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
+    note += tr(f", matching {sanitize(wanted)}") if wanted else ""
+    title = (tr("Robot diagnostics"), StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
     empty = (
-        "no matching part"
+        tr("no matching part")
         if wanted
-        else "nothing received on /diagnostics (subscribed while this screen is open)"
+        else tr("nothing received on /diagnostics (subscribed while this screen is open)")
     )
     return Table(title, rows, empty)
 
@@ -57,7 +58,7 @@ def health_table(links: Links, opened: Collection[Hashable], wanted: str, now: f
 def _rows(key: Hashable, one: PartDiagnosis, names: int, is_open: bool, now: float) -> Iterator[Row]:
     word, role = _look(one.level)
     is_old = now - one.at > OLD
-    came = f"{'old, ' if is_old else ''}{ago(one.at, now)}"
+    came = f"{tr('old, ') if is_old else ''}{tr(ago(one.at, now))}"
     yield Row(
         key,
         (
@@ -68,6 +69,6 @@ def _rows(key: Hashable, one: PartDiagnosis, names: int, is_open: bool, now: flo
         ),
     )
     if is_open:
-        for n, (name, value) in enumerate((("hardware", one.hardware), *one.values)):
+        for n, (name, value) in enumerate(((tr("hardware"), one.hardware), *one.values)):
             shown = ((f"          {sanitize(name)}: ", StyleRole.DIM), (sanitize(value), StyleRole.TEXT))
             yield Row((key, n), shown)

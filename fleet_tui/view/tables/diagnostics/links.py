@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.link import CommandPath, LinkState, Phase
 from fleet_tui.text.durations import age
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import ago, milliseconds, size_text
 from fleet_tui.view.history.bars import level
@@ -22,7 +23,12 @@ def down(links: Links) -> tuple[Run, ...]:
     names = [sanitize(link.name) for link, _ in links if link.phase is not Phase.UP]
     if not names:
         return ()
-    return ((" no link" if len(links) == 1 else f" no link: {', '.join(names)}", StyleRole.ALARM),)
+    return (
+        (
+            tr("no link" if len(links) == 1 else f"no link: {', '.join(names)}").join((" ", "")),
+            StyleRole.ALARM,
+        ),
+    )
 
 
 def link_table(links: Links, now: float) -> Table:
@@ -32,10 +38,13 @@ def link_table(links: Links, now: float) -> Table:
         runs = (f"{sanitize(link.name)} ", StyleRole.TITLE), (sanitize(link.url), StyleRole.TEXT)
         rows.append(Row((link.name, ""), runs))
         rows += [
-            Row((link.name, name), ((f"  {name:<14}", StyleRole.DIM), *runs))
+            Row(
+                (link.name, name),
+                ((f"  {tr(name):<14}", StyleRole.DIM), *((tr(text), role) for text, role in runs)),
+            )
             for name, runs in _fields(link, counter, now)
         ]
-    return Table((("Link", StyleRole.TITLE),), rows, "console starting")
+    return Table(((tr("Link"), StyleRole.TITLE),), rows, tr("console starting"))
 
 
 def _fields(link: LinkState, counter: LinkCounter, now: float) -> Iterator[tuple[str, tuple[Run, ...]]]:
@@ -65,14 +74,14 @@ def _fields(link: LinkState, counter: LinkCounter, now: float) -> Iterator[tuple
 
 
 def _state(link: LinkState, now: float) -> Run:
-    since = age(now - link.since)
+    lasted = age(now - link.since)
     if link.phase is Phase.UP:
-        return f"● up for {since}", StyleRole.GOOD
+        return f"● up for {lasted}", StyleRole.GOOD
     trying = "connecting"
     if link.phase is Phase.WAITING and link.next_try is not None:
         trying = f"retry in {max(0.0, link.next_try - now):.0f} s"
     why = f": {sanitize(link.reason)}" if link.reason else ""
-    return f"○ no link for {since}{why}, {trying}", StyleRole.ALARM
+    return f"○ no link for {lasted}{why}, {trying}", StyleRole.ALARM
 
 
 def _commands(link: LinkState) -> Run:
@@ -113,4 +122,4 @@ def _connections(counter: LinkCounter, now: float) -> Iterator[Run]:
 
 
 def _count(count: int, what: str) -> Run:
-    return f"{count:,} {sanitize(what)}", StyleRole.WARN if count else StyleRole.DIM
+    return f"{count:,} {tr(sanitize(what))}", StyleRole.WARN if count else StyleRole.DIM

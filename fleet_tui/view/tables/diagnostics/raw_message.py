@@ -11,6 +11,7 @@ import msgspec
 
 from fleet_tui.adapters.ros.cbor import read_cbor
 from fleet_tui.model.counters import Raw, TopicCounter
+from fleet_tui.text.language import tr
 from fleet_tui.text.limits import truncate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import ago, size_text
@@ -36,28 +37,28 @@ def raw_lines(raw: Raw) -> tuple[str, ...]:
     value = _published(raw)
     lines = _plain(raw) if value is _NOTHING else _value_lines(value, 0)
     shown = tuple(sanitize(line) for line in islice(lines, MOST_LINES + 1))
-    return shown if len(shown) <= MOST_LINES else (*shown[:-1], f"… first {MOST_LINES:,} lines only")
+    return shown if len(shown) <= MOST_LINES else (*shown[:-1], tr(f"… first {MOST_LINES:,} lines only"))
 
 
 def copied(raw: Raw) -> tuple[str, str]:
     """Return the text to copy of a message, and its description: complete, whatever the view leaves out."""
     text = "\n".join(sanitize(line) for line in _whole(raw).split("\n"))
     if len(text) <= LONGEST_COPY:
-        return text, f"{len(text):,} characters"
-    return text[:LONGEST_COPY], f"the first {LONGEST_COPY:,} of {len(text):,} characters"
+        return text, tr(f"{len(text):,} characters")
+    return text[:LONGEST_COPY], tr(f"the first {LONGEST_COPY:,} of {len(text):,} characters")
 
 
 def raw_table(topic: TopicCounter, raw: Raw | None, why: str, now: float) -> Table:
     """Return the message of a topic; `why` is the reason it could not be read, empty if it could."""
-    title = [("Raw ", StyleRole.TITLE), (sanitize(topic.topic), StyleRole.TEXT)]
+    title = [(tr("Raw "), StyleRole.TITLE), (sanitize(topic.topic), StyleRole.TEXT)]
     if raw is None:
-        return Table(tuple(title), (), "no bad message" if why else "nothing received yet")
+        return Table(tuple(title), (), tr("no bad message") if why else tr("nothing received yet"))
     kind = "CBOR" if raw.is_binary else "JSON"
-    title.append((f"  {ago(raw.at, now)}, {size_text(raw.size)} of {kind}", StyleRole.DIM))
+    title.append((tr(f"  {ago(raw.at, now)}, {size_text(raw.size)} of {kind}"), StyleRole.DIM))
     rows = [Row(n, ((line, StyleRole.TEXT),)) for n, line in enumerate(raw_lines(raw))]
     if why:
-        title.append(("  bad", StyleRole.ALARM))
-        rows.insert(0, Row("why", ((f"▲ {sanitize(why)}", StyleRole.ALARM),)))
+        title.append((tr("  bad"), StyleRole.ALARM))
+        rows.insert(0, Row(tr("why"), ((f"▲ {sanitize(why)}", StyleRole.ALARM),)))
     return Table(tuple(title), rows)
 
 
@@ -74,7 +75,7 @@ def _published(raw: Raw) -> Any:
 
 def _plain(raw: Raw) -> Iterator[str]:
     if not raw.is_whole:
-        yield f"… {size_text(raw.size)}, only the first {size_text(len(raw.payload))} kept"
+        yield tr(f"… {size_text(raw.size)}, only the first {size_text(len(raw.payload))} kept")
     if raw.is_binary:
         for start in range(0, len(raw.payload), BINARY_LINE):
             yield raw.payload[start : start + BINARY_LINE].hex(" ")
@@ -106,7 +107,7 @@ def _value_lines(value: Any, depth: int, before: str = "", after: str = "") -> I
     for n, (name, item) in enumerate(parts, 1):
         yield from _value_lines(item, depth + 1, name, "," if n < len(parts) or left_out else "")
     if left_out:
-        yield f"{pad}  … {left_out:,} more of {len(value):,}"
+        yield tr(f"{pad}  … {left_out:,} more of {len(value):,}")
     yield f"{pad}{closing}{after}"
 
 
@@ -116,7 +117,7 @@ def _inline(value: Any) -> str:
             return f"[… {len(value):,}]"
         shown = ", ".join(map(_scalar, value[:SHOWN_ITEMS]))
         left_out = len(value) - SHOWN_ITEMS
-        return f"[{shown}, … {left_out:,} more of {len(value):,}]" if left_out > 0 else f"[{shown}]"
+        return tr(f"[{shown}, … {left_out:,} more of {len(value):,}]") if left_out > 0 else f"[{shown}]"
     if isinstance(value, dict):
         return f"{{… {len(value):,}}}" if value else "{}"
     return _scalar(value)
@@ -124,9 +125,9 @@ def _inline(value: Any) -> str:
 
 def _scalar(value: Any) -> str:
     if isinstance(value, cbor2.CBORTag) and isinstance(value.value, bytes):
-        return f"… {len(value.value):,} bytes, CBOR tag {value.tag}"
+        return tr(f"… {len(value.value):,} bytes, CBOR tag {value.tag}")
     if isinstance(value, bytes):
-        return f"… {len(value):,} bytes"
+        return tr(f"… {len(value):,} bytes")
     if isinstance(value, str):
         return json.dumps(truncate(value, LONGEST_STRING), ensure_ascii=False)
     if value is None or isinstance(value, bool):

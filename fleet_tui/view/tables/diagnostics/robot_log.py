@@ -7,6 +7,7 @@ from textwrap import wrap
 from fleet_tui.model.counters import snapshot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.ros_logs import LogLine, Severity
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.text.units import ago
 from fleet_tui.view.roles import StyleRole
@@ -49,7 +50,7 @@ def _wall(line: LogLine, offset: float) -> float:
 
 
 def _row(line: LogLine, nodes: int, time: str) -> Row:
-    word, role = _LOOKS[line.severity] if line.severity else (f"level {line.level}", StyleRole.WARN)
+    word, role = _LOOKS[line.severity] if line.severity else (tr(f"level {line.level}"), StyleRole.WARN)
     runs = (
         (f"{time} ", StyleRole.DIM),
         (f"{word:<8}", role),
@@ -79,8 +80,8 @@ def _with_wholes(
 
 
 def _filters(least: Severity, wanted: str) -> str:
-    worse = "" if least is Severity.FATAL else " and worse"
-    return f"{least.name}{worse}" + (f", matching {sanitize(wanted)}" if wanted else "")
+    worse = "" if least is Severity.FATAL else tr(" and worse")
+    return f"{least.name}{worse}" + (tr(f", matching {sanitize(wanted)}") if wanted else "")
 
 
 def robot_log_table(
@@ -107,7 +108,9 @@ def robot_log_table(
         return _row(line, nodes, clock(_wall(line, offset)))
 
     rows = LateRows([key for key, _, _ in shown], row)
-    note = _filters(least, wanted) + (f", last {ago(_wall(lines[-1], offset), state.wall)}" if lines else "")
-    counts = f" /rosout  {len(found)} of {len(lines)} lines, {note}"
-    title = ("Robot log", StyleRole.TITLE), (counts, StyleRole.DIM), *down(links)
-    return Table(title, rows, "no matching line" if lines else NOTHING)
+    note = _filters(least, wanted) + (
+        tr(f", last {ago(_wall(lines[-1], offset), state.wall)}") if lines else ""
+    )
+    counts = tr(f" /rosout  {len(found)} of {len(lines)} lines, {note}")
+    title = (tr("Robot log"), StyleRole.TITLE), (counts, StyleRole.DIM), *down(links)
+    return Table(title, rows, tr("no matching line") if lines else tr(NOTHING))

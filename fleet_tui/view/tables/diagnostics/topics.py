@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 from fleet_tui.model.counters import TopicCounter
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import LinkState, Phase
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.text.units import ago, size_text
 from fleet_tui.view.roles import StyleRole
@@ -24,19 +25,21 @@ Entry = tuple[LinkState, TopicCounter]
 def topic_state(link: LinkState, topic: TopicCounter, now: float, silent_after: float) -> Run:
     """Return the state of a topic, as a sign and words."""
     if topic.not_subscribed:
-        return "✗ not subscribed", StyleRole.ALARM
+        return tr("✗ not subscribed"), StyleRole.ALARM
     if link.phase is not Phase.UP:
-        return "○ no link", StyleRole.WARN
+        return tr("○ no link"), StyleRole.WARN
     if topic.bad is not None and now - topic.bad.raw.at < BAD_FOR:
-        return "▲ bad data", StyleRole.ALARM
+        return tr("▲ bad data"), StyleRole.ALARM
     if topic.at is None:
         if topic.on_change:
-            return "· on change", StyleRole.DIM
+            return tr("· on change"), StyleRole.DIM
         waits = topic.on_demand or not topic.robot
-        return ("· on demand", StyleRole.DIM) if waits else ("○ none yet", StyleRole.WARN)
+        return (tr("· on demand"), StyleRole.DIM) if waits else (tr("○ none yet"), StyleRole.WARN)
     if topic.once or topic.on_demand or topic.on_change or not topic.robot:
-        return "● received", StyleRole.TEXT
-    return ("○ silent", StyleRole.WARN) if now - topic.at > silent_after else ("● live", StyleRole.GOOD)
+        return tr("● received"), StyleRole.TEXT
+    return (
+        (tr("○ silent"), StyleRole.WARN) if now - topic.at > silent_after else (tr("● live"), StyleRole.GOOD)
+    )
 
 
 def entries(state: FleetState, links: Links, wanted: str) -> list[Entry]:
@@ -63,14 +66,18 @@ def topic_table(state: FleetState, links: Links, wanted: str, now: float) -> Tab
     keys = [(link.name, topic.topic) for link, topic in found]
     rows = LateRows(keys, lambda n: Row(keys[n], (*_runs(states[n], found[n][1], names, now),)))
     trouble = sum(role in (StyleRole.WARN, StyleRole.ALARM) for _, role in states)
-    note = f" {len(found)}, {trouble} with problems" + (f", matching {sanitize(wanted)}" if wanted else "")
-    title = ("Topics", StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
-    empty = "no matching topic" if wanted else "console starting"
+    note = tr(f" {len(found)}, {trouble} with problems") + (
+        tr(f", matching {sanitize(wanted)}") if wanted else ""
+    )
+    title = (tr("Topics"), StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
+    empty = tr("no matching topic") if wanted else tr("console starting")
     return Table(title, rows, empty, head=_head(names))
 
 
 def _head(names: int) -> tuple[Run, ...]:
-    heads = f"{'State':<17}{'Topic':<{names}} {'Rate':>8} {'Last':>10} {'':>7} {'Bytes':>9} {'Messages':>8}"
+    words = map(tr, ("State", "Topic", "Rate", "Last", "Bytes", "Messages"))
+    state, topic, rate, last, size, count = words
+    heads = f"{state:<17}{topic:<{names}} {rate:>8} {last:>10} {'':>7} {size:>9} {count:>8}"
     return ((heads, StyleRole.DIM),)
 
 
@@ -90,12 +97,12 @@ def _runs(state: Run, topic: TopicCounter, names: int, now: float) -> Sequence[R
     rates = topic.rates(now)
     rate = "" if rates is None else f"{rates[0]:.1f} Hz"
     size = "" if rates is None else f"{size_text(rates[1])}/s"
-    bad = f"{topic.errors:,} bad" if topic.errors else ""
+    bad = tr(f"{topic.errors:,} bad") if topic.errors else ""
     runs = [
         (f"{word:<17}", role),
         (fit(_shortened(sanitize(topic.topic), names), names) + " ", StyleRole.TEXT),
         (f"{rate:>8} ", StyleRole.TEXT),
-        (f"{ago(topic.at, now):>10} ", StyleRole.WARN if role is StyleRole.WARN else StyleRole.TEXT),
+        (f"{tr(ago(topic.at, now)):>10} ", StyleRole.WARN if role is StyleRole.WARN else StyleRole.TEXT),
         (f"{bad:>7} ", StyleRole.WARN),
         (f"{size:>9} {topic.count:>8,}  ", StyleRole.DIM),
     ]

@@ -1,0 +1,177 @@
+"""The language of the screen: its texts in the words of the user, English without a catalogue.
+
+Everything is made in English, as the audit log, JSON and the log file have it, and translated where it is
+shown. A message of a catalogue may have places for what differs, `no link for {age}`, so that texts with
+figures and names, which come ready from the state, find their translation, too.
+"""
+
+import json
+import re
+from collections.abc import Callable, Iterator, Mapping
+from functools import lru_cache
+
+from msgspec import Struct
+
+_TEXTS = (
+    "after ago asked behind blind calls cells claims command_reason counted counts_text detail"
+    " did_you_mean difference_text does doing doubt halved held how impact its jitter key kind lack"
+    " last_fault lift loaded looks lost_why mission most mutual near note noun noun_of others owner pending"
+    " present problem question reason refusal remedy removeprefix rest ruled_out shown silence silent"
+    " since spread stage state_text steps tmux to_start told too text trying unit value verb way_text"
+    " way_text2 ways what where why CONDITIONS OVERLOADED PAUSED READ_AS_0 STARTED_OVER"
+)
+TEXTS = frozenset(_TEXTS.split(" "))
+"""Places whose values are texts of the console, and translated, too; those of all others stay as they are:
+names, paths, figures, and what robots say."""
+_COUNTS = [
+    "alarms",
+    "count",
+    "edges",
+    "faults",
+    "fresh",
+    "marks",
+    "metres",
+    "orders",
+    "placed",
+    "vertices",
+    "waiting",
+]
+FIGURES = {
+    **dict.fromkeys((*_COUNTS, "waiting"), r"[-\d.,]+"),
+    **dict.fromkeys(("age", "duration", "lasted"), r"[\d.]+ \w+|never"),
+    **dict.fromkeys(("path", "id", "order", "order_id"), r"\S+?"),
+    "mission": r"order .*|.* -> .*",
+    "route": r"[^()]*",
+    "way": r"[^()]*",
+    "looks": r"(?: looks at .*)?",
+    "claims": r"(?:, claims .*)?",
+    "label": r".*?",
+}
+"""Expressions for values of which more is known than that they are texts."""
+FEW = 5
+"""Letters of its own below which a message fits nearly everything: its values are two words at most then, or
+a text of the console."""
+REMEMBERED = 8192
+"""Texts with their translations: the screen asks for the same ones ten times a second."""
+LONGEST = 300
+"""Characters of a line above which it is no text of the console: a robot may say anything."""
+_PLACE = re.compile(r"\{(\w+)\}")
+_LISTS = {"; ": re.compile("; "), ", ": re.compile(r", (?![^(]*\))")}
+_FIELD = re.compile(r'(msgid|msgstr)? *(".*")')
+
+
+class MessagePattern(Struct, frozen=True):
+    """A message with places: the longest text between them, all of it as an expression, its translation."""
+
+    part: str
+    expression: re.Pattern[str]
+    translation: str
+    fits_all: bool
+
+
+class Catalogue:
+    """Translations of messages."""
+
+    def __init__(self, messages: Mapping[str, str]) -> None:
+        self._plain = {msgid: text for msgid, text in messages.items() if not _PLACE.search(msgid)}
+        placed = sorted((msgid for msgid in messages if msgid not in self._plain), key=_freedom)
+        self._placed = [_pattern(msgid, messages[msgid]) for msgid in placed]
+        self.translated = lru_cache(REMEMBERED)(self._translated)
+
+    def _translated(self, text: str) -> str:
+        """Return a text in this language; lines one by one, one without a translation as it is."""
+        if "\n" in text:
+            return "\n".join(map(self.translated, text.split("\n")))
+        if len(text) > LONGEST:
+            return text
+        told = text.strip()
+        found = self._plain.get(told) or self._filled(told) or self._in_parts(told)
+        return text.replace(told, found, 1) if found else text
+
+    def _in_parts(self, told: str) -> str:
+        """Return a list translated part by part, a text after a name, one with a detail in brackets."""
+        for mark, between in _LISTS.items():
+            if mark in told and len(parts := between.split(told)) > 1:
+                return mark.join(map(self.translated, parts))
+        name, colon, rest = told.partition(": ")
+        if colon and " " not in name and not name.isupper():
+            return f"{name}: {self.translated(rest)}"
+        head, opening, detail = told.removesuffix(")").partition(" (")
+        is_told = opening and told.endswith(")")
+        return f"{self.translated(head)} ({self.translated(detail)})" if is_told else ""
+
+    def _filled(self, told: str) -> str:
+        for message in self._placed:
+            if message.part in told and (match := message.expression.fullmatch(told)):
+                values = match.groupdict()
+                texts = {name: self.translated(values[name]) for name in TEXTS & values.keys()}
+                if message.fits_all and any(texts[name] == values[name] for name in texts if values[name]):
+                    continue
+                return message.translation.format_map(values | texts)
+        return ""
+
+
+def _freedom(msgid: str) -> tuple[int, int, int]:
+    """Return what sorts messages: those with the most letters of their own are tried first, then those whose
+    values are known best."""
+    names = _PLACE.findall(msgid)
+    letters = "".join(_PLACE.sub("", msgid).split())
+    return -len(letters), len(names), -sum(name in FIGURES or name in TEXTS for name in names)
+
+
+def _pattern(msgid: str, translation: str) -> MessagePattern:
+    parts = _PLACE.split(msgid)  # texts and names in turn
+    fits_all = sum(map(str.isalpha, "".join(parts[::2]))) < FEW
+    made = [re.escape(part) for part in parts]
+    made[1::2] = [f"(?P<{name}>{_value(name, fits_all)})" for name in parts[1::2]]
+    return MessagePattern(max(parts[::2], key=len), re.compile("".join(made)), translation, fits_all)
+
+
+def _value(name: str, is_short: bool) -> str:
+    """Return the expression of a value."""
+    if name in FIGURES:
+        return FIGURES[name]
+    if is_short and name not in TEXTS:
+        return r"\S*(?: \S+)?"
+    return r"[^:,]*?" if name in ("name", "robot") else ".*?"
+
+
+def read_catalogue(text: str) -> dict[str, str]:
+    """Return the messages of a .po file with their translations, those without one left out. Raises
+    ValueError for a line that is none of such a file."""
+    found: dict[str, str] = {}
+    for entry in re.split(r"\n(?=msgid )", text):
+        fields = {"msgid": "", "msgstr": ""}
+        name = ""
+        for line in filter(lambda line: line and not line.startswith("#"), entry.splitlines()):
+            field = _FIELD.fullmatch(line.strip())
+            if field is None or not (name := field[1] or name):
+                raise ValueError(f"no line of a catalogue: {line}")
+            fields[name] += json.loads(field[2])
+        if fields["msgid"] and fields["msgstr"]:
+            found[fields["msgid"]] = fields["msgstr"]
+    return found
+
+
+def places(message: str) -> Iterator[str]:
+    """Yield the names of a message's places."""
+    return (place[1] for place in _PLACE.finditer(message))
+
+
+def _as_it_is(text: str) -> str:
+    return text
+
+
+_translate: Callable[[str], str] = _as_it_is
+
+
+def speak(catalogue: Catalogue | None) -> None:
+    """Show all texts of this process in the language of a catalogue, in English without one."""
+    global _translate
+    _translate = catalogue.translated if catalogue is not None else _as_it_is
+
+
+def tr(text: str) -> str:
+    """Return a text of the console in the language of its user. Its placeholders in the catalogue are named
+    after the values in braces."""
+    return _translate(text)

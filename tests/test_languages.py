@@ -1,0 +1,76 @@
+"""The catalogues: complete, with the same places, of the languages that the configuration accepts."""
+
+import re
+import typing
+from collections.abc import Iterator
+from importlib.resources import files
+
+import pytest
+
+from fleet_tui.config.schema import Ui
+from fleet_tui.languages import ENGLISH, use_language
+from fleet_tui.text.language import FIGURES, Catalogue, places, read_catalogue, tr
+from tests.support.screen_texts import ROOT, texts
+
+LANGUAGES = sorted(path.stem for path in (ROOT / "locales").glob("*.po"))
+COMPOSED = "\n# composed\n"
+"""The part of a file with messages that are put together from parts, which the collection does not see."""
+
+
+@pytest.fixture(autouse=True)
+def english_again() -> Iterator[None]:
+    yield
+    use_language(ENGLISH)
+
+
+def file_of(language: str) -> str:
+    return files("fleet_tui").joinpath("locales", f"{language}.po").read_text(encoding="utf-8")
+
+
+def test_the_configuration_accepts_english_and_each_file() -> None:
+    assert sorted(typing.get_args(typing.get_type_hints(Ui)["language"])) == sorted([ENGLISH, *LANGUAGES])
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_text_of_the_screen_has_a_translation(language: str) -> None:
+    messages = read_catalogue(file_of(language))
+    catalogue = Catalogue(messages)
+    missing = [text for text in texts() if text not in messages and catalogue.translated(text) == text]
+    assert missing == []
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_translation_has_the_places_of_its_message(language: str) -> None:
+    messages = read_catalogue(file_of(language))
+    wrong = [(one, text) for one, text in messages.items() if sorted(places(one)) != sorted(places(text))]
+    assert wrong == []
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_no_message_is_there_twice_or_without_a_use(language: str) -> None:
+    text = file_of(language)
+    assert text.count("\nmsgid ") - 1 == len(read_catalogue(text))
+    collected, composed = text.split(COMPOSED)
+    assert sorted(set(read_catalogue(collected)) - texts()) == []
+    assert read_catalogue(composed).keys() == read_catalogue(file_of("de").split(COMPOSED)[1]).keys()
+
+
+def test_a_language_is_used_until_another_one_is() -> None:
+    use_language("pt")
+    assert tr("no link") == "sem ligação"
+    use_language("de")
+    assert tr("no link") == "keine Verbindung"
+    use_language(ENGLISH)
+    assert tr("no link") == "no link"
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_messages_of_one_shape_have_translations_of_one_shape(language: str) -> None:
+    """A text does not tell which of them it is: `{name} on {link}`, `{edge} on {floor}`."""
+    found: dict[str, set[str]] = {}
+    for one, text in read_catalogue(file_of(language)).items():
+        shape = re.sub(r"\{(\w+)\}", lambda place: FIGURES.get(place[1], "*"), one)
+        for number, place in enumerate(places(one)):
+            text = text.replace(f"{{{place}}}", f"<{number}>")
+        found.setdefault(shape, set()).add(text)
+    assert [many for many in found.values() if len(many) > 1] == []
