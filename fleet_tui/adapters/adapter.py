@@ -27,7 +27,8 @@ class Feed(NamedTuple):
     off the loop. `fast`: as frequent as poses. `silent`: may rightly send nothing for hours. `is_shared`: one
     topic may report on all robots of a link; its messages name them, but for a map, which is of none.
     `queue_length`: messages that the bridge keeps for this console; with more
-    than one of them each counts, not only the newest.
+    than one of them each counts, not only the newest. `has_pictures`: its maps are pictures, which the reader
+    of frames decodes.
     """
 
     key: str
@@ -43,6 +44,7 @@ class Feed(NamedTuple):
     silent: bool = False
     is_shared: bool = False
     queue_length: int = 1
+    has_pictures: bool = False
 
     @property
     def robot(self) -> str:

@@ -15,6 +15,7 @@ from fleet_tui.model.commands import (
     ResumeRobot,
     Stage,
 )
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import OrderState, at_vertices
 from fleet_tui.simulator.rmf.faults import restart_dispatcher
 from tests.support.links import finished, linked
@@ -197,3 +198,27 @@ async def test_a_console_without_the_packages_lives_on_texts_alone(site: Hospita
     async with linked(msgspec.structs.replace(site.config, profile=profile)) as (_, store):
         state = await store.until(lambda state: all(one.pose for one in state.robots.values()))
         assert state.is_online(state.robots[FIRST]) and state.robots[FIRST].clock is None
+
+
+async def test_the_pictures_of_all_levels_come_with_the_map_of_one() -> None:
+    async with hospital(floors=3) as site, linked(site.config) as (link, store):
+        await store.until(rmf_ready)
+        link.show_map(FIRST, "floor_0")
+        state = await store.until(lambda state: all(one.live for one in state.floors.values()))
+    frame = next(iter(state.floors.values())).live.frame  # type: ignore[union-attr]  # all have one
+    assert (round(frame.origin.x, 3), round(frame.origin.y, 3), frame.width) == (-2.0, -3.0, 800)
+
+
+async def test_a_robot_goes_through_all_floors_by_lift() -> None:
+    async with hospital(robots=1, floors=3) as site, linked(site.config) as (link, store):
+        state = await store.until(rmf_ready)
+        floors = set(state.robots[FIRST].maps)
+        record = await finished(link, store, to("Kitchen", "Packing 2", "Base"))
+        seen = set()
+
+        def on(state: FleetState) -> bool:
+            seen.add(state.robots[FIRST].floor)
+            return any(one.id == record.id and one.stage is Stage.DONE for one in state.commands)
+
+        await store.until(on)
+    assert seen >= floors == {"floor_0", "floor_1", "floor_2"}

@@ -32,6 +32,7 @@ REPORTS = {
     "statuses": ("pose", "battery", "member"),
     "tasks": ("queue", "paused", "progress"),
     "graphs": ("graph", "labels"),
+    "building": ("map",),
 }
 """The values in each topic."""
 ABILITIES = (*(kind.ORDER, kind.ORDER_TO, kind.ORDER_ANY, kind.CANCEL, kind.CLEAR, kind.PAUSE, kind.RESUME),)
@@ -75,6 +76,10 @@ class Rmf:
                     is_shared=True,
                     queue_length=EACH,
                 )
+        if topic := self.names.topic("building", robot):
+            # Other stacks publish an OccupancyGrid by that name: the link compares the types.
+            pictures = Feed("building", (robot,), "", topic, self.names.type("building"), latched=True)
+            yield pictures._replace(silent=True, wanted_for="map", is_shared=True, has_pictures=True)
 
     def read(self, feed: Feed, msg: object, at: float) -> Iterable[events.Event]:
         """Return the events of a message. Raises WireError."""

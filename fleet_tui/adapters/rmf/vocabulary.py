@@ -10,6 +10,7 @@ VOCABULARY = Vocabulary(
         "responses": ("/task_api_responses", "rmf_task_msgs/ApiResponse"),
         "dispatches": ("/dispatch_states", "rmf_task_msgs/DispatchStates"),
         "graphs": ("/nav_graphs", "rmf_building_map_msgs/Graph"),
+        "building": ("/map", "rmf_building_map_msgs/BuildingMap"),
         "requests": ("/task_api_requests", "rmf_task_msgs/ApiRequest"),
     },
     floor_topics=frozenset(),

@@ -220,7 +220,7 @@ class Subscriber:
 
     def show_map(self, robot: str, floor: str) -> None:
         """Subscribe to one robot's live map of a floor, and unsubscribe from the earlier one; "" for none."""
-        maps = (feed for feed in self._feeds if feed.wanted_for == "map" and feed.floor == floor)
+        maps = (feed for feed in self._feeds if feed.wanted_for == "map" and feed.floor in ("", floor))
         wanted = next((feed for feed in maps if robot in feed.robots), None)
         if wanted is self._map:
             return

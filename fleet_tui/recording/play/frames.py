@@ -7,6 +7,7 @@ from fleet_tui.adapters.ros.operations import Fragment, ServiceResponse
 from fleet_tui.adapters.ros.reading import FrameReader, StreamTaken
 from fleet_tui.config.fleet import adapters_of, feeds_of, limit_of
 from fleet_tui.config.schema import Config
+from fleet_tui.maps.levels import read_levels
 from fleet_tui.maps.map_process import decode_apart
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.fleet import FleetState
@@ -21,7 +22,8 @@ class Frames:
         adapters = adapters_of(config)
         self._readings = {
             name: FrameReader(
-                name, limit_of(config, name), adapters, feeds_of(config, adapters, name), decode_apart
+                *(name, limit_of(config, name), adapters, feeds_of(config, adapters, name), decode_apart),
+                decode_pictures=read_levels,
             )
             for name in config.bridges
         }

@@ -23,6 +23,7 @@ Message = dict[str, Any]
 STATES, UPDATES = "/fleet_states", "/fleet_state_update"
 TASKS, RESPONSES, REQUESTS = "/task_state_update", "/task_api_responses", "/task_api_requests"
 DISPATCHES, GRAPHS = "/dispatch_states", "/nav_graphs"
+MAP = "/map"
 LIFTS, DOORS = "/lift_states", "/door_states"
 TYPES = {
     STATES: "rmf_fleet_msgs/FleetState",
@@ -72,6 +73,10 @@ class RmfFleet(RmfWorld):
         graphs = [Payload(messages.nav_graph(fleet, self.building)) for fleet in self.fleets]
         type_ = dialect.message_type("rmf_building_map_msgs/Graph")
         yield Topic(GRAPHS, type_, lambda _: graphs[0], latched=True, history=lambda: graphs)
+
+        building = Payload(messages.building_map(self.building))
+        type_ = dialect.message_type("rmf_building_map_msgs/BuildingMap")
+        yield Topic(MAP, type_, lambda _: building, latched=True)
 
     def subscriptions(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
         """The topic of requests."""

@@ -1,14 +1,19 @@
 """Messages of fleets, levels, lifts and doors, as the nodes of Open-RMF write them."""
 
+import io
 import json
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+import numpy as np
+from PIL import Image
+
+from fleet_tui.simulator.floorplan import FREE, HEIGHT, OCCUPIED, ORIGIN, RESOLUTION
 from fleet_tui.simulator.rmf.dispatcher import SimDispatch
 from fleet_tui.simulator.rmf.lifts import MOVING, OPEN, SimDoor, SimLift
 from fleet_tui.simulator.rmf.member import SimMember
 from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.warehouse import Building
+from fleet_tui.simulator.warehouse import Building, SimFloor
 
 Message = dict[str, Any]
 
@@ -98,6 +103,31 @@ def _param(name: str, value: str | bool) -> Message:
     is_text = isinstance(value, str)
     words = {"value_string": value if is_text else "", "value_bool": False if is_text else value}
     return {"name": name, "type": STRING if is_text else BOOL, "value_int": 0, "value_float": 0.0, **words}
+
+
+def building_map(building: Building) -> Message:
+    """Return a rmf_building_map_msgs/BuildingMap: a picture of each level, by its upper left corner."""
+    levels = [
+        {"name": floor.name, "elevation": 4.0 * number, "images": [_image(floor)]}
+        for number, floor in enumerate(building.floors)
+    ]
+    return {"name": "hospital", "levels": levels}
+
+
+def _image(floor: SimFloor) -> Message:
+    shades = np.where(floor.cells == FREE, 254, np.where(floor.cells == OCCUPIED, 0, 205)).astype(np.uint8)
+    file = io.BytesIO()
+    Image.fromarray(shades[::-1]).save(file, "PNG")
+    x, y = ORIGIN
+    return {
+        "name": floor.name,
+        "x_offset": x,
+        "y_offset": y + HEIGHT * RESOLUTION,
+        "yaw": 0.0,
+        "scale": RESOLUTION,
+        "encoding": "png",
+        "data": np.frombuffer(file.getvalue(), np.uint8),
+    }
 
 
 def lift_state(lift: SimLift, stamp: Message) -> Message:

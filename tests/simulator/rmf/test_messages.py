@@ -21,6 +21,7 @@ STAMP = {"sec": 7, "nanosec": 0}
         ("rmf_fleet_msgs/FleetState", messages.fleet_state("tiny", MEMBERS, SEEN, ROS2)),
         ("rmf_task_msgs/DispatchStates", messages.dispatches([], [])),
         ("rmf_building_map_msgs/Graph", messages.nav_graph("tiny", WORLD.building)),
+        ("rmf_building_map_msgs/BuildingMap", messages.building_map(WORLD.building)),
         ("rmf_lift_msgs/LiftState", messages.lift_state(WORLD.lift, STAMP)),
         ("rmf_door_msgs/DoorState", messages.door_state(WORLD.doors[0], STAMP)),
     ],
