@@ -105,4 +105,4 @@ def _floors(found: Found, frames: Mapping[str, str], placed: Mapping[str, str]) 
 
 
 def _has_no_graph(kind: str) -> bool:
-    return "graph" not in KINDS[kind].vocabulary.topics
+    return not {"graph", "graphs"} & KINDS[kind].vocabulary.topics.keys()

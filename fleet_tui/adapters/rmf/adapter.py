@@ -11,6 +11,7 @@ from fleet_tui.adapters.rmf import requests
 from fleet_tui.adapters.rmf.answers import read_dispatches, read_responses
 from fleet_tui.adapters.rmf.fleets import Read, read_fleets, read_statuses
 from fleet_tui.adapters.rmf.graphs import read_graphs
+from fleet_tui.adapters.rmf.probes import probes
 from fleet_tui.adapters.rmf.tasks import read_tasks
 from fleet_tui.adapters.rmf.vocabulary import VOCABULARY
 from fleet_tui.adapters.ros.names import Names
@@ -100,7 +101,7 @@ class Rmf:
 
     def probes(self, robot: str) -> Iterable[Probe]:
         """Return the checks of its fleet."""
-        return ()
+        return probes(self.names)
 
     def outgoing(
         self, command: Command, command_id: int, robot: Robot, unique: str = ""
