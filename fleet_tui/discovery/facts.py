@@ -135,7 +135,8 @@ class BridgeFacts:
 
     def knows(self, robot: str) -> bool:
         """Tell whether the bridge knows anything of a robot; true if unknown."""
-        if any(robot in one.events for one in self.topics):
+        named = [one.events for one in self.topics if one.wanted.queue_length > 1]  # messages name robots
+        if any(robot in events for events in named):
             return True
         own = [one for one in self.of(robot) if not one.wanted.is_shared]
         return bool(self.rosapi.problem) or any(

@@ -20,6 +20,7 @@ from msgspec.structs import replace
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.why.complaints import Complaint
+from fleet_tui.rules.why.members import MEMBER_REASONS
 from fleet_tui.rules.why.navigation import NAVIGATION_REASONS
 from fleet_tui.rules.why.orders import (
     at_stop,
@@ -59,6 +60,7 @@ FOLLOWING: tuple[Rule, ...] = (none_current, no_orders)
 RULES: tuple[Rule, ...] = (
     paused,
     obstacle,
+    *MEMBER_REASONS,
     *NAVIGATION_REASONS,
     own_late_pause,
     stale_pose,
