@@ -73,8 +73,10 @@ class AnyoneOrders:
         if places is None:
             return None
         names = " -> ".join(sanitize(place.name) for place in places)
-        who = "nearest idle robot" if to_any(state, places) is None else "any robot of the dispatcher"
-        return Typed([(f"{who}: {names}", partial(self._do, places))], complete(line, state))
+        text = f"nearest idle robot: {names}"
+        if to_any(state, places) is not None:
+            text = f"any robot of the dispatcher: {names}"
+        return Typed([(text, partial(self._do, places))], complete(line, state))
 
     def _do(self, places: Sequence[Place]) -> None:
         if problem := self.give(places):
