@@ -109,10 +109,10 @@ def vehicles_config(found: Config, url: str, robots: int, floors: int, folder: P
 def _robots(links: Mapping[str, SitedBridge], alone: bool) -> list[RobotEntry]:
     """Return the robots behind all links; `alone`: all are of one kind."""
     entries = {
-        number: RobotEntry(f"robot_{number}", link=link, profile="" if alone else crew.kind, size=SIZE)
+        number: RobotEntry(name, link=link, profile="" if alone else crew.kind, size=SIZE)
         for link, bridge in links.items()
         for crew in bridge.crews
-        for number in crew.numbers
+        for number, name in zip(crew.numbers, crew.names, strict=True)
     }
     return [entries[number] for number in sorted(entries)]
 

@@ -13,11 +13,10 @@ from fleet_tui.config.entries import RobotEntry
 from fleet_tui.config.programs import ProgramEntry
 from fleet_tui.config.schema import Config
 from fleet_tui.demo import SIZE, demo_config, simulated
-from fleet_tui.simulator.kinds import KINDS
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.site import MIXED
+from fleet_tui.simulator.site import MIXED, mixed_kinds
 from tests.support.adapters import names_of
 
 URLS = "ws://one:1", "ws://two:2"
@@ -35,7 +34,9 @@ def test_the_demos_configuration_names_links_and_profiles(tmp_path: Path) -> Non
         RobotEntry("robot_2", link="ros2", profile="nav2", size=SIZE),
         RobotEntry("robot_3", profile="oh_ressources", size=SIZE),
     ]
-    assert {name: profile.kind for name, profile in config.profiles.items()} == {kind: kind for kind in KINDS}
+    assert {name: profile.kind for name, profile in config.profiles.items()} == {
+        kind: kind for kind in mixed_kinds()
+    }
     assert config.profiles["nav2"].topics == {
         "mode": "/{robot}/mode",
         "floor": "/{robot}/floor",

@@ -25,8 +25,10 @@ class Feed(NamedTuple):
     message. `wanted_for`: subscribed only while that is needed, a `map` on screen, the `target` of a goal
     that no other topic reports, or a `stream` beside the fleet state. `large`: requested as CBOR and decoded
     off the loop. `fast`: as frequent as poses. `silent`: may rightly send nothing for hours. `is_shared`: one
-    topic may report on all robots. `queue_length`: messages that the bridge keeps for this console; with more
-    than one of them each counts, not only the newest.
+    topic may report on all robots of a link; its messages name them, but for a map, which is of none.
+    `queue_length`: messages that the bridge keeps for this console; with more
+    than one of them each counts, not only the newest. `has_pictures`: its maps are pictures, which the reader
+    of frames decodes.
     """
 
     key: str
@@ -42,6 +44,7 @@ class Feed(NamedTuple):
     silent: bool = False
     is_shared: bool = False
     queue_length: int = 1
+    has_pictures: bool = False
 
     @property
     def robot(self) -> str:
@@ -77,12 +80,14 @@ class ActionGoal(NamedTuple):
 
 class Publication(NamedTuple):
     """A message on a topic, without an answer. `name` is the name under which the robot will list the order
-    that it gives, if any. A second delivery has no further effect."""
+    that it gives, if any. A second delivery has no further effect, unless `is_request`: then it is sent
+    once only, and answered by the event RequestAnswered with its name."""
 
     address: str
     type: str
     message: Mapping[str, object]
     name: str = ""
+    is_request: bool = False
 
 
 Outgoing = ServiceCall | ActionGoal | Publication

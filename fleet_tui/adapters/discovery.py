@@ -14,12 +14,14 @@ NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_./-]*")
 
 class Listed(NamedTuple):
     """The lists of a bridge: types of published topics and of services by name, empty if unknown, and the
-    names of action servers. `heard`: types of topics that nodes only subscribe to."""
+    names of action servers. `heard`: types of topics that nodes only subscribe to. `messages` on topics whose
+    messages alone name robots, by topic."""
 
     topics: Mapping[str, str]
     services: Mapping[str, str]
     actions: tuple[str, ...] = ()
     heard: Mapping[str, str] = {}
+    messages: Mapping[str, tuple[object, ...]] = {}
 
     def sane(self) -> "Listed":
         """Leave out names and types that are invalid in a config: data from the wire may be anything."""
@@ -28,6 +30,7 @@ class Listed(NamedTuple):
             {name: type_ for name, type_ in self.services.items() if _is_sane(name, type_)},
             tuple(name for name in self.actions if _is_sane(name, "")),
             {name: type_ for name, type_ in self.heard.items() if _is_sane(name, type_)},
+            self.messages,
         )
 
 

@@ -44,6 +44,11 @@ class Registered:
         return cast("Callable[[Listed], Discovery]", self._module("discovery").discover)
 
     @property
+    def samples(self) -> "tuple[str, ...]":
+        """Return the keys of the topics whose messages name such robots, empty if names of topics do."""
+        return cast("tuple[str, ...]", getattr(self._module("discovery"), "SAMPLES", ()))
+
+    @property
     def settings(self) -> "type[Struct] | None":
         """Return the table of a profile that only this kind has."""
         if find_spec(f"{__package__}.{self.folder}.settings") is None:
@@ -51,7 +56,7 @@ class Registered:
         return cast("type[Struct]", self._module("settings").SETTINGS)
 
 
-KINDS = {name: Registered(name) for name in ("oh_ressources", "nav2", "move_base", "vda5050")}
+KINDS = {name: Registered(name) for name in ("oh_ressources", "nav2", "move_base", "rmf", "vda5050")}
 
 
 def kind_of(profile: "Profile") -> str:

@@ -19,9 +19,8 @@ def _of(registered: Registered) -> tuple[Kind, Kind]:
     and set-up service."""
     words = registered.vocabulary
     unnamed = {key: f"/{{robot}}/{key}" for key, (name, _) in words.topics.items() if not name}
-    services = {
-        key: f"/{{robot}}/{key}" for key in set_up.SERVICES if not words.services.get(key, ("none",))[0]
-    }
+    named = words.services
+    services = {key: f"/{{robot}}/{key}" for key in set_up.SERVICES if key in named and not named[key][0]}
     usual, whole = Profile(), Profile(topics=unnamed, services=services)
     return registered.adapter(usual, Site()).kind, registered.adapter(whole, Site(role="master")).kind
 

@@ -16,7 +16,7 @@ from fleet_tui.cli.options import NearestGroup, NumberRange, appearance, merged,
 from fleet_tui.errors import did_you_mean
 from fleet_tui.simulator.faults import parse_faults_of
 from fleet_tui.simulator.kinds import KINDS
-from fleet_tui.simulator.site import MIXED, faults_of, needs_graph_files, site_of
+from fleet_tui.simulator.site import MIXED, faults_of, mixed_kinds, needs_graph_files, site_of
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -101,8 +101,8 @@ def _check(kind: str, robots: int, ros: str | None) -> None:
         if ros:
             raise click.UsageError(f"kind {kind} has no ROS: leave out --ros")
     elif kind == MIXED:
-        if robots < len(KINDS):
-            raise click.UsageError(f"all {len(KINDS)} kinds need at least --robots {len(KINDS)}")
+        if robots < (least := len(mixed_kinds())):
+            raise click.UsageError(f"all {least} kinds need at least --robots {least}")
         if ros:
             raise click.UsageError("--ros needs a single kind: a mixed fleet runs on ROS 1 and 2")
     elif ros and ros not in KINDS[kind].ros:

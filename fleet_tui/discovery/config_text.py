@@ -118,4 +118,4 @@ def _floor_name(frame: str, number: int) -> str:
 
 
 def _has_no_graph(kind: str) -> bool:
-    return "graph" not in KINDS[kind].vocabulary.topics
+    return not {"graph", "graphs"} & KINDS[kind].vocabulary.topics.keys()

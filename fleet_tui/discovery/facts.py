@@ -70,7 +70,8 @@ class TopicFacts:
     clock minus the robot's stamp, `late`: the last of it beyond the least. `retried`: it was subscribed once
     more, with default options; `fragmented`: bytes of a fragmented message; `held_by`: the bridge's node, if
     it still held the topic after we unsubscribed; `complaint`: the message about it in the bridge's log;
-    `picture`: the newest one of a camera.
+    `picture`: the newest one of a camera. `events` and `lags`: the last of each robot that its messages
+    name; of maps without a robot, of each floor.
     """
 
     wanted: Feed
@@ -90,6 +91,8 @@ class TopicFacts:
     held_by: str = ""
     complaint: str = ""
     picture: "StreamValue | None" = None
+    events: Mapping[str, Event] = field(default_factory=dict)
+    lags: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def topic(self) -> str:
@@ -132,6 +135,9 @@ class BridgeFacts:
 
     def knows(self, robot: str) -> bool:
         """Tell whether the bridge knows anything of a robot; true if unknown."""
+        named = [one.events for one in self.topics if one.wanted.queue_length > 1]  # messages name robots
+        if any(robot in events for events in named):
+            return True
         own = [one for one in self.of(robot) if not one.wanted.is_shared]
         return bool(self.rosapi.problem) or any(
             one.count or self.rosapi.lists_action_of(one.topic) or self._has(one.topic) for one in own

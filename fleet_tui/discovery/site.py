@@ -18,6 +18,7 @@ from fleet_tui.discovery.config_text import render
 from fleet_tui.discovery.facts import RosapiFacts
 from fleet_tui.discovery.finding import Verdict
 from fleet_tui.discovery.frames import collect_frames
+from fleet_tui.discovery.messages import sample_messages
 from fleet_tui.discovery.questions import Watch, listed_by
 from fleet_tui.discovery.recognition import Found, assigned, claimed
 from fleet_tui.discovery.rosapi import look_around
@@ -138,6 +139,8 @@ async def _discover(bridge: Link, until: float, watch: Watch) -> DiscoveredSite:
         if rosapi.problem:
             raise FleetError(f"{bridge.shown}: {_without_rosapi(rosapi)}")
         listed, rosapi = await listed_by(wire, rosapi, until, watch)
+        watch(0, 0, "waiting for messages")
+        listed = listed._replace(messages=await sample_messages(wire, rosapi.topics, until))
         claims = claimed(listed)
         watch(0, 0, "waiting for poses")
         frames = await collect_frames(wire, assigned(claims, {}), rosapi.topics, until)

@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
@@ -20,7 +20,9 @@ from fleet_tui.client.rosbridge.heartbeat import SERVICE as HEARTBEAT
 from fleet_tui.config.schema import Link
 from fleet_tui.discovery.facts import TopicFacts
 from fleet_tui.errors import LinkError, WireError
+from fleet_tui.maps.levels import read_levels
 from fleet_tui.model.events import Event, GraphReceived, PoseReported
+from fleet_tui.model.fleets.events import MemberReported
 from fleet_tui.model.kind import CAMERA
 from fleet_tui.model.navigation_events import OdometryReported
 from fleet_tui.transports.rosbridge.connection import Connection
@@ -56,6 +58,9 @@ class TopicListening:
     fragmented: int = 0
     held_by: str = ""
     picture: "StreamValue | None" = None
+    events: dict[str, Event] = field(default_factory=dict)
+    """The last event of each robot, of maps without one of each floor."""
+    lags: dict[str, float] = field(default_factory=dict)
 
     def take(self, msg: object, at: float) -> None:
         """Take one message, still encoded."""
@@ -73,10 +78,11 @@ class TopicListening:
 
     def _keep(self, event: Event, at: float) -> None:
         self.event = event
+        self.events[(getattr(event, "robot", "") or getattr(event, "floor", ""))] = event
         if isinstance(event, GraphReceived) and event.faults:
             self.faults, self.problem = self.faults + event.faults, event.fault
-        if isinstance(event, PoseReported | OdometryReported) and event.stamp is not None:
-            lag = time.time() - (time.monotonic() - at) - event.stamp
+        if isinstance(event, PoseReported | OdometryReported | MemberReported) and event.stamp is not None:
+            lag = self.lags[event.robot] = time.time() - (time.monotonic() - at) - event.stamp
             self.lag = lag if self.lag is None else min(self.lag, lag)
             self.late = lag - self.lag
 
@@ -100,6 +106,8 @@ class TopicListening:
             fragmented=self.fragmented,
             held_by=self.held_by,
             picture=self.picture,
+            events=self.events,
+            lags=self.lags,
         )
 
 
@@ -147,10 +155,11 @@ class BridgeConnection:
         """Subscribe to every message of a topic, to pictures at the rate of the console. Raises LinkError."""
         adapter, is_camera = self.adapters[wanted.robot], wanted.stream_key == CAMERA
         look = adapter.stream if is_camera else None
-        self.listening[wanted.address] = TopicListening(wanted, time.monotonic(), adapter.read, look)
+        read = (lambda _feed, msg, at: read_levels(msg, at)) if wanted.has_pictures else adapter.read
+        self.listening[wanted.address] = TopicListening(wanted, time.monotonic(), read, look)
         compression = "cbor" if wanted.large else "none"
         rate = wanted.rate_ms if is_camera else 0  # the pictures of a fleet would fill its network
-        subscription = Subscription(wanted.address, type_, rate, compression, latched=latched)
+        subscription = Subscription(wanted.address, type_, rate, compression, wanted.queue_length, latched)
         self.connection.send(operations.subscribe(subscription))
 
     def unsubscribe(self, topic: str) -> None:

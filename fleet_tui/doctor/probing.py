@@ -92,6 +92,7 @@ def _messages(robot: str, probe: MessageProbe, facts: BridgeFacts) -> Iterator[F
     for one in topics if any(one.count for one in topics) else ():
         fits = one.wanted.key == probe.key and (one.count or one.waited >= LONG_ENOUGH)
         if fits and not (one.faults and one.event is None):
-            diagnosis = probe.judge(one.count, one.event)
+            event = one.events.get(robot) if one.wanted.is_shared else one.event
+            diagnosis = probe.judge(one.count, event)
             if diagnosis is not None:
                 yield _judged(robot, probe.check, diagnosis)

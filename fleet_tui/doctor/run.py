@@ -27,6 +27,7 @@ from fleet_tui.doctor.causes import causes_of, rosapi_finding
 from fleet_tui.doctor.clocks import clock_findings, load_finding, round_trip_finding
 from fleet_tui.doctor.floors import FloorFiles, floor_findings, place_finding, placed_grid
 from fleet_tui.doctor.gather import gather
+from fleet_tui.doctor.members import member_findings
 from fleet_tui.doctor.names import spelling_finding
 from fleet_tui.doctor.probing import bridge_probes, probe_findings
 from fleet_tui.doctor.render import as_values, line, summary
@@ -95,6 +96,7 @@ def bridge_findings(config: Config, facts: BridgeFacts) -> Iterator[Finding]:
     for robot in robots:
         yield from service_findings(robot.name, facts, causes)
         yield from probe_findings(robot.name, facts)
+        yield from member_findings(robot.name, facts, config.alarms.offline_after)
 
 
 def building_findings(

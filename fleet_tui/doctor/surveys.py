@@ -70,7 +70,8 @@ def _with(survey: FloorSurvey, event: Event | None) -> FloorSurvey:
 
 def live_grid(floor: str, topics: list[TopicFacts]) -> OccupancyGrid | None:
     """Return a live map of a floor, if one arrived."""
-    events = (facts.event for facts in topics if facts.wanted.floor == floor)
+    events = [facts.event for facts in topics if facts.wanted.floor == floor]
+    events += [facts.events.get(floor) for facts in topics if facts.wanted.has_pictures]
     return next((event.grid for event in events if isinstance(event, GridReceived)), None)
 
 

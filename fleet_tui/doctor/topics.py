@@ -21,7 +21,7 @@ UNSEEN = "existence unknown without rosapi"
 def robot_findings(
     config: Config, robot: RobotEntry, facts: BridgeFacts, causes: Sequence[Cause]
 ) -> Iterator[Finding]:
-    """Judge the robot itself, then each of its topics. Consequences of the `causes` are not repeated."""
+    """Judge the robot itself, then each of its topics, without the consequences of the `causes`."""
     topics = facts.of(robot.name)
     first = _robot(config, robot, topics, facts, causes)
     yield first
@@ -31,7 +31,11 @@ def robot_findings(
         cause = next((cause for cause in causes if one.topic in cause.topics), None)
         if cause is not None:
             yield _finding(one, Verdict.SKIPPED, f"{cause.short}: see above")
-        elif first.is_failure and (not one.wanted.floor or not facts.knows(robot.name)):
+        elif (
+            first.is_failure
+            and not one.wanted.is_shared
+            and (not one.wanted.floor or not facts.knows(robot.name))
+        ):
             yield _finding(one, Verdict.SKIPPED, f"{first.measured.partition(':')[0]}: see above")
         elif one.count or one.complaint or not facts.rosapi.lacks_action_of(one.topic):
             yield _topic(config, one, facts)
@@ -157,10 +161,9 @@ def _received(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding
     if rosapi.problem and verdict in (Verdict.WARN, Verdict.FAIL) and not facts.count:
         table = bridge.table(facts.wanted.robot)
         remedy += f" ({UNSEEN}: check [{table}.topics] {facts.wanted.key} and its type)"
-    if verdict is Verdict.OK:
-        measured = f"{measured}, {facts.wanted.type}"
+    measured = f"{measured}, {facts.wanted.type}" if verdict is Verdict.OK else measured
     by = f", by {listed(nodes)}" if nodes and verdict is not Verdict.SKIPPED else ""
-    if verdict is Verdict.OK and nodes and len(nodes) > 1:
+    if verdict is Verdict.OK and nodes and len(nodes) > 1 and not facts.wanted.is_shared:
         verdict, remedy = Verdict.WARN, f"stop all but one of the {len(nodes)} publishing nodes"
     return _finding(facts, verdict, f"{measured}{by}", remedy, **values)
 

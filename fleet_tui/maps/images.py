@@ -4,7 +4,7 @@ import warnings
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 import numpy as np
 import yaml
@@ -135,23 +135,30 @@ def _reading(table: dict[str, Any]) -> OccupancyThresholds:
 def _classes(path: Path, reading: OccupancyThresholds) -> Classes:
     """Return an image file as classes, uint8 of shape (height, width)."""
     try:
+        with open_file(path) as file:
+            return classes_of(file, path.name, reading)
+    except FileNotFoundError:
+        raise MapError(f"no image {path.name}") from None
+    except OSError as problem:
+        raise MapError(f"{path.name} {_reason(problem)}") from None
+
+
+def classes_of(file: IO[bytes], name: str, reading: OccupancyThresholds) -> Classes:
+    """Return an open image as classes, uint8 of shape (height, width). Raises MapError and OSError."""
+    try:
         with warnings.catch_warnings():
             # Pillow's own limit is lower than ours and warns on stderr, which would garble the screen.
             warnings.simplefilter("ignore", Image.DecompressionBombWarning)
-            with open_file(path) as file, Image.open(file, formats=FORMATS) as image:
+            with Image.open(file, formats=FORMATS) as image:
                 if image.width * image.height > MAX_PIXELS:
                     raise MapError(f"{image.width} x {image.height} px exceeds {MAX_PIXELS:,} px")
                 return _classified(image, reading)
-    except FileNotFoundError:
-        raise MapError(f"no image {path.name}") from None
     except UnidentifiedImageError:
-        raise MapError(f"{path.name} is not a supported image: {', '.join(FORMATS)}") from None
+        raise MapError(f"{name} is not a supported image: {', '.join(FORMATS)}") from None
     except Image.DecompressionBombError:
-        raise MapError(f"{path.name} exceeds {MAX_PIXELS:,} px") from None
-    except OSError as problem:
-        raise MapError(f"{path.name} {_reason(problem)}") from None
+        raise MapError(f"{name} exceeds {MAX_PIXELS:,} px") from None
     except (ValueError, SyntaxError, MemoryError) as problem:
-        raise MapError(f"{path.name} unreadable: {problem}") from None
+        raise MapError(f"{name} unreadable: {problem}") from None
 
 
 def _classified(image: Image.Image, reading: OccupancyThresholds) -> Classes:

@@ -13,10 +13,12 @@ from fleet_tui.model.set_up.commands import SetUp
 
 class PlaceOrder(Struct, frozen=True, tag=True):
     """An order from the first of the `stops` to the last. A single one is the destination of the cargo on
-    board, or of the robot alone if it reports no cargo."""
+    board, or of the robot alone if it reports no cargo. `to_any`: the dispatcher of this robot's fleets
+    chooses the robot, which then replaces this one."""
 
     robot: str
     stops: tuple[Stop, ...]
+    to_any: bool = False
 
     @property
     def with_cargo(self) -> bool:
@@ -29,6 +31,8 @@ class PlaceOrder(Struct, frozen=True, tag=True):
 
     def text(self, kind: Kind, route: str) -> str:
         """Return the name of the command with its stops; `route` is their text."""
+        if self.to_any:
+            return f"order {route} (any robot)"
         if self.with_cargo and not kind.brings_cargo:
             return f"go to {route.removeprefix('-> ')}"
         return f"{self.what(kind)} {route}"
@@ -103,7 +107,7 @@ NEXT: Mapping[Stage, frozenset[Stage]] = {
     # An order that this console keeps until the robot is free for it; it may be moved in its queue.
     Stage.WAITING: frozenset({Stage.WAITING, Stage.SENT, Stage.NOT_SENT, Stage.CANCELLED}),
     Stage.SENT: frozenset({Stage.ACCEPTED, Stage.REFUSED, Stage.NO_ANSWER, Stage.UNKNOWN}),
-    Stage.ACCEPTED: _SEEN,
+    Stage.ACCEPTED: _SEEN | {Stage.REFUSED},  # a dispatcher accepts an order before it looks for a robot
     # An answer may be late; the link may go down meanwhile.
     Stage.NO_ANSWER: _SEEN | {Stage.ACCEPTED, Stage.REFUSED, Stage.UNKNOWN},
     Stage.UNKNOWN: _SEEN,

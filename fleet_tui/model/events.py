@@ -6,6 +6,7 @@ from msgspec import Struct, field
 
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.desk.events import OperatorEvent
+from fleet_tui.model.fleets.events import DispatchFact, MemberFact
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
@@ -211,6 +212,7 @@ Event = (
     Telemetry
     | Navigation
     | VehicleFact
+    | MemberFact
     | MapFactReceived
     | MessageRejected
     | FrameRejected
@@ -223,6 +225,7 @@ Event = (
     | CommandIssued
     | CommandAdvanced
     | GoalAnswered
+    | DispatchFact
     | QueueChange
     | OperatorEvent
     | TimePassed

@@ -12,6 +12,8 @@ POSE, LOCALISE, SETTLE, GOAL, MAPPING = "pose", "localise", "settle", "goal", "m
 GOAL_CANCEL, GRAPH, DRIVE = "goal cancel", "graph", "drive"
 MAP_SAVE, POSE_GRAPH_SAVE = "map save", "pose graph save"
 """Set-up requests that a robot may accept."""
+ORDER_ANY = "order any"
+"""An order that a dispatcher gives to any of its robots."""
 SCAN, PATH, CAMERA = "scan", "path", "camera"
 """Streams of a robot that can be watched."""
 FRAMES = "frames"
@@ -20,6 +22,7 @@ FRAMES = "frames"
 _NOUNS = {
     ORDER: "order with a start",
     ORDER_TO: "order without a start",
+    ORDER_ANY: "orders to any robot",
     POSE: "setting of the pose",
     LOCALISE: "global localisation",
     SETTLE: "refinement of the pose",
@@ -52,8 +55,9 @@ class Kind(Struct, frozen=True):
     and has no queue: this console keeps it. `holds`: a pause cancels its goal, which this console keeps
     and sends again. `takes_stops`: one order leads to any number of stops; `gives_stops`: this console
     sends those one by one. `changes_floors`: an order can lead it to another floor.
-    `streams` can be watched. `loads_graphs`: a graph reaches it as the file of its floor, which it loads by
-    its path. `pose_topic`: the name of its poses' topic, with {robot}, empty if unknown."""
+    `spares_others`: a clear cancels only the orders of this console. `names_places`: orders name vertices by
+    their labels. `streams` can be watched. `loads_graphs`: a graph reaches it as the file of its floor, which
+    it loads by its path. `pose_topic`: the name of its poses' topic, with {robot}, empty if unknown."""
 
     name: str = ""
     reports: tuple[str, ...] = ()
@@ -70,6 +74,8 @@ class Kind(Struct, frozen=True):
     takes_stops: bool = False
     gives_stops: bool = False
     changes_floors: bool = True
+    spares_others: bool = False
+    names_places: bool = False
     streams: tuple[str, ...] = ()
     loads_graphs: bool = False
     pose_topic: str = ""
@@ -100,6 +106,11 @@ class Kind(Struct, frozen=True):
     def lists_orders(self) -> bool:
         """Tell whether such a robot ever reports its orders."""
         return "queue" in self.reports
+
+    @property
+    def clears_own(self) -> bool:
+        """Tell whether a clear cancels only the orders of this console."""
+        return self.keeps_goals or self.spares_others
 
     def silence_of(self, value: str, usual: float) -> float:
         """Return the seconds after which a value is old."""

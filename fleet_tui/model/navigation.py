@@ -16,7 +16,8 @@ class Goal(Struct, frozen=True):
     `ended_at` are when it was first seen active and ended (monotonic), minus infinity if that was earlier.
     `label` describes it if it has no stop; `listed_at` is when its action server listed it last
     (monotonic); `is_ending`: it is being cancelled; `said` is the robot's text on its end; `has_missed`: a
-    leg of it has failed."""
+    leg of it has failed. `requester` is the name that its client gave itself, as far as it is passed on;
+    `tokens` name its open interruptions, each of which holds it."""
 
     id: str
     uuid: str
@@ -37,6 +38,8 @@ class Goal(Struct, frozen=True):
     is_ending: bool = False
     said: str = ""
     has_missed: bool = False
+    requester: str = ""
+    tokens: tuple[str, ...] = ()
 
 
 class Progress(Struct, frozen=True):

@@ -7,6 +7,7 @@ from typing import Generic, TypeVar
 from msgspec import Struct, field
 from msgspec.structs import replace
 
+from fleet_tui.model.fleets.member import Member
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
@@ -72,7 +73,8 @@ class Robot(Struct, frozen=True, eq=False):
     100; `size` is its length and width in metres, None if not configured; `laser` is the pose of its laser on
     it, None if unknown, `laser_flipped` that it hangs upside down, `base_frame` the frame of the robot
     itself, empty for a usual one; `vehicle` is its last state, `connection` that to its broker, `factsheet`
-    its properties by name, `master` the last sign of another master control that commands it."""
+    its properties by name, `master` the last sign of another master control that commands it; `member` are
+    the reports of its fleet adapter."""
 
     name: str
     number: int
@@ -128,6 +130,7 @@ class Robot(Struct, frozen=True, eq=False):
     connection: Reading[VehicleConnection] | None = None
     factsheet: Mapping[str, str] = field(default_factory=dict)
     master: Reading[str] | None = None
+    member: Reading[Member] | None = None
 
     @property
     def has_cargo(self) -> bool:

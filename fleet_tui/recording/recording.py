@@ -15,6 +15,7 @@ from fleet_tui.config.schema import Config
 from fleet_tui.model import events
 from fleet_tui.model.desk.events import OperatorEvent
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.fleets.events import DispatchFailed, MemberFact, RequestAnswered
 from fleet_tui.model.navigation_events import GoalAnswered, Navigation, QueueChange
 from fleet_tui.model.vehicles.events import VehicleFact
 from fleet_tui.recording.gzip_members import Lines, open_plain
@@ -32,7 +33,7 @@ from fleet_tui.recording.records import (
 )
 
 _OfRobot = (
-    events.Telemetry | Navigation | VehicleFact | events.MapFactReceived | QueueChange
+    events.Telemetry | Navigation | VehicleFact | MemberFact | events.MapFactReceived | QueueChange
 )  # made once, not for every record
 
 LAST_SECOND = 253_402_300_799.0
@@ -188,6 +189,8 @@ class _Names(NamedTuple):
             case events.CommandIssued(command=command):
                 return command.robot in self.robots
             case events.MessageRejected() | events.CommandAdvanced() | GoalAnswered() | events.TimePassed():
+                return True
+            case RequestAnswered() | DispatchFailed():
                 return True
             case _:
                 assert_never(event)

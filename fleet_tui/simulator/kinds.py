@@ -9,6 +9,9 @@ from fleet_tui.simulator.move_base.faults import FAULTS as MOVE_BASE_FAULTS
 from fleet_tui.simulator.nav2.faults import FAULTS as NAV2_FAULTS
 from fleet_tui.simulator.navigating.profile import profile as navigating
 from fleet_tui.simulator.oh_ressources.profile import profile as oh_ressources
+from fleet_tui.simulator.rmf.faults import FAULTS as RMF_FAULTS
+from fleet_tui.simulator.rmf.naming import full_name
+from fleet_tui.simulator.rmf.profile import profile as rmf
 
 if TYPE_CHECKING:
     # The command line lists kinds and faults: it must not wait for the fleets to be imported.
@@ -36,6 +39,10 @@ class SimKind:
     profile: Callable[[int], Mapping[str, Any]]
     graph_files: bool = False
     """Their graph is no topic but a file."""
+    named: Callable[[int], str] = "robot_{}".format
+    """Returns the name of the robot with a number."""
+    mixes: bool = True
+    """They take turns with those of other kinds in a mixed fleet."""
 
 
 def _oh_ressources(robots: int, floors: int, seed: int, first: int, step: int) -> "Fleet":
@@ -57,8 +64,15 @@ def _nav2(robots: int, floors: int, seed: int, first: int, step: int) -> "Fleet"
     return Nav2Fleet(robots, floors, seed, first=first, step=step)
 
 
+def _rmf(robots: int, floors: int, seed: int, first: int, step: int) -> "Fleet":
+    from fleet_tui.simulator.rmf.fleet import RmfFleet
+
+    return RmfFleet(robots, floors, seed, first=first, step=step)
+
+
 KINDS: Mapping[str, SimKind] = {
     "oh_ressources": SimKind(_oh_ressources, ("1", "2"), FAULTS, oh_ressources),
     "move_base": SimKind(_move_base, ("1",), MOVE_BASE_FAULTS, navigating, graph_files=True),
     "nav2": SimKind(_nav2, ("2",), NAV2_FAULTS, navigating, graph_files=True),
+    "rmf": SimKind(_rmf, ("2",), RMF_FAULTS, rmf, named=full_name, mixes=False),
 }

@@ -20,7 +20,7 @@ class Crew:
     @property
     def names(self) -> list[str]:
         """The names of the robots."""
-        return [f"robot_{number}" for number in self.numbers]
+        return [KINDS[self.kind].named(number) for number in self.numbers]
 
 
 @dataclass(frozen=True)
@@ -39,11 +39,17 @@ def site_of(kind: str, robots: int, ros: str = "", first: int = 0) -> Sequence[S
     """
     if kind != MIXED:
         return [SitedBridge(ros or KINDS[kind].ros[0], (Crew(kind, range(first, first + robots)),))]
-    numbers = {kind: range(first + turn, first + robots, len(KINDS)) for turn, kind in enumerate(KINDS)}
+    kinds = mixed_kinds()
+    numbers = {kind: range(first + turn, first + robots, len(kinds)) for turn, kind in enumerate(kinds)}
     return [
-        SitedBridge(ros, tuple(Crew(kind, numbers[kind]) for kind in KINDS if KINDS[kind].ros[0] == ros))
-        for ros in sorted({kind.ros[0] for kind in KINDS.values()})
+        SitedBridge(ros, tuple(Crew(kind, numbers[kind]) for kind in kinds if KINDS[kind].ros[0] == ros))
+        for ros in sorted({KINDS[kind].ros[0] for kind in kinds})
     ]
+
+
+def mixed_kinds() -> list[str]:
+    """Return the kinds of a mixed fleet."""
+    return [name for name, kind in KINDS.items() if kind.mixes]
 
 
 def faults_of(bridges: Iterable[SitedBridge]) -> Mapping[str, Faults]:
@@ -55,5 +61,5 @@ def faults_of(bridges: Iterable[SitedBridge]) -> Mapping[str, Faults]:
 
 def needs_graph_files(kind: str) -> bool:
     """Tell whether some of the robots have their graph in a file, not in a topic."""
-    kinds = KINDS.values() if kind == MIXED else [KINDS[kind]]
+    kinds = [KINDS[name] for name in (mixed_kinds() if kind == MIXED else [kind])]
     return any(one.graph_files for one in kinds)

@@ -17,11 +17,13 @@ from fleet_tui.model.commands import (
     Step,
 )
 from fleet_tui.model.fleet import FleetState, with_robot
+from fleet_tui.model.fleets.events import DispatchFailed, RequestAnswered
 from fleet_tui.model.set_up.commands import SetMapping, SetUpCommand
 from fleet_tui.rules.commands.confirmation import before, confirm
 from fleet_tui.rules.commands.follow_up import follow_up
 from fleet_tui.rules.commands.local_queue import next_id
 from fleet_tui.rules.commands.queue_moves import moved
+from fleet_tui.state.dispatches import take_dispatch
 from fleet_tui.state.goal_reports import know_stops
 from fleet_tui.text.limits import truncate
 
@@ -91,12 +93,17 @@ def advance_command(state: FleetState, event: events.CommandAdvanced) -> FleetSt
         )
     if record.stage is Stage.SENT and robot is not None and event.name:
         record = replace(record, name=event.name)
-        state = with_robot(state, replace(robot, named=event.name))
+        if isinstance(record.command, PlaceOrder):
+            state = with_robot(state, replace(robot, named=event.name))
     return _after_step(_with_record(state, record), record)
 
 
-def take_answer(state: FleetState, event: navigation_events.GoalAnswered) -> FleetState:
-    """Record the robot's answer on the end of a goal."""
+def take_answer(
+    state: FleetState, event: navigation_events.GoalAnswered | RequestAnswered | DispatchFailed
+) -> FleetState:
+    """Record a robot's answer on the end of a goal, or a dispatcher's answer to a request."""
+    if not isinstance(event, navigation_events.GoalAnswered):
+        return take_dispatch(state, event)
     found = next((record for record in state.commands if record.id == event.id), None)
     if found is None:
         return state

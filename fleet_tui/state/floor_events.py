@@ -6,6 +6,7 @@ from msgspec.structs import replace
 
 from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.robot import Robot
 from fleet_tui.text.limits import truncate
 
@@ -18,7 +19,9 @@ def apply_to_floor(state: FleetState, event: events.FloorMapLoaded | events.Floo
             floor = replace(floor, grid=event.grid, problem=truncate(event.problem), tied=event.tied)
         case events.FloorGraphLoaded():
             floor = replace(floor, graph_problem=truncate(event.problem))
-            state = replace(state, robots={name: _given(one, event) for name, one in state.robots.items()})
+            graphs = {False: event, True: _by_label(event)}
+            robots = {name: _given(one, graphs[one.kind.names_places]) for name, one in state.robots.items()}
+            state = replace(state, robots=robots)
         case _:
             assert_never(event)
     return replace(state, floors={**state.floors, floor.name: floor})
@@ -32,3 +35,15 @@ def _given(robot: Robot, event: events.FloorGraphLoaded) -> Robot:
         return robot
     robot_map = replace(robot_map, graph=event.graph, labels=event.labels)
     return replace(robot, maps={**robot.maps, event.floor: robot_map})
+
+
+def _by_label(event: events.FloorGraphLoaded) -> events.FloorGraphLoaded:
+    """Return the graph with the labels of its vertices as their ids: their numbers are those of a file, and
+    begin again on each floor."""
+    if event.graph is None:
+        return event
+    ids = {id_: event.labels.get(id_, f"#{id_}") for id_ in event.graph.vertices}
+    vertices = {ids[id_]: replace(one, id=ids[id_]) for id_, one in event.graph.vertices.items()}
+    edges = tuple(replace(one, start=ids[one.start], end=ids[one.end]) for one in event.graph.edges)
+    graph = RouteGraph(vertices, edges, event.graph.directed)
+    return replace(event, graph=graph, labels={label: label for label in event.labels.values()})

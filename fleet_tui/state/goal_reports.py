@@ -44,7 +44,7 @@ def _take_goals(robot: Robot, event: navigation_events.GoalsReported) -> Robot:
     goals = with_reported(robot.goals, event.action, event.goals, event.at, last, not event.fault)
     is_listed = any(goal.uuid == robot.named for goal in event.goals)
     robot = replace(robot, goals=goals, named="" if is_listed else robot.named)
-    robot = _with_queue(robot, event.at, event.fault)
+    robot = with_queue(robot, event.at, event.fault)
     if robot.target is not None and robot.target.at > before:
         return _led_to(robot, robot.target.value, event.at)
     return robot
@@ -65,7 +65,7 @@ def _led_to(robot: Robot, pose: Pose, since: float) -> Robot:
     return know_stops(robot, current.id, (_stop_at(robot, pose),))
 
 
-def _with_queue(robot: Robot, at: float, fault: str = "") -> Robot:
+def with_queue(robot: Robot, at: float, fault: str = "") -> Robot:
     """Compare the goals with the earlier ones like a queue; the message is latched, so no sign of life."""
     offset, last = robot.clock.offset if robot.clock else None, robot.orders.last_serial
     queue = queue_of(robot.goals, at, offset, last)
@@ -75,7 +75,7 @@ def _with_queue(robot: Robot, at: float, fault: str = "") -> Robot:
 
 def _without_goals(robot: Robot, uuids: Collection[str], at: float) -> Robot:
     goals = without(robot.goals, uuids)
-    return robot if goals == robot.goals else _with_queue(replace(robot, goals=goals), at)
+    return robot if goals == robot.goals else with_queue(replace(robot, goals=goals), at)
 
 
 def without_unlisted(robot: Robot, since: float, now: float) -> Robot:
@@ -104,7 +104,8 @@ def know_stops(robot: Robot, order_id: str, stops: tuple[Stop, ...], is_ours: bo
     if goals == robot.goals or robot.queue is None:
         return robot
     orders = tuple(
-        replace(order, stops=stops) if order.id == order_id else order for order in robot.orders.orders
+        replace(order, stops=stops, label="") if order.id == order_id else order
+        for order in robot.orders.orders
     )
     traces = {
         id_: replace(trace, order=replace(trace.order, stops=stops)) if id_ == order_id else trace

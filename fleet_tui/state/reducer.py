@@ -9,6 +9,7 @@ from fleet_tui.model import events, navigation_events
 from fleet_tui.model.alarm import advance
 from fleet_tui.model.desk.events import OperatorEvent
 from fleet_tui.model.fleet import FleetState, with_robot
+from fleet_tui.model.fleets.events import DispatchFailed, MemberFact, RequestAnswered
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.link import Phase
 from fleet_tui.model.navigation_events import Navigation
@@ -26,6 +27,7 @@ from fleet_tui.state.command_events import (
     take_answer,
 )
 from fleet_tui.state.desk_events import apply_operator
+from fleet_tui.state.fleet_reports import apply_member_fact
 from fleet_tui.state.floor_events import apply_to_floor
 from fleet_tui.state.goal_reports import without_ended, without_unlisted
 from fleet_tui.state.link_events import apply_to_link
@@ -34,7 +36,9 @@ from fleet_tui.state.reports import apply_map_fact, apply_report
 from fleet_tui.state.vehicle_reports import apply_vehicle, at_last_node
 
 # Made once: putting the types together for every event would take as long as finding one among them.
-_OfRobot = events.Telemetry | Navigation | VehicleFact | events.MapFactReceived | events.MessageRejected
+_OfRobot = (
+    events.Telemetry | Navigation | VehicleFact | MemberFact | events.MapFactReceived | events.MessageRejected
+)
 
 RELISTED_WITHIN = 10.0, 15.0
 """Seconds after a link came up within which an active robot has listed its goals."""
@@ -60,7 +64,7 @@ def _without_ended(state: FleetState) -> FleetState:
     changed = {
         name: left
         for name, robot in state.robots.items()
-        if robot.kind.keeps_goals and (left := _left(state, robot)) is not robot
+        if robot.goals and (left := _left(state, robot)) is not robot
     }
     return replace(state, robots={**state.robots, **changed}) if changed else state
 
@@ -70,6 +74,7 @@ def _left(state: FleetState, robot: Robot) -> Robot:
     link = state.links[robot.link]
     earliest, latest = RELISTED_WITHIN
     is_due = link.phase is Phase.UP and earliest <= state.now - link.since < latest
+    is_due = is_due and robot.kind.keeps_goals  # a late console gets no list of tasks
     if is_due and state.is_online(robot):
         robot = without_unlisted(robot, link.since, state.now)
     return without_ended(robot, state.now)
@@ -126,12 +131,22 @@ def _shared(state: FleetState, event: events.GraphReceived) -> events.GraphRecei
 
 
 def _apply_to_robot(state: FleetState, event: _OfRobot) -> FleetState:
+    if isinstance(event, MemberFact):
+        return _placed(apply_member_fact(state, event), event.robot)
     if (robot := state.robots.get(event.robot)) is None:
         return _with_live_map(state, event) if isinstance(event, events.GridReceived) else state
     if isinstance(event, Navigation):
         return _moved(state, apply_navigation(robot, event))
     if isinstance(event, VehicleFact):
         return _moved(state, at_last_node(state, apply_vehicle(robot, event), event.at))
+    return _apply_report(state, robot, event)
+
+
+def _apply_report(
+    state: FleetState,
+    robot: Robot,
+    event: events.Telemetry | events.MapFactReceived | events.MessageRejected,
+) -> FleetState:
     match event:
         case events.MessageRejected():
             return with_robot(state, with_fault(robot, event.text))
@@ -157,6 +172,10 @@ def _apply_to_robot(state: FleetState, event: _OfRobot) -> FleetState:
 
 def _moved(state: FleetState, robot: Robot) -> FleetState:
     return with_robot(state, replace(robot, floor=_floor_of(state, robot)))
+
+
+def _placed(state: FleetState, name: str) -> FleetState:
+    return _moved(state, state.robots[name]) if name in state.robots else state
 
 
 def _floor_of(state: FleetState, robot: Robot) -> str | None:
@@ -190,7 +209,7 @@ def apply(state: FleetState, event: events.Event) -> FleetState:
             return issue_command(state, event)
         case events.CommandAdvanced():
             return advance_command(state, event)
-        case navigation_events.GoalAnswered():
+        case navigation_events.GoalAnswered() | RequestAnswered() | DispatchFailed():
             return take_answer(state, event)
         case navigation_events.QueueHeld() | navigation_events.OrderMoved():
             return change_queue(state, event)

@@ -13,6 +13,7 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.model.desk import events as desk_events
 from fleet_tui.model.desk.desk import Colleague
+from fleet_tui.model.fleets import events as fleet_events
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.link import CommandPath, Phase
@@ -70,7 +71,7 @@ LABELS = st.lists(st.tuples(IDS, st.text(max_size=3)), max_size=3).map(tuple)
 
 
 COMMANDS = st.one_of(
-    st.builds(PlaceOrder, ROBOTS, STOPS.filter(len)),
+    st.builds(PlaceOrder, ROBOTS, STOPS.filter(len), st.booleans()),
     st.builds(CancelOrder, ROBOTS, IDS),
     *(st.builds(kind, ROBOTS) for kind in (ClearOrders, PauseRobot, ResumeRobot, Localise, Settle)),
     *(st.builds(kind, ROBOTS, FLOORS, PLACES) for kind in (SetPose, SendGoal)),
@@ -116,6 +117,21 @@ GOALS = st.builds(
 
 
 FEW = st.none() | NUMBERS
+
+
+TASKS = st.builds(
+    Goal,
+    IDS,
+    IDS,
+    st.just("task"),
+    STATES,
+    label=st.text(max_size=3),
+    requester=IDS,
+    tokens=st.lists(IDS, max_size=2).map(tuple),
+)
+
+
+ISSUES = st.lists(st.text(max_size=9), max_size=2).map(tuple)
 
 
 CLOSED = st.tuples(FLOORS, IDS, IDS)
@@ -170,6 +186,21 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
         AT,
         st.text(max_size=4),
     ),
+    fleet_events.MemberReported: st.builds(
+        fleet_events.MemberReported,
+        *(ROBOTS, AT, PLACES, FLOORS, FEW, st.none() | st.floats(0, 101), st.text(max_size=4), IDS),
+    ),
+    fleet_events.StatusReported: st.builds(
+        fleet_events.StatusReported,
+        *(ROBOTS, AT, st.sampled_from(["idle", "offline"]), IDS, ISSUES, st.none() | PLACES, FLOORS),
+        st.none() | st.floats(0, 101),
+    ),
+    fleet_events.RequestAnswered: st.builds(
+        fleet_events.RequestAnswered,
+        *(IDS, AT, st.sampled_from([Stage.ACCEPTED, Stage.REFUSED]), st.text(max_size=4), IDS),
+    ),
+    fleet_events.DispatchFailed: st.builds(fleet_events.DispatchFailed, IDS, AT, st.text(max_size=4)),
+    fleet_events.TaskReported: st.builds(fleet_events.TaskReported, ROBOTS, AT, TASKS, FEW),
     events.PoseReported: st.builds(
         events.PoseReported,
         ROBOTS,

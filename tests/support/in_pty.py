@@ -10,7 +10,7 @@ import tempfile
 import termios
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -162,15 +162,18 @@ def console(
     probe: list[str] | None = None,
     floor_map: Path | None = None,
     kind: str = "oh_ressources",
+    names: Sequence[str] = (),
 ) -> Iterator[Terminal]:
-    """The console with one floor on a server; `probe`: started with these arguments of probe.py."""
+    """The console with one floor on a server; `probe`: started with these arguments of probe.py; `names` of
+    the robots, if not the usual ones."""
     with tempfile.TemporaryDirectory() as folder:
         config = Path(folder) / "config.toml"
-        names = "".join(f'[[robots]]\nname = "robot_{n}"\n' for n in range(robots))
+        shown = names or [f"robot_{n}" for n in range(robots)]
+        entries = "".join(f'[[robots]]\nname = "{name}"\n' for name in shown)
         map_line = f'map = "{floor_map}"\n' if floor_map else ""
         profile = f'[profile]\nkind = "{kind}"\n'
         config.write_text(
-            f'{profile}[rosbridge]\nurl = "{url}"\n[[floors]]\nname = "floor_0"\n{map_line}{names}'
+            f'{profile}[rosbridge]\nurl = "{url}"\n[[floors]]\nname = "floor_0"\n{map_line}{entries}'
         )
         start = ["tests.bench.probe", *probe, "--"] if probe else ["fleet_tui"]
         terminal = Terminal([sys.executable, "-m", *start, "--config", str(config)], Path(folder))

@@ -182,7 +182,9 @@ def subscribe(wanted: Subscription) -> bytes:
         "queue_length": wanted.queue_length,
         "compression": wanted.compression,
     }
-    return _encoder.encode(operation | {"qos": LATCHED} if wanted.latched else operation)
+    # Of several publishers, or of one that keeps several messages, all are delivered at once.
+    qos = {**LATCHED, "depth": wanted.queue_length}
+    return _encoder.encode(operation | {"qos": qos} if wanted.latched else operation)
 
 
 def unsubscribe(topic: str) -> bytes:

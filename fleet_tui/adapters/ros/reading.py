@@ -39,6 +39,7 @@ class StreamSink(Protocol):
 
 
 Read = Sequence[events.Event] | operations.ServiceResponse | operations.Fragment | StreamTaken
+DecodePictures = Callable[[object, float], Sequence[events.GridReceived]]
 DecodeApart = Callable[[Profile, Feed, bytes], events.GridReceived]
 
 # The start of a CBOR map: the key, then its text, shorter than 24 bytes or than 256.
@@ -59,9 +60,10 @@ class FrameReader:
         decode_apart: DecodeApart,
         warn: Callable[[str], None] = lambda _text: None,
         streams: StreamSink | None = None,
+        decode_pictures: DecodePictures = lambda _msg, _at: (),
     ) -> None:
-        """`adapters` by robot; `decode_apart` decodes a large map in another process, and raises WireError;
-        `warn` logs a line; without `streams` none is read."""
+        """`adapters` by robot; `decode_apart` decodes a large map in another process, `decode_pictures` maps
+        that are pictures; both raise WireError. `warn` logs a line; without `streams` none is read."""
         self._streams = streams
         self._link, self._limit, self._adapters = link, limit, adapters
         self._feeds = {feed.address: feed for feed in feeds}
@@ -71,7 +73,7 @@ class FrameReader:
             *(one.address for one in self._feeds.values() if one.queue_length > 1),
         }
         """Topics of which every message counts, not only the newest."""
-        self._decode_apart, self._warn = decode_apart, warn
+        self._decode_apart, self._decode_pictures, self._warn = decode_apart, decode_pictures, warn
         self.maps_received: set[str] = set()
         """Topics of maps of which one has come on this connection."""
         self.recount()
@@ -132,7 +134,10 @@ class FrameReader:
                 self._read_log(counter.topic, msg, at)
                 return ()
             self._stream(feed, msg, at)
-            found = tuple(self._adapters[feed.robot].read(feed, msg, at))
+            adapter = self._adapters[feed.robot]
+            found = tuple(
+                self._decode_pictures(msg, at) if feed.has_pictures else adapter.read(feed, msg, at)
+            )
         except WireError as problem:
             counter.failed(str(problem))
             return _rejected(feed, str(problem)) if feed else ()
@@ -142,7 +147,7 @@ class FrameReader:
         if feed.large:
             self.counter.keep_one_map(counter)
             self.maps_received.add(feed.address)
-        return found if not feed.is_shared else _of_none(found)
+        return _of_none(found) if feed.is_shared and feed.wanted_for == "map" else found
 
     def _stream(self, feed: Feed, msg: object, at: float) -> None:
         """Pass on the value of a watched stream. Raises WireError."""

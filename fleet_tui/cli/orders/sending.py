@@ -16,7 +16,8 @@ from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.problem import Permissions, Problem
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.commands.checks import acceptable, problems, unaccepted
+from fleet_tui.rules.commands.abilities import unaccepted
+from fleet_tui.rules.commands.checks import acceptable, problems
 
 LINK_WITHIN = 5.0
 """Maximum seconds to wait for a link and for a robot's reports."""

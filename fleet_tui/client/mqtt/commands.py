@@ -18,7 +18,7 @@ from fleet_tui.errors import CommandError, LinkError
 from fleet_tui.model.commands import Command, PauseRobot, PlaceOrder, Stage
 from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.vehicles.vehicle import Vehicle
-from fleet_tui.rules.commands.checks import unaccepted
+from fleet_tui.rules.commands.abilities import unaccepted
 from fleet_tui.rules.commands.masters import other_master
 from fleet_tui.text.limits import truncate
 from fleet_tui.transports.mqtt.connection import BrokerConnection

@@ -157,8 +157,16 @@ class CommandChannel:
             self._keep(asyncio.ensure_future(self._settling.run(command_id, command, calls, at)))
         elif calls:
             self._keep(asyncio.ensure_future(self._answers.wait(command_id, command, calls, at)))
+        elif any(isinstance(one, Publication) and one.is_request for one in outgoing):
+            asyncio.get_running_loop().call_later(self._timeout, self._not_answered, command_id)
         elif not isinstance(command, PlaceOrder):  # which is taken when the robot lists it
             self._advance(command_id, Stage.ACCEPTED, UNANSWERED if outgoing else "")
+
+    def _not_answered(self, command_id: int) -> None:
+        """Report a request whose answer did not arrive in time, on its topic."""
+        known = (one for one in self._writer.store.state.commands if one.id == command_id)
+        if any(one.stage is Stage.SENT for one in known):
+            self._advance(command_id, Stage.NO_ANSWER, f"no reply within {self._timeout:g} s")
 
     def resend(self, command: Command) -> None:
         """Send a command once more; its answers are not reported."""

@@ -56,6 +56,8 @@ class Publishing:
         self.prepare(one)
         frame = operations.publish(one.address, one.type, one.message)
         self._connection.send(frame)
+        if one.is_request:
+            return  # carried out twice; a bridge of ROS 2 keeps it for late subscribers for a second
         known_at = self._advertised[one.address] + KNOWN_AFTER
         # A message after a repeated one is repeated after it, too: a pause must be the last message.
         if self._repeats or known_at > time.monotonic():

@@ -76,7 +76,8 @@ class Subscriber:
         self.types = await self._ask_types()
         # First, to receive the bridge's warnings about the others.
         self.log_subscription.subscribe(self.types)
-        self._subscribe_to(self._robots)
+        for wanted in self._of(self._robots):
+            self._subscribe(wanted)
         if self._is_ros2:
             self._latched.start(self._of_latched(), PER_TOPIC)
 
@@ -132,11 +133,14 @@ class Subscriber:
         return now - max(last_message, subscribed_at) > self._interval(robot)
 
     async def _renew(self, robots: Set[str], release_time: float) -> None:
-        for wanted in self._of(robots):
+        # A topic of several robots is fine if any of them sends: the others would lose messages meanwhile.
+        renewed = [one for one in self._of(robots) if robots >= set(one.robots)]
+        for wanted in renewed:
             self._unsubscribe(wanted)
         await asyncio.sleep(release_time)
         self.types = await self._ask_types()
-        self._subscribe_to(robots)
+        for wanted in renewed:
+            self._subscribe(wanted)
 
     def _of(self, robots: Set[str]) -> list[Feed]:
         return [
@@ -144,10 +148,6 @@ class Subscriber:
             for one in self._feeds
             if any(robot in robots for robot in one.robots) and (not one.on_demand or one is self._map)
         ] + [one for one in self._watched if one.robot in robots]
-
-    def _subscribe_to(self, robots: Set[str]) -> None:
-        for wanted in self._of(robots):
-            self._subscribe(wanted)
 
     async def _ask_types(self) -> dict[str, str]:
         """Return type by topic, as rosapi lists them; empty if it doesn't."""
@@ -220,7 +220,7 @@ class Subscriber:
 
     def show_map(self, robot: str, floor: str) -> None:
         """Subscribe to one robot's live map of a floor, and unsubscribe from the earlier one; "" for none."""
-        maps = (feed for feed in self._feeds if feed.wanted_for == "map" and feed.floor == floor)
+        maps = (feed for feed in self._feeds if feed.wanted_for == "map" and feed.floor in ("", floor))
         wanted = next((feed for feed in maps if robot in feed.robots), None)
         if wanted is self._map:
             return

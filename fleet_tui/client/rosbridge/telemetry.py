@@ -24,8 +24,10 @@ from fleet_tui.client.writer import Writer
 from fleet_tui.config.fleet import feeds_of, limit_of, services_of
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import WireError
+from fleet_tui.maps.levels import read_levels
 from fleet_tui.maps.map_process import decode_apart
 from fleet_tui.model import events
+from fleet_tui.model.fleets.events import MemberReported, StatusReported
 from fleet_tui.model.kind import CAMERA
 from fleet_tui.model.link import Phase
 from fleet_tui.model.navigation_events import Live, LocalisationReported, OdometryReported
@@ -41,6 +43,7 @@ LARGE_FRAME = 100_000
 TRIM_AFTER = 1.0
 # Bytes of frames that wait to be decoded: more are dropped.
 MOST_WAITING = 64 * 2**20
+_SIGNS = events.Telemetry | Live | MemberReported | StatusReported
 _PLACES = events.PoseReported | OdometryReported | LocalisationReported
 # Seconds between checks for silent robots.
 CHECK_EVERY = 0.2
@@ -50,18 +53,18 @@ class Telemetry:
     """Receives a bridge's topics. Everything runs on the network loop unless noted otherwise."""
 
     def __init__(self, link: str, config: Config, adapters: Mapping[str, Adapter], writer: Writer) -> None:
-        self._link, self._writer = link, writer
-        self._logged, self._waiting = set[str](), 0
+        self._link, self._writer, self._logged, self._waiting = link, writer, set[str](), 0
         self._received_at = self._reported_at = self._active_at = self._next_check = 0.0
-        self._last_messages: dict[str, float] = {}
-        self._jumps: dict[str, object] = {}
+        self._last_messages, self._jumps = dict[str, float](), dict[str, object]()
         self._decoder = ThreadPoolExecutor(1, thread_name_prefix="fleet-tui-decode")
         bridge, feeds = config.bridge(link), feeds_of(config, adapters, link)
         self.connection = Connection(bridge, self)
         self._calls = Calls(self.connection)
         self._streams, limit = writer.store.streams, limit_of(config, link)
         self._sink = StreamWriter(writer.store)
-        self._reading = FrameReader(link, limit, adapters, feeds, decode_apart, LOG.warning, self._sink)
+        self._reading = FrameReader(
+            link, limit, adapters, feeds, decode_apart, LOG.warning, self._sink, read_levels
+        )
         self._subscriber = Subscriber(
             self.connection, self._calls, feeds, adapters, self._reading, self._take
         )
@@ -196,7 +199,7 @@ class Telemetry:
     def _apply(self, event: events.Event) -> None:
         if isinstance(event, events.MessageRejected | events.FrameRejected):
             self._log_once(event.text)
-        elif isinstance(event, events.Telemetry | Live):
+        elif isinstance(event, _SIGNS):
             self._last_messages[event.robot] = event.at
         self._writer.store.apply(event)
         robots = self._writer.store.state.robots

@@ -11,6 +11,7 @@ from fleet_tui.model.request import Request
 from fleet_tui.rules.language.anyone import parse_anyone
 from fleet_tui.rules.language.completion import complete
 from fleet_tui.rules.language.lookup import Place, order_of
+from fleet_tui.rules.routes.dispatching import to_any
 from fleet_tui.rules.routes.nearest import Nearest, nearest, why_none, why_not
 from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
@@ -24,9 +25,11 @@ class AnyoneOrders:
         self._store, self._dispatch, self._notices, self._ask = store, dispatch, notices, ask
 
     def give(self, places: Sequence[Place], sent: Callable[[], None] = lambda: None) -> str:
-        """Ask whether the nearest idle robot shall visit the places; `sent` is called when it was sent.
-        Returns the reason not to, empty while the question is open."""
-        return self._propose(places, sent, "")
+        """Ask whether the nearest idle robot shall visit the places, or any that a dispatcher chooses; `sent`
+        is called when it was sent. Returns the reason not to, empty while the question is open."""
+        if (request := to_any(self._store.state, places)) is None:
+            return self._propose(places, sent, "")
+        return self._dispatch.give(request, sent, asks=True)
 
     def _propose(self, places: Sequence[Place], sent: Callable[[], None], before: str) -> str:
         """Ask about the nearest robot; `before` is the reason why that is a second question."""
@@ -70,7 +73,10 @@ class AnyoneOrders:
         if places is None:
             return None
         names = " -> ".join(sanitize(place.name) for place in places)
-        return Typed([(f"nearest idle robot: {names}", partial(self._do, places))], complete(line, state))
+        text = f"nearest idle robot: {names}"
+        if to_any(state, places) is not None:
+            text = f"any robot of the dispatcher: {names}"
+        return Typed([(text, partial(self._do, places))], complete(line, state))
 
     def _do(self, places: Sequence[Place]) -> None:
         if problem := self.give(places):

@@ -93,6 +93,13 @@ CLASSES = {
         "Pause it and set its pose; without a pose check its localisation",
         2,
     ),
+    "issue": AlarmClass(
+        "medium",
+        "the fleet adapter of a robot reports an issue, or its driver an emergency or an adapter error",
+        "it may stand until somebody looks; its fleet may give its tasks to others",
+        "Read the issue on the robot's page; look at its fleet adapter, and at the robot",
+        5,
+    ),
     "navigation": AlarmClass(
         "medium",
         "the robot reports, but its navigation gives no feedback on the current order any more",

@@ -12,6 +12,7 @@ from fleet_tui.model.fleet import FleetState, behind_text, obstacle_text, offlin
 from fleet_tui.model.link import NO_WAY, LinkState, Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
+from fleet_tui.rules.alarms.members import MEMBER_RULES
 from fleet_tui.rules.alarms.navigation import NAVIGATION_RULES
 from fleet_tui.rules.alarms.vehicles import VEHICLE_RULES
 from fleet_tui.rules.battery.charging import charger_of
@@ -183,7 +184,10 @@ def unsourced(state: FleetState, link: LinkState, _active: ActiveConditions) -> 
     return Condition(link.name, "messages", Priority.HIGH, link.unsourced_text, "message types available")
 
 
-ROBOT_RULES = (offline, obstacle, *VEHICLE_RULES, *NAVIGATION_RULES, battery, pause, stuck, bad_data)
+ROBOT_RULES = (
+    *(offline, obstacle, *VEHICLE_RULES, *MEMBER_RULES, *NAVIGATION_RULES),
+    *(battery, pause, stuck, bad_data),
+)
 LINK_RULES = (dead_commands, no_link, bad_data, late, unsourced)
 
 

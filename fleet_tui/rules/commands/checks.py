@@ -7,20 +7,18 @@ the link: `client/rosbridge/command_channel.py`. A pause is never held back.
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import assert_never
 
 from msgspec.structs import replace
 
 from fleet_tui.errors import did_you_mean
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, PAUSE, RESUME
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.order import PENDING
 from fleet_tui.model.problem import Permissions, Problem
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.set_up.commands import SetUpCommand
+from fleet_tui.rules.commands.abilities import unaccepted
 from fleet_tui.rules.commands.claims import claimed
 from fleet_tui.rules.commands.local_queue import all_orders, clearable
 from fleet_tui.rules.commands.masters import VEHICLE_CHECKS
@@ -52,33 +50,6 @@ def permitted(allowed: Permissions) -> Iterator[Problem]:
         yield Problem("read-only", "this console is read-only")
     elif not allowed.armed:
         yield Problem("not armed", "this console is not armed: use Arm in the palette (:)")
-
-
-def ability_for(command: Command) -> str:
-    """Return the ability that a robot needs for a command."""
-    match command:
-        case PlaceOrder():
-            return ORDER_TO if command.with_cargo else ORDER
-        case CancelOrder():
-            return CANCEL
-        case ClearOrders():
-            return CLEAR
-        case PauseRobot():
-            return PAUSE
-        case ResumeRobot():
-            return RESUME
-        case SetUpCommand():
-            return command.ability
-        case _:
-            assert_never(command)
-
-
-def unaccepted(state: FleetState, command: Command) -> str:
-    """Return the reason that robots of this kind can't take a command, empty if they can."""
-    robot = state.robots.get(command.robot)
-    if robot is None or (ability := ability_for(command)) in robot.kind.accepts:
-        return ""
-    return robot.kind.lack(ability)
 
 
 def unknown_robot(state: FleetState, name: str) -> Problem:
@@ -149,7 +120,7 @@ def nothing_to_clear(state: FleetState, robot: Robot, command: Command) -> Itera
     if isinstance(command, ClearOrders) and robot.kind.lists_orders:
         if clearable(state, robot):
             return
-        old, ours = not state.is_fresh(robot, "queue"), " of this console" * robot.kind.keeps_goals
+        old, ours = not state.is_fresh(robot, "queue"), " of this console" * robot.kind.clears_own
         text = f"{robot.name} {f'had no orders{ours} at last report' if old else f'has no orders{ours}'}"
         yield Problem("nothing to clear", text, blocks=not old)
 
@@ -192,6 +163,9 @@ FIRST: tuple[Check, ...] = (no_way_there, cargo)
 """Checks of only the first command to a robot: the others follow it."""
 
 
+OF_ANY: tuple[Check, ...] = (no_link, unknown_vertex, same_place)  # its dispatcher knows the rest
+
+
 def not_accepted(state: FleetState, commands: Sequence[Command]) -> list[Problem]:
     """Return the commands that robots can't take because of their kind; robots with the same reason are named
     together."""
@@ -230,7 +204,8 @@ def problems(state: FleetState, request: Request, allowed: Permissions) -> list[
         if robot is None:
             found.append(unknown_robot(state, command.robot))
             continue
-        for check in CHECKS if robot.name in asked else CHECKS + FIRST:
+        checks = CHECKS if robot.name in asked else CHECKS + FIRST
+        for check in OF_ANY if isinstance(command, PlaceOrder) and command.to_any else checks:
             found += check(state, robot, command)
         if robot.name not in asked:
             found += mistakable(robot, request.floors)

@@ -5,6 +5,8 @@ An answer is only the robot's claim; the queue and the pose decide.
 
 from typing import assert_never
 
+from msgspec.structs import replace
+
 from fleet_tui.model.commands import (
     NEXT,
     UNANSWERED,
@@ -20,13 +22,16 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
-from fleet_tui.model.order import PENDING, OrderState
+from fleet_tui.model.order import PENDING, Order, OrderState
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetUpCommand
 from fleet_tui.rules.commands.goals import own_ids
 from fleet_tui.rules.commands.order_search import find_order, queue_since
 from fleet_tui.rules.commands.pauses import WAITS, instead_of_pause, is_moving, pause_seen
 from fleet_tui.rules.commands.set_up.confirmation import instead_of_set_up, set_up_seen
+
+BIDDING = 15.0
+"""Seconds for which fleets may bid for an order to any robot, before one has it."""
 
 
 def before(robot: Robot, now: float) -> Baseline:
@@ -62,7 +67,7 @@ def _still_there(robot: Robot, record: CommandRecord) -> list[str] | None:
             left = [
                 one for one in queue.orders if one.state in PENDING and (last is None or one.serial <= last)
             ]
-            if robot.kind.keeps_goals:  # those of others are not affected
+            if robot.kind.clears_own:  # those of others are not affected
                 left = [one for one in left if one.id in own_ids(robot.goals)]
         case PlaceOrder() | PauseRobot() | ResumeRobot() | SetUpCommand():
             left = []
@@ -77,14 +82,27 @@ def _is_driven(state: FleetState, record: CommandRecord) -> bool:
         one.name and (one.stage in WAITS | {Stage.SENT} or one.has_open_order)
         for one in state.commands
         if one.command.robot == record.command.robot and one.issued_at <= record.issued_at
+        if isinstance(one.command, PlaceOrder)
     )
+
+
+def _order_of(
+    state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool
+) -> tuple[CommandRecord, Order | None]:
+    """Return the order that a command placed; one to any robot becomes that of the robot that has it."""
+    if not isinstance(record.command, PlaceOrder) or not record.command.to_any:
+        return record, find_order(state, robot, record, by_echo)
+    for other in state.robots.values():
+        if other.link == robot.link and (order := find_order(state, other, record)) is not None:
+            return replace(record, command=replace(record.command, robot=other.name)), order
+    return record, None
 
 
 def _seen(state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool) -> CommandRecord:
     """Return the record, confirmed if telemetry shows that the command was carried out."""
     match record.command:
         case PlaceOrder():
-            order = find_order(state, robot, record, by_echo)
+            record, order = _order_of(state, robot, record, by_echo)
             if order is None:
                 return record
             if order.state is OrderState.REFUSED and Stage.REFUSED in NEXT[record.stage]:
@@ -137,6 +155,8 @@ def _deadline(state: FleetState, robot: Robot, record: CommandRecord) -> float |
     if link.phase is not Phase.UP:
         return None
     within = record.command.within if isinstance(record.command, SetUpCommand) else 0.0
+    if isinstance(record.command, PlaceOrder) and record.command.to_any:
+        within = BIDDING
     return max(record.at, link.since) + max(state.limits.confirm_after, within) + state.behind
 
 

@@ -64,6 +64,8 @@ def _listed(old: Goal, goal: Goal, at: float, seen_at: float) -> Goal:
         state=old.state if is_over and was_over else goal.state,
         word=goal.word,
         said=goal.said,
+        label=goal.label,
+        tokens=goal.tokens,
         is_ending=goal.is_ending,
         begun_at=begun,
         ended_at=ended,
@@ -127,8 +129,8 @@ def _order_of(goal: Goal, offset: float | None) -> Order:
         goal.word,
         goal.serial,
         None if goal.stamp is None or offset is None else goal.stamp + offset,
-        goal.label,
-        goal.uuid,
+        "" if goal.stops else goal.label,
+        goal.requester or goal.uuid,
         goal.said or ("a stop was missed" if has_failed else ""),
     )
 

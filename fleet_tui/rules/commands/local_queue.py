@@ -73,7 +73,7 @@ def all_orders(state: FleetState, robot: Robot) -> tuple[Order, ...]:
 def clearable(state: FleetState, robot: Robot) -> tuple[Order, ...]:
     """Return the orders that a clear cancels: all, but of goals only those that this console gave."""
     listed = tuple(order for order in all_orders(state, robot) if not order.is_over)
-    if not robot.kind.keeps_goals:
+    if not robot.kind.clears_own:
         return listed
     ours = {*own_ids(robot.goals), *(order.id for order in waiting_orders_of(state, robot))}
     return tuple(order for order in listed if order.id in ours)

@@ -33,7 +33,8 @@ def find_order(state: FleetState, robot: Robot, record: CommandRecord, by_echo: 
     """Find the order in the queue that a command placed: by the name that this console gave it, else by its
     content. `by_echo`: not if the queue attributes it to another request."""
     if record.name:
-        return next((order for order in robot.orders.orders if order.name == record.name), None)
+        named = (order for order in robot.orders.orders if record.name in (order.name, order.id))
+        return next(named, None)
     return _find_alike(state, robot, record, by_echo)
 
 

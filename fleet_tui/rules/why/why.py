@@ -20,6 +20,7 @@ from msgspec.structs import replace
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.why.complaints import Complaint
+from fleet_tui.rules.why.members import MEMBER_REASONS
 from fleet_tui.rules.why.navigation import NAVIGATION_REASONS
 from fleet_tui.rules.why.orders import (
     at_stop,
@@ -61,6 +62,7 @@ RULES: tuple[Rule, ...] = (
     paused,
     *VEHICLE_REASONS,
     obstacle,
+    *MEMBER_REASONS,
     *NAVIGATION_REASONS,
     own_late_pause,
     stale_pose,

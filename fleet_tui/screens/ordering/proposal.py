@@ -8,17 +8,20 @@ from textual.widgets import Static
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.language.lookup import Place
+from fleet_tui.rules.routes.dispatching import to_any
 from fleet_tui.rules.routes.nearest import Nearest, nearest, why_none
 from fleet_tui.rules.routes.order_draft import Draft
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 
+CHOSEN = "the dispatcher chooses the robot"
 AGAIN = 1.0
 """Seconds after which the nearest robot is looked for again: it takes a search of every graph."""
 
 
 class Proposal(Static):
-    """Shows the nearest idle robot with the reason for it, or why none can drive the order."""
+    """Shows the nearest idle robot with the reason for it, why none can drive the order, or that a dispatcher
+    chooses."""
 
     def __init__(self, state: Callable[[], FleetState]) -> None:
         super().__init__(id="proposal", markup=False)
@@ -41,7 +44,8 @@ class Proposal(Static):
         if places == self._places and (not places or state.now - self._at < AGAIN):
             return
         self._places, self._at = places, state.now
-        self._found = nearest(state, places) if places else None
-        reason = why_none(state, places) if places else ""
+        is_dispatched = to_any(state, places) is not None
+        self._found = nearest(state, places) if places and not is_dispatched else None
+        reason = why_none(state, places) if places and not is_dispatched else CHOSEN * is_dispatched
         self.update(tr(sanitize(self._found.text if self._found is not None else reason)))
         self.display = bool(places)

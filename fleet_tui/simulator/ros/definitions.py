@@ -78,6 +78,35 @@ OH_ressources/LabeledVertices: OH_ressources/LabeledVertex[] vertices
 OH_ressources/Order: int32 id, int32 start, int32 end, string status
 OH_ressources/ActionQueue: int32 request_id, int32 last_order_id, int32 robot_id, int32 current_order_id, \
 OH_ressources/Order[] orders
+rmf_fleet_msgs/Location: time t, float32 x, float32 y, float32 yaw, string level_name, uint64 index
+rmf_fleet_msgs/RobotMode: uint32 mode, uint64 mode_request_id, string performing_action
+rmf_fleet_msgs/RobotState: string name, string model, string task_id, uint64 seq, \
+rmf_fleet_msgs/RobotMode mode, float32 battery_percent, rmf_fleet_msgs/Location location, \
+rmf_fleet_msgs/Location[] path
+rmf_fleet_msgs/FleetState: string name, rmf_fleet_msgs/RobotState[] robots
+rmf_fleet_msgs/LaneStates: string fleet_name, uint64[] closed_lanes
+rmf_task_msgs/ApiRequest: string json_msg, string request_id
+rmf_task_msgs/ApiResponse: uint8 type, string json_msg, string request_id
+rmf_task_msgs/Assignment: bool is_assigned, string fleet_name, string expected_robot_name
+rmf_task_msgs/DispatchState: string task_id, uint8 status, rmf_task_msgs/Assignment assignment, \
+string[] errors
+rmf_task_msgs/DispatchStates: rmf_task_msgs/DispatchState[] active, rmf_task_msgs/DispatchState[] finished
+rmf_building_map_msgs/Param: string name, uint32 type, int32 value_int, float32 value_float, \
+string value_string, bool value_bool
+rmf_building_map_msgs/GraphNode: float32 x, float32 y, string name, rmf_building_map_msgs/Param[] params
+rmf_building_map_msgs/GraphEdge: uint32 v1_idx, uint32 v2_idx, rmf_building_map_msgs/Param[] params, \
+uint8 edge_type
+rmf_building_map_msgs/Graph: string name, rmf_building_map_msgs/GraphNode[] vertices, \
+rmf_building_map_msgs/GraphEdge[] edges, rmf_building_map_msgs/Param[] params
+rmf_building_map_msgs/AffineImage: string name, float32 x_offset, float32 y_offset, float32 yaw, \
+float32 scale, string encoding, uint8[] data
+rmf_building_map_msgs/Level: string name, float32 elevation, rmf_building_map_msgs/AffineImage[] images
+rmf_building_map_msgs/BuildingMap: string name, rmf_building_map_msgs/Level[] levels
+rmf_lift_msgs/LiftState: time lift_time, string lift_name, string[] available_floors, string current_floor, \
+string destination_floor, uint8 door_state, uint8 motion_state, uint8[] available_modes, \
+uint8 current_mode, string session_id
+rmf_door_msgs/DoorMode: uint32 value
+rmf_door_msgs/DoorState: time door_time, string door_name, rmf_door_msgs/DoorMode current_mode
 rosapi/TypeDef: string type, string[] fieldnames, string[] fieldtypes, int32[] fieldarraylen, \
 string[] examples, string[] constnames, string[] constvalues
 """

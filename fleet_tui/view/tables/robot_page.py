@@ -101,6 +101,9 @@ def _movement(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
     """Yield the place it is at, the last jump of its pose, and whether it stands."""
     if place := place_text(robot):
         yield named("Place", (tr(sanitize(place)), StyleRole.TEXT))
+    if robot.member is not None and (mode := robot.member.value.mode or robot.member.value.status):
+        role = StyleRole.TEXT if state.is_fresh(robot, "member") else StyleRole.DIM
+        yield named("Mode", (tr(sanitize(mode)), role))
     if robot.relocated is not None:
         yield named(
             "Jumped",

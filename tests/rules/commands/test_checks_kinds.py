@@ -13,7 +13,8 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, Kind
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
-from fleet_tui.rules.commands.checks import acceptable, problems, unaccepted
+from fleet_tui.rules.commands.abilities import unaccepted
+from fleet_tui.rules.commands.checks import acceptable, problems
 from tests.support.fleets import (
     R0,
     T0,

@@ -1,0 +1,1 @@
+"""Robots in fleets of Open-RMF, behind a bridge of ROS 2."""

@@ -1,0 +1,78 @@
+"""Fleets of Open-RMF: their robots are named in messages only, not by topics."""
+
+from collections.abc import Iterator
+
+from fleet_tui.adapters.discovery import NAME, Discovery, Listed
+from fleet_tui.adapters.rmf.encoded import text_reader
+from fleet_tui.adapters.rmf.fleets import FleetMessage, FleetUpdate, MemberMessage
+from fleet_tui.adapters.rmf.graphs import LEVEL, NavGraphMessage, NodeMessage
+from fleet_tui.adapters.rmf.names import robot_name
+from fleet_tui.adapters.rmf.vocabulary import VOCABULARY
+from fleet_tui.adapters.ros import messages as ros
+from fleet_tui.adapters.ros.type_names import same_type
+from fleet_tui.errors import WireError
+from fleet_tui.model.order import natural
+
+SAMPLES = ("fleets", "statuses", "graphs")
+"""Keys of the topics whose messages name robots and levels."""
+
+
+def discover(listed: Listed) -> Discovery:
+    """Name the robots of all fleets and the levels, and the topics that are missing."""
+    robots, levels = set[str](), set[str]()
+    for name, level in _members(listed):
+        robots.add(name)
+        levels.add(level)
+    odd = sorted(name for name in robots if not NAME.fullmatch(name))
+    floors = sorted((levels | set(_levels(listed))) - {""}, key=natural)
+    found = Discovery({name: list(floors) for name in sorted(robots - set(odd), key=natural)})
+    if not found.robots:
+        return found
+    for key, (topic, type_) in VOCABULARY.topics.items():
+        there = listed.topics.get(topic, "") or listed.heard.get(topic, "")
+        if key not in ("requests", "responses") and not same_type(there, type_):
+            found.topics[key] = ""
+            found.note("topics", f"{key}: no {topic} of type {type_}")
+    if "building" not in found.topics:
+        found.live_maps |= set(floors)
+    for name in odd:
+        found.note("topics", f"{name!r} can't be the name of a robot here: letters, digits and ./_- only")
+    return found
+
+
+def _messages(listed: Listed, key: str) -> tuple[object, ...]:
+    return listed.messages.get(VOCABULARY.topics[key][0], ())
+
+
+def _members(listed: Listed) -> Iterator[tuple[str, str]]:
+    """Yield the name and the level of each robot in the messages that can be read."""
+    read, read_one, read_update = (
+        ros.reader(FleetMessage),
+        ros.reader(MemberMessage),
+        text_reader(FleetUpdate),
+    )
+    for message in _messages(listed, "fleets"):
+        try:
+            fleet = read(message)
+            for one in map(read_one, fleet.robots):
+                yield robot_name(fleet.name, one.name), one.location.level_name
+        except WireError:
+            continue
+    for message in _messages(listed, "statuses"):
+        try:
+            update = read_update(message).data
+        except WireError:
+            continue
+        for name, member in update.robots.items():
+            yield robot_name(update.name, name), member.location.map if member.location else ""
+
+
+def _levels(listed: Listed) -> Iterator[str]:
+    """Yield the levels of navigation graphs: a robot may be on one without having been there."""
+    read, read_node = ros.reader(NavGraphMessage), ros.reader(NodeMessage)
+    for message in _messages(listed, "graphs"):
+        try:
+            for node in map(read_node, read(message).vertices):
+                yield from (one.value_string for one in node.params if one.name == LEVEL)
+        except WireError:
+            continue

@@ -1,0 +1,12 @@
+"""Names of robots: that of the fleet and that of the robot in it, joined by a slash."""
+
+
+def robot_name(fleet: str, name: str) -> str:
+    """Return the name of a robot in this console."""
+    return f"{fleet}/{name}"
+
+
+def fleet_and_name(robot: str) -> tuple[str, str]:
+    """Return a robot's fleet, and its name in it."""
+    fleet, _, name = robot.partition("/")
+    return fleet, name

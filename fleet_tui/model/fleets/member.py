@@ -1,0 +1,19 @@
+"""Members of a fleet: reports of its adapter beside pose, charge and orders."""
+
+from msgspec import Struct
+
+EMERGENCY, ADAPTER_ERROR = "emergency", "adapter error"
+"""Modes in which a robot can't drive."""
+OFFLINE = "offline"
+"""Status of a robot whose driver has lost it."""
+
+
+class Member(Struct, frozen=True):
+    """A robot of a fleet. `mode` is the word of its driver, `status` that of its adapter, each empty if not
+    reported; `task` the id of the task that it drives; `issues` are the faults that its adapter reports, a
+    line each."""
+
+    mode: str = ""
+    status: str = ""
+    task: str = ""
+    issues: tuple[str, ...] = ()

@@ -1,0 +1,26 @@
+"""Alarm rules for robots of fleets: what their adapter reports about them."""
+
+from fleet_tui.model.alarm import Condition, Priority
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.fleets.member import ADAPTER_ERROR, EMERGENCY, Member
+from fleet_tui.model.robot import Robot
+from fleet_tui.rules.alarms.floods import ActiveConditions
+
+FAILED_MODES = frozenset({EMERGENCY, ADAPTER_ERROR})
+
+
+def issue_text(member: Member) -> str:
+    """Return the first issue of a robot, with the number of others, else a mode in which it can't drive;
+    empty for neither."""
+    first, *more = (*member.issues, "")
+    others = f" (and {len(more) - 1} more)" if len(more) > 1 else ""
+    return f"{first}{others}" if first else member.mode if member.mode in FAILED_MODES else ""
+
+
+def issue(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
+    """Raise an alarm while an issue is reported. It is the adapter's: it holds while the robot is offline."""
+    text = issue_text(robot.member.value) if robot.member else ""
+    return Condition(robot.name, "issue", Priority.MEDIUM, text, "no issue reported") if text else None
+
+
+MEMBER_RULES = (issue,)

@@ -1,0 +1,37 @@
+"""Reasons of robots of fleets to stand still: by their driver, their adapter, and an emergency."""
+
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.order import OrderState
+from fleet_tui.model.robot import Robot
+from fleet_tui.rules.alarms.members import FAILED_MODES
+from fleet_tui.rules.commands.goals import active
+from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength
+
+
+def failed_mode(state: FleetState, robot: Robot) -> Reason | None:
+    """Report a mode in which it can't drive."""
+    if robot.member is None or robot.member.value.mode not in FAILED_MODES:
+        return None
+    remedy = "Look at the robot and at its fleet adapter"
+    return Reason(
+        robot.member.value.mode, "reported by its driver", seen=robot.member.at, keys=LOOK_AT, remedy=remedy
+    )
+
+
+def issues(state: FleetState, robot: Robot) -> Reason | None:
+    """Report the first issue that its adapter has with it."""
+    if robot.member is None or not robot.member.value.issues:
+        return None
+    first, seen = robot.member.value.issues[0], robot.member.at
+    return Reason(first, "reported by its fleet adapter", Strength.LIKELY, seen=seen, keys=LOOK_AT)
+
+
+def emergency(state: FleetState, robot: Robot) -> Reason | None:
+    """Report a task that is interrupted and has no token: the end of the emergency resumes it."""
+    held = [one for one in active(robot.goals) if one.state is OrderState.PAUSED and not one.tokens]
+    if not held:
+        return None
+    return Reason("held by an emergency", "its task goes on when that ends", seen=held[0].listed_at)
+
+
+MEMBER_REASONS = (failed_mode, issues, emergency)

@@ -1,0 +1,1 @@
+"""A simulated hospital with fleets of Open-RMF: robots, adapters, a dispatcher, lifts and doors."""

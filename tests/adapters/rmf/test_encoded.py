@@ -1,0 +1,26 @@
+"""JSON in texts: read with its field's name in errors, and written as one line for people."""
+
+import pytest
+
+from fleet_tui.adapters.rmf.encoded import line_of, text_reader
+from fleet_tui.adapters.rmf.tasks import TaskUpdate
+from fleet_tui.errors import WireError
+
+
+@pytest.mark.parametrize(
+    ("data", "problem"),
+    [
+        ("{", "truncated"),
+        ('{"data": {}}', "booking"),
+        ('{"data": {"booking": {"id": 7}}}', "booking.id"),
+        ("[]", "got `array`"),
+    ],
+)
+def test_bad_json_is_refused_with_the_name_of_its_field(data: str, problem: str) -> None:
+    with pytest.raises(WireError, match=problem):
+        text_reader(TaskUpdate)({"data": data})
+
+
+def test_any_value_is_one_line() -> None:
+    assert line_of({"a": [1, "x\n y"], "b": 2.5}) == "a: 1, x y, b: 2.5"
+    assert len(line_of("x" * 10_000)) < 250
