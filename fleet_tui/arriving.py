@@ -56,14 +56,17 @@ def open_demo(
 ) -> None:
     """Run the console on a simulated fleet, with theme and keys of the user's configuration, if there is one.
     Raises FleetError if it can't start."""
-    from fleet_tui.demo import demo_config, simulated
+    from fleet_tui.demo import ON_BROKER, demo_config, simulated, vehicles_config
 
     with TemporaryDirectory(prefix="fleet-tui-") as folder, simulated(*fleet) as (first, *further):
         from fleet_tui.console import open_console
 
         found = load_if_any(config_file)
         robots, floors, _, _, ros, kind = fleet
-        config = demo_config(found, first, robots, floors, ros, kind, Path(folder), further)
+        if kind == ON_BROKER:
+            config = vehicles_config(found, first, robots, floors, Path(folder))
+        else:
+            config = demo_config(found, first, robots, floors, ros, kind, Path(folder), further)
         open_console(config, read_only, drawing, debug, demo=True)
 
 

@@ -85,6 +85,9 @@ def _first_steps(config: Config) -> str:
 
 def _arrived(config: Config, site: "DiscoveredSite | None") -> str:
     """Return where the fleet comes from. A file found in the current folder may be there by chance."""
+    masters = [name for name, link in config.bridges.items() if link.role == "master"]
+    if masters and not config.operator.read_only:
+        return f"master control on {', '.join(masters)}: ways by the graph, no traffic control"
     if site is not None:
         return f"{site.bridge.shown}: {site.summary}. :save keeps it"
     count = len(config.robots)

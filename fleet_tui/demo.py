@@ -20,6 +20,8 @@ from fleet_tui.simulator.site import SitedBridge, needs_graph_files, site_of
 
 # Maximum seconds for the simulator to end by itself.
 PATIENCE = 1.0
+ON_BROKER = "vda5050"
+"""The kind of robots that is on a broker instead of behind a bridge."""
 SIZE = (0.9, 0.6)
 """Length and width of a simulated robot, in metres."""
 
@@ -39,8 +41,9 @@ def simulated(
         importlib.import_module("fleet_tui.app")
         assert child.stdout is not None
         try:
-            urls = [child.stdout.readline().decode().strip() for _ in site_of(kind, robots)]
-            if not all(url.startswith("ws://") for url in urls):
+            bridges = 1 if kind == ON_BROKER else len(site_of(kind, robots))
+            urls = [child.stdout.readline().decode().strip() for _ in range(bridges)]
+            if not all(url.startswith(("ws://", "mqtt://")) for url in urls):
                 raise FleetError("the simulator did not start: run `fleet-tui sim` for the reason")
             yield urls
         finally:
@@ -78,6 +81,26 @@ def demo_config(
         profile=profiles[kind] if alone else Profile(),
         profiles={} if alone else profiles,
         programs=[],  # a demo stops nothing real, and starts nothing
+        notify=Notify(),
+        routines=RoutinesConfig(str(folder / "routines")),
+    )
+
+
+def vehicles_config(found: Config, url: str, robots: int, floors: int, folder: Path) -> Config:
+    """Return theme and keys of the user's config, with simulated vehicles on a broker, whose master control
+    is this console."""
+    from fleet_tui.simulator.vda5050.graph_file import write_lif
+
+    graphs = write_lif(folder, floors)
+    return msgspec.structs.replace(
+        found,
+        rosbridge=Link(),
+        links={"broker": Link(url, role="master")},
+        floors=[FloorEntry(f"floor_{n}", graph=str(file)) for n, file in enumerate(graphs)],
+        robots=[RobotEntry(f"robot_{n}", link="broker", size=SIZE) for n in range(robots)],
+        profile=Profile(kind=ON_BROKER),
+        profiles={},
+        programs=[],
         notify=Notify(),
         routines=RoutinesConfig(str(folder / "routines")),
     )

@@ -64,7 +64,7 @@ def test_an_address_is_enough(terminals: Terminals, kind: str) -> None:
         ("ws://127.0.0.1:9", 3, "Each step of the way: fleet-tui doctor --url ws://127.0.0.1:9"),
         ("robot:9090", 2, "did you mean ws://robot:9090?"),
         ("127.0.0.1", 2, "did you mean ws://127.0.0.1:9090?"),
-        ("mqtt://robot:1883", 2, "MQTT is not supported yet"),
+        ("mqtt://robot:1883/x", 2, "has a path: a broker has none, remove it"),
     ],
 )
 def test_what_keeps_it_from_opening_is_one_sentence(

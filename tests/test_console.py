@@ -8,6 +8,7 @@ from msgspec.structs import replace
 
 from fleet_tui import console
 from fleet_tui.app import FleetApp
+from fleet_tui.config.load import from_text
 from fleet_tui.config.schema import Alarms, Config
 from fleet_tui.console import ask_first, open_console, replaying
 from fleet_tui.controllers.replay import Replay
@@ -20,6 +21,7 @@ from fleet_tui.themes import load_themes
 from fleet_tui.view.map.drawing import Drawing
 from tests.support.fleets import T0, tick
 from tests.support.tapes import MadeUp
+from tests.support.vda_fleet import config_text
 from tests.support.watched_store import config_of
 
 
@@ -66,6 +68,22 @@ def test_a_simulated_fleet_names_the_first_thing_to_try(
     opened: list[LeanApp], keys: dict[str, str], read_only: bool, said: str
 ) -> None:
     open_console(replace(config_of("ws://site:9090"), keys=keys), read_only, "ascii", False, demo=True)
+    (app,) = opened
+    assert isinstance(app, FleetApp) and said in app.main.notices.text
+
+
+@pytest.mark.parametrize(
+    ("role", "read_only", "said"),
+    [
+        ("master", False, "master control on broker: ways by the graph, no traffic control"),
+        ("master", True, "1 robot"),
+        ("pause", False, "1 robot"),
+    ],
+)
+def test_a_master_control_says_so_when_it_opens(
+    opened: list[LeanApp], role: str, read_only: bool, said: str
+) -> None:
+    open_console(from_text(config_text(role=role)), read_only, "ascii", False)
     (app,) = opened
     assert isinstance(app, FleetApp) and said in app.main.notices.text
 

@@ -102,13 +102,19 @@ class Limit(NamedTuple):
 
 class Site(NamedTuple):
     """Settings of a configuration that adapters use: milliseconds between messages, seconds of silence after
-    which a robot counts as offline, the name of its profile's table, and the frame of each floor."""
+    which a robot counts as offline, the name of its profile's table, and the frame of each floor. On a
+    broker also the role of this console and the key that says so, and by robot its manufacturer and serial
+    number; `console`: digits with which the names of this operator's orders end."""
 
     pose_ms: int = 100
     status_ms: int = 500
     offline_after: float = 5.0
     table: str = "profile"
     frames: Mapping[str, str] = {}
+    role: str = "watch"
+    role_key: str = "role"
+    vehicles: Mapping[str, tuple[str, str]] = {}
+    console: str = ""
 
 
 class Adapter(Protocol):

@@ -39,7 +39,8 @@ class Discovery:
     """Robots of one kind with their floors, and the differences of its profile; `notes` are the decisions
     left to a person, by table. `candidates`: by table and key several names of which at most one was
     chosen. `absent`: keys of topics and services that don't exist. `more_floors`: those without a robot.
-    `is_guess`: the only evidence is topics that other kinds have, too."""
+    `is_guess`: the only evidence is topics that other kinds have, too. `vehicles`: by robot the manufacturer
+    and the serial number, of those on a broker."""
 
     robots: dict[str, list[str]] = field(default_factory=dict)
     topics: dict[str, str] = field(default_factory=dict)
@@ -53,6 +54,7 @@ class Discovery:
     absent: set[str] = field(default_factory=set)
     more_floors: list[str] = field(default_factory=list)
     is_guess: bool = False
+    vehicles: dict[str, tuple[str, str]] = field(default_factory=dict)
 
     @property
     def floors(self) -> list[str]:

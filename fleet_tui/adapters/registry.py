@@ -56,7 +56,7 @@ class Registered:
         return cast("type[Struct]", self._module("settings").SETTINGS)
 
 
-KINDS = {name: Registered(name) for name in ("oh_ressources", "nav2", "move_base", "rmf")}
+KINDS = {name: Registered(name) for name in ("oh_ressources", "nav2", "move_base", "vda5050", "rmf")}
 
 
 def kind_of(profile: "Profile") -> str:

@@ -1,6 +1,6 @@
 """The option `--fault` of simulated fleets, and the list of faults in its help."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from textwrap import fill
 from typing import Any, TypeVar
 
@@ -8,28 +8,37 @@ import click
 
 from fleet_tui.cli.offers import listed
 from fleet_tui.simulator.kinds import KINDS
+from fleet_tui.simulator.vda5050.faults import FAULTS as VEHICLE_FAULTS
 
 F = TypeVar("F", bound=Callable[..., Any])
 
 
 def _fault_list(kind: str) -> str:
     """Return one entry for each fault; continued lines are indented."""
-    entries = [f"{name:<16} {text}" for name, (text, _) in KINDS[kind].faults.items()]
+    entries = [f"{name:<16} {text}" for name, text in _texts(kind).items()]
     return "\n".join(fill(entry, 78, initial_indent="  ", subsequent_indent=" " * 19) for entry in entries)
 
 
+def _texts(kind: str) -> Mapping[str, str]:
+    """Return the faults of a kind, with what they do."""
+    faults: Mapping[str, tuple[str, object]] = VEHICLE_FAULTS if kind == ON_BROKER else KINDS[kind].faults
+    return {name: text for name, (text, _) in faults.items()}
+
+
+ON_BROKER = "vda5050"
+"""The kind of robots that is on a broker instead of behind a bridge."""
 USUAL = next(iter(KINDS))
 FAULT_LIST = "\b\nFaults:\n" + _fault_list(USUAL)
 ALL_FAULTS = FAULT_LIST + "".join(
-    f"\n\n\b\nFaults of --kind {kind}:\n{_fault_list(kind)}" for kind in KINDS if kind != USUAL
+    f"\n\n\b\nFaults of --kind {kind}:\n{_fault_list(kind)}" for kind in (*KINDS, ON_BROKER) if kind != USUAL
 )
 
 
 def _faults_of_kind(context: click.Context) -> Iterable[str]:
     """Return the names of faults of the kind that is typed, of all kinds for a mixed fleet."""
     kind = str(context.params.get("kind"))
-    chosen = [KINDS[kind]] if kind in KINDS else KINDS.values()
-    return dict.fromkeys(name for one in chosen for name in one.faults)
+    chosen = [kind] if kind in (*KINDS, ON_BROKER) else KINDS
+    return dict.fromkeys(name for one in chosen for name in _texts(one))
 
 
 def fault_option(command: F) -> F:

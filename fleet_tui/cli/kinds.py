@@ -15,13 +15,15 @@ VERSION = 1
 
 
 def _of(registered: Registered) -> tuple[Kind, Kind]:
-    """Return a kind without a profile, with a placeholder for every unnamed topic and set-up service."""
+    """Return a kind without a profile, and with the highest role and a placeholder for every unnamed topic
+    and set-up service."""
     words = registered.vocabulary
     unnamed = {key: f"/{{robot}}/{key}" for key, (name, _) in words.topics.items() if not name}
-    named = words.services
-    services = {key: f"/{{robot}}/{key}" for key in set_up.SERVICES if key in named and not named[key][0]}
+    services = {
+        key: f"/{{robot}}/{key}" for key in set_up.SERVICES if not words.services.get(key, ("none",))[0]
+    }
     usual, whole = Profile(), Profile(topics=unnamed, services=services)
-    return registered.adapter(usual, Site()).kind, registered.adapter(whole, Site()).kind
+    return registered.adapter(usual, Site()).kind, registered.adapter(whole, Site(role="master")).kind
 
 
 def _silence(kind: Kind, offline_after: float) -> dict[str, float | None]:
@@ -67,8 +69,10 @@ def _lines(name: str, usual: Kind, whole: Kind) -> Iterator[str]:
     yield f"  reports  {', '.join(usual.reports)}"
     if more:
         yield f"           with [profile.topics]: {', '.join(more)}"
-    yield f"  accepts  {', '.join(usual.accepts)}"
-    if further := [asked for asked in whole.accepts if asked not in usual.accepts]:
+    yield f"  accepts  {', '.join(usual.accepts) or 'nothing'}"
+    if usual.withheld:
+        yield f"           by the role of the link: {', '.join(usual.withheld)}"
+    elif further := [asked for asked in whole.accepts if asked not in usual.accepts]:
         yield f"           with names in [profile]: {', '.join(further)}"
     if usual.streams:
         yield f"  streams  {', '.join(usual.streams)}"

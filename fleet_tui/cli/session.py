@@ -67,6 +67,8 @@ def missing(robot: Robot) -> list[str]:
             values[f"graph of {floor}"] = robot_map.graph
         if robot.kind.expects("labels"):
             values[f"labels of {floor}"] = robot_map.labels or None
+    if robot.kind.optional and not robot.is_gone:  # its state has all of them, as far as it has them
+        values["state"] = robot.vehicle
     return [name for name, value in values.items() if value is None and name not in robot.unmeasured]
 
 

@@ -7,9 +7,10 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 import click
+from click.core import ParameterSource
 
 from fleet_tui.arriving import SimulatedFleet, open_demo
-from fleet_tui.cli.fault_option import ALL_FAULTS, USUAL, fault_option
+from fleet_tui.cli.fault_option import ALL_FAULTS, ON_BROKER, USUAL, fault_option
 from fleet_tui.cli.offers import one_of
 from fleet_tui.cli.options import NearestGroup, NumberRange, appearance, merged, screen, without_config
 from fleet_tui.errors import did_you_mean
@@ -19,8 +20,8 @@ from fleet_tui.simulator.site import MIXED, faults_of, mixed_kinds, needs_graph_
 
 F = TypeVar("F", bound=Callable[..., Any])
 
-WORDS = (*KINDS, MIXED)
-LAST_PORT = 65535
+WORDS = (*KINDS, ON_BROKER, MIXED)
+LAST_PORT, MQTT_PORT = 65535, 1883
 
 
 def _simulation(command: F) -> F:
@@ -80,7 +81,7 @@ def _kind(command: F) -> F:
         metavar="|".join(WORDS),
         shell_complete=one_of(WORDS),
         show_default=True,
-        help=f"Simulate robots of this kind; {MIXED}: all kinds in turn, on two bridges.",
+        help=f"Simulate robots of this kind; {MIXED}: those behind bridges in turn, on two of them.",
     )(command)
 
 
@@ -96,7 +97,10 @@ _floors = _count("--floors", 20, SimulatedFleet().floors, "Number of floors.")
 
 def _check(kind: str, robots: int, ros: str | None) -> None:
     """Reject options that such robots don't support. Raises UsageError."""
-    if kind == MIXED:
+    if kind == ON_BROKER:
+        if ros:
+            raise click.UsageError(f"kind {kind} has no ROS: leave out --ros")
+    elif kind == MIXED:
         if robots < (least := len(mixed_kinds())):
             raise click.UsageError(f"all {least} kinds need at least --robots {least}")
         if ros:
@@ -128,7 +132,8 @@ def demo(
 ) -> None:
     """Open the console on a simulated fleet. No ROS, no network."""
     _check(kind, robots, ros)
-    parse_faults_of(fault, faults_of(site_of(kind, robots, ros or "")))
+    if kind != ON_BROKER:
+        parse_faults_of(fault, faults_of(site_of(kind, robots, ros or "")))
     fleet = SimulatedFleet(robots, floors, fault, speed, ros or "", kind)
     open_demo(fleet, config_file, read_only, drawing, debug)
 
@@ -143,7 +148,8 @@ def demo(
     metavar="PORT",
     default=9090,
     show_default=True,
-    help=f"Listen on this port; 0 picks a free one. A {MIXED} fleet also takes the next port.",
+    help=f"Listen on this port; 0 picks a free one. A {MIXED} fleet also takes the next port; a broker is on"
+    f" {MQTT_PORT} by default.",
 )
 @click.option(
     "--rate",
@@ -170,7 +176,7 @@ def demo(
     metavar="PATH",
     type=click.Path(path_type=Path),
     help="Write the route graph of robots that publish none: a GeoJSON file, or for several floors a folder"
-    " of them.",
+    f" of them; for {ON_BROKER} a folder of LIF files.",
 )
 @_ros
 @_simulation
@@ -198,7 +204,36 @@ def sim(
     _check(kind, robots, ros)
     if kind == MIXED and port == LAST_PORT:
         raise click.UsageError(f"a {MIXED} fleet needs two ports: --port {LAST_PORT} is the maximum")
+    if kind == ON_BROKER:
+        _on_broker(robots, floors, port, rate, seed, stop_with_stdin, first, graph_file, fault, speed)
+        return
     if graph_file and not needs_graph_files(kind):
         raise click.UsageError(f"--graph-file: robots of kind {kind} publish their graph")
     announce = partial(_announce, graph_file, floors)
     run(robots, floors, port, rate, seed, announce, stop_with_stdin, fault, first, speed, ros or "", kind)
+
+
+def _on_broker(
+    robots: int,
+    floors: int,
+    port: int,
+    rate: float,
+    seed: int,
+    stop_with_stdin: bool,
+    first: int,
+    graph_file: Path | None,
+    fault: str,
+    speed: float,
+) -> None:
+    """Serve simulated vehicles on a broker of their own."""
+    from fleet_tui.simulator.vda5050.graph_file import write_lif
+    from fleet_tui.simulator.vda5050.serving import serve, vehicles_of
+
+    given = click.get_current_context().get_parameter_source("port")
+    if given is ParameterSource.DEFAULT:
+        port = MQTT_PORT
+    vehicles = vehicles_of([f"robot_{n}" for n in range(first, first + robots)], floors, seed, fault)
+    if graph_file:
+        graph_file.mkdir(parents=True, exist_ok=True)
+        write_lif(graph_file, floors)
+    serve(vehicles, port, rate, partial(_announce, None, floors), stop_with_stdin, speed)

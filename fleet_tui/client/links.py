@@ -11,7 +11,7 @@ from fleet_tui.model.commands import Command
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.set_up.driving import HandDrive
 
-FOLDERS = {"ws": "rosbridge", "wss": "rosbridge"}
+FOLDERS = {"ws": "rosbridge", "wss": "rosbridge", "mqtt": "mqtt", "mqtts": "mqtt"}
 """The folder of each scheme, whose module `link` has a LINK."""
 
 

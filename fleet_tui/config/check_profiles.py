@@ -10,8 +10,8 @@ from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.registry import KINDS, kind_of
 from fleet_tui.adapters.ros.names import Vocabulary
 from fleet_tui.config.entries import DEFAULT_LINK
-from fleet_tui.config.fleet import adapters_of, shared_steering, shared_topics
-from fleet_tui.config.schema import Config, link_key
+from fleet_tui.config.fleet import OF_BROKERS, adapters_of, profile_of, shared_steering, shared_topics
+from fleet_tui.config.schema import Config, Link, link_key
 from fleet_tui.errors import did_you_mean
 
 
@@ -40,9 +40,25 @@ def _references(config: Config) -> Iterator[str]:
     links = {DEFAULT_LINK: config.rosbridge, **config.links}
     named = [(f"{link_key(name)}.profile", link.profile) for name, link in links.items()]
     named += [(f"robots[{n}].profile", robot.profile) for n, robot in enumerate(config.robots)]
+    yield from _transports(config, links)
     for where, name in named:
         if not _is_known(config, name):
             yield f"{where}: unknown kind or profile {name!r}{did_you_mean(name, [*config.profiles, *KINDS])}"
+
+
+def _transports(config: Config, links: Mapping[str, Link]) -> Iterator[str]:
+    """Check that the kind of each robot is one of its link's transport."""
+    for n, robot in enumerate(config.robots):
+        if robot.link not in links or not _is_known(config, robot.profile or links[robot.link].profile):
+            continue
+        kind = kind_of(profile_of(config, robot)[1])
+        link = links[robot.link]
+        if kind in KINDS and (kind == OF_BROKERS) != link.is_broker:
+            where = f"{link_key(robot.link)}, which is {link.scheme}://"
+            yield f"robots[{n}]: kind {kind} on {where}: correct the profile or the link"
+        for key in ("manufacturer", "serial"):
+            if set(getattr(robot, key)) & set("/+#\0"):
+                yield f"robots[{n}].{key}: a level of a topic has no / + or #"
 
 
 def _profile(where: str, profile: Profile) -> Iterator[str]:

@@ -27,7 +27,8 @@ class FloorEntry(msgspec.Struct, frozen=True):
 class RobotEntry(msgspec.Struct, frozen=True):
     """`[[robots]]`; no floors means every floor, no link the one of `[rosbridge]`; `profile` names a table of
     `[profiles]` or a kind, by default that of its link, else `[profile]`; size in metres; `laser` is the pose
-    of its laser on it, in metres and radians, upside down if `laser_flipped`."""
+    of its laser on it, in metres and radians, upside down if `laser_flipped`. `manufacturer` and `serial`:
+    which vehicle of VDA 5050 it is, by default the one with its name as its serial number."""
 
     name: str
     floors: list[str] = []
@@ -36,3 +37,5 @@ class RobotEntry(msgspec.Struct, frozen=True):
     size: tuple[Positive, Positive] | None = None
     laser: tuple[Offset, Offset, Offset] | None = None
     laser_flipped: bool = False
+    manufacturer: str = ""
+    serial: str = ""

@@ -1,5 +1,8 @@
 """The adapters of a configuration: one per robot, and their needs of each link."""
 
+import hashlib
+import os
+import platform
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
@@ -11,14 +14,18 @@ from fleet_tui.adapters.registry import KINDS, kind_of
 from fleet_tui.config.entries import RobotEntry
 from fleet_tui.config.schema import Config, link_key
 
+OF_BROKERS = "vda5050"
+"""The kind of the robots of a broker."""
 STEERING = frozenset({"drive", "goal", "initial_pose"})
 """Keys of the topics that move a robot, or its place on the map."""
 
 
 def profile_of(config: Config, robot: RobotEntry) -> tuple[str, Profile]:
     """Return the profile of a robot, and its table in the config."""
-    known = {**config.links, "rosbridge": config.rosbridge}
-    name = robot.profile or known[robot.link].profile
+    link = config.link(robot.link)
+    name = robot.profile or link.profile
+    if not name and link.is_broker and kind_of(config.profile) != OF_BROKERS:
+        name = OF_BROKERS
     if name in config.profiles:
         return f"profiles.{name}", config.profiles[name]
     return ("profile", config.profile) if not name else (f"profiles.{name}", Profile(kind=name))
@@ -30,17 +37,37 @@ def drive_of(config: Config, robot: RobotEntry) -> DriveConfig:
 
 
 def adapters_of(config: Config) -> dict[str, Adapter]:
-    """Return the adapter of each robot, one for all robots of a profile."""
-    made: dict[str, Adapter] = {}
+    """Return the adapter of each robot, one for all robots of a profile, and of a broker."""
+    made: dict[tuple[str, str], Adapter] = {}
     found = {}
     for robot in config.robots:
         table, profile = profile_of(config, robot)
-        if table not in made:
-            frames = {floor.name: floor.frame for floor in config.floors}
-            site = Site(config.ui.pose_ms, config.ui.status_ms, config.alarms.offline_after, table, frames)
-            made[table] = KINDS[kind_of(profile)].adapter(profile, site)
-        found[robot.name] = made[table]
+        # What a console may do depends on the broker: one adapter for each.
+        key = table, robot.link if config.link(robot.link).is_broker else ""
+        if key not in made:
+            made[key] = KINDS[kind_of(profile)].adapter(profile, _site(config, table, robot.link))
+        found[robot.name] = made[key]
     return found
+
+
+def _site(config: Config, table: str, link: str) -> Site:
+    return Site(
+        config.ui.pose_ms,
+        config.ui.status_ms,
+        config.alarms.offline_after,
+        table,
+        {floor.name: floor.frame for floor in config.floors},
+        config.link(link).role,
+        f"{link_key(link)}.role",
+        {one.name: (one.manufacturer, one.serial) for one in config.robots if one.link == link},
+        _console(config.operator.name),
+    )
+
+
+def _console(operator: str) -> str:
+    """Return twelve hexadecimal digits for an operator on this computer: orders of an earlier console of the
+    same are not another one's."""
+    return hashlib.sha256(f"{operator or os.geteuid()}@{platform.node()}".encode()).hexdigest()[:12]
 
 
 def watching(config: Config) -> Config:

@@ -196,6 +196,10 @@ class Config(msgspec.Struct, frozen=True):
     profiles: dict[str, Profile] = {}
     path: Path = Path()
 
+    def link(self, name: str) -> Link:
+        """Return a link, with or without robots."""
+        return self.rosbridge if name == DEFAULT_LINK else self.links[name]
+
     @property
     def bridges(self) -> dict[str, Link]:
         """Return every bridge with robots, by name; without robots the default one."""

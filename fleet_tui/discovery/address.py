@@ -13,14 +13,10 @@ USUAL_PORT = 9090
 
 
 def bridge_at(url: str, known: Link | None = None) -> Link:
-    """Return the bridge at an address, with the settings of a `known` one. Raises ConfigError for an invalid
-    address."""
+    """Return the bridge or broker at an address, with the settings of a `known` one. Raises ConfigError for
+    an invalid address."""
     bridge = msgspec.structs.replace(known or Link(), url=url.strip())
     scheme, _, rest = bridge.url.partition("://")
-    if scheme.lower() in ("mqtt", "mqtts") and rest:
-        raise ConfigError(
-            [f"{bridge.shown}: MQTT is not supported yet: use a rosbridge address, ws://HOST:9090"]
-        )
     wrong = [
         line
         for line in checked(Config(rosbridge=bridge, robots=[RobotEntry("robot")]))

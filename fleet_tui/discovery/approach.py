@@ -1,4 +1,4 @@
-"""The way to a bridge, step by step: name, TCP, TLS, WebSocket, an answer of rosbridge."""
+"""The way to a bridge or broker, step by step: name, TCP, TLS, WebSocket, an answer of rosbridge."""
 
 import asyncio
 import ipaddress
@@ -7,7 +7,6 @@ import ssl
 import time
 from collections.abc import AsyncIterator
 from contextlib import suppress
-from urllib.parse import urlsplit
 
 from fleet_tui.config.schema import Link, link_key
 from fleet_tui.discovery.finding import Finding, Verdict, milliseconds
@@ -20,18 +19,19 @@ from fleet_tui.transports.tls import tls_context
 STEPS = ("name", "tcp", "tls", "websocket", "rosbridge")
 PATIENCE = 4.0  # seconds for each step
 PROBE = 1.5  # seconds to find out whether TLS is spoken
+USUAL_PORTS = {"ws": 80, "wss": 443, "mqtt": 1883, "mqtts": 8883}
+START_BROKER = "start the broker on it, or correct"
 START_IT = f"start rosbridge on it ({named(START_BRIDGE, 0)}), or correct"
 
 
 class Approach:
     """Connects to one bridge step by step. Everything runs on the network loop."""
 
-    def __init__(self, name: str, bridge: Link, wire: BridgeConnection, key: str = "") -> None:
-        """`key`: config key of its address, if not the usual one."""
+    def __init__(self, name: str, bridge: Link, wire: BridgeConnection | None, key: str = "") -> None:
+        """`key`: config key of its address, if not the usual one. Without `wire` only the way to its port."""
         self._name, self._bridge, self._wire = name, bridge, wire
-        parts = urlsplit(bridge.url)
-        self._host = parts.hostname or ""
-        self._port = parts.port or (443 if bridge.is_secure else 80)
+        self._host, port = bridge.host_and_port
+        self._port = port or USUAL_PORTS[bridge.scheme]
         self._key = key or f"{link_key(name)}.url"
         self.step = STEPS[0]
         """The current step."""
@@ -46,7 +46,7 @@ class Approach:
             "rosbridge": self._ask,
         }
         broken = ""
-        for step in STEPS:
+        for step in STEPS if self._wire is not None else STEPS[:3]:
             if step == "tls" and not self._bridge.is_secure:
                 continue
             if broken:
@@ -88,7 +88,8 @@ class Approach:
             there = f"{self._host} port {self._port}"
             if isinstance(problem, TimeoutError):
                 return f"{there}: {self._why(problem)}", "check that the machine is on, and firewall and VPN"
-            return f"{there}: {self._why(problem)}", f"{START_IT} {self._key}"
+            start = START_BROKER if self._bridge.is_broker else START_IT
+            return f"{there}: {self._why(problem)}", f"{start} {self._key}"
         took = time.monotonic() - began
         writer.close()
         return f"port {self._port} open, connected in {milliseconds(took)}"
@@ -118,6 +119,7 @@ class Approach:
         return True
 
     async def _open(self) -> str | tuple[str, str]:
+        assert self._wire is not None
         began = time.monotonic()
         reason = await self._wire.connect(PATIENCE)
         if not reason:
@@ -129,6 +131,7 @@ class Approach:
         return reason, f"correct host, port and path in {self._key}: rosbridge usually listens on 9090"
 
     async def _ask(self) -> str | tuple[str, str]:
+        assert self._wire is not None
         began = time.monotonic()
         try:
             answer = await self._wire.beat(PATIENCE)

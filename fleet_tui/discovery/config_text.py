@@ -11,11 +11,9 @@ from fleet_tui.discovery.choices import floors_of, strange_frames
 from fleet_tui.discovery.recognition import Found
 from fleet_tui.model.order import natural
 
-FIRST = [
-    "# fleet-tui: discovered on this bridge. Validate with `fleet-tui check`.",
-    "",
-    "[rosbridge]",
-]
+FIRST = "# fleet-tui: discovered on this {}. Validate with `fleet-tui check`."
+BROKER = "broker"
+"""The name of the link to a broker."""
 NO_ROBOTS = "# No robot topics found. Name the robots here and their topics in [profile.topics]."
 
 
@@ -24,7 +22,8 @@ def render(
 ) -> str:
     """Return a configuration as text. `frames`: of poses whose frame means a floor, by robot; `placed`: those
     that a person assigned to floors."""
-    lines = [*FIRST, *_differing(bridge), "", *_floors(found, frames, placed)]
+    server, table = ("broker", f"[links.{BROKER}]") if bridge.is_broker else ("bridge", "[rosbridge]")
+    lines = [FIRST.format(server), "", table, *_differing(bridge), "", *_floors(found, frames, placed)]
     usual = next(iter(found))
     lines += _robots(found, usual)
     if not any(one.robots for one in found.values()):
@@ -45,6 +44,11 @@ def _robots(found: Found, usual: str) -> Iterator[str]:
             yield f"profile = {_text(kind)}"
         if floors and floors != all_floors:
             yield f"floors = {_text(floors)}"
+        if name in found[kind].vehicles:
+            manufacturer, serial = found[kind].vehicles[name]
+            yield f"manufacturer = {_text(manufacturer)}"
+            yield f"serial = {_text(serial)}"
+            yield f"link = {_text(BROKER)}"
         yield from ("# size = [0.9, 0.6]           # length, width in metres", "")
 
 
@@ -87,7 +91,10 @@ def _floors(found: Found, frames: Mapping[str, str], placed: Mapping[str, str]) 
     strange = [frame for frame in strange_frames(found, frames) if frame not in placed.values()]
     if not floors:
         yield "# No floor topics found: floors are named after the pose frames."
-        floors, strange = [one for one in strange if NAME.fullmatch(one)] or ["floor_0"], []
+        named = {_floor_name(frame, n): frame for n, frame in enumerate(strange)} or {"floor_0": ""}
+        floors, strange = list(named), []
+        needs_graph = {floor for floor in floors if any(map(_has_no_graph, found))}
+        placed = {**{floor: frame for floor, frame in named.items() if frame not in ("", floor)}, **placed}
     for floor in floors:
         yield from ("[[floors]]", f"name = {_text(floor)}")
         if floor in placed or len(floors) == 1 == len(strange):
@@ -95,13 +102,19 @@ def _floors(found: Found, frames: Mapping[str, str], placed: Mapping[str, str]) 
         shown = "the live map is used; or a" if floor in live else "no live map:"
         yield f'# map = "maps/{floor}.yaml"   # {shown} map_server YAML, or a plain PNG/PGM'
         if floor in needs_graph:
-            yield f'# graph = "maps/{floor}.geojson"   # route graph, for robots that publish none'
+            suffix = "lif.json" if "vda5050" in found else "geojson"
+            yield f'# graph = "maps/{floor}.{suffix}"   # route graph, for robots that publish none'
         yield ""
     if strange and len(floors) > 1:
         yield from (
             f"# Poses also use frame {_text(one)}: set it as frame_id of its floor." for one in strange
         )
         yield ""
+
+
+def _floor_name(frame: str, number: int) -> str:
+    """Return the name of a floor by the frame of its poses, which may be any text."""
+    return frame if NAME.fullmatch(frame) else f"floor_{number}"
 
 
 def _has_no_graph(kind: str) -> bool:

@@ -1,5 +1,5 @@
-"""From an address to a configuration: queries rosapi and subscribes; commands, advertises and publishes
-nothing."""
+"""From an address to a configuration: queries rosapi, or listens on a broker; commands, advertises and
+publishes nothing."""
 
 import asyncio
 import time
@@ -8,6 +8,7 @@ from concurrent.futures import Future
 from dataclasses import dataclass, field
 from functools import cached_property
 
+from fleet_tui.adapters.discovery import Discovery
 from fleet_tui.config.entries import DEFAULT_LINK
 from fleet_tui.config.load import from_text
 from fleet_tui.config.schema import Config, Link
@@ -22,6 +23,7 @@ from fleet_tui.discovery.questions import Watch, listed_by
 from fleet_tui.discovery.recognition import Found, assigned, claimed
 from fleet_tui.discovery.rosapi import look_around
 from fleet_tui.discovery.tools import rosapi_remedy
+from fleet_tui.discovery.vehicles import NO_VEHICLE, vehicles_on
 from fleet_tui.discovery.wire import BridgeConnection
 from fleet_tui.errors import ConfigError, FleetError, LinkError
 from fleet_tui.transports.loop import network_loop
@@ -55,6 +57,8 @@ class DiscoveredSite:
     def config(self) -> Config:
         """Return the configuration of this text. Raises FleetError if no robot was found, or names are
         ambiguous."""
+        if not any(one.robots for one in self.found.values()) and self.bridge.is_broker:
+            raise FleetError(f"{self.bridge.shown}: no vehicle found: {NO_VEHICLE}")
         if not any(one.robots for one in self.found.values()):
             raise FleetError(
                 f"{self.bridge.shown}: no robot found among {self.topics} topics: start the robot nodes, or"
@@ -108,9 +112,19 @@ def start_discovery(
 
     The result raises LinkError if it can't be reached, FleetError if rosapi fails.
     """
+    discover = _discover_vehicles if bridge.is_broker else _discover
     return asyncio.run_coroutine_threadsafe(
-        _discover(bridge, time.monotonic() + timeout, watch), network_loop()
+        discover(bridge, time.monotonic() + timeout, watch), network_loop()
     )
+
+
+async def _discover_vehicles(bridge: Link, until: float, watch: Watch) -> DiscoveredSite:
+    watch(0, 0, "waiting for vehicles")
+    vehicles, topics = await vehicles_on(bridge, until)
+    found = Discovery({name: [] for name in vehicles})
+    found.vehicles = {name: (one.manufacturer, one.serial) for name, one in vehicles.items()}
+    frames = {name: one.maps[0] for name, one in vehicles.items() if one.maps}
+    return DiscoveredSite(bridge, {"vda5050": found}, frames, topics)
 
 
 async def _discover(bridge: Link, until: float, watch: Watch) -> DiscoveredSite:

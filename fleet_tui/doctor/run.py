@@ -21,6 +21,8 @@ from fleet_tui.discovery.approach import Approach
 from fleet_tui.discovery.facts import BridgeFacts, TopicFacts
 from fleet_tui.discovery.finding import Finding, Verdict
 from fleet_tui.discovery.wire import BridgeConnection
+from fleet_tui.doctor.broker_facts import BrokerFacts, facts_of_broker
+from fleet_tui.doctor.brokers import broker_findings
 from fleet_tui.doctor.causes import causes_of, rosapi_finding
 from fleet_tui.doctor.clocks import clock_findings, load_finding, round_trip_finding
 from fleet_tui.doctor.floors import FloorFiles, floor_findings, place_finding, placed_grid
@@ -129,10 +131,9 @@ def _places(
 
 def _bridges(whole: Config, config: Config, until: float, take: Take) -> Iterator[BridgeFacts]:
     """Return every bridge that can be reached, after its findings are handed over."""
-    names = list(config.bridges)
+    names = [name for name, link in config.bridges.items() if not link.is_broker]
     for n, name in enumerate(names):
-        now = time.monotonic()
-        share = now + (until - now) / (len(names) - n)
+        share = _share(until, len(names) - n)
         walking = asyncio.run_coroutine_threadsafe(_walk(config, name, share, take), network_loop())
         facts = walking.result()
         if facts is not None:
@@ -140,23 +141,54 @@ def _bridges(whole: Config, config: Config, until: float, take: Take) -> Iterato
             yield facts
 
 
+def _share(until: float, left: int) -> float:
+    """Return the end of this one's time, of so many left."""
+    now = time.monotonic()
+    return now + (until - now) / left
+
+
+def _brokers(whole: Config, config: Config, until: float, take: Take) -> int:
+    """Hand over the findings of every broker; returns the number of those reached."""
+    names, reached = [name for name, link in config.bridges.items() if link.is_broker], 0
+    for n, name in enumerate(names):
+        share = _share(until, len(names) - n)
+        walking = asyncio.run_coroutine_threadsafe(_to_broker(config, name, share, take), network_loop())
+        facts = walking.result()
+        if facts is not None:
+            _hand_over(broker_findings(whole, facts), take)
+            reached += not facts.reason
+    return reached
+
+
+async def _to_broker(config: Config, name: str, until: float, take: Take) -> BrokerFacts | None:
+    """Connect to one broker, outside in; None if it can't be reached."""
+    approach = Approach(name, config.bridge(name), None, "" if config.path != Path() else "the address")
+    async for finding in approach.walk():
+        take(finding)
+        if finding.is_failure:
+            return None
+    return await facts_of_broker(config, name, until)
+
+
 def _all(whole: Config, config: Config, timeout: float, take: Take) -> int:
     """Check everything of `config`, a part of the whole one, in its order, each finding handed over at once;
-    returns the number of bridges reached."""
+    returns the number of bridges and brokers reached."""
     until = time.monotonic() + timeout - min(SPARE, timeout / 4)
     for line_ in unsafe_places(config):
         take(Finding("config", "safety", Verdict.WARN, line_))
     with ThreadPoolExecutor(1) as pool:
         loading = pool.submit(_files, config)
-        reached = list(_bridges(whole, config, until, take))
+        brokers = sum(link.is_broker for link in config.bridges.values())
+        reached = list(_bridges(whole, config, _share(until, 2) if brokers else until, take))
+        on_brokers = _brokers(whole, config, until, take)
         loaded = loading.result()
     topics = [facts for bridge in reached for facts in bridge.topics]
-    if reached or loaded:
+    if reached or on_brokers or loaded:
         _hand_over(building_findings(whole, config, loaded, topics), take)
     for bridge in reached:
         _hand_over(clock_findings(bridge), take)
     _hand_over(terminal_findings(), take)
-    return len(reached)
+    return len(reached) + on_brokers
 
 
 def _files(config: Config) -> dict[str, FloorFiles]:

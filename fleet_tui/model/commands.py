@@ -27,13 +27,13 @@ class PlaceOrder(Struct, frozen=True, tag=True):
 
     def what(self, kind: Kind) -> str:
         """Return the name of the command for a robot of this kind, in a word or two."""
-        return "bring cargo" if self.with_cargo and "cargo" in kind.reports else "order"
+        return "bring cargo" if self.with_cargo and kind.brings_cargo else "order"
 
     def text(self, kind: Kind, route: str) -> str:
         """Return the name of the command with its stops; `route` is their text."""
         if self.to_any:
             return f"order {route} (any robot)"
-        if self.with_cargo and "cargo" not in kind.reports:
+        if self.with_cargo and not kind.brings_cargo:
             return f"go to {route.removeprefix('-> ')}"
         return f"{self.what(kind)} {route}"
 

@@ -13,6 +13,7 @@ from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.navigation_events import GoalAnswered, Navigation, QueueChange
 from fleet_tui.model.order import OrderQueue
+from fleet_tui.model.vehicles.events import VehicleFact
 
 
 class PoseReported(Struct, frozen=True, tag=True):
@@ -211,6 +212,7 @@ Event = (
     Telemetry
     | Navigation
     | MemberFact
+    | VehicleFact
     | MapFactReceived
     | MessageRejected
     | FrameRejected

@@ -71,18 +71,20 @@ class FleetState(Struct, frozen=True, eq=False):
     behind: float = 0.0
     desk: Desk = Desk()
 
-    @property
-    def patience(self) -> float:
-        """Seconds of silence after which a robot counts as offline. Messages still unread by this console
-        don't count against it."""
-        return self.limits.offline_after + self.behind
+    def patience(self, robot: Robot) -> float:
+        """Return the seconds of silence after which a robot counts as offline. Messages still unread by this
+        console don't count against it."""
+        return self._silence(robot) + self.behind
+
+    def _silence(self, robot: Robot) -> float:
+        return robot.kind.offline_after or self.limits.offline_after
 
     def is_online(self, robot: Robot) -> bool:
         """Tell whether its last message is within the limit, and its link was not lost since."""
         link, last = self.links[robot.link], robot.last_received
-        if last is None or (link.phase is not Phase.UP and last < link.since):
+        if last is None or robot.is_gone or (link.phase is not Phase.UP and last < link.since):
             return False
-        return self.now - last <= self.limits.offline_after + self.behind
+        return self.now - last <= self.patience(robot)
 
     def was_obstructed(self, robot: Robot) -> bool:
         """Tell whether its last report was a lasting contact with an obstacle."""
@@ -111,7 +113,7 @@ class FleetState(Struct, frozen=True, eq=False):
         return reading is not None and self._holds(robot, value, reading)
 
     def _holds(self, robot: Robot, value: str, reading: Reading[object]) -> bool:
-        silence = robot.kind.silence.get(value, self.limits.offline_after)
+        silence = robot.kind.silence.get(value, self._silence(robot))
         return self.now - reading.at <= silence + self.behind and self.is_online(robot)
 
     def is_old(self, robot: Robot, value: str) -> bool:
@@ -160,6 +162,15 @@ def missing_text(state: FleetState, robot: Robot, value: str) -> str:
     if not robot.kind.expects(value):
         return "-"
     return f"{value} missing" if is_missing(state, robot, value) else f"no {value} yet"
+
+
+def offline_text(state: FleetState, robot: Robot) -> str:
+    """Return the text of a robot that is not online: since when, and what its broker knows."""
+    known = robot.connection.value if robot.connection is not None else None
+    if robot.last_received is None:
+        return "never seen" if known is None else f"no state yet ({known.text})"
+    why = f" ({known.text})" if known is not None and robot.is_gone else ""
+    return f"offline {age(state.now - robot.last_received)}{why}"
 
 
 def obstacle_text(state: FleetState, robot: Robot, contact: Reading[float]) -> str:

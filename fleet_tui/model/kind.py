@@ -47,8 +47,10 @@ def noun_of(ability: str) -> str:
 class Kind(Struct, frozen=True):
     """Capabilities of a robot by its kind and profile. `reports` are the values it can report, by the names
     of Robot's fields; `accepts` the requests it takes. `silence`: seconds after which a missing value is
-    old, infinite for one sent only on change; for others `FleetState.patience` counts. `unset`: by
-    unaccepted request the key of the profile that is empty. `frames_are_floors`: the frame of its poses
+    old, infinite for one sent only on change; for others `offline_after` counts, after which a silent robot
+    is offline, 0: as configured. `optional`: reported values that not every such robot has. By unaccepted
+    request `unset` is the key of the profile that is empty, `withheld` the reason that this console must not
+    make it. `frames_are_floors`: the frame of its poses
     names the floor. `reports_ends`: it lists how an order ended. `keeps_goals`: it drives one goal at a time
     and has no queue: this console keeps it. `holds`: a pause cancels its goal, which this console keeps
     and sends again. `takes_stops`: one order leads to any number of stops; `gives_stops`: this console
@@ -62,6 +64,9 @@ class Kind(Struct, frozen=True):
     accepts: tuple[str, ...] = ()
     silence: Mapping[str, float] = field(default_factory=dict)
     unset: Mapping[str, str] = field(default_factory=dict)
+    withheld: Mapping[str, str] = field(default_factory=dict)
+    offline_after: float = 0.0
+    optional: tuple[str, ...] = ()
     frames_are_floors: bool = True
     reports_ends: bool = field(default=False, name="tells_ends")  # as recordings have it
     keeps_goals: bool = False
@@ -83,12 +88,19 @@ class Kind(Struct, frozen=True):
 
     def lack(self, asked: str) -> str:
         """Return the text for a request that it does not accept."""
+        if asked in self.withheld:
+            return f"{self.withheld[asked]}: no {'orders' if asked in (ORDER, ORDER_TO) else noun_of(asked)}"
         if asked in self.unset:
             return f"{self.unset[asked]} is empty: no {noun_of(asked)}"
         noun = noun_of(asked)
         if asked in (ORDER, ORDER_TO) and not self.can(ORDER):
             noun = "orders"
         return f"this kind has no {noun}"
+
+    @property
+    def brings_cargo(self) -> bool:
+        """Tell whether an order to one place alone is for the cargo on board."""
+        return "cargo" in self.reports and not self.keeps_goals
 
     @property
     def lists_orders(self) -> bool:
@@ -102,8 +114,9 @@ class Kind(Struct, frozen=True):
 
     def silence_of(self, value: str, usual: float) -> float:
         """Return the seconds after which a value is old."""
-        return self.silence.get(value, usual)
+        return self.silence.get(value, self.offline_after or usual)
 
     def expects(self, value: str) -> bool:
-        """Tell whether a value must arrive regularly: it is reported, and not only on change."""
-        return value in self.reports and self.silence_of(value, 0.0) < inf
+        """Tell whether a value must arrive regularly: each robot reports it, and not only on change."""
+        is_certain = value in self.reports and value not in self.optional
+        return is_certain and self.silence_of(value, 0.0) < inf

@@ -15,6 +15,7 @@ from fleet_tui.model.kind import Kind
 from fleet_tui.model.navigation import Blocked, Goal, Progress
 from fleet_tui.model.order import OrderQueue
 from fleet_tui.model.order_life import GoneOrder, OrderTrace
+from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleConnection
 from fleet_tui.text.limits import truncate
 
 T = TypeVar("T")
@@ -71,7 +72,9 @@ class Robot(Struct, frozen=True, eq=False):
     `mapping_by_us` that this console switched mapping on; `counts_percent`: its battery was seen to count to
     100; `size` is its length and width in metres, None if not configured; `laser` is the pose of its laser on
     it, None if unknown, `laser_flipped` that it hangs upside down, `base_frame` the frame of the robot
-    itself, empty for a usual one; `member` are the reports of its fleet adapter."""
+    itself, empty for a usual one; `vehicle` is its last state, `connection` that to its broker, `factsheet`
+    its properties by name, `master` the last sign of another master control that commands it; `member` are
+    the reports of its fleet adapter."""
 
     name: str
     number: int
@@ -124,11 +127,22 @@ class Robot(Struct, frozen=True, eq=False):
     laser_flipped: bool = False
     base_frame: str = ""
     member: Reading[Member] | None = None
+    vehicle: Reading[Vehicle] | None = None
+    connection: Reading[VehicleConnection] | None = None
+    factsheet: Mapping[str, str] = field(default_factory=dict)
+    master: Reading[str] | None = None
 
     @property
     def has_cargo(self) -> bool:
         """Tell whether it reports cargo on board."""
         return self.cargo is not None and self.cargo.value
+
+    @property
+    def is_gone(self) -> bool:
+        """Tell whether its broker reports it as gone, and nothing arrived from it since."""
+        if self.connection is None or not self.connection.value.is_gone:
+            return False
+        return self.last_received is None or self.connection.at >= self.last_received
 
     @property
     def still_for(self) -> float:

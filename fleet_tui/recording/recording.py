@@ -17,6 +17,7 @@ from fleet_tui.model.desk.events import OperatorEvent
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.fleets.events import DispatchFailed, MemberFact, RequestAnswered
 from fleet_tui.model.navigation_events import GoalAnswered, Navigation, QueueChange
+from fleet_tui.model.vehicles.events import VehicleFact
 from fleet_tui.recording.gzip_members import Lines, open_plain
 from fleet_tui.recording.records import (
     EventRecord,
@@ -32,7 +33,7 @@ from fleet_tui.recording.records import (
 )
 
 _OfRobot = (
-    events.Telemetry | Navigation | MemberFact | events.MapFactReceived | QueueChange
+    events.Telemetry | Navigation | VehicleFact | MemberFact | events.MapFactReceived | QueueChange
 )  # made once, not for every record
 
 LAST_SECOND = 253_402_300_799.0

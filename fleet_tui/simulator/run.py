@@ -68,14 +68,15 @@ async def _serve(
             await server.start()
         announce([server.url for server in servers])
         if stop_with_stdin:
-            threading.Thread(target=_await_stdin, args=(stopped,), daemon=True).start()
+            threading.Thread(target=await_stdin, args=(stopped,), daemon=True).start()
         return await stopped
     finally:
         for server in servers:
             await server.stop()
 
 
-def _await_stdin(stopped: asyncio.Future[bool]) -> None:
+def await_stdin(stopped: asyncio.Future[bool]) -> None:
+    """Wait on a thread of its own until stdin closes, then stop."""
     # os.read, not sys.stdin.read: a daemon thread inside a buffered read aborts the interpreter's exit.
     while os.read(sys.stdin.fileno(), 4096):
         pass

@@ -14,6 +14,7 @@ from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.link import Phase
 from fleet_tui.model.navigation_events import Navigation
 from fleet_tui.model.robot import Robot, with_fault
+from fleet_tui.model.vehicles.events import VehicleFact
 from fleet_tui.rules.alarms.conditions import conditions
 from fleet_tui.rules.alarms.floods import without_floods
 from fleet_tui.rules.commands.local_queue import with_held_queues
@@ -32,9 +33,12 @@ from fleet_tui.state.goal_reports import without_ended, without_unlisted
 from fleet_tui.state.link_events import apply_to_link
 from fleet_tui.state.navigation_reports import apply_navigation
 from fleet_tui.state.reports import apply_map_fact, apply_report
+from fleet_tui.state.vehicle_reports import apply_vehicle
 
 # Made once: putting the types together for every event would take as long as finding one among them.
-_OfRobot = events.Telemetry | Navigation | MemberFact | events.MapFactReceived | events.MessageRejected
+_OfRobot = (
+    events.Telemetry | Navigation | VehicleFact | MemberFact | events.MapFactReceived | events.MessageRejected
+)
 
 RELISTED_WITHIN = 10.0, 15.0
 """Seconds after a link came up within which an active robot has listed its goals."""
@@ -126,16 +130,15 @@ def _shared(state: FleetState, event: events.GraphReceived) -> events.GraphRecei
     return event
 
 
-def _apply_to_robot(
-    state: FleetState,
-    event: _OfRobot,
-) -> FleetState:
+def _apply_to_robot(state: FleetState, event: _OfRobot) -> FleetState:
     if isinstance(event, MemberFact):
         return _placed(apply_member_fact(state, event), event.robot)
     if (robot := state.robots.get(event.robot)) is None:
         return _with_live_map(state, event) if isinstance(event, events.GridReceived) else state
     if isinstance(event, Navigation):
         return _moved(state, apply_navigation(robot, event))
+    if isinstance(event, VehicleFact):
+        return with_robot(state, apply_vehicle(robot, event))
     return _apply_report(state, robot, event)
 
 

@@ -22,7 +22,7 @@ def test_every_kind_is_whole(name: str) -> None:
 
 
 def test_settings_are_those_of_kinds_that_have_some() -> None:
-    assert {name for name, kind in KINDS.items() if kind.settings} == {"nav2", "move_base"}
+    assert {name for name, kind in KINDS.items() if kind.settings} == {"nav2", "move_base", "vda5050"}
 
 
 def test_a_profile_is_of_the_kind_it_says_else_of_its_name_else_of_the_usual_one() -> None:

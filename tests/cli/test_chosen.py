@@ -84,8 +84,9 @@ async def test_a_config_and_an_address_are_two_fleets(server: RosbridgeServer, t
         ("https://robot/x", 2, "did you mean wss://robot/x?"),
         ("robot:9090", 2, "robot:9090 is not a rosbridge address: did you mean ws://robot:9090?"),
         ("localhost", 2, "localhost is not a rosbridge address: did you mean ws://localhost:9090?"),
-        ("mqtt://robot:1883", 2, "MQTT is not supported yet"),
-        ("mqtts://robot", 2, "MQTT is not supported yet"),
+        ("mqtt://robot:1883/topic", 2, "has a path: a broker has none, remove it"),
+        ("mqtts://ana:secret@robot", 2, "set user_file and password_file to private files"),
+        ("mqtt://127.0.0.1:9", 3, "connection refused"),
         ("ftp://robot", 2, "is not an address, expected e.g. ws://HOST:9090"),
         ("ws://", 2, "is not an address, expected e.g. ws://HOST:9090"),
         ("ws://user:secret@robot:9090", 2, "set authorization_file"),
@@ -99,7 +100,7 @@ async def test_an_address_that_leads_nowhere(tmp_path: Path, address: str, code:
     assert len(done.err.splitlines()) == 1 and "secret" not in done.err
 
 
-@pytest.mark.parametrize("address", ["http://robot:9090", "robot:9090", "mqtt://robot", "ws://"])
+@pytest.mark.parametrize("address", ["http://robot:9090", "robot:9090", "mqtt://robot/x", "ws://"])
 async def test_the_console_refuses_such_an_address_before_it_opens(tmp_path: Path, address: str) -> None:
     plain = await run(tmp_path, address)
     assert plain.code == 2 and plain == await run(tmp_path, "--url", address)

@@ -18,7 +18,7 @@ def test_an_address_is_a_bridge_reached_as_a_known_one_is() -> None:
         ("http://robot:9090", "did you mean ws://robot:9090?"),
         ("HTTPS://robot", "did you mean wss://robot?"),
         ("robot:9090", "did you mean ws://robot:9090?"),
-        ("mqtt://broker", "MQTT is not supported yet"),
+        ("mqtt://", "is not an address"),
         ("", "is not an address"),
         ("ftp://robot", "is not an address"),
     ],

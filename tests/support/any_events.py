@@ -21,6 +21,8 @@ from fleet_tui.model.navigation import Goal, Progress
 from fleet_tui.model.occupancy import grid_from_ros
 from fleet_tui.model.order import Order, OrderQueue, OrderState, Stop
 from fleet_tui.model.set_up.commands import Localise, SendGoal, SendGraph, SetMapping, SetPose, Settle
+from fleet_tui.model.vehicles import events as vehicle_events
+from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleConnection, VehicleError
 from tests.support.fleets import LINK, T0
 
 AT = st.floats(T0, T0 + 1e4)
@@ -75,6 +77,34 @@ COMMANDS = st.one_of(
     *(st.builds(kind, ROBOTS, FLOORS, PLACES) for kind in (SetPose, SendGoal)),
     st.builds(SetMapping, ROBOTS, st.booleans()),
     st.builds(SendGraph, ROBOTS, FLOORS, VERTICES, EDGES, st.booleans(), LABELS),
+)
+
+
+CONNECTIONS = st.sampled_from(["ONLINE", "OFFLINE", "CONNECTIONBROKEN", "any"])
+
+
+NODES = st.builds(
+    RouteGraph,
+    st.dictionaries(IDS, st.builds(Vertex, IDS, NUMBERS, NUMBERS), max_size=3),
+    EDGES,
+    st.booleans(),
+)
+
+
+VEHICLES = st.builds(
+    Vehicle,
+    st.just("uagv/v2/a/b/\0"),
+    st.sampled_from(["1.1.0", "2.0.0", "3.0.0"]),
+    mode=st.sampled_from(["", "AUTOMATIC", "MANUAL"]),
+    localised=st.none() | st.booleans(),
+    e_stop=st.sampled_from(["", "MANUAL"]),
+    field_violation=st.none() | st.booleans(),
+    last_node=IDS,
+    nodes_left=st.lists(IDS, max_size=3).map(tuple),
+    waits=st.booleans(),
+    errors=st.lists(st.builds(VehicleError, IDS, st.sampled_from(["FATAL", "WARNING"])), max_size=2).map(
+        tuple
+    ),
 )
 
 
@@ -238,6 +268,19 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
     desk_events.RobotReleased: st.builds(desk_events.RobotReleased, ROBOTS),
     desk_events.EdgeClosed: st.builds(desk_events.EdgeClosed, CLOSED, AT, st.text(max_size=3)),
     desk_events.EdgeOpened: st.builds(desk_events.EdgeOpened, CLOSED, st.text(max_size=3)),
+    vehicle_events.VehicleReported: st.builds(vehicle_events.VehicleReported, ROBOTS, AT, VEHICLES),
+    vehicle_events.ConnectionReported: st.builds(
+        vehicle_events.ConnectionReported,
+        ROBOTS,
+        AT,
+        st.builds(VehicleConnection, CONNECTIONS, st.just("uagv/v2/a/b/\0"), st.sampled_from(["", "2.0.0"])),
+        st.booleans(),
+    ),
+    vehicle_events.NodesReported: st.builds(vehicle_events.NodesReported, ROBOTS, AT, FLOORS, NODES),
+    vehicle_events.FactsheetReported: st.builds(
+        vehicle_events.FactsheetReported, ROBOTS, AT, st.dictionaries(IDS, st.text(max_size=9), max_size=3)
+    ),
+    vehicle_events.MasterSeen: st.builds(vehicle_events.MasterSeen, ROBOTS, AT, st.text(max_size=9)),
     events.TimePassed: st.builds(events.TimePassed, AT, AT),
 }
 

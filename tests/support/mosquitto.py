@@ -1,5 +1,6 @@
 """A real broker for tests: mosquitto on a free port, that can be killed, restarted and frozen."""
 
+import json
 import shutil
 import signal
 import socket
@@ -81,3 +82,22 @@ def mosquitto(folder: Path, *lines: str) -> Iterator[Mosquitto]:
         yield broker
     finally:
         broker.kill()
+
+
+def refusing(folder: Path, pattern: str) -> tuple[str, ...]:
+    """The lines for a broker that refuses these subscriptions."""
+    plugin = next(Path("/usr/lib").rglob("mosquitto_dynamic_security.so"), None)
+    if plugin is None:
+        pytest.skip("mosquitto's dynamic security is not installed")
+    refused = {"acltype": "subscribePattern", "topic": pattern, "allow": False, "priority": 1}
+    allowed = {"acltype": "subscribePattern", "topic": "#", "allow": True, "priority": 0}
+    access = {name: name.startswith("unsub") for name in ("publishClientSend", "subscribe", "unsubscribe")}
+    content = {
+        "defaultACLAccess": {**access, "publishClientReceive": True},
+        "anonymousGroup": "anyone",
+        "groups": [{"groupname": "anyone", "roles": [{"rolename": "watcher"}]}],
+        "roles": [{"rolename": "watcher", "acls": [refused, allowed]}],
+    }
+    file = folder / "roles.json"
+    file.write_text(json.dumps(content))
+    return (*ANYONE, f"plugin {plugin}", f"plugin_opt_config_file {file}")

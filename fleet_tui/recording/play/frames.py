@@ -5,6 +5,7 @@ from functools import reduce
 
 from fleet_tui.adapters.ros.operations import Fragment, ServiceResponse
 from fleet_tui.adapters.ros.reading import FrameReader, StreamTaken
+from fleet_tui.adapters.vda5050.reader import MessageReader
 from fleet_tui.config.fleet import adapters_of, feeds_of, limit_of
 from fleet_tui.config.schema import Config
 from fleet_tui.maps.levels import read_levels
@@ -15,18 +16,20 @@ from fleet_tui.recording.records import EventRecord, ReceivedFrame, Record
 from fleet_tui.state.reducer import apply
 
 
+def _reader(config: Config, link: str) -> FrameReader | MessageReader:
+    """Return the reader of a link's frames."""
+    adapters = adapters_of(config)
+    limit, feeds = limit_of(config, link), feeds_of(config, adapters, link)
+    if config.bridges[link].is_broker:
+        return MessageReader(link, limit, adapters, feeds)
+    return FrameReader(link, limit, adapters, feeds, decode_apart, decode_pictures=read_levels)
+
+
 class Frames:
     """Decodes the frames of every bridge of a recording."""
 
     def __init__(self, config: Config) -> None:
-        adapters = adapters_of(config)
-        self._readings = {
-            name: FrameReader(
-                *(name, limit_of(config, name), adapters, feeds_of(config, adapters, name), decode_apart),
-                decode_pictures=read_levels,
-            )
-            for name in config.bridges
-        }
+        self._readings = {name: _reader(config, name) for name in config.bridges}
 
     @property
     def counters(self) -> Mapping[str, LinkCounter]:

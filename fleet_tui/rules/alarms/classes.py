@@ -49,6 +49,20 @@ CLASSES = {
         "Clear the path at the robot",
         5,
     ),
+    "e-stop": AlarmClass(
+        "high",
+        "an emergency stop of a vehicle is active",
+        "the vehicle does not move; others queue behind it",
+        "Go to the vehicle, see why it was stopped, and release it there",
+        5,
+    ),
+    "fault": AlarmClass(
+        "high",
+        "an error that a vehicle reports about itself: high if fatal or critical, medium if urgent, else low",
+        "after a fatal one its order is not carried out",
+        "Read its hint on the robot's page; go to the vehicle if it stands",
+        10,
+    ),
     "offline": AlarmClass(
         "medium",
         "no message for longer than `offline_after`",

@@ -8,12 +8,13 @@ import math
 from collections.abc import Iterator
 
 from fleet_tui.model.alarm import Condition, Priority
-from fleet_tui.model.fleet import FleetState, behind_text, obstacle_text
+from fleet_tui.model.fleet import FleetState, behind_text, obstacle_text, offline_text
 from fleet_tui.model.link import NO_WAY, LinkState, Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
 from fleet_tui.rules.alarms.members import MEMBER_RULES
 from fleet_tui.rules.alarms.navigation import NAVIGATION_RULES
+from fleet_tui.rules.alarms.vehicles import VEHICLE_RULES
 from fleet_tui.rules.battery.charging import charger_of
 from fleet_tui.rules.commands.failures import failed_commands
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
@@ -144,15 +145,17 @@ def offline(state: FleetState, robot: Robot, active: ActiveConditions) -> Condit
     While the link is down its own alarm covers its robots; earlier alarms continue. A new link restarts the
     silence of all robots.
     """
-    limit = state.patience
-    if robot.last_received is not None and state.now - robot.last_received <= limit / 2:
+    limit = state.patience(robot)
+    if not robot.is_gone and robot.last_received is not None and state.now - robot.last_received <= limit / 2:
         return None
     link = state.links[robot.link]
     raised = was_active(active, robot.name, robot.link, "offline")
     if state.is_online(robot) if raised else link.phase is not Phase.UP:
         return None
     due = limit + (robot.last_received or 0.0 if raised else max(robot.last_received or 0.0, link.since))
-    text = "never seen" if robot.last_received is None else f"offline {age(state.now - robot.last_received)}"
+    text = offline_text(state, robot)
+    if robot.is_gone and robot.connection is not None and robot.last_received is not None:
+        due = robot.connection.at
     return Condition(robot.name, "offline", Priority.MEDIUM, text, "back online", due)
 
 
@@ -181,7 +184,9 @@ def unsourced(state: FleetState, link: LinkState, _active: ActiveConditions) -> 
     return Condition(link.name, "messages", Priority.HIGH, link.unsourced_text, "message types available")
 
 
-ROBOT_RULES = (offline, obstacle, *MEMBER_RULES, *NAVIGATION_RULES, battery, pause, stuck, bad_data)
+ROBOT_RULES = (
+    *(offline, obstacle, *VEHICLE_RULES, *MEMBER_RULES, *NAVIGATION_RULES, battery, pause, stuck, bad_data),
+)
 LINK_RULES = (dead_commands, no_link, bad_data, late, unsourced)
 
 

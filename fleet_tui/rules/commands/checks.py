@@ -23,6 +23,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetUpCommand
 from fleet_tui.rules.commands.claims import claimed
 from fleet_tui.rules.commands.local_queue import all_orders, clearable
+from fleet_tui.rules.commands.masters import VEHICLE_CHECKS
 from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.rules.commands.rights import not_allowed
 from fleet_tui.rules.commands.route_checks import (
@@ -156,7 +157,7 @@ def nothing_to_clear(state: FleetState, robot: Robot, command: Command) -> Itera
 def cargo(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """Check the start: cargo on board without an order has only a destination; without cargo a start is
     needed."""
-    if not isinstance(command, PlaceOrder) or "cargo" not in robot.kind.reports:
+    if not isinstance(command, PlaceOrder) or not robot.kind.brings_cargo:
         return
     waiting = sum(order.state in PENDING for order in robot.orders.orders)
     if not command.with_cargo:
@@ -185,6 +186,7 @@ CHECKS: tuple[Check, ...] = (
     paused,
     floor_mismatch,
     claimed,
+    *VEHICLE_CHECKS,
 )
 FIRST: tuple[Check, ...] = (no_way_there, cargo)
 """Checks of only the first command to a robot: the others follow it."""
@@ -224,15 +226,13 @@ def problems(state: FleetState, request: Request, allowed: Permissions) -> list[
         return impossible
     if all(isinstance(command, PauseRobot) for command in request.commands):
         return []
-    found = list(permitted(allowed))
-    asked: set[str] = set()
+    found, asked = list(permitted(allowed)), set[str]()
     for command in request.commands:
-        robot = state.robots.get(command.robot)
-        if robot is None:
+        if (robot := state.robots.get(command.robot)) is None:
             found.append(unknown_robot(state, command.robot))
             continue
-        checks = CHECKS if robot.name in asked else CHECKS + FIRST
-        for check in OF_ANY if isinstance(command, PlaceOrder) and command.to_any else checks:
+        is_of_any = isinstance(command, PlaceOrder) and command.to_any
+        for check in OF_ANY if is_of_any else CHECKS if robot.name in asked else CHECKS + FIRST:
             found += check(state, robot, command)
         if robot.name not in asked:
             found += mistakable(robot, request.floors)

@@ -55,10 +55,13 @@ def _with_missed(goals: Goals) -> Goals:
 def _listed(old: Goal, goal: Goal, at: float, seen_at: float) -> Goal:
     """Return a goal updated by a list."""
     begun = seen_at if old.begun_at is None and goal.state in BEGUN else old.begun_at
-    ended = seen_at if old.ended_at is None and goal.state in OVER else old.ended_at
+    # An order may go on after its end, when its master control adds to it; else its first end counts.
+    is_over, was_over = goal.state in OVER, old.state in OVER and old.ended_at is not None
+    ended = None if not is_over else seen_at if old.ended_at is None else old.ended_at
     return replace(
         old,
-        state=goal.state,
+        stops=goal.stops if goal.stops and not old.is_ours else old.stops,
+        state=old.state if is_over and was_over else goal.state,
         word=goal.word,
         said=goal.said,
         label=goal.label,

@@ -103,7 +103,7 @@ def may_skip_start(robot: Robot | None) -> bool:
     """Tell whether the start of an order is optional: a robot that reports no cargo then simply goes
     there."""
     kind = robot.kind if robot else Kind()
-    return ORDER in kind.accepts and ORDER_TO in kind.accepts and "cargo" not in kind.reports
+    return ORDER in kind.accepts and ORDER_TO in kind.accepts and not kind.brings_cargo
 
 
 def order_of(robot: Robot, visited: Sequence[Place], only_to: bool = False) -> Request:

@@ -100,7 +100,7 @@ def at_stop(state: FleetState, robot: Robot) -> Reason | None:
     order, here, since = robot.orders.current, vertex_here(robot), stationary_since(robot)
     if order is None or since is None or here is None or here != next_stop(robot):
         return None
-    does = "stops" if "cargo" not in robot.kind.reports else "unloading" if robot.has_cargo else "loading"
+    does = "stops" if not robot.kind.brings_cargo else "unloading" if robot.has_cargo else "loading"
     strength = Strength.LIKELY if state.now - since < RECENT else Strength.POSSIBLE
     strength = Strength.NONE if state.now - since >= state.limits.stuck_after else strength
     return Reason(f"{does} at {name_of(robot, here)}", f"for {mission(robot, order)}", strength, since)

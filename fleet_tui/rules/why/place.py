@@ -7,9 +7,12 @@ from fleet_tui.rules.why.traffic import AT_VERTEX
 
 
 def place_text(robot: Robot) -> str:
-    """Return the labelled vertex nearest to the robot, and its floor if it has several; empty without a
-    label."""
+    """Return the labelled vertex nearest to the robot, and its floor if it has several, without a pose the
+    node where it was last; empty without a label."""
     here = robot.maps.get(robot.floor or "", RobotMap())
+    if robot.pose is None and robot.vehicle is not None and robot.vehicle.value.last_node:
+        node = robot.vehicle.value.last_node
+        return f"at node {robot.name_of(node) or node}"
     if robot.pose is None or here.graph is None:
         return ""
     pose, vertices = robot.pose.value, here.graph.vertices

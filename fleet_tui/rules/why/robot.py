@@ -173,6 +173,9 @@ def off_map(state: FleetState, robot: Robot) -> Reason | None:
 def charges(state: FleetState, robot: Robot) -> Reason | None:
     """Report that it is at a charger, is not full, and drives no order."""
     charger, battery = charger_of(state, robot), robot.battery
+    if robot.vehicle is not None and state.is_fresh(robot, "vehicle") and robot.vehicle.value.charging:
+        seen = robot.vehicle.at
+        return Reason("charging", "reported by the vehicle", Strength.LIKELY, stationary_since(robot), seen)
     if charger is None or battery is None or battery.value >= FULL:
         return None
     evidence = f"at the charger, battery {int(battery.value)} %, no order active"

@@ -59,7 +59,7 @@ def next_stop(robot: Robot) -> str | None:
     stops = stops_left(robot, order) if order is not None else ()
     if order is None or not stops:
         return None
-    is_known = "cargo" in robot.kind.reports or _stop_driven_to(robot, order) is not None
+    is_known = robot.kind.brings_cargo or _stop_driven_to(robot, order) is not None
     if len(stops) > 1 and not is_known:
         return None
     return stops[0].vertex if stops[0].pose is None else None

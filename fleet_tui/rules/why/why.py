@@ -47,6 +47,7 @@ from fleet_tui.rules.why.robot import (
     silent_robot,
     stale_pose,
 )
+from fleet_tui.rules.why.vehicles import VEHICLE_REASONS
 
 if TYPE_CHECKING:  # numpy
     from fleet_tui.rules.localisation.match import Match
@@ -59,6 +60,7 @@ FOLLOWING: tuple[Rule, ...] = (none_current, no_orders)
 
 RULES: tuple[Rule, ...] = (
     paused,
+    *VEHICLE_REASONS,
     obstacle,
     *MEMBER_REASONS,
     *NAVIGATION_REASONS,

@@ -113,7 +113,7 @@ def _section(pane: Pane, keys: Mapping[str, tuple[str, ...]], hidden: Collection
 
 
 def _typed(kind: Kind) -> HelpSection:
-    alone = "cargo on board" if "cargo" in kind.reports else "directly"
+    alone = "cargo on board" if kind.brings_cargo else "directly"
     accepted = [example for verb, examples in TYPED.items() if kind.can(verb) for example in examples]
     rows = [
         HelpRow(((example, StyleRole.KEY),), tr(text).format(alone=tr(alone)))

@@ -20,6 +20,7 @@ from fleet_tui.view.robot.sections import (
     PageSection,
     alarms_section,
     commands_section,
+    factsheet_section,
     orders_section,
     route_section,
     state_section,
@@ -69,14 +70,18 @@ def page_lines(content: PageContent, width: int, height: int) -> list[Line]:
     route, orders = route_section(*parts), orders_section(*parts)
     alarms = alarms_section(*parts, content.past, content.clock, content.note)
     commands = commands_section(*parts, content.clock)
+    sheet = (factsheet_section(content.robot),) if content.robot.factsheet else ()
     if width >= COLUMNS_FROM:
         left = max(STATE, width * 2 // 5)
         right = width - left - BETWEEN
         curve = _battery(content, right, max(LOW_CURVE, min(HIGH_CURVE, height // 3)))
         return _beside(
-            _drawn((state, route, orders), left), _drawn((curve, alarms, commands), right), left, right
+            _drawn((state, route, orders, *sheet), left),
+            _drawn((curve, alarms, commands), right),
+            left,
+            right,
         )
-    rest = _drawn((route, orders, alarms, commands), width)
+    rest = _drawn((route, orders, alarms, commands, *sheet), width)
     if width < BESIDE_FROM or height >= BELOW_FROM:
         lines = max(LOW_CURVE, min(HIGH_CURVE, height // 4))
         return [*_drawn((state, _battery(content, width, lines)), width), *rest]

@@ -16,6 +16,7 @@ from fleet_tui.rules.why.traffic import stops_left
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.robot.vehicle import factsheet_rows, vehicle_rows
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import SIGNS
 from fleet_tui.view.tables.missions import way, whose_mission
@@ -72,6 +73,7 @@ def _state(state: FleetState, robot: Robot, complaints: Sequence[Complaint]) -> 
         for n, runs in enumerate(_packed([(sanitize(one.text), role)], STATE - NAME)):
             yield named("" if n else "Reports", *runs)
     yield from value_rows(state, robot, STATE)
+    yield from vehicle_rows(state, robot)
 
 
 def _packed(runs: Sequence[Run], cells: int) -> list[list[Run]]:
@@ -82,6 +84,11 @@ def _packed(runs: Sequence[Run], cells: int) -> list[list[Run]]:
             lines.append([])
         lines[-1].append(run)
     return lines
+
+
+def factsheet_section(robot: Robot) -> PageSection:
+    """Return the properties of a vehicle."""
+    return _titled("Factsheet", factsheet_rows(robot), "")
 
 
 def route_section(state: FleetState, robot: Robot) -> PageSection:

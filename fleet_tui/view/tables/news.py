@@ -2,13 +2,14 @@
 
 from collections.abc import Iterator
 
-from fleet_tui.model.alarm import AlarmStage
-from fleet_tui.model.fleet import FleetState, is_missing, missing_text, obstacle_text
+from fleet_tui.model.alarm import AlarmStage, Priority
+from fleet_tui.model.fleet import FleetState, is_missing, missing_text, obstacle_text, offline_text
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.conditions import is_news, obstacle_lasts
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
 from fleet_tui.rules.alarms.trouble import acknowledged, in_trouble, shelved
+from fleet_tui.rules.alarms.vehicles import priority_of, sorted_errors
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
@@ -49,15 +50,17 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     """Return the news of a robot, the most urgent first."""
     online = state.is_online(robot)
     if robot.last_received is None:
-        yield tr("never seen"), StyleRole.ALARM if robot.name in in_trouble(state) else StyleRole.DIM
+        role = StyleRole.ALARM if robot.name in in_trouble(state) else StyleRole.DIM
+        yield tr(offline_text(state, robot)), role
     elif not online:
-        yield tr(f"offline {age(state.now - robot.last_received)}"), StyleRole.ALARM
+        yield tr(offline_text(state, robot)), StyleRole.ALARM
     contact = robot.obstacle if state.was_obstructed(robot) else None
     is_old = state.is_old(robot, "obstacle")
     if contact is not None and not is_old:
         is_alarm = obstacle_lasts(state, robot) and robot.name not in shelved(state)
         yield tr(obstacle_text(state, robot, contact)), StyleRole.ALARM if is_alarm else StyleRole.WARN
     yield from _navigation(state, robot)
+    yield from _vehicle(state, robot)
     if state.is_paused(robot) and robot.last_received is not None:
         yield _paused(state, robot), StyleRole.WARN
     if contact is not None and is_old:
@@ -84,6 +87,24 @@ def _navigation(state: FleetState, robot: Robot) -> Iterator[Run]:
         yield tr("navigation silent"), StyleRole.ALARM
     if robot.variance is not None and robot.variance.value > LOST_ABOVE:
         yield tr("pose uncertain"), StyleRole.WARN
+
+
+def _vehicle(state: FleetState, robot: Robot) -> Iterator[Run]:
+    """Yield what a vehicle of a master control reports about itself."""
+    if robot.vehicle is None or not state.is_fresh(robot, "vehicle"):
+        return
+    vehicle = robot.vehicle.value
+    if vehicle.e_stop:
+        yield sanitize(vehicle.e_stop_text), StyleRole.ALARM
+    for error in sorted_errors(vehicle)[:1]:
+        is_high = priority_of(error) is Priority.HIGH
+        yield sanitize(error.type), StyleRole.ALARM if is_high else StyleRole.WARN
+    texts = {
+        vehicle.mode_text: not vehicle.takes_orders,
+        "waits for clearance": vehicle.waits,
+        "not localised": vehicle.localised is False,
+    }
+    yield from ((sanitize(text), StyleRole.WARN) for text, holds in texts.items() if holds)
 
 
 def _short(text: str) -> str:

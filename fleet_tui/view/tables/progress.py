@@ -8,8 +8,12 @@ from fleet_tui.text.language import tr
 
 
 def progress_text(state: FleetState, robot: Robot, order: Order) -> str:
-    """Return the progress of the current order: `12.5 m left, 31 s, stop 1 of 2, 2 recoveries`; empty without
-    fresh data."""
+    """Return the progress of the current order: `12.5 m left, 31 s, stop 1 of 2, 2 recoveries`, of a vehicle
+    `3 nodes left`; empty without fresh data."""
+    vehicle = robot.vehicle.value if robot.vehicle is not None else None
+    if vehicle is not None and robot.orders.is_current(order) and state.is_fresh(robot, "vehicle"):
+        left = len(vehicle.nodes_left) + vehicle.horizon
+        return f"{left} node{'s' * (left != 1)} left" if left else ""
     if robot.progress is None or not robot.orders.is_current(order) or not state.is_fresh(robot, "progress"):
         return ""
     reported = robot.progress.value

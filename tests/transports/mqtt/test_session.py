@@ -1,15 +1,12 @@
 """Tests of fleet_tui/transports/mqtt/session.py, against a real mosquitto."""
 
 import asyncio
-import json
 import time
 from pathlib import Path
 
-import pytest
-
 from fleet_tui.config.schema import Link
 from tests.support.broker_events import connecting
-from tests.support.mosquitto import ANYONE, mosquitto, needs_mosquitto
+from tests.support.mosquitto import mosquitto, needs_mosquitto, refusing
 from tests.support.mqtt_peer import Peer
 from tests.support.polling import until
 
@@ -67,27 +64,8 @@ async def test_a_wrong_password_names_the_keys_and_a_right_one_may_come_later(tm
             await until(lambda: events.opened)
 
 
-def _roles(folder: Path) -> list[str]:
-    """The lines for a broker that refuses all subscriptions but those of `free/#`."""
-    plugin = next(Path("/usr/lib").rglob("mosquitto_dynamic_security.so"), None)
-    if plugin is None:
-        pytest.skip("mosquitto's dynamic security is not installed")
-    refused = {"acltype": "subscribePattern", "topic": "secret/#", "allow": False, "priority": 1}
-    allowed = {"acltype": "subscribePattern", "topic": "#", "allow": True, "priority": 0}
-    access = {name: name.startswith("unsub") for name in ("publishClientSend", "subscribe", "unsubscribe")}
-    content = {
-        "defaultACLAccess": {**access, "publishClientReceive": True},
-        "anonymousGroup": "anyone",
-        "groups": [{"groupname": "anyone", "roles": [{"rolename": "watcher"}]}],
-        "roles": [{"rolename": "watcher", "acls": [refused, allowed]}],
-    }
-    file = folder / "roles.json"
-    file.write_text(json.dumps(content))
-    return [f"plugin {plugin}", f"plugin_opt_config_file {file}"]
-
-
 async def test_a_subscription_that_the_broker_refuses_is_told(tmp_path: Path) -> None:
-    with mosquitto(tmp_path, *ANYONE, *_roles(tmp_path)) as broker:
+    with mosquitto(tmp_path, *refusing(tmp_path, "secret/#")) as broker:
         async with connecting(Link(broker.url)) as events:
             await events.subscribe("free/a", "secret/b")
             assert events.granted == {"free/a": True, "secret/b": False}

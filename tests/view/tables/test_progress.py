@@ -9,6 +9,8 @@ from fleet_tui.model.robot import Reading
 from fleet_tui.view.tables.fleet import fleet_table
 from fleet_tui.view.tables.progress import progress_text
 from tests.support.fleets import R0, T0, fleet, link_up, of_kinds, pose, queue, reduced, text_of, tick
+from tests.support.vda_fleet import VehicleSite
+from tests.support.vda_messages import node, state
 
 
 def driving(progress: Progress, at: float = T0) -> FleetState:
@@ -45,3 +47,12 @@ def test_of_several_stops_it_says_which() -> None:
 
 def test_what_is_old_is_not_said() -> None:
     assert text(Progress("1", metres=1.0), at=T0 + 60.0) == ""
+
+
+def test_a_vehicle_of_a_master_control_has_nodes_left() -> None:
+    site = VehicleSite()
+    site.read("state", state(orderId="o", nodeStates=[node("a", 2), node("b", 4, released=False)]))
+    order = site.agv.orders.current
+    assert order is not None and progress_text(site.state, site.agv, order) == "2 nodes left"
+    site.wait(40)
+    assert progress_text(site.state, site.agv, order) == ""

@@ -1,0 +1,152 @@
+"""The adapter of vehicles of VDA 5050."""
+
+from collections.abc import Iterable, Sequence
+from math import inf
+from typing import TYPE_CHECKING, assert_never
+
+import msgspec
+
+from fleet_tui.adapters.adapter import Feed, Outgoing, Publication, ServiceCall, Site
+from fleet_tui.adapters.probes import Probe
+from fleet_tui.adapters.profile import Profile
+from fleet_tui.adapters.ros.names import Names
+from fleet_tui.adapters.vda5050.orders import cancel, instant_action, order
+from fleet_tui.adapters.vda5050.settings import VehicleSettings
+from fleet_tui.adapters.vda5050.topics import OF_MASTERS, READ, Topics
+from fleet_tui.adapters.vda5050.vocabulary import VOCABULARY
+from fleet_tui.errors import CommandError, WireError
+from fleet_tui.model import commands, events
+from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, PAUSE, RESUME, Kind
+from fleet_tui.model.robot import Robot
+from fleet_tui.model.set_up.commands import SetUpCommand
+
+if TYPE_CHECKING:
+    from fleet_tui.model.set_up.streams import StreamValue
+
+OFFLINE_AFTER = 35.0
+"""Seconds of silence after which a vehicle is offline: it sends its state at least every 30 s."""
+REPORTS = ("pose", "battery", "cargo", "paused", "blocked", "queue")
+ROLES = {
+    "watch": (),
+    "pause": (PAUSE, RESUME),
+    "master": (ORDER, ORDER_TO, CANCEL, CLEAR, PAUSE, RESUME),
+}
+"""The requests that each role may make."""
+
+
+class VehicleAdapter:
+    """Vehicles that drive one order of one master control at a time."""
+
+    def __init__(self, profile: Profile, site: Site) -> None:
+        self.names = Names(VOCABULARY, profile, site.table)
+        self.settings = msgspec.convert(profile.settings.get("vda5050", {}), VehicleSettings)
+        self.topics = Topics(self.settings.topic, self.settings.interface)
+        self._site = site
+        accepts = ROLES[site.role]
+        reason = f"{site.role_key} is {site.role}"
+        self.kind = Kind(
+            "vda5050",
+            REPORTS,
+            accepts,
+            {"queue": OFFLINE_AFTER, "factsheet": inf, **profile.silence},
+            withheld={one: reason for one in ROLES["master"] if one not in accepts},
+            offline_after=OFFLINE_AFTER,
+            optional=REPORTS,
+            reports_ends=True,
+            keeps_goals=True,
+            takes_stops=True,
+            changes_floors=False,
+        )
+
+    def vehicle(self, robot: str) -> tuple[str, str]:
+        """Return manufacturer and serial number of a robot: the manufacturer is empty for any, the number its
+        name if not configured."""
+        manufacturer, serial = self._site.vehicles.get(robot, ("", ""))
+        return manufacturer, serial or robot
+
+    def owns(self, order_id: str) -> bool:
+        """Tell whether a console of this operator on this computer gave an order."""
+        return bool(self._site.console) and order_id.endswith(self._site.console)
+
+    def feeds(self, robot: str, floors: Sequence[str]) -> Iterable[Feed]:
+        """Return the topics to subscribe to."""
+        vehicle = self.vehicle(robot)
+        for name in READ:
+            address = self.topics.filter(name, *vehicle)
+            is_of_masters = name in OF_MASTERS
+            yield Feed(
+                name,
+                (robot,),
+                "",
+                address,
+                f"vda5050/{name}",
+                latched=name in ("connection", "factsheet"),
+                fast=name == "visualization",
+                silent=is_of_masters or name in ("visualization", "factsheet", "connection"),
+                queue_length=2,
+            )
+
+    def read(self, feed: Feed, msg: object, at: float) -> Iterable[events.Event]:
+        """Raise WireError: messages of a broker are read with their topics."""
+        raise WireError(f"{feed.address} is no topic of a bridge")
+
+    def stream(self, feed: Feed, msg: object) -> "StreamValue":
+        """Raise WireError: such vehicles have no streams."""
+        raise WireError(f"{feed.address} is no stream")
+
+    def services(self, robot: str) -> Iterable[tuple[str, str, str]]:
+        """Return nothing: a broker has no services."""
+        return ()
+
+    def publications(self, robot: str) -> Iterable[tuple[str, str]]:
+        """Return nothing: a broker needs no advertisement."""
+        return ()
+
+    def probes(self, robot: str) -> Iterable[Probe]:
+        """Return nothing: the doctor has checks of its own for brokers."""
+        return ()
+
+    def outgoing(
+        self, command: commands.Command, command_id: int, robot: Robot, unique: str = ""
+    ) -> Sequence[Outgoing]:
+        """Return the message of a command, without its header. Raises CommandError for one that must not be
+        sent."""
+        unique = unique[: -len(self._site.console)] + self._site.console if self._site.console else unique
+        found = self._message(command, robot, unique)
+        address = self.topics.parse(found.address)
+        if address is None:
+            raise CommandError(f"{found.address!r} is no topic of {robot.name}")
+        whose = {"manufacturer": address.manufacturer, "serialNumber": address.serial}
+        return (found._replace(message={**whose, **found.message}),)
+
+    def _message(self, command: commands.Command, robot: Robot, unique: str) -> Publication:
+        match command:
+            case commands.PlaceOrder(_, stops):
+                return order(self.settings, self._site.frames, robot, stops, unique)
+            case commands.CancelOrder(_, order_id):
+                return cancel(self.settings, robot, order_id, unique)
+            case commands.ClearOrders():
+                return instant_action(self.settings, robot, "cancelOrder", unique)
+            case commands.PauseRobot():
+                return instant_action(self.settings, robot, "startPause", unique)
+            case commands.ResumeRobot():
+                return instant_action(self.settings, robot, "stopPause", unique)
+            case SetUpCommand():
+                raise CommandError(self.kind.lack(command.ability))
+            case _:
+                assert_never(command)
+
+    def outcome(
+        self, command: commands.Command, values: object, result: bool, status: int | None = None
+    ) -> tuple[commands.Stage, str]:
+        """Return an unknown outcome: a broker answers nothing, the vehicle's states do."""
+        return commands.Stage.UNKNOWN, ""
+
+    def learned(
+        self, call: ServiceCall, values: object, robot: Robot, sent_at: float, at: float
+    ) -> Iterable[events.Event]:
+        """Return nothing: states report everything."""
+        return ()
+
+
+ADAPTER = VehicleAdapter

@@ -1,0 +1,79 @@
+"""Answers of vehicles: their states after a command, by the id that its message had."""
+
+from typing import assert_never
+
+from fleet_tui.adapters.vda5050.state import is_running
+from fleet_tui.model.commands import (
+    CancelOrder,
+    ClearOrders,
+    Command,
+    PauseRobot,
+    PlaceOrder,
+    ResumeRobot,
+    Stage,
+)
+from fleet_tui.model.set_up.commands import SetUpCommand
+from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleAction, VehicleError
+
+NO_ORDER = "noOrderToCancel"
+"""Type of an error that some vehicles report without a reference, and without a failed action."""
+FINISHED, FAILED = "FINISHED", "FAILED"
+
+
+def answer(command: Command, id_: str, number: int, vehicle: Vehicle) -> tuple[Stage, str] | None:
+    """Return the stage that a command reached by a state after it, with the vehicle's text: SENT while it is
+    being carried out, None if the state says nothing of it. `id_` is that of its order or action, `number`
+    the header id of its message."""
+    status = next((one for one in vehicle.actions if one.id == id_), None)
+    if rejection := _rejection(command, id_, number, vehicle, status):
+        return Stage.REFUSED, rejection
+    is_done = status is not None and status.status == FINISHED
+    match command:
+        case PlaceOrder():
+            return (Stage.ACCEPTED, "") if vehicle.order_id == id_ else None
+        case CancelOrder() | ClearOrders():
+            if is_done and not is_running(vehicle):
+                return Stage.ACCEPTED, ""
+        case PauseRobot() | ResumeRobot():
+            wanted = isinstance(command, PauseRobot)
+            if vehicle.paused is wanted or (is_done and vehicle.paused is not None):
+                return Stage.ACCEPTED, ""
+            if is_done:  # it has no word for a pause but this
+                return Stage.CONFIRMED, "action finished"
+        case SetUpCommand():
+            return None
+        case _:
+            assert_never(command)
+    return (Stage.SENT, "") if status is not None else None
+
+
+def _rejection(
+    command: Command, id_: str, number: int, vehicle: Vehicle, status: VehicleAction | None
+) -> str:
+    """Return the vehicle's text with which it rejects a command, empty if it does not."""
+    for error in vehicle.errors:
+        if _concerns(error, command, id_, number):
+            return error_text(error)
+    failed = status is not None and status.status == FAILED
+    return (status.text or "action failed") if status is not None and failed else ""
+
+
+def _concerns(error: VehicleError, command: Command, id_: str, number: int) -> bool:
+    """Tell whether an error rejects this command: it may have been there before, so only references count."""
+    if id_ in error.references:
+        # An order that fails on its way has errors, too.
+        return not isinstance(command, PlaceOrder) or "order" in error.type.lower() or _is_rejection(error)
+    own = f"headerId {number}"
+    if own in error.references:
+        return isinstance(command, PlaceOrder) and set(error.references) <= {own, id_}
+    is_cancel = isinstance(command, CancelOrder | ClearOrders)
+    return is_cancel and error.type == NO_ORDER and not error.references
+
+
+def _is_rejection(error: VehicleError) -> bool:
+    return error.type.lower().replace("_", "") in ("validationerror", "norouteerror", "unsupportedparameter")
+
+
+def error_text(error: VehicleError) -> str:
+    """Return an error with its description and its hint."""
+    return ": ".join(part for part in (error.type, error.text or error.hint) if part)

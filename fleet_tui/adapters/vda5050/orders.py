@@ -1,0 +1,180 @@
+"""Orders and instant actions as messages, without their headers."""
+
+import math
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise
+from typing import Any
+from uuid import UUID
+
+from fleet_tui.adapters.adapter import Publication
+from fleet_tui.adapters.vda5050.settings import VehicleSettings
+from fleet_tui.adapters.vda5050.topics import with_name
+from fleet_tui.errors import CommandError
+from fleet_tui.model.graph import RouteGraph
+from fleet_tui.model.order import Stop
+from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.goals import active
+
+NOT_COMMANDED = 3
+"""The first major version that is only read."""
+_MAJOR = re.compile(r"v?(\d+)")
+HERE = "here"
+"""The first node of an order for a vehicle that stands at none."""
+AT_NODE = 0.5
+"""Metres within which a vehicle stands at a node."""
+
+Place = tuple[str, float | None, float | None]
+"""A node: its id, and its place where that is known."""
+
+
+def address_of(robot: Robot, name: str) -> tuple[str, str]:
+    """Return the topic of a name and the version of a vehicle's messages. Raises CommandError for one that
+    was never seen, or whose version is only read."""
+    seen = robot.vehicle.value if robot.vehicle else robot.connection.value if robot.connection else None
+    if seen is None:
+        raise CommandError(f"{robot.name} was never seen: its version is unknown")
+    version = seen.version or "2.0.0"
+    major = _MAJOR.match(version)
+    if major is None or int(major[1]) >= NOT_COMMANDED:
+        raise CommandError(f"{robot.name} speaks VDA 5050 {version}, which is only read, not commanded")
+    return with_name(seen.address, name), version
+
+
+def instant_action(settings: VehicleSettings, robot: Robot, type_: str, unique: str) -> Publication:
+    """Return an instant action; its id is the publication's name. Raises CommandError."""
+    topic, version = address_of(robot, "instantActions")
+    key = settings.instant_actions or ("instantActions" if version.startswith("1") else "actions")
+    id_ = str(UUID(hex=unique))
+    action = {"actionType": type_, "actionId": id_, "blockingType": "NONE", "actionParameters": []}
+    return Publication(topic, version, {key: [action]}, id_)
+
+
+def cancel(settings: VehicleSettings, robot: Robot, order_id: str, unique: str) -> Publication:
+    """Return the cancellation of the one order that a vehicle has. Raises CommandError for another one."""
+    if not any(goal.id == order_id for goal in active(robot.goals)):
+        raise CommandError(f"unknown order {order_id}: see the queue of {robot.name}")
+    return instant_action(settings, robot, "cancelOrder", unique)
+
+
+def order(
+    settings: VehicleSettings, frames: Mapping[str, str], robot: Robot, stops: Sequence[Stop], unique: str
+) -> Publication:
+    """Return an order to the stops in sequence, all of it released; `frames` are those of floors. Raises
+    CommandError for an unknown or unreachable place."""
+    topic, version = address_of(robot, "order")
+    floor = _floor_of(robot)
+    known = robot.maps.get(floor)
+    places = _route(robot, (known.graph if known else None) or RouteGraph(), stops)
+    map_id, id_ = robot.frame_id or frames.get(floor, ""), str(UUID(hex=unique))
+    nodes = [
+        {**_part(2 * n), "nodeId": node, **_position(settings, map_id, x, y)}
+        for n, (node, x, y) in enumerate(places)
+    ]
+    edges = [_edge(2 * n + 1, start[0], end[0]) for n, (start, end) in enumerate(pairwise(places))]
+    _add_actions(settings, nodes, places, stops, id_)
+    message = {"orderId": id_, "orderUpdateId": 0, "nodes": nodes, "edges": edges}
+    return Publication(topic, version, message, id_)
+
+
+def _part(number: int) -> dict[str, Any]:
+    """Return what nodes and edges have in common: they share one sequence."""
+    return {"sequenceId": number, "released": True, "actions": []}
+
+
+def _edge(number: int, start: str, end: str) -> Mapping[str, object]:
+    return {**_part(number), "edgeId": f"{start}-{end}", "startNodeId": start, "endNodeId": end}
+
+
+def _position(
+    settings: VehicleSettings, map_id: str, x: float | None, y: float | None
+) -> Mapping[str, object]:
+    if x is None or y is None:
+        return {}
+    deviation = {"allowedDeviationXY": settings.deviation} if settings.deviation else {}
+    return {"nodePosition": {"x": x, "y": y, "mapId": map_id, **deviation}}
+
+
+def _add_actions(
+    settings: VehicleSettings,
+    nodes: Sequence[dict[str, Any]],
+    places: Sequence[Place],
+    stops: Sequence[Stop],
+    id_: str,
+) -> None:
+    """Add the site's actions: picking at the first of several stops, dropping at the last."""
+    names = [stop.vertex for stop in stops]
+    if len(names) < 2:
+        return
+    ids = [place[0] for place in places]
+    for key, n in (("pick", ids.index(names[0]) if names[0] in ids else 0), ("drop", len(nodes) - 1)):
+        action = settings.actions.get(key)  # type: ignore[call-overload]  # a literal
+        if action:
+            usual = {"actionId": f"{id_}-{key}", "blockingType": "HARD", "actionParameters": []}
+            nodes[n]["actions"] = [{**usual, **action}]
+
+
+def _floor_of(robot: Robot) -> str:
+    """Return the floor of a vehicle: that of its pose, else one with the node where it was last."""
+    last = robot.vehicle.value.last_node if robot.vehicle else ""
+    graphs = {name: one.graph for name, one in robot.maps.items() if one.graph is not None}
+    return robot.floor or next((name for name, graph in graphs.items() if last in graph.vertices), "")
+
+
+def _route(robot: Robot, graph: RouteGraph, stops: Sequence[Stop]) -> list[Place]:
+    """Return the nodes to drive over, the first where the vehicle is. Raises CommandError."""
+    if not stops:
+        raise CommandError("an order needs a destination")
+    places = [_start(robot, graph)]
+    for n, stop in enumerate(stops):
+        places += _leg(robot, graph, places[-1], stop, n)
+    return places
+
+
+def _start(robot: Robot, graph: RouteGraph) -> Place:
+    """Return the first node: the one where the vehicle was last, or a new one where it stands."""
+    last = robot.vehicle.value.last_node if robot.vehicle else ""
+    pose = robot.pose.value if robot.pose else None
+    known = graph.vertices.get(last)
+    if known is not None and (pose is None or math.dist((known.x, known.y), (pose.x, pose.y)) <= AT_NODE):
+        return last, known.x, known.y
+    if pose is None:
+        if not last:
+            raise CommandError(f"{robot.name} reports neither a pose nor a node: an order has no first node")
+        return (last, known.x, known.y) if known else (last, None, None)
+    here = (pose.x, pose.y)
+    near = [(math.dist((one.x, one.y), here), one.id) for one in graph.vertices.values()]
+    metres, id_ = min(near, default=(math.inf, ""))
+    if metres <= AT_NODE:
+        return id_, graph.vertices[id_].x, graph.vertices[id_].y
+    return HERE, pose.x, pose.y
+
+
+def _leg(robot: Robot, graph: RouteGraph, start: Place, stop: Stop, number: int) -> Iterator[Place]:
+    """Yield the nodes after `start` up to a stop. Raises CommandError."""
+    if stop.pose is not None:
+        yield f"goal_{number}", stop.pose.x, stop.pose.y
+        return
+    if stop.vertex not in graph.vertices:
+        raise CommandError(f"position of node {stop.vertex} unknown: no graph of its floor contains it")
+    id_, x, y = start
+    if id_ in graph.vertices:
+        way = graph.path(id_, stop.vertex)
+        if not way:
+            raise CommandError(f"no way from {id_} to {stop.vertex} on the graph")
+        way = way[1:]
+    else:
+        way = (stop.vertex,) if x is None or y is None else _from_nowhere(graph, (x, y), stop.vertex)
+    for node in way:
+        yield node, graph.vertices[node].x, graph.vertices[node].y
+
+
+def _from_nowhere(graph: RouteGraph, here: tuple[float, float], goal: str) -> tuple[str, ...]:
+    """Return the way from the nearest node from which the goal can be reached."""
+    reachable = graph.metres_to([goal])
+    near = min(
+        reachable,
+        key=lambda id_: math.dist((graph.vertices[id_].x, graph.vertices[id_].y), here),
+        default=goal,
+    )
+    return graph.path(near, goal) or (goal,)

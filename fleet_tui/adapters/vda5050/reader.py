@@ -1,0 +1,94 @@
+"""Reads the messages of one broker into events. Only counters change here."""
+
+from collections.abc import Iterable, Mapping
+from typing import cast
+
+from fleet_tui.adapters.adapter import Adapter, Feed, Limit
+from fleet_tui.adapters.vda5050.adapter import VehicleAdapter
+from fleet_tui.adapters.vda5050.fields import Fields
+from fleet_tui.adapters.vda5050.frames import BrokerMessage, message_of
+from fleet_tui.adapters.vda5050.memory import StateMemory
+from fleet_tui.adapters.vda5050.reading import READERS, MessageOrigin
+from fleet_tui.adapters.vda5050.topics import VehicleAddress
+from fleet_tui.errors import WireError
+from fleet_tui.model import events
+from fleet_tui.model.counters import LinkCounter, TopicCounter
+from fleet_tui.text.limits import truncate
+
+KEPT = ("connection", "factsheet")
+"""Topics whose kept message counts: the other ones are fresh or nothing."""
+
+
+class MessageReader:
+    """Reads the messages of one broker's vehicles."""
+
+    def __init__(
+        self, link: str, limit: Limit, adapters: Mapping[str, Adapter], feeds: Iterable[Feed]
+    ) -> None:
+        """`adapters` by robot; `feeds` are those of this link."""
+        self._link, self._limit = link, limit
+        self._feeds = {(feed.robot, feed.key): feed for feed in feeds}
+        known = {feed.robot: cast("VehicleAdapter", adapters[feed.robot]) for feed in self._feeds.values()}
+        self._topics = list(dict.fromkeys(adapter.topics for adapter in known.values()))
+        self._owns = {robot: adapter.owns for robot, adapter in known.items()}
+        self._robots = {adapter.vehicle(robot): robot for robot, adapter in known.items()}
+        self.recount()
+
+    def recount(self) -> None:
+        """Reset the counters."""
+        asked = [
+            TopicCounter(one.address, one.robot, one.key, one.latched and not one.silent, False, one.silent)
+            for one in self._feeds.values()
+        ]
+        self.counter = LinkCounter(self._link, asked)
+        self._memory = StateMemory()  # the state may be an earlier one now
+
+    def whose(self, topic: str) -> tuple[str, VehicleAddress] | None:
+        """Return the robot and the address of a topic, None if it is none of a configured vehicle."""
+        for topics in self._topics:
+            address = topics.parse(topic)
+            if address is not None:
+                robot = self._robots.get(address[:2]) or self._robots.get(("", address.serial))
+                return (robot, address) if robot is not None and address.name in READERS else None
+        return None
+
+    def read(self, payload: bytes, _is_binary: bool, at: float) -> tuple[events.Event, ...]:
+        """Read a recorded frame that arrived at a monotonic second."""
+        try:
+            return self.read_message(message_of(payload), at)
+        except WireError as problem:
+            return (events.FrameRejected(self._link, str(problem)),)
+
+    def read_message(self, message: BrokerMessage, at: float) -> tuple[events.Event, ...]:
+        """Read a message that arrived at a monotonic second."""
+        self.counter.all.take(len(message.payload), at)
+        found = self.whose(message.topic)
+        if found is None:
+            return ()
+        robot, address = found
+        counter = self.counter.topics[self._feeds[robot, address.name].address]
+        counter.count_frame(message.payload, False, at)
+        if message.kept and address.name not in KEPT:
+            return ()  # its age is unknown: the sender's clock may be any
+        origin = MessageOrigin(robot, address.base, at, message.kept, self._owns[robot], self._memory)
+        try:
+            fields = Fields.of(message.payload)
+        except WireError as problem:
+            counter.failed(str(problem))
+            return (events.MessageRejected(robot, f"{truncate(message.topic)}: {problem}"),)
+        read = tuple(READERS[address.name](origin, fields))
+        if not fields.faults:
+            return read
+        text = "; ".join(fields.faults[:3])
+        counter.failed(text)
+        return *read, events.MessageRejected(robot, f"{address.name}: {truncate(text)}")
+
+    def too_large(self, topic: str, size: int) -> tuple[events.Event, ...]:
+        """Name a message that was dropped, with its size and the config key of the limit."""
+        self.counter.dropped += 1
+        limit, key = self._limit
+        text = f"a message of {size / 1e6:.1f} MB exceeds the limit of {limit:g} MB: raise {key}"
+        found = self.whose(topic)
+        if found is None:
+            return (events.FrameRejected(self._link, text),)
+        return (events.MessageRejected(found[0], f"{truncate(topic)}: {text}"),)

@@ -1,0 +1,160 @@
+"""Messages of vehicles and master controls as events."""
+
+import hashlib
+import re
+from collections.abc import Callable, Iterator, Mapping
+from typing import NamedTuple
+
+from fleet_tui.adapters.vda5050.clock import unix_second
+from fleet_tui.adapters.vda5050.fields import Fields
+from fleet_tui.adapters.vda5050.memory import StateMemory
+from fleet_tui.adapters.vda5050.state import (
+    CANCEL,
+    MOST_ACTIONS,
+    charge_of,
+    graph_of,
+    is_running,
+    pose_of,
+    vehicle_of,
+)
+from fleet_tui.model import events
+from fleet_tui.model.navigation import Goal
+from fleet_tui.model.navigation_events import GoalsReported
+from fleet_tui.model.order import OrderState, Stop
+from fleet_tui.model.vehicles.events import (
+    ConnectionReported,
+    FactsheetReported,
+    MasterSeen,
+    NodesReported,
+    VehicleReported,
+)
+from fleet_tui.model.vehicles.vehicle import HIGH, Vehicle, VehicleConnection
+
+ORDER = "order"
+"""The key under which a vehicle's one order is listed."""
+LONGEST_ID = 24
+_UUID = re.compile(r"[0-9a-f]{8}-?(?:[0-9a-f]{4}-?){3}[0-9a-f]{12}", re.IGNORECASE)
+_PLAIN = re.compile(r"[\w.:-]+")
+MOST_FACTS = 100
+
+
+class MessageOrigin(NamedTuple):
+    """Where a message came from: the robot, the base of its topics, the monotonic second of its arrival, and
+    whether the broker had kept it. `owns` tells whether an order was given by this operator's consoles;
+    `memory` has the states before."""
+
+    robot: str
+    base: str
+    at: float
+    is_kept: bool = False
+    owns: Callable[[str], bool] = lambda _id: False
+    memory: StateMemory = StateMemory()
+
+
+def short_id(id_: str) -> str:
+    """Return the id of an order as people write it: the first digits of a long random one, a hash of one that
+    can't be typed."""
+    if _UUID.fullmatch(id_):
+        return id_[:8].lower()
+    if len(id_) <= LONGEST_ID and _PLAIN.fullmatch(id_):
+        return id_
+    return hashlib.sha256(id_.encode(errors="replace")).hexdigest()[:8]
+
+
+def stamp_of(message: Fields) -> float | None:
+    """Return the Unix second of a message by its sender's clock, None without a usable one."""
+    text = message.text("timestamp")
+    found = unix_second(text)
+    if text and found is None:
+        message.faults.append(f"timestamp is {text!r}, not ISO 8601")
+    return found
+
+
+def read_state(origin: MessageOrigin, message: Fields) -> Iterator[events.Event]:
+    """Read a state: everything that a vehicle reports."""
+    robot, at = origin.robot, origin.at
+    nodes, is_new = origin.memory.nodes(robot, message)
+    vehicle = vehicle_of(message, origin.base, nodes)
+    yield VehicleReported(robot, at, vehicle)
+    yield from read_visualization(origin, message)
+    charge = charge_of(message)
+    if charge is not None:
+        yield events.BatteryReported(robot, at, charge)
+    if vehicle.load is not None:
+        yield events.CargoReported(robot, at, bool(vehicle.load))
+    if vehicle.paused is not None:
+        yield events.PausedReported(robot, at, vehicle.paused)
+    if is_new and nodes.graph.vertices:
+        yield NodesReported(robot, at, nodes.frame, nodes.graph)
+    orders = _orders(vehicle, nodes.target, origin.owns(vehicle.order_id))
+    if origin.memory.is_news(robot, orders, at):
+        yield GoalsReported(robot, at, ORDER, orders)
+
+
+def _orders(vehicle: Vehicle, target: str, is_ours: bool) -> tuple[Goal, ...]:
+    """Return the one order of a vehicle, which it names even after its end."""
+    if not vehicle.order_id:
+        return ()
+    state = OrderState.IN_PROCESS if is_running(vehicle) else _end(vehicle)
+    word = f"{len(vehicle.nodes_left)} nodes left"
+    stops = (Stop(target),) if target else ()
+    return (
+        Goal(short_id(vehicle.order_id), vehicle.order_id, ORDER, state, word, stops=stops, is_ours=is_ours),
+    )
+
+
+def _end(vehicle: Vehicle) -> OrderState:
+    if any(one.type == CANCEL and one.status == "FINISHED" for one in vehicle.actions):
+        return OrderState.CANCELLED
+    if any(one.level in HIGH and vehicle.order_id in one.references for one in vehicle.errors):
+        return OrderState.FAILED
+    return OrderState.DONE
+
+
+def read_visualization(origin: MessageOrigin, message: Fields) -> Iterator[events.Event]:
+    """Read a visualization: the pose alone."""
+    found = pose_of(message)
+    if found is not None:
+        yield events.PoseReported(origin.robot, origin.at, *found, stamp_of(message))
+
+
+def read_connection(origin: MessageOrigin, message: Fields) -> Iterator[events.Event]:
+    """Read a connection message. Its timestamp sets no clock: a last will has that of connecting."""
+    connection = VehicleConnection(message.word("connectionState"), origin.base, message.text("version"))
+    yield ConnectionReported(origin.robot, origin.at, connection, origin.is_kept)
+
+
+def read_factsheet(origin: MessageOrigin, message: Fields) -> Iterator[events.Event]:
+    """Read a factsheet: the simple values of its parts."""
+    facts = dict[str, str]()
+    for name in ("typeSpecification", "physicalParameters"):
+        part = message.part(name)
+        facts |= dict(part.shown()) if part else {}
+    yield FactsheetReported(origin.robot, origin.at, dict(list(facts.items())[:MOST_FACTS]))
+
+
+def read_order(origin: MessageOrigin, message: Fields) -> Iterator[events.Event]:
+    """Read an order of a master control: its whole route."""
+    id_ = message.text("orderId")
+    yield MasterSeen(origin.robot, origin.at, f"order {short_id(id_)}", (id_,))
+    graph, frame = graph_of(message, "nodes", "edges")
+    if graph.vertices:
+        yield NodesReported(origin.robot, origin.at, frame, graph)
+
+
+def read_actions(origin: MessageOrigin, message: Fields) -> Iterator[events.Event]:
+    """Read the instant actions of a master control."""
+    found = message.parts(MOST_ACTIONS, "actions", "instantActions") or []
+    what = ", ".join(one.text("actionType") for one in found[:3]) or "instant actions"
+    yield MasterSeen(origin.robot, origin.at, what, tuple(one.text("actionId") for one in found))
+
+
+READERS: Mapping[str, Callable[[MessageOrigin, Fields], Iterator[events.Event]]] = {
+    "state": read_state,
+    "visualization": read_visualization,
+    "connection": read_connection,
+    "factsheet": read_factsheet,
+    "order": read_order,
+    "instantActions": read_actions,
+}
+"""By the name of a topic. None raises an error: what can't be read is among the faults of the message."""

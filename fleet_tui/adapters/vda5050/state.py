@@ -1,0 +1,168 @@
+"""The state of a vehicle, from the messages of all versions."""
+
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import NamedTuple
+
+from fleet_tui.adapters.vda5050.fields import Fields
+from fleet_tui.model.geometry import Pose
+from fleet_tui.model.graph import Edge, RouteGraph, Vertex
+from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleAction, VehicleError
+from fleet_tui.text.limits import LONGEST_WORDS
+
+MOST_NODES, MOST_ERRORS, MOST_ACTIONS, MOST_REFERENCES = 2000, 100, 500, 20
+"""Maximum parts of one state."""
+ENDED = frozenset({"FINISHED", "FAILED"})
+"""States of an action that is over."""
+CANCEL = "cancelOrder"
+
+
+class OrderNodes(NamedTuple):
+    """The nodes of an order that are left: the `released` ones by id, the number of the others, the last of
+    all, and whether the vehicle is at the end of the released ones. `graph` are those with a place, `frame`
+    is their map."""
+
+    released: tuple[str, ...]
+    horizon: int
+    target: str
+    is_at_base_end: bool
+    graph: RouteGraph
+    frame: str
+
+
+def nodes_of(state: Fields) -> OrderNodes:
+    """Return the nodes that are left of the order in a state."""
+    nodes = sorted(state.parts(MOST_NODES, "nodeStates") or [], key=_sequence)
+    edges = state.parts(MOST_NODES, "edgeStates") or []
+    released = [node for node in nodes if node.flag("released") is not False]
+    horizon = len(nodes) - len(released)
+    return OrderNodes(
+        tuple(node.text("nodeId") for node in released),
+        horizon,
+        nodes[-1].text("nodeId") if nodes else "",
+        horizon > 0 and not released and not any(one.flag("released") for one in edges),
+        *graph_of(state, "nodeStates", "edgeStates"),
+    )
+
+
+def vehicle_of(state: Fields, base: str, nodes: OrderNodes) -> Vehicle:
+    """Return the state of a vehicle, whose topics have the base `base`."""
+    position, power = _position(state), state.part("batteryState", "powerSupply")
+    safety = state.part("safetyState")
+    return Vehicle(
+        base,
+        state.text("version"),
+        mode=state.word("operatingMode"),
+        driving=state.flag("driving"),
+        charging=power.flag("charging") if power else None,
+        localised=position.flag("positionInitialized", "localized") if position else None,
+        e_stop=_e_stop(safety) if safety else "",
+        field_violation=safety.flag("fieldViolation") if safety else None,
+        last_node=state.text("lastNodeId"),
+        nodes_left=nodes.released,
+        horizon=nodes.horizon,
+        waits=state.flag("newBaseRequest") is True or nodes.is_at_base_end,
+        load=_load(state),
+        order_id=state.text("orderId"),
+        paused=state.flag("paused"),
+        errors=tuple(_errors(state)),
+        actions=tuple(_actions(state)),
+    )
+
+
+def _sequence(node: Fields) -> float:
+    return node.number("sequenceId") or 0.0
+
+
+def _e_stop(safety: Fields) -> str:
+    word = safety.word("eStop", "activeEmergencyStop")
+    return "" if word == "NONE" else word
+
+
+def _load(state: Fields) -> str | None:
+    loads = state.parts(MOST_ERRORS, "loads")
+    if loads is None:
+        return None
+    names = [load.text("loadType") or load.text("loadId") or "load" for load in loads]
+    return ", ".join(names)
+
+
+def _errors(state: Fields) -> Iterator[VehicleError]:
+    for error in state.parts(MOST_ERRORS, "errors") or []:
+        references = error.parts(MOST_REFERENCES, "errorReferences") or []
+        yield VehicleError(
+            error.text("errorType") or "error",
+            error.word("errorLevel"),
+            error.text("errorDescription", longest=LONGEST_WORDS),
+            error.text("errorHint", longest=LONGEST_WORDS),
+            tuple(_reference(one) for one in references),
+        )
+
+
+def _reference(one: Fields) -> str:
+    """Return the id that an error concerns. Numbers of messages are named: they could be ids of orders."""
+    key, value = one.text("referenceKey"), one.id("referenceValue")
+    return f"{key} {value}" if key == "headerId" else value
+
+
+def _actions(state: Fields) -> Iterator[VehicleAction]:
+    for name in ("actionStates", "instantActionStates"):
+        for action in state.parts(MOST_ACTIONS, name) or []:
+            yield VehicleAction(
+                action.text("actionId"),
+                action.word("actionStatus"),
+                action.text("resultDescription", "actionResult", longest=LONGEST_WORDS),
+                action.text("actionType"),
+            )
+
+
+def _position(message: Fields) -> Fields | None:
+    return message.part("agvPosition", "mobileRobotPosition")
+
+
+def pose_of(message: Fields) -> tuple[Pose, str] | None:
+    """Return the pose in a state or visualization, and the map that it is on; None without one."""
+    position = _position(message)
+    if position is None:
+        return None
+    x, y, theta = position.number("x"), position.number("y"), position.number("theta")
+    if x is None or y is None:
+        return None
+    return Pose(x, y, theta if theta is not None else 0.0), position.text("mapId")
+
+
+def charge_of(state: Fields) -> float | None:
+    """Return the charge in per cent."""
+    power = state.part("batteryState", "powerSupply")
+    charge = power.number("batteryCharge", "stateOfCharge") if power else None
+    if charge is None or 0.0 <= charge <= 101.0:
+        return charge
+    state.faults.append(f"charge is {charge:g}, not between 0 and 100")
+    return None
+
+
+def is_running(vehicle: Vehicle) -> bool:
+    """Tell whether its order is driven: it stays in the state after its end, and after its cancellation."""
+    going = any(one.status and one.status not in ENDED for one in vehicle.actions)
+    return bool(vehicle.order_id) and bool(vehicle.nodes_left or vehicle.horizon or going)
+
+
+def graph_of(message: Fields, nodes: str, edges: str) -> tuple[RouteGraph, str]:
+    """Return the nodes of an order whose places are known with the edges between them, and their map."""
+    vertices, frame = dict[str, Vertex](), ""
+    for node in message.parts(MOST_NODES, nodes) or []:
+        place, id_ = node.part("nodePosition"), node.text("nodeId")
+        x, y = (place.number("x"), place.number("y")) if place else (None, None)
+        if id_ and place and x is not None and y is not None:
+            vertices[id_] = Vertex(id_, x, y)
+            frame = frame or place.text("mapId")
+    ways = []
+    for edge in message.parts(MOST_NODES, edges) or []:
+        id_, start, end = edge.text("edgeId"), edge.text("startNodeId"), edge.text("endNodeId")
+        if start in vertices and end in vertices:
+            ways.append(Edge(id_, start, end))
+    if not ways:  # the edges of a state don't say where they lead: one after the other
+        ids = [node.text("nodeId") for node in sorted(message.parts(MOST_NODES, nodes) or [], key=_sequence)]
+        known = [id_ for id_ in ids if id_ in vertices]
+        ways = [Edge(f"{a} {b}", a, b) for a, b in pairwise(known) if a != b]
+    return RouteGraph(vertices, tuple(ways), True), frame

@@ -1,0 +1,1 @@
+"""Links to MQTT brokers: the vehicles of VDA 5050 on them."""

@@ -1,0 +1,158 @@
+"""Commands to the vehicles of one broker: sent now or not at all, answered by the states that follow."""
+
+import asyncio
+import itertools
+import logging
+import time
+import uuid
+from collections.abc import Mapping
+from dataclasses import dataclass
+from datetime import UTC, datetime
+
+import msgspec
+
+from fleet_tui.adapters.adapter import Adapter, Publication
+from fleet_tui.adapters.vda5050.answers import answer
+from fleet_tui.client.writer import Writer
+from fleet_tui.errors import CommandError, LinkError
+from fleet_tui.model.commands import Command, PauseRobot, PlaceOrder, Stage
+from fleet_tui.model.events import CommandAdvanced
+from fleet_tui.model.vehicles.vehicle import Vehicle
+from fleet_tui.rules.commands.checks import unaccepted
+from fleet_tui.rules.commands.masters import other_master
+from fleet_tui.text.limits import truncate
+from fleet_tui.transports.mqtt.connection import BrokerConnection
+
+LOG = logging.getLogger(__name__)
+
+LATEST = 1.0
+"""Seconds after which a command that waited for a stalled console is out of date."""
+LONGEST_SILENCE = 2.5
+"""Seconds without an answer of the broker after which a command may be delivered much later, or never."""
+LATE_ANSWER = 60.0
+"""Seconds after its deadline for which an answer still counts."""
+OWN_KEPT = 1000
+"""Number of ids of this console's messages that are remembered: a broker returns them."""
+
+
+@dataclass
+class AwaitedAnswer:
+    """A command whose answer is awaited: `number` is the header id of its message."""
+
+    command_id: int
+    command: Command
+    number: int
+    timer: asyncio.TimerHandle
+    is_late: bool = False
+
+
+class VehicleCommands:
+    """Sends commands, and reports their progress. Runs on the network loop."""
+
+    def __init__(
+        self, connection: BrokerConnection, adapters: Mapping[str, Adapter], writer: Writer, timeout: float
+    ) -> None:
+        """`timeout` of an answer in seconds."""
+        self._connection, self._adapters, self._writer = connection, adapters, writer
+        self._timeout = timeout
+        self._asked: dict[str, AwaitedAnswer] = {}
+        """By the id of an order or action."""
+        self._numbers: dict[str, itertools.count[int]] = {}
+        """By topic: the next header id."""
+        self._own: dict[str, None] = {}
+
+    def submit(self, command_id: int, command: Command, given_at: float) -> None:
+        """Send a command that was given at `given_at` (monotonic)."""
+        LOG.info("command %d: %s", command_id, truncate(str(command)))
+        try:
+            message = self._message(command, command_id, time.monotonic() - given_at)
+            number = self._publish(message)
+        except (LinkError, CommandError) as problem:
+            self._advance(command_id, Stage.NOT_SENT, str(problem))
+            return
+        name = message.name if isinstance(command, PlaceOrder) else ""
+        self._writer.apply(CommandAdvanced(command_id, Stage.SENT, time.monotonic(), "", name))
+        timer = asyncio.get_running_loop().call_later(self._timeout, self._overdue, message.name)
+        self._asked[message.name] = AwaitedAnswer(command_id, command, number, timer)
+
+    def _message(self, command: Command, command_id: int, late: float) -> Publication:
+        """Return the message of a command. Raises CommandError or LinkError if it must not be sent."""
+        if late > LATEST:
+            raise CommandError(f"console busy for {late:.1f} s: repeat the command")
+        # A pause is tried even if other commands are held back: it can only make things safer.
+        if not isinstance(command, PauseRobot) and self._connection.silence > LONGEST_SILENCE:
+            raise LinkError(f"no reply from the broker for {self._connection.silence:.1f} s")
+        state = self._writer.store.state
+        robot = state.robots[command.robot]
+        if reason := unaccepted(state, command) or other_master(time.monotonic(), robot, command):
+            raise CommandError(reason)
+        (found,) = self._adapters[robot.name].outgoing(command, command_id, robot, uuid.uuid4().hex)
+        if not isinstance(found, Publication):
+            raise CommandError("a broker carries only messages")
+        return found
+
+    def _publish(self, message: Publication) -> int:
+        """Send a message with its header, and return the header's id. Raises LinkError."""
+        number = next(self._numbers.setdefault(message.address, itertools.count(1)))
+        stamp = datetime.now(UTC).isoformat(timespec="milliseconds").replace("+00:00", "Z")
+        header = {"headerId": number, "timestamp": stamp, "version": message.type}
+        self._remember(message.name)
+        self._connection.publish(message.address, msgspec.json.encode({**header, **message.message}))
+        return number
+
+    def _remember(self, id_: str) -> None:
+        self._own[id_] = None
+        if len(self._own) > OWN_KEPT:
+            del self._own[next(iter(self._own))]
+
+    def is_own(self, ids: tuple[str, ...]) -> bool:
+        """Tell whether a message with these ids is one of this console, as the broker returned it."""
+        return bool(ids) and all(id_ in self._own for id_ in ids)
+
+    def on_state(self, robot: str, vehicle: Vehicle) -> None:
+        """Take a state: it may answer commands to its vehicle."""
+        for id_, asked in list(self._asked.items()):
+            if asked.command.robot != robot:
+                continue
+            found = answer(asked.command, id_, asked.number, vehicle)
+            if found is None:
+                continue
+            if found[0] is Stage.SENT:
+                self._wait_again(id_, asked)
+            else:
+                self._end(id_, *found)
+
+    def _wait_again(self, id_: str, asked: AwaitedAnswer) -> None:
+        """Wait for the end of an action that is being carried out: that is no missing answer."""
+        if not asked.is_late:
+            asked.timer.cancel()
+            asked.timer = asyncio.get_running_loop().call_later(self._timeout, self._overdue, id_)
+
+    def _end(self, id_: str, stage: Stage, detail: str) -> None:
+        asked = self._asked.pop(id_)
+        asked.timer.cancel()
+        if isinstance(asked.command, PlaceOrder) and stage is Stage.ACCEPTED:
+            return  # its order in the queue confirms it
+        if stage is Stage.CONFIRMED:
+            self._advance(asked.command_id, Stage.ACCEPTED, detail)
+        self._advance(asked.command_id, stage, detail)
+
+    def _overdue(self, id_: str) -> None:
+        asked = self._asked[id_]
+        if asked.is_late:
+            del self._asked[id_]
+            return
+        asked.is_late = True
+        asked.timer = asyncio.get_running_loop().call_later(LATE_ANSWER, self._overdue, id_)
+        detail = f"from {asked.command.robot} in {self._timeout:g} s: may still be carried out"
+        self._advance(asked.command_id, Stage.NO_ANSWER, detail)
+
+    def on_lost(self) -> None:
+        """End every open command: its answer may have been missed."""
+        for id_ in list(self._asked):
+            self._end(id_, Stage.UNKNOWN, "link lost before the reply: may still be carried out")
+
+    def _advance(self, command_id: int, stage: Stage, detail: str) -> None:
+        level = logging.INFO if stage in (Stage.ACCEPTED, Stage.CONFIRMED) else logging.WARNING
+        LOG.log(level, "command %d: %s %s", command_id, stage.value, truncate(detail))
+        self._writer.apply(CommandAdvanced(command_id, stage, time.monotonic(), detail))

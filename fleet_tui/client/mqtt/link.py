@@ -1,0 +1,62 @@
+"""One broker: the messages of its vehicles, and the commands to them, on one connection."""
+
+from collections.abc import Mapping
+
+from fleet_tui.adapters.adapter import Adapter
+from fleet_tui.client.mqtt.telemetry import VehicleTelemetry
+from fleet_tui.client.writer import Writer
+from fleet_tui.config.schema import Config
+from fleet_tui.errors import CommandError
+from fleet_tui.model.commands import Command
+from fleet_tui.model.kind import DRIVE
+from fleet_tui.model.set_up.driving import HandDrive
+from fleet_tui.transports.loop import call_now
+
+HANDOVER = 0.005
+"""Maximum seconds to wait for the network thread to take a command."""
+
+
+class BrokerLink:
+    """The connection between one broker and the store. Callable from any thread unless noted otherwise."""
+
+    def __init__(self, name: str, config: Config, adapters: Mapping[str, Adapter], writer: Writer) -> None:
+        """`adapters` by robot."""
+        self._writer, self._adapters = writer, adapters
+        self._telemetry = VehicleTelemetry(name, config, adapters, writer)
+        self.counter = self._telemetry.counter
+
+    def open(self) -> None:
+        """Connect, and stay connected."""
+        self._writer.loop.call_soon_threadsafe(self._telemetry.connection.connect)
+
+    def submit(self, command_id: int, command: Command, given_at: float) -> None:
+        """Send a command; its progress reaches the store as CommandAdvanced."""
+        call_now(lambda: self.submit_now(command_id, command, given_at), HANDOVER)
+
+    def submit_now(self, command_id: int, command: Command, given_at: float) -> None:
+        """Send a command, on the loop."""
+        self._telemetry.commands.submit(command_id, command, given_at)
+
+    def resend(self, command: Command) -> None:
+        """Do nothing: these vehicles are paused without cancelling their order."""
+
+    def drive(self, robot: str) -> HandDrive:
+        """Raise CommandError: no vehicle is driven by hand over a broker."""
+        raise CommandError(self._adapters[robot].kind.lack(DRIVE))
+
+    def show_map(self, robot: str, floor: str) -> None:
+        """Do nothing: maps are files."""
+
+    def subscribe_logs(self, on: bool) -> None:
+        """Do nothing: vehicles send no log."""
+
+    def close(self) -> None:
+        """Close the connection."""
+        self._writer.loop.call_soon_threadsafe(self._close)
+
+    def _close(self) -> None:
+        self._telemetry.commands.on_lost()
+        self._telemetry.connection.shut()
+
+
+LINK = BrokerLink

@@ -1,0 +1,142 @@
+"""The messages of one broker's vehicles: subscribed on each connection, turned into events."""
+
+import logging
+import time
+from collections.abc import Mapping
+
+from fleet_tui.adapters.adapter import Adapter
+from fleet_tui.adapters.vda5050.frames import BrokerMessage, frame_of
+from fleet_tui.adapters.vda5050.reader import MessageReader
+from fleet_tui.adapters.vda5050.topics import OF_MASTERS
+from fleet_tui.client.mqtt.commands import VehicleCommands
+from fleet_tui.client.writer import Writer
+from fleet_tui.config.fleet import feeds_of, limit_of
+from fleet_tui.config.schema import Config
+from fleet_tui.errors import LinkError
+from fleet_tui.model import events
+from fleet_tui.model.link import CommandPath, Phase
+from fleet_tui.model.vehicles.events import MasterSeen, VehicleReported
+from fleet_tui.text.limits import truncate
+from fleet_tui.transports.loop import wait_for_turn
+from fleet_tui.transports.mqtt.connection import BrokerConnection
+
+LOG = logging.getLogger(__name__)
+
+MOST_LOGGED = 1000
+REFUSED = "broker refuses the subscription: grant the user read access"
+
+
+class VehicleTelemetry:
+    """Receives a broker's messages. Everything runs on the network loop."""
+
+    def __init__(self, link: str, config: Config, adapters: Mapping[str, Adapter], writer: Writer) -> None:
+        """`adapters` by robot."""
+        self._link, self._writer = link, writer
+        self._feeds = {feed.address: feed for feed in feeds_of(config, adapters, link)}
+        self._reading = MessageReader(link, limit_of(config, link), adapters, self._feeds.values())
+        self.counter = self._reading.counter
+        self.connection = BrokerConnection(config.bridge(link), self)
+        timeout = config.alarms.no_answer_after
+        self.commands = VehicleCommands(self.connection, adapters, writer, timeout)
+        self._logged = set[str]()
+        self._received_at = self._reported_at = 0.0
+        self._path: tuple[CommandPath, str, bool] | None = None
+        writer.before_tick.append(self._tick)
+
+    def _tick(self, _now: float) -> None:
+        if self._received_at > self._reported_at:
+            self._reported_at = self._received_at
+            self._writer.apply(events.MessageArrived(self._link, self._received_at))
+
+    def on_connecting(self) -> None:
+        """Report that a connection attempt has begun."""
+        self._writer.apply(events.LinkChanged(self._link, time.monotonic(), Phase.CONNECTING))
+
+    def on_open(self) -> None:
+        """Subscribe to the topics of all vehicles, one vehicle after the other: some brokers limit the number
+        of topics in a request."""
+        self.counter.opened()
+        self._writer.apply(events.LinkChanged(self._link, time.monotonic(), Phase.UP))
+        self._set_path(CommandPath.UNTRIED, "", True)
+        by_robot = dict[str, list[str]]()
+        for feed in self._feeds.values():
+            by_robot.setdefault(feed.robot, []).append(feed.address)
+        try:
+            for patterns in by_robot.values():
+                self.connection.subscribe(patterns)
+        except LinkError as problem:
+            LOG.info("subscribing: %s", problem)
+
+    def on_lost(self, reason: str, next_try_in: float) -> None:
+        """Report the loss, and end open commands."""
+        now = time.monotonic()
+        self.commands.on_lost()
+        self.counter.lost(reason, now)
+        self._set_path(CommandPath.DEAD, reason, False)
+        self._writer.apply(events.LinkChanged(self._link, now, Phase.WAITING, reason, now + next_try_in))
+
+    def on_subscribed(self, pattern: str, granted: bool) -> None:
+        """Name a topic that this user must not read. Those of master controls are only a help."""
+        self.counter.topics[pattern].not_subscribed = "" if granted else REFUSED
+        feed = self._feeds[pattern]
+        if not granted and feed.key not in OF_MASTERS:
+            self._take(events.MessageRejected(feed.robot, f"{pattern}: {REFUSED}"))
+
+    def on_answer(self, seconds: float) -> None:
+        """Take the broker's answer to a sign of life."""
+        self.counter.round_trips.take(seconds, time.monotonic())
+        self._set_path(CommandPath.ALIVE, "", True)
+
+    def on_message(self, topic: str, payload: bytes, retained: bool) -> None:
+        """Read a message, and apply its events."""
+        wait_for_turn()
+        at = self._received_at = time.monotonic()
+        message = BrokerMessage(topic, payload, retained)
+        found = self._reading.read_message(message, at)
+        if any(isinstance(one, MasterSeen) for one in found):
+            self._take_of_master(message, found, at)
+            return
+        if self._writer.tap is not None:
+            self._writer.tap.on_received(self._link, "topics", *frame_of(message), at)
+        for event in found:
+            if isinstance(event, events.MessageRejected | events.FrameRejected):
+                self._log_once(event.text)
+            self._writer.store.apply(event)
+            if isinstance(event, VehicleReported):
+                self.commands.on_state(event.robot, event.vehicle)
+
+    def _take_of_master(self, message: BrokerMessage, found: "tuple[events.Event, ...]", at: float) -> None:
+        """Apply the events of a message to a vehicle. Those of this console come back, too: a recording tells
+        them apart by its events alone."""
+        if self._writer.tap is not None:
+            self._writer.tap.on_received(self._link, "commands", *frame_of(message), at)
+        for event in found:
+            if not (isinstance(event, MasterSeen) and self.commands.is_own(event.ids)):
+                self._writer.apply(event)
+
+    def on_sent(self, topic: str, payload: bytes) -> None:
+        """Report a sent message to the tap."""
+        if self._writer.tap is not None:
+            frame, _ = frame_of(BrokerMessage(topic, payload))
+            self._writer.tap.on_sent(self._link, "commands", frame)
+
+    def on_too_large(self, topic: str, size: int) -> None:
+        """Report a message that is too large, its size, and the setting that lets it in."""
+        for event in self._reading.too_large(topic, size):
+            self._take(event)
+
+    def _take(self, rejected: events.Event) -> None:
+        if isinstance(rejected, events.MessageRejected | events.FrameRejected):
+            self._log_once(rejected.text)
+        self._writer.apply(rejected)
+
+    def _log_once(self, text: str) -> None:
+        text = truncate(text)
+        if text not in self._logged and len(self._logged) < MOST_LOGGED:
+            self._logged.add(text)
+            LOG.warning("%s", text)
+
+    def _set_path(self, path: CommandPath, reason: str, connected: bool) -> None:
+        if self._path != (path, reason, connected):
+            self._path = path, reason, connected
+            self._writer.apply(events.CommandPathChanged(self._link, path, reason, connected))

@@ -1,0 +1,113 @@
+"""The vehicles on a broker: found by their connection topics, which it keeps; their maps by their poses."""
+
+import asyncio
+import time
+from collections.abc import Mapping
+
+from fleet_tui.adapters.vda5050.discovery import SeenVehicle, named
+from fleet_tui.adapters.vda5050.fields import Fields
+from fleet_tui.adapters.vda5050.state import pose_of
+from fleet_tui.adapters.vda5050.topics import Topics
+from fleet_tui.config.schema import Link
+from fleet_tui.errors import LinkError, WireError
+from fleet_tui.transports.mqtt.connection import BrokerConnection
+
+LISTENED = ("connection", "state", "visualization")
+NO_VEHICLE = "no connection topic (+/+/+/+/connection): start the vehicles, or check the user's read access"
+AT_LEAST, AT_MOST = 0.5, 2.0
+"""Seconds in which kept messages have arrived, and those in which poses should have."""
+
+
+class VehicleListener:
+    """Collects the vehicles on a broker. Runs on the network loop."""
+
+    def __init__(self, bridge: Link) -> None:
+        self.topics = Topics()
+        self.connection = BrokerConnection(bridge, self)
+        self.seen: dict[tuple[str, str], str] = {}
+        """Version by manufacturer and serial number."""
+        self.maps: dict[tuple[str, str], str] = {}
+        self.heard = set[str]()
+        self.opened: asyncio.Future[str] = asyncio.get_running_loop().create_future()
+        """The reason that the broker can't be reached, empty if it is."""
+        self.refused = set[str]()
+
+    def on_connecting(self) -> None:
+        """Do nothing: an attempt has begun."""
+
+    def on_open(self) -> None:
+        """Subscribe to the topics of all vehicles."""
+        self.connection.subscribe([self.topics.filter(name) for name in LISTENED])
+        self._decide("")
+
+    def on_lost(self, reason: str, next_try_in: float) -> None:
+        """Take the reason that there is no connection."""
+        self._decide(reason or "connection lost")
+
+    def _decide(self, reason: str) -> None:
+        if not self.opened.done():
+            self.opened.set_result(reason)
+
+    def on_message(self, topic: str, payload: bytes, retained: bool) -> None:
+        """Note whose topic it is, and the map of a pose."""
+        self.heard.add(topic)
+        address = self.topics.parse(topic)
+        if address is None or address.name not in LISTENED:
+            return
+        try:
+            message = Fields.of(payload)
+        except WireError:
+            return
+        vehicle = address.manufacturer, address.serial
+        self.seen[vehicle] = message.text("version") or self.seen.get(vehicle, "")
+        found = pose_of(message)
+        if found is not None:
+            self.maps[vehicle] = found[1]
+
+    def on_subscribed(self, pattern: str, granted: bool) -> None:
+        """Note what this user must not read."""
+        if not granted:
+            self.refused.add(pattern)
+
+    def on_answer(self, seconds: float) -> None:
+        """Do nothing: the broker lives."""
+
+    def on_sent(self, topic: str, payload: bytes) -> None:
+        """Do nothing: nothing is sent."""
+
+    def on_too_large(self, topic: str, size: int) -> None:
+        """Do nothing: no vehicle is found by such a message."""
+
+    @property
+    def is_complete(self) -> bool:
+        """Tell whether every vehicle has told its map."""
+        return bool(self.seen) and self.seen.keys() <= self.maps.keys()
+
+
+async def vehicles_on(bridge: Link, until: float) -> tuple[Mapping[str, SeenVehicle], int]:
+    """Return the vehicles on a broker by the names of their robots, and the number of topics heard. `until`
+    is monotonic. Raises LinkError."""
+    listener = VehicleListener(bridge)
+    listener.connection.connect()
+    try:
+        reason = await asyncio.wait_for(asyncio.shield(listener.opened), max(0.1, until - time.monotonic()))
+        if reason:
+            raise LinkError(f"{bridge.shown}: {reason}")
+        began = time.monotonic()
+        while time.monotonic() < min(until, began + AT_MOST):
+            await asyncio.sleep(0.05)
+            if listener.is_complete and time.monotonic() > began + AT_LEAST:
+                break
+    except TimeoutError:
+        raise LinkError(f"{bridge.shown}: connection timed out") from None
+    finally:
+        listener.connection.shut()
+    if not listener.seen and listener.refused:
+        raise LinkError(
+            f"{bridge.shown}: broker refuses {', '.join(sorted(listener.refused))}: grant read access"
+        )
+    found = named(
+        SeenVehicle(*vehicle, version, (listener.maps[vehicle],) if listener.maps.get(vehicle) else ())
+        for vehicle, version in listener.seen.items()
+    )
+    return found, len(listener.heard)

@@ -1,0 +1,1 @@
+"""Vehicles that a master control moves over nodes."""

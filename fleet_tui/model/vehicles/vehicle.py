@@ -1,0 +1,91 @@
+"""Vehicles that a master control moves over nodes: their reports beside pose, charge and orders."""
+
+from msgspec import Struct
+
+OFFLINE, BROKEN = "OFFLINE", "CONNECTIONBROKEN"
+"""Connections of a vehicle that is gone: it said goodbye, or the broker says it for it."""
+DRIVES = frozenset({"AUTOMATIC", "SEMIAUTOMATIC"})
+"""Modes in which a vehicle takes orders."""
+HIGH, MEDIUM = frozenset({"FATAL", "CRITICAL"}), frozenset({"URGENT"})
+"""Levels of errors, by the priority of their alarms; others are low."""
+
+
+class VehicleError(Struct, frozen=True):
+    """An error that a vehicle reports. `references` are the ids that it concerns, of orders, actions and
+    messages."""
+
+    type: str
+    level: str = ""
+    text: str = ""
+    hint: str = ""
+    references: tuple[str, ...] = ()
+
+
+class VehicleAction(Struct, frozen=True):
+    """The state of an action, by the id that its sender gave it."""
+
+    id: str
+    status: str
+    text: str = ""
+    type: str = ""
+
+
+class Vehicle(Struct, frozen=True):
+    """One state of a vehicle; None: not reported. `address` is the base of its topics, `version` that of its
+    messages. `e_stop` is the word for its emergency stop, empty if it is not active. `last_node` is where it
+    was last, `nodes_left` are the released nodes that it has still to reach, `horizon` the number of those
+    not released; `waits`: it may not drive on until its master control releases them. `load`: empty without
+    one."""
+
+    address: str
+    version: str
+    mode: str = ""
+    driving: bool | None = None
+    charging: bool | None = None
+    localised: bool | None = None
+    e_stop: str = ""
+    field_violation: bool | None = None
+    last_node: str = ""
+    nodes_left: tuple[str, ...] = ()
+    horizon: int = 0
+    waits: bool = False
+    load: str | None = None
+    order_id: str = ""
+    paused: bool | None = None
+    errors: tuple[VehicleError, ...] = ()
+    actions: tuple[VehicleAction, ...] = ()
+
+    @property
+    def takes_orders(self) -> bool:
+        """Tell whether its mode lets a master control drive it; true if unknown."""
+        return not self.mode or self.mode in DRIVES
+
+    @property
+    def mode_text(self) -> str:
+        """Return its mode in one word, empty for the usual ones."""
+        return "" if self.takes_orders else self.mode.lower()
+
+    @property
+    def e_stop_text(self) -> str:
+        """Return the text of its emergency stop, empty if it is not active."""
+        return f"e-stop ({self.e_stop.lower()})" if self.e_stop else ""
+
+
+class VehicleConnection(Struct, frozen=True):
+    """A vehicle's connection to its broker, by its own word or its last will; `address` is the base of its
+    topics, `version` that of its messages."""
+
+    word: str
+    address: str
+    version: str
+
+    @property
+    def is_gone(self) -> bool:
+        """Tell whether the vehicle has left the broker."""
+        return self.word in (OFFLINE, BROKEN)
+
+    @property
+    def text(self) -> str:
+        """Return its state in words."""
+        words = {"ONLINE": "connected", OFFLINE: "signed off", BROKEN: "connection broken"}
+        return words.get(self.word, self.word.lower() or "connection unknown")

@@ -1,0 +1,65 @@
+"""Alarm rules for vehicles of a master control: their own errors, an emergency stop, a lost place."""
+
+from fleet_tui.model.alarm import Condition, Priority
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.robot import Robot
+from fleet_tui.model.vehicles.vehicle import HIGH, MEDIUM, Vehicle, VehicleError
+from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
+
+
+def _reported(state: FleetState, robot: Robot, active: ActiveConditions, kind: str) -> Vehicle | None:
+    """Return its last state as long as it holds. An alarm that it began goes on when the vehicle is gone."""
+    if robot.vehicle is None:
+        return None
+    holds = state.is_fresh(robot, "vehicle") or was_active(active, robot.name, robot.link, kind)
+    return robot.vehicle.value if holds else None
+
+
+def priority_of(error: VehicleError) -> Priority:
+    """Return the priority of an error by its level."""
+    if error.level in HIGH:
+        return Priority.HIGH
+    return Priority.MEDIUM if error.level in MEDIUM else Priority.LOW
+
+
+def sorted_errors(vehicle: Vehicle) -> list[VehicleError]:
+    """Return the errors of a vehicle, the most urgent first."""
+    return sorted(vehicle.errors, key=lambda error: priority_of(error).value)
+
+
+def fault_text(vehicle: Vehicle) -> str:
+    """Return the most urgent error of a vehicle, with its hint, and how many more there are."""
+    first, *more = sorted_errors(vehicle)
+    told = ": ".join(part for part in (first.type, first.text) if part)
+    hint = f" ({first.hint})" if first.hint else ""
+    level = f"{first.level.lower()} " if first.level else ""
+    return f"{level}{told}{hint}" + (f", and {len(more)} more" if more else "")
+
+
+def fault(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
+    """Raise for the errors that a vehicle reports about itself."""
+    vehicle = _reported(state, robot, active, "fault")
+    if vehicle is None or not vehicle.errors:
+        return None
+    priority = priority_of(sorted_errors(vehicle)[0])
+    parts = frozenset(error.type for error in vehicle.errors)
+    return Condition(robot.name, "fault", priority, fault_text(vehicle), "no errors reported", parts=parts)
+
+
+def emergency_stop(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
+    """Raise while an emergency stop is active."""
+    vehicle = _reported(state, robot, active, "e-stop")
+    if vehicle is None or not vehicle.e_stop:
+        return None
+    return Condition(robot.name, "e-stop", Priority.HIGH, vehicle.e_stop_text, "e-stop released")
+
+
+def unlocalised(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
+    """Raise for a vehicle that does not know its place."""
+    vehicle = _reported(state, robot, active, "localisation")
+    if vehicle is None or vehicle.localised is not False:
+        return None
+    return Condition(robot.name, "localisation", Priority.MEDIUM, "not localised", "localised again")
+
+
+VEHICLE_RULES = (emergency_stop, fault, unlocalised)

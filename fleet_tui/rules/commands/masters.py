@@ -1,0 +1,52 @@
+"""Vehicles of a master control: the protocol knows one, and they can't tell a second one apart."""
+
+from collections.abc import Iterator
+
+from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PlaceOrder, ResumeRobot
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.problem import Problem
+from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.goals import active
+from fleet_tui.rules.commands.shared_ways import shared_way
+from fleet_tui.text.durations import age
+
+QUIET_FOR = 60.0
+"""Seconds without a command of another master control after which this console may be one."""
+
+
+def other_master(now: float, robot: Robot, command: Command) -> str:
+    """Return the reason that another master control forbids a command to a vehicle, empty if none does."""
+    if robot.vehicle is None or not isinstance(command, PlaceOrder | CancelOrder | ClearOrders):
+        return ""
+    if robot.master is not None and now - robot.master.at < QUIET_FOR:
+        seen = f"{robot.master.value}, {age(now - robot.master.at)} ago"
+        return f"another master control commands {robot.name} ({seen}): stop it, or wait {QUIET_FOR:.0f} s"
+    foreign = next((goal.id for goal in active(robot.goals) if not goal.is_ours), "")
+    return f"{robot.name} drives order {foreign} of another master control" if foreign else ""
+
+
+def commanded_elsewhere(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+    """Check that no other master control commands a vehicle."""
+    if reason := other_master(state.now, robot, command):
+        yield Problem("another master", reason)
+
+
+def own_mode(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+    """Check that the mode of a vehicle lets it take an order."""
+    if isinstance(command, PlaceOrder) and robot.vehicle is not None and state.is_fresh(robot, "vehicle"):
+        vehicle = robot.vehicle.value
+        if not vehicle.takes_orders:
+            yield Problem("mode", f"{robot.name} is in mode {vehicle.mode_text}: it takes no orders")
+        if vehicle.e_stop:
+            yield Problem("e-stop", f"{robot.name} is stopped: {vehicle.e_stop_text}", blocks=False)
+
+
+def foreign_pause(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+    """Check that a pause that is lifted is our own: another one may be a person at the vehicle."""
+    is_resumed = isinstance(command, ResumeRobot) and robot.vehicle is not None
+    if is_resumed and state.is_paused(robot) and not robot.paused_by_us:
+        text = f"{robot.name} was not paused by this console: maybe by a person at the vehicle"
+        yield Problem("paused elsewhere", text, blocks=False)
+
+
+VEHICLE_CHECKS = (commanded_elsewhere, own_mode, foreign_pause, shared_way)

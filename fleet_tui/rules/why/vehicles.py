@@ -1,0 +1,68 @@
+"""Reasons to stand still of vehicles of a master control: stopped, faulty, or waiting for it."""
+
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.robot import Reading, Robot
+from fleet_tui.model.vehicles.vehicle import HIGH, Vehicle
+from fleet_tui.rules.alarms.vehicles import fault_text, sorted_errors
+from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength
+
+GO = "Go to the vehicle: release it there"
+
+
+def _reading(state: FleetState, robot: Robot) -> Reading[Vehicle] | None:
+    return robot.vehicle if state.is_fresh(robot, "vehicle") else None
+
+
+def stopped(state: FleetState, robot: Robot) -> Reason | None:
+    """Report an active emergency stop."""
+    reading = _reading(state, robot)
+    if reading is None or not reading.value.e_stop:
+        return None
+    return Reason(
+        reading.value.e_stop_text, "reported by the vehicle", seen=reading.at, keys=LOOK_AT, remedy=GO
+    )
+
+
+def by_hand(state: FleetState, robot: Robot) -> Reason | None:
+    """Report a mode in which no master control drives it."""
+    reading = _reading(state, robot)
+    if reading is None or reading.value.takes_orders:
+        return None
+    remedy = "Switch it to automatic at the vehicle"
+    return Reason(f"mode {reading.value.mode_text}", "it takes no orders", seen=reading.at, remedy=remedy)
+
+
+def clearance(state: FleetState, robot: Robot) -> Reason | None:
+    """Report that it may not drive on until its master control releases the next nodes."""
+    reading = _reading(state, robot)
+    if reading is None or not reading.value.waits:
+        return None
+    left = reading.value.horizon
+    evidence = f"at the end of what is released, {left} node{'s' * (left != 1)} of its order not released"
+    if not left:
+        evidence = "it asks its master control for more of its route"
+    remedy = "Look at the master control: it releases the next nodes"
+    return Reason("waits for clearance", evidence, seen=reading.at, remedy=remedy)
+
+
+def faulty(state: FleetState, robot: Robot) -> Reason | None:
+    """Report the errors of a vehicle: only the worst level means that it can't drive."""
+    reading = _reading(state, robot)
+    if reading is None or not reading.value.errors:
+        return None
+    worst = sorted_errors(reading.value)[0]
+    strength = Strength.CERTAIN if worst.level in HIGH else Strength.POSSIBLE
+    return Reason(
+        worst.type, fault_text(reading.value), strength, seen=reading.at, keys=LOOK_AT, remedy=worst.hint
+    )
+
+
+def unlocalised(state: FleetState, robot: Robot) -> Reason | None:
+    """Report that it does not know its place."""
+    reading = _reading(state, robot)
+    if reading is None or reading.value.localised is not False:
+        return None
+    return Reason("not localised", "reported by the vehicle", seen=reading.at, keys=("centre",))
+
+
+VEHICLE_REASONS = (stopped, by_hand, faulty, clearance, unlocalised)

@@ -1,0 +1,82 @@
+"""Reports of vehicles that a master control moves over nodes: the effect of each on its robot."""
+
+import math
+from typing import assert_never
+
+from msgspec.structs import replace
+
+from fleet_tui.model.graph import Edge, RouteGraph
+from fleet_tui.model.navigation import Blocked
+from fleet_tui.model.robot import Reading, Robot
+from fleet_tui.model.vehicles import events as vehicle_events
+from fleet_tui.state.goal_reports import with_sign_of_life
+
+NODE = "node of an order"
+"""Type of the vertices that only an order has told."""
+FIELD = "protective field"
+
+
+def apply_vehicle(robot: Robot, event: vehicle_events.VehicleFact) -> Robot:
+    """Apply one report of a vehicle to it."""
+    match event:
+        case vehicle_events.VehicleReported():
+            robot = _with_field(robot, event)
+            return with_sign_of_life(replace(robot, vehicle=Reading(event.vehicle, event.at)), event.at)
+        case vehicle_events.ConnectionReported():
+            return _with_connection(robot, event)
+        case vehicle_events.NodesReported():
+            return _with_nodes(robot, event)
+        case vehicle_events.FactsheetReported():
+            return replace(robot, factsheet=dict(event.facts))
+        case vehicle_events.MasterSeen():
+            return replace(robot, master=Reading(event.what, event.at))
+        case _:
+            assert_never(event)
+
+
+def _with_connection(robot: Robot, event: vehicle_events.ConnectionReported) -> Robot:
+    """Take a connection. Whatever else arrives is newer than a message that the broker had kept; one for
+    other topics of the same vehicle, as before an update of its software, tells nothing."""
+    if not event.is_kept:
+        return replace(robot, connection=Reading(event.connection, event.at))
+    known = (robot.vehicle or robot.connection) if robot.vehicle or robot.connection else None
+    is_other = known is not None and known.value.address != event.connection.address
+    if is_other and event.connection.is_gone:
+        return robot
+    at = -math.inf if robot.last_received is None else min(event.at, robot.last_received)
+    return replace(robot, connection=Reading(event.connection, at))
+
+
+def _with_field(robot: Robot, event: vehicle_events.VehicleReported) -> Robot:
+    """Count the seconds of a violated protective field from its first report."""
+    violated = event.vehicle.field_violation
+    if violated is None:
+        return robot
+    before = robot.blocked.value if robot.blocked else None
+    goes_on = before is not None and before.is_stopped == violated
+    blocked = before if goes_on else Blocked("stop" if violated else "", FIELD, event.at)
+    return replace(robot, blocked=Reading(blocked, event.at)) if blocked else robot
+
+
+def _with_nodes(robot: Robot, event: vehicle_events.NodesReported) -> Robot:
+    """Add the nodes of an order that no graph has to that of the floor, in place of those of the last one."""
+    robot_map = robot.maps.get(robot.floor or "")
+    if robot_map is None or event.frame_id not in ("", robot.frame_id):
+        return robot
+    graph = robot_map.graph or RouteGraph()
+    known = {id_: one for id_, one in graph.vertices.items() if one.type != NODE}
+    added = {id_: replace(one, type=NODE) for id_, one in event.graph.vertices.items() if id_ not in known}
+    if not added and len(known) == len(graph.vertices):
+        return robot
+    vertices = {**known, **added}
+    old = tuple(edge for edge in graph.edges if not edge.id.startswith(NODE))
+    joined = {(edge.start, edge.end) for edge in old}
+    new = tuple(
+        Edge(f"{NODE} {edge.id}", edge.start, edge.end)
+        for edge in event.graph.edges
+        if (edge.start, edge.end) not in joined and edge.start in vertices and edge.end in vertices
+    )
+    found = RouteGraph(vertices, old + new, graph.directed or bool(new))
+    if found == graph:
+        return robot
+    return replace(robot, maps={**robot.maps, robot.floor or "": replace(robot_map, graph=found)})

@@ -1,0 +1,47 @@
+"""What a vehicle of a master control reports beside the values of all robots, for its page."""
+
+from collections.abc import Iterator
+
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.robot import Robot
+from fleet_tui.text.durations import age
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.robot_page import named
+from fleet_tui.view.tables.table import Run
+
+SHOWN = 12
+"""Properties that are listed."""
+
+
+def vehicle_rows(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
+    """Yield its connection, mode, node and load, each as far as it is reported."""
+    if robot.connection is not None:
+        known = robot.connection.value
+        text = f"{known.text}, VDA 5050 {known.version}" if known.version else known.text
+        yield named("Broker", (sanitize(text), StyleRole.WARN if known.is_gone else StyleRole.TEXT))
+    if robot.vehicle is not None:
+        vehicle, is_old = robot.vehicle.value, not state.is_fresh(robot, "vehicle")
+        values = {
+            "Mode": vehicle.mode.lower(),
+            "Node": vehicle.last_node,
+            "Load": vehicle.load or "",
+            "Charging": _yes_or_no(vehicle.charging),
+        }
+        for name, value in values.items():
+            if value:
+                role = StyleRole.DIM if is_old else StyleRole.TEXT
+                yield named(name, (sanitize(value), role))
+    if robot.master is not None:
+        text = f"{robot.master.value}, {age(state.now - robot.master.at)} ago"
+        yield named("Master", (sanitize(text), StyleRole.TEXT))
+
+
+def _yes_or_no(value: bool | None) -> str:
+    return "" if value is None else "yes" if value else "no"
+
+
+def factsheet_rows(robot: Robot) -> Iterator[tuple[Run, ...]]:
+    """Yield the properties of a vehicle from its factsheet."""
+    for name, value in list(robot.factsheet.items())[:SHOWN]:
+        yield ((f"{sanitize(name):<20} ", StyleRole.DIM), (sanitize(value), StyleRole.TEXT))

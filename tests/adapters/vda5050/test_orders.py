@@ -1,0 +1,145 @@
+"""Tests of fleet_tui/adapters/vda5050/orders.py: what leaves for a vehicle."""
+
+from typing import Any
+
+import pytest
+from msgspec.structs import replace
+
+from fleet_tui.adapters.adapter import Publication
+from fleet_tui.config.load import from_text
+from fleet_tui.errors import CommandError
+from fleet_tui.model import events
+from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot
+from fleet_tui.model.geometry import Pose
+from fleet_tui.model.graph import Edge, RouteGraph, Vertex
+from fleet_tui.model.order import Stop, at_vertices
+from tests.support.vda_fleet import VehicleSite, config_text
+from tests.support.vda_messages import node, position, state
+
+UNIQUE = "0123456789abcdef0123456789abcdef"
+PLACES = {"n0": (1.0, 2.0), "n1": (5.0, 2.0), "n2": (5.0, 6.0), "far": (50.0, 50.0)}
+GRAPH = RouteGraph(
+    {id_: Vertex(id_, *place) for id_, place in PLACES.items()},
+    (Edge("a", "n0", "n1"), Edge("b", "n1", "n2")),
+)
+
+
+def site(settings: str = "", **fields: Any) -> VehicleSite:
+    found = VehicleSite(from_text(config_text(settings=settings)))
+    found.apply(events.FloorGraphLoaded("hall", GRAPH))
+    found.read("state", state(**fields))
+    return found
+
+
+def sent(found: VehicleSite, command: Command) -> Publication:
+    (one,) = found.adapter.outgoing(command, 1, found.agv, UNIQUE)
+    assert isinstance(one, Publication)
+    return one
+
+
+def nodes(one: Publication) -> list[Any]:
+    found = one.message["nodes"]
+    assert isinstance(found, list)
+    return found
+
+
+def test_an_order_leads_over_the_graph_from_the_last_node() -> None:
+    found = site()
+    one = sent(found, PlaceOrder("agv", at_vertices("n2")))
+    assert one.address == "uagv/v2/KIT/0001/order" and one.type == "2.0.0"
+    assert one.message["manufacturer"] == "KIT" and one.message["serialNumber"] == "0001"
+    assert one.message["orderId"] == one.name and one.message["orderUpdateId"] == 0
+    assert one.name.endswith(found.adapter._site.console)
+    assert [(part["nodeId"], part["sequenceId"]) for part in nodes(one)] == [("n0", 0), ("n1", 2), ("n2", 4)]
+    assert all(part["released"] and part["actions"] == [] for part in nodes(one))
+    assert nodes(one)[2]["nodePosition"] == {"x": 5.0, "y": 6.0, "mapId": "hall"}
+    edges: Any = one.message["edges"]
+    assert [(e["sequenceId"], e["startNodeId"], e["endNodeId"]) for e in edges] == [
+        (1, "n0", "n1"),
+        (3, "n1", "n2"),
+    ]
+
+
+def test_from_one_place_to_another_is_one_order() -> None:
+    one = sent(site(), PlaceOrder("agv", at_vertices("n1", "n0")))
+    assert [part["nodeId"] for part in nodes(one)] == ["n0", "n1", "n0"]
+
+
+def test_a_free_vehicle_begins_where_it_stands() -> None:
+    one = sent(
+        site(agvPosition=position(2.0, 8.0), lastNodeId=""), PlaceOrder("agv", (Stop(pose=Pose(3, 3)),))
+    )
+    assert [part["nodeId"] for part in nodes(one)] == ["here", "goal_0"]
+    assert nodes(one)[0]["nodePosition"] == {"x": 2.0, "y": 8.0, "mapId": "hall"}
+    one = sent(site(agvPosition=position(2.0, 8.0), lastNodeId=""), PlaceOrder("agv", at_vertices("n2")))
+    assert [part["nodeId"] for part in nodes(one)] == ["here", "n2"]
+
+
+def test_a_line_guided_vehicle_begins_at_its_last_node() -> None:
+    one = sent(site(agvPosition=None), PlaceOrder("agv", at_vertices("n1")))
+    assert [part["nodeId"] for part in nodes(one)] == ["n0", "n1"]
+
+
+@pytest.mark.parametrize(
+    ("vertex", "reason"),
+    [("far", "no way from n0 to far on the graph"), ("gone", "position of node gone unknown")],
+)
+def test_a_place_without_a_way_is_refused(vertex: str, reason: str) -> None:
+    with pytest.raises(CommandError, match=reason):
+        sent(site(), PlaceOrder("agv", at_vertices(vertex)))
+
+
+def test_a_vehicle_without_any_place_is_refused() -> None:
+    with pytest.raises(CommandError, match="neither a pose nor a node"):
+        sent(site(agvPosition=None, lastNodeId=""), PlaceOrder("agv", at_vertices("n1")))
+
+
+def test_a_site_adds_its_deviation_and_its_actions() -> None:
+    settings = 'deviation = 0.2\nactions.pick = { actionType = "pick", blockingType = "SOFT" }'
+    one = sent(site(settings), PlaceOrder("agv", at_vertices("n1", "n2")))
+    assert nodes(one)[1]["nodePosition"]["allowedDeviationXY"] == 0.2
+    assert nodes(one)[1]["actions"] == [
+        {"actionId": f"{one.name}-pick", "actionType": "pick", "blockingType": "SOFT", "actionParameters": []}
+    ]
+    assert nodes(one)[2]["actions"] == []
+
+
+@pytest.mark.parametrize(
+    ("command", "type_"),
+    [
+        (PauseRobot("agv"), "startPause"),
+        (ResumeRobot("agv"), "stopPause"),
+        (ClearOrders("agv"), "cancelOrder"),
+    ],
+)
+def test_instant_actions_are_one_a_message(command: Command, type_: str) -> None:
+    one = sent(site(), command)
+    assert one.address == "uagv/v2/KIT/0001/instantActions"
+    usual = {"actionType": type_, "actionId": one.name, "blockingType": "NONE", "actionParameters": []}
+    assert one.message["actions"] == [usual]
+
+
+def test_the_field_of_instant_actions_is_that_of_the_version_or_of_the_site() -> None:
+    assert "instantActions" in sent(site(version="1.1.0"), PauseRobot("agv")).message
+    assert "instantActions" in sent(site('instant_actions = "instantActions"'), PauseRobot("agv")).message
+
+
+def test_only_the_order_that_is_driven_can_be_cancelled() -> None:
+    found = site(orderId="o1", nodeStates=[node("n1", 2)])
+    assert sent(found, CancelOrder("agv", "o1")).message["actions"]
+    with pytest.raises(CommandError, match="unknown order o2: see the queue of agv"):
+        sent(found, CancelOrder("agv", "o2"))
+
+
+def test_version_3_is_only_read() -> None:
+    with pytest.raises(CommandError, match=r"speaks VDA 5050 3\.0\.0, which is only read"):
+        sent(site(version="3.0.0"), PauseRobot("agv"))
+
+
+def test_a_vehicle_that_was_never_seen_is_not_commanded() -> None:
+    found = VehicleSite()
+    with pytest.raises(CommandError, match="never seen"):
+        found.adapter.outgoing(PauseRobot("agv"), 1, found.agv, UNIQUE)
+    unseen = replace(found.agv, vehicle=None, connection=None)
+    with pytest.raises(CommandError):
+        found.adapter.outgoing(PlaceOrder("agv", ()), 1, unseen, UNIQUE)

@@ -1,0 +1,62 @@
+"""Tests of fleet_tui/adapters/vda5050/reader.py: messages with their topics, counted and read."""
+
+from fleet_tui.adapters.vda5050.frames import BrokerMessage, frame_of
+from fleet_tui.model import events
+from fleet_tui.model.vehicles.events import ConnectionReported, VehicleReported
+from tests.support.vda_fleet import VehicleSite
+from tests.support.vda_messages import BASE, message, state
+
+
+def test_messages_of_configured_vehicles_are_read_and_others_ignored() -> None:
+    site = VehicleSite()
+    assert any(isinstance(one, VehicleReported) for one in site.read("state", state()))
+    assert site.read("state", state(), base="uagv/v2/KIT/0002") == ()
+    assert site.read("anything", state()) == () and site.read("state", b"", base="x") == ()
+    counted = site.reader.counter.topics["+/+/KIT/0001/state"]
+    assert counted.count == 1 and counted.last is not None and counted.last.is_whole
+
+
+def test_a_vehicle_may_be_known_by_its_serial_number_alone() -> None:
+    from fleet_tui.config.load import from_text
+    from tests.support.vda_fleet import config_text
+
+    robots = '[[robots]]\nname = "agv"\nserial = "0001"\nlink = "broker"'
+    site = VehicleSite(from_text(config_text(robots=robots)))
+    assert site.read("state", state()) and site.read("state", state(), base="uagv/v2/ANY/0001")
+
+
+def test_a_kept_state_is_not_fresh_and_not_shown() -> None:
+    site = VehicleSite()
+    assert site.read("state", state(), kept=True) == ()
+    (found,) = site.read("connection", message(connectionState="ONLINE"), kept=True)
+    assert isinstance(found, ConnectionReported) and found.is_kept
+
+
+def test_what_can_not_be_read_names_its_topic() -> None:
+    site = VehicleSite()
+    (found,) = site.read("state", b"no json")
+    assert isinstance(found, events.MessageRejected) and found.text.startswith(f"{BASE}/state: no JSON")
+    *read, rejected = site.read("state", state(batteryState={"batteryCharge": "full"}))
+    assert read and isinstance(rejected, events.MessageRejected)
+    assert rejected.text == "state: batteryState.batteryCharge is 'full', not a number"
+    assert site.reader.counter.topics["+/+/KIT/0001/state"].errors == 2 and site.agv.faults == 2
+
+
+def test_frames_of_a_recording_are_read_alike() -> None:
+    site = VehicleSite()
+    direct = site.read("state", state())
+    site.reader.recount()
+    frame = frame_of(BrokerMessage(f"{BASE}/state", state()))
+    assert site.reader.read(*frame, site.now) == direct
+    (rejected,) = site.reader.read(b"nothing", False, site.now)
+    assert isinstance(rejected, events.FrameRejected)
+
+
+def test_a_message_over_the_limit_names_the_key() -> None:
+    site = VehicleSite()
+    (found,) = site.reader.too_large(f"{BASE}/state", 3_000_000_000)
+    assert isinstance(found, events.MessageRejected) and found.text.endswith(
+        "raise links.broker.max_message_mb"
+    )
+    (unknown,) = site.reader.too_large("any", 1)
+    assert isinstance(unknown, events.FrameRejected)

@@ -1,0 +1,99 @@
+"""Tests of fleet_tui/adapters/vda5050/reading.py: messages as events."""
+
+import pytest
+
+from fleet_tui.adapters.vda5050.reading import short_id
+from fleet_tui.model import events
+from fleet_tui.model.geometry import Pose
+from fleet_tui.model.order import OrderState, Stop
+from fleet_tui.model.vehicles.events import FactsheetReported, MasterSeen
+from tests.support.vda_fleet import VehicleSite
+from tests.support.vda_messages import error, message, node, position, state
+
+
+def states(site: VehicleSite) -> list[OrderState | None]:
+    return [site.agv.orders.orders[-1].state]
+
+
+@pytest.mark.parametrize(
+    ("id_", "short"),
+    [
+        ("3fa85f64-5717-4562-b3fc-2c963f66afa6", "3fa85f64"),
+        ("order-12", "order-12"),
+        ("a b", "c8687a08"),
+        ("x" * 30, "666a596d"),
+    ],
+)
+def test_orders_have_ids_that_people_can_type(id_: str, short: str) -> None:
+    assert short_id(id_) == short
+
+
+def test_a_state_tells_pose_charge_cargo_and_pause() -> None:
+    site = VehicleSite()
+    site.read("state", state(loads=[{"loadId": "1"}], paused=True))
+    agv = site.agv
+    assert agv.pose is not None and agv.pose.value == Pose(1.0, 2.0, 0.5) and agv.floor == "hall"
+    assert agv.battery is not None and agv.battery.value == 80.5
+    assert agv.has_cargo and site.state.is_paused(agv) and site.state.is_online(agv)
+
+
+def test_a_visualization_has_the_pose_alone() -> None:
+    site = VehicleSite()
+    (found,) = site.read("visualization", message(agvPosition=position(5.0)))
+    assert isinstance(found, events.PoseReported) and found.pose.x == 5.0
+    assert site.read("visualization", message()) == ()
+
+
+def test_the_order_of_a_vehicle_is_driven_done_cancelled_or_failed() -> None:
+    site = VehicleSite()
+    site.read("state", state(orderId="o1", nodeStates=[node("b", 4), node("a", 2)]))
+    order = site.agv.orders.orders[0]
+    assert (order.id, order.state, order.stops) == ("o1", OrderState.IN_PROCESS, (Stop("b"),))
+    site.read("state", state(orderId="o1"))
+    assert states(site) == [OrderState.DONE]
+    site.read("state", state(orderId="o2", nodeStates=[node("a", 2)]))
+    cancel = [{"actionId": "x", "actionType": "cancelOrder", "actionStatus": "FINISHED"}]
+    site.read("state", state(orderId="o2", actionStates=cancel))
+    assert states(site) == [OrderState.CANCELLED]
+    site.read("state", state(orderId="o2"))  # finished states vanish
+    assert states(site) == [OrderState.CANCELLED]
+    site.read("state", state(orderId="o3", nodeStates=[node("a", 2)]))
+    site.read("state", state(orderId="o3", errors=[error("FATAL", orderId="o3")]))
+    assert states(site) == [OrderState.FAILED]
+
+
+def test_an_order_that_grows_has_a_new_target() -> None:
+    site = VehicleSite()
+    site.read("state", state(orderId="o1", nodeStates=[node("a", 2)]))
+    site.read("state", state(orderId="o1", nodeStates=[node("a", 2), node("b", 4, released=False)]))
+    assert site.agv.orders.orders[0].stops == (Stop("b"),)
+
+
+def test_orders_of_this_operator_are_known_after_a_restart() -> None:
+    site = VehicleSite()
+    owned = "3fa85f64-5717-4562-b3fc-" + site.adapter._site.console
+    site.read("state", state(orderId=owned, nodeStates=[node("a", 2)]))
+    assert [goal.is_ours for goal in site.agv.goals["order"]] == [True]
+    site.read("state", state(orderId="other", nodeStates=[node("a", 2)]))
+    assert [goal.is_ours for goal in site.agv.goals["order"]] == [False]
+
+
+def test_master_controls_and_properties_are_noted() -> None:
+    site = VehicleSite()
+    found = site.read("order", message(orderId="o9", nodes=[node("a", 0, x=1.0)], edges=[]))
+    assert found[0] == MasterSeen("agv", site.now, "order o9", ("o9",))
+    (seen,) = site.read(
+        "instantActions", message(instantActions=[{"actionType": "startPause", "actionId": "x"}])
+    )
+    assert seen == MasterSeen("agv", site.now, "startPause", ("x",))
+    (sheet,) = site.read(
+        "factsheet", message(typeSpecification={"seriesName": "T\x1b", "agvClass": "FORKLIFT"})
+    )
+    assert isinstance(sheet, FactsheetReported) and sheet.facts["agvClass"] == "FORKLIFT"
+
+
+def test_a_wrong_time_is_named_and_the_pose_is_used() -> None:
+    site = VehicleSite()
+    found = site.read("visualization", message(agvPosition=position(), timestamp="yesterday"))
+    assert isinstance(found[0], events.PoseReported) and found[0].stamp is None
+    assert isinstance(found[1], events.MessageRejected)

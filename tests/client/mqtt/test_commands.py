@@ -1,0 +1,182 @@
+"""Tests of fleet_tui/client/mqtt/commands.py: each command ends once, by the states that follow it."""
+
+import asyncio
+from pathlib import Path
+
+import pytest
+
+from fleet_tui.client.fleet_link import FleetLink
+from fleet_tui.client.mqtt import commands
+from fleet_tui.model.commands import (
+    ClearOrders,
+    Command,
+    CommandRecord,
+    PauseRobot,
+    PlaceOrder,
+    ResumeRobot,
+    Stage,
+)
+from fleet_tui.model.geometry import Pose
+from fleet_tui.model.order import Stop
+from tests.support.links import finished
+from tests.support.mosquitto import mosquitto, needs_mosquitto
+from tests.support.mqtt_peer import Peer
+from tests.support.vda_broker import SpokenFor, console_on
+from tests.support.vda_messages import BASE, error, message, node
+from tests.support.watched_store import WatchedStore
+
+pytestmark = needs_mosquitto
+
+ORDER = PlaceOrder("agv", (Stop(pose=Pose(5.0, 2.0)),))
+
+
+async def seen(store: WatchedStore, vehicle: SpokenFor) -> None:
+    vehicle.say()
+    await store.until(lambda state: state.robots["agv"].vehicle)
+
+
+async def given(link: FleetLink, store: WatchedStore, command: Command, stage: Stage) -> CommandRecord:
+    """Give a command, and wait until it has reached a stage."""
+    command_id = link.submit(command)
+    found = await store.until(
+        lambda state: any(one.id == command_id and one.stage is stage for one in state.commands)
+    )
+    return next(one for one in found.commands if one.id == command_id)
+
+
+async def test_a_pause_is_confirmed_by_the_vehicle_and_lifted(tmp_path: Path) -> None:
+    with mosquitto(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker, "pause") as (link, store):
+            await seen(store, vehicle)
+            waiting = asyncio.ensure_future(finished(link, store, PauseRobot("agv")))
+            action = await vehicle.next("instantActions")
+            assert (action["headerId"], action["version"], action["serialNumber"]) == (1, "2.0.0", "0001")
+            assert action["actions"][0]["actionType"] == "startPause"
+            vehicle.say(paused=True)
+            assert (await waiting).stage is Stage.CONFIRMED
+            waiting = asyncio.ensure_future(finished(link, store, ResumeRobot("agv")))
+            assert (await vehicle.next("instantActions", 2))["headerId"] == 2
+            vehicle.say(paused=False)
+            assert (await waiting).stage is Stage.CONFIRMED
+            refused = await finished(link, store, ORDER)
+            assert (refused.stage, refused.detail) == (
+                Stage.NOT_SENT,
+                "links.broker.role is pause: no orders",
+            )
+
+
+async def test_an_order_is_taken_driven_and_done(tmp_path: Path) -> None:
+    with mosquitto(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            await seen(store, vehicle)
+            waiting = asyncio.ensure_future(finished(link, store, ORDER))
+            order = await vehicle.next("order")
+            left = [node("goal_0", 2)]
+            vehicle.say(orderId=order["orderId"], nodeStates=left)
+            record = await waiting
+            assert record.stage is Stage.CONFIRMED and record.name == order["orderId"]
+            vehicle.say(orderId=order["orderId"])
+            await store.until(lambda state: state.commands[-1].stage is Stage.DONE)
+            assert store.state.robots["agv"].master is None
+
+
+async def test_a_rejected_order_has_the_vehicles_reason(tmp_path: Path) -> None:
+    with mosquitto(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            await seen(store, vehicle)
+            waiting = asyncio.ensure_future(finished(link, store, ORDER))
+            order = await vehicle.next("order")
+            old = error(type_="orderError", orderId="an older one")
+            vehicle.say(errors=[old])
+            own = error(type_="noRouteError", text="first node too far", orderId=order["orderId"])
+            vehicle.say(errors=[old, own])
+            record = await waiting
+            assert (record.stage, record.detail) == (Stage.REFUSED, "noRouteError: first node too far")
+
+
+async def test_a_cancellation_that_takes_long_is_no_missing_answer(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with mosquitto(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            await seen(store, vehicle)
+            waiting = asyncio.ensure_future(finished(link, store, ORDER))
+            order = (await vehicle.next("order"))["orderId"]
+            left = [node("goal_0", 2)]
+            vehicle.say(orderId=order, nodeStates=left)
+            await waiting
+            waiting = asyncio.ensure_future(finished(link, store, ClearOrders("agv")))
+            id_ = (await vehicle.next("instantActions"))["actions"][0]["actionId"]
+            action = {"actionId": id_, "actionType": "cancelOrder"}
+            for _ in range(3):
+                vehicle.say(
+                    orderId=order, nodeStates=left, actionStates=[{**action, "actionStatus": "RUNNING"}]
+                )
+            vehicle.say(orderId=order, actionStates=[{**action, "actionStatus": "FINISHED"}])
+            record = await waiting
+            assert record.stage is Stage.CONFIRMED
+            assert Stage.NO_ANSWER not in [step.stage for step in record.steps]
+            await store.until(lambda state: state.commands[0].stage is Stage.CANCELLED)
+
+
+async def test_silence_is_no_answer_and_a_late_one_counts(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with mosquitto(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            await seen(store, vehicle)
+            record = await given(link, store, PauseRobot("agv"), Stage.NO_ANSWER)
+            assert record.detail == "from agv in 5 s: may still be carried out"
+            vehicle.say(paused=True)
+            await store.until(lambda state: state.commands[-1].stage is Stage.CONFIRMED)
+
+
+async def test_a_second_master_is_seen_and_ours_refused(tmp_path: Path) -> None:
+    with mosquitto(tmp_path) as broker:
+        vehicle, other = SpokenFor(broker), Peer(broker.port)
+        async with console_on(broker) as (link, store):
+            await seen(store, vehicle)
+            other.publish(f"{BASE}/order", message(orderId="theirs", nodes=[], edges=[]))
+            await store.until(lambda state: state.robots["agv"].master)
+            record = await finished(link, store, ORDER)
+            assert record.stage is Stage.NOT_SENT
+            assert record.detail.startswith("another master control commands agv (order theirs")
+            assert (await given(link, store, PauseRobot("agv"), Stage.SENT)).stage is Stage.SENT
+        other.close()
+
+
+async def test_nothing_leaves_without_a_broker_and_open_commands_end(tmp_path: Path) -> None:
+    with mosquitto(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            await seen(store, vehicle)
+            await given(link, store, PauseRobot("agv"), Stage.SENT)
+            broker.kill()
+            await store.until(lambda state: state.commands[-1].stage is Stage.UNKNOWN)
+            record = await finished(link, store, PauseRobot("agv"))
+            assert (record.stage, record.detail) == (Stage.NOT_SENT, "no link")
+            broker.start()
+            again = SpokenFor(broker)
+            again.say()
+            await store.until(lambda state: state.is_online(state.robots["agv"]))
+            assert again.told == []
+
+
+async def test_a_frozen_broker_holds_orders_back_but_no_pause(tmp_path: Path) -> None:
+    with mosquitto(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            await seen(store, vehicle)
+            broker.freeze()
+            connection = link._links["broker"]._telemetry.connection  # type: ignore[attr-defined]  # of a broker
+            await store.until(lambda _: connection.silence > commands.LONGEST_SILENCE)
+            record = await finished(link, store, ORDER)
+            assert record.stage is Stage.NOT_SENT and "no reply from the broker for" in record.detail
+            await given(link, store, PauseRobot("agv"), Stage.SENT)
+            await store.until(lambda state: state.links["broker"].reason == "broker not responding")
+            broker.thaw()

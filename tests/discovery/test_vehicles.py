@@ -1,0 +1,54 @@
+"""Tests of fleet_tui/discovery/vehicles.py: from the address of a broker to a configuration."""
+
+import asyncio
+from pathlib import Path
+
+import pytest
+
+from fleet_tui.config.schema import Link
+from fleet_tui.discovery.site import DiscoveredSite, start_discovery
+from fleet_tui.errors import FleetError, LinkError
+from tests.support.mosquitto import free_port, mosquitto, needs_mosquitto, refusing
+from tests.support.mqtt_peer import Peer
+from tests.support.vda_messages import message, position, state
+
+pytestmark = needs_mosquitto
+
+
+async def found(url: str) -> DiscoveredSite:
+    return await asyncio.wrap_future(start_discovery(Link(url), 10.0))
+
+
+async def test_vehicles_are_found_by_their_connections_and_floors_by_their_maps(tmp_path: Path) -> None:
+    with mosquitto(tmp_path) as broker:
+        peer = Peer(broker.port)
+        for serial in ("0001", "truck_7", "gone [2J"):
+            peer.publish(f"uagv/v2/KIT/{serial}/connection", message(connectionState="ONLINE"), True, 1)
+        asking = asyncio.ensure_future(found(broker.url))
+        while not asking.done():
+            peer.publish("uagv/v2/KIT/0001/state", state())
+            peer.publish("uagv/v2/KIT/truck_7/visualization", message(agvPosition=position(map_id="Halle 2")))
+            await asyncio.sleep(0.1)
+        site = await asking
+        config = site.config
+        assert {one.name: (one.manufacturer, one.serial, one.link) for one in config.robots} == {
+            "agv_0001": ("KIT", "0001", "broker"),
+            "gone_2J": ("KIT", "gone [2J", "broker"),
+            "truck_7": ("KIT", "truck_7", "broker"),
+        }
+        assert {floor.name: floor.frame for floor in config.floors} == {"floor_0": "Halle 2", "hall": "hall"}
+        assert site.summary == "3 robots (vda5050), 2 floors" and not site.choices and not site.warnings
+        assert config.bridges["broker"].role == "watch"
+        assert "lif.json" in site.text
+        peer.close()
+
+
+async def test_a_broker_without_vehicles_or_without_rights_is_told(tmp_path: Path) -> None:
+    with mosquitto(tmp_path) as broker:
+        site = await found(broker.url)
+        with pytest.raises(FleetError, match="no vehicle found: no connection topic"):
+            _ = site.config
+    with mosquitto(tmp_path, *refusing(tmp_path, "#")) as broker, pytest.raises(LinkError, match="refuses"):
+        await found(broker.url)
+    with pytest.raises(LinkError, match="connection refused"):
+        await found(f"mqtt://127.0.0.1:{free_port()}")

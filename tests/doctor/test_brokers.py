@@ -1,0 +1,87 @@
+"""Tests of fleet_tui/doctor/brokers.py: what is told of a broker and its vehicles."""
+
+from typing import Any
+
+from fleet_tui.config.load import from_text
+from fleet_tui.discovery.finding import Finding, Verdict
+from fleet_tui.doctor.broker_facts import BrokerFacts, VehicleFacts
+from fleet_tui.doctor.brokers import broker_findings
+from fleet_tui.model.events import PoseReported
+from fleet_tui.model.geometry import Pose
+from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleConnection
+from tests.support.vda_fleet import config_text
+
+CONFIG = from_text(config_text(role="pause"))
+
+
+def found(facts: BrokerFacts) -> dict[str, Finding]:
+    return {one.check: one for one in broker_findings(CONFIG, facts)}
+
+
+def of_vehicle(**fields: Any) -> dict[str, Finding]:
+    usual: dict[str, Any] = {
+        "connection": VehicleConnection("ONLINE", "b", "2.0.0"),
+        "vehicle": Vehicle("b", "2.0.0"),
+        "pose": PoseReported("agv", 1.0, Pose(0.0, 0.0), "hall", 1.0),
+        "arrivals": {"state": [1.0, 2.0], "visualization": [1.0, 1.2, 1.4]},
+        "lags": [0.3],
+    }
+    facts = BrokerFacts(
+        "broker", round_trips=[0.001], heard_for=4.0, robots={"agv": VehicleFacts(**{**usual, **fields})}
+    )
+    return found(facts)
+
+
+def test_a_fine_vehicle() -> None:
+    findings = of_vehicle()
+    assert {one.verdict for one in findings.values()} == {Verdict.OK}
+    measured = {check: one.measured for check, one in findings.items()}
+    assert measured["connection"] == "connected" and measured["version"] == "VDA 5050 2.0.0"
+    assert measured["state"] == "2 in 4.0 s" and measured["visualization"] == "5.0 Hz"
+    assert measured["clock"] == "within 0.3 s of ours" and measured["floor"] == "hall (mapId hall)"
+
+
+def test_what_is_wrong_has_its_remedy() -> None:
+    findings = of_vehicle(
+        connection=VehicleConnection("CONNECTIONBROKEN", "b", "3.0.0"),
+        vehicle=Vehicle("b", "3.0.0"),
+        pose=PoseReported("agv", 1.0, Pose(0.0, 0.0), "attic", 1.0),
+        arrivals={},
+        lags=[3600.0],
+        problem="state: x is 1, not text",
+    )
+    assert {check: one.verdict for check, one in findings.items() if one.verdict is not Verdict.OK} == {
+        "connection": Verdict.WARN,
+        "version": Verdict.WARN,
+        "state": Verdict.WARN,
+        "clock": Verdict.WARN,
+        "floor": Verdict.FAIL,
+        "messages": Verdict.WARN,
+    }
+    assert findings["clock"].measured == "3600 s behind ours"
+    assert findings["floor"].remedy == "set frame_id = 'attic' in one of [[floors]]"
+    assert findings["state"].measured == "none in 4 s"
+
+
+def test_a_vehicle_that_was_never_seen_fails() -> None:
+    one = of_vehicle(connection=None, vehicle=None)["connection"]
+    assert one.verdict is Verdict.FAIL and "correct manufacturer and serial" in one.remedy
+
+
+def test_rights_and_strangers_are_told() -> None:
+    facts = BrokerFacts("broker", granted={"+/+/KIT/0001/state": False, "+/+/KIT/0001/order": False})
+    facts.strangers = {("KIT", "9")}
+    findings = found(facts)
+    assert findings["read access"].verdict is Verdict.FAIL
+    assert findings["read access"].measured == "broker refuses 1: +/+/KIT/0001/state"
+    assert findings["vehicles"].measured == "1 on the broker not configured: KIT/9"
+    facts.granted = {"+/+/KIT/0001/order": False}
+    assert found(facts)["read access"].verdict is Verdict.WARN
+
+
+def test_without_a_session_its_reason_is_all() -> None:
+    (one,) = found(BrokerFacts("broker", reason="access denied")).values()
+    assert (
+        one.verdict is Verdict.FAIL
+        and one.remedy == "correct url, user_file and password_file in links.broker"
+    )

@@ -1,0 +1,119 @@
+"""Vehicles that share no code with the console, over a real broker: watched, paused, driven, cancelled."""
+
+import json
+from collections.abc import AsyncIterator, Callable
+from contextlib import AbstractAsyncContextManager, asynccontextmanager
+from pathlib import Path
+
+import pytest
+
+from fleet_tui.client.fleet_link import FleetLink
+from fleet_tui.maps.route_graphs import load_floor_graph
+from fleet_tui.model.commands import ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot, Stage
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.geometry import Pose
+from fleet_tui.model.order import Stop, at_vertices
+from tests.support.links import finished
+from tests.support.mosquitto import Mosquitto, mosquitto, needs_mosquitto
+from tests.support.vda_broker import console_on
+from tests.support.vda_vehicles import npm_vehicle, sdk_vehicle
+from tests.support.watched_store import WatchedStore
+
+pytestmark = needs_mosquitto
+
+Vehicle = Callable[[Mosquitto], AbstractAsyncContextManager[None]]
+OLD_FIELD = 'instant_actions = "instantActions"'
+VEHICLES = {
+    "vda5050-sdk, 2.1": (sdk_vehicle, ""),
+    "vda-5050-lib, 2.0": (lambda broker: npm_vehicle(broker, "2.0.0"), OLD_FIELD),
+    "vda-5050-lib, 1.1": (lambda broker: npm_vehicle(broker, "1.1.0"), ""),
+}
+TYPE = {"vehicleTypeNodeProperties": [{"vehicleTypeId": "t"}]}
+EDGE_TYPE = {"vehicleTypeEdgeProperties": [{"vehicleTypeId": "t"}]}
+FAR = PlaceOrder("agv", (Stop(pose=Pose(20.0, 0.0)), Stop(pose=Pose(20.0, 5.0))))
+NEAR = PlaceOrder("agv", (Stop(pose=Pose(1.0, 0.0)),))
+
+
+def seen(state: FleetState) -> bool:
+    agv = state.robots["agv"]
+    return agv.pose is not None and agv.battery is not None and agv.vehicle is not None
+
+
+@asynccontextmanager
+async def site(
+    folder: Path, name: str, role: str = "master"
+) -> AsyncIterator[tuple[FleetLink, WatchedStore, AbstractAsyncContextManager[None]]]:
+    make, settings = VEHICLES[name]
+    with mosquitto(folder) as broker:
+        async with console_on(broker, role, settings) as (link, store):
+            yield link, store, make(broker)
+
+
+async def outcome(link: FleetLink, store: WatchedStore, command: Command) -> Stage:
+    return (await finished(link, store, command)).stage
+
+
+@pytest.mark.parametrize("name", VEHICLES)
+async def test_it_is_paused_driven_cancelled_and_driven_to_its_end(tmp_path: Path, name: str) -> None:
+    async with site(tmp_path, name) as (link, store, vehicle), vehicle:
+        await store.until(seen)
+        assert store.state.robots["agv"].floor == "hall"
+        assert await outcome(link, store, PauseRobot("agv")) is Stage.CONFIRMED
+        assert store.state.is_paused(store.state.robots["agv"])
+        assert await outcome(link, store, ResumeRobot("agv")) is Stage.CONFIRMED
+        refused = await finished(link, store, ClearOrders("agv"))
+        assert refused.stage is Stage.REFUSED and "noOrderToCancel" in refused.detail
+        assert await outcome(link, store, FAR) is Stage.CONFIRMED
+        assert [order.stops for order in store.state.robots["agv"].orders.open] == [FAR.stops]
+        assert await outcome(link, store, ClearOrders("agv")) is Stage.CONFIRMED
+        await store.until(lambda state: any(one.stage is Stage.CANCELLED for one in state.commands))
+        here = store.state.robots["agv"].pose
+        assert here is not None
+        near = PlaceOrder("agv", (Stop(pose=Pose(here.value.x + 1.0, here.value.y)),))
+        assert await outcome(link, store, near) is Stage.CONFIRMED
+        await store.until(lambda state: any(one.stage is Stage.DONE for one in state.commands))
+        assert store.state.robots["agv"].faults == 0 and store.state.robots["agv"].master is None
+
+
+@pytest.mark.parametrize("name", VEHICLES)
+async def test_who_watches_is_refused_and_sees_it_go(tmp_path: Path, name: str) -> None:
+    async with site(tmp_path, name, "watch") as (link, store, vehicle):
+        async with vehicle:
+            await store.until(lambda state: seen(state) and state.is_online(state.robots["agv"]))
+            assert await outcome(link, store, PauseRobot("agv")) is Stage.NOT_SENT
+            assert await outcome(link, store, NEAR) is Stage.NOT_SENT
+        await store.until(lambda state: not state.is_online(state.robots["agv"]))
+        connection = store.state.robots["agv"].connection
+        assert connection is not None and connection.value.is_gone
+
+
+LIF = {
+    "metaInformation": {"lifVersion": "1.0.0"},
+    "layouts": [
+        {
+            "layoutId": "hall",
+            "nodes": [
+                {"nodeId": id_, "nodeName": name, "mapId": "hall", "nodePosition": {"x": x, "y": 0.0}, **TYPE}
+                for id_, name, x in (("n0", "Base", 0.0), ("n1", "Rack", 2.0), ("n2", "Dock", 4.0))
+            ],
+            "edges": [
+                {"edgeId": f"{a}-{b}", "startNodeId": a, "endNodeId": b, **EDGE_TYPE}
+                for a, b in (("n0", "n1"), ("n1", "n2"))
+            ],
+            "stations": [],
+        }
+    ],
+}
+
+
+async def test_it_drives_over_a_graph_of_lif(tmp_path: Path) -> None:
+    (tmp_path / "hall.lif.json").write_text(json.dumps(LIF))
+    loaded = load_floor_graph("hall", tmp_path / "hall.lif.json")
+    async with site(tmp_path, "vda-5050-lib, 2.0") as (link, store, vehicle), vehicle:
+        link.post(loaded)
+        await store.until(lambda state: seen(state) and state.robots["agv"].maps["hall"].graph)
+        assert store.state.robots["agv"].name_of("n2") == "Dock"
+        assert await outcome(link, store, PlaceOrder("agv", at_vertices("n2"))) is Stage.CONFIRMED
+        await store.until(lambda state: state.commands[-1].stage is Stage.DONE)
+        agv = store.state.robots["agv"]
+        assert agv.vehicle is not None and agv.vehicle.value.last_node == "n2"
