@@ -197,15 +197,13 @@ def problems(state: FleetState, request: Request, allowed: Permissions) -> list[
         return impossible
     if all(isinstance(command, PauseRobot) for command in request.commands):
         return []
-    found = list(permitted(allowed))
-    asked: set[str] = set()
+    found, asked = list(permitted(allowed)), set[str]()
     for command in request.commands:
-        robot = state.robots.get(command.robot)
-        if robot is None:
+        if (robot := state.robots.get(command.robot)) is None:
             found.append(unknown_robot(state, command.robot))
             continue
-        checks = CHECKS if robot.name in asked else CHECKS + FIRST
-        for check in OF_ANY if isinstance(command, PlaceOrder) and command.to_any else checks:
+        is_of_any = isinstance(command, PlaceOrder) and command.to_any
+        for check in OF_ANY if is_of_any else CHECKS if robot.name in asked else CHECKS + FIRST:
             found += check(state, robot, command)
         if robot.name not in asked:
             found += mistakable(robot, request.floors)
