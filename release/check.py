@@ -103,6 +103,8 @@ class Trial:
             self.seen("robot_0", url)
         self.seen("robot_2", "replay", "shift.jsonl.gz")
         self.seen("robot_1", "demo")
+        (self._home / "german.toml").write_text(LIGHT + 'language = "de"\n')
+        self.seen("Flotte", "demo", "--config", "german.toml")
         with self.serving("serve", "--demo", "--port", "0") as url:
             assert url.startswith("http://127.0.0.1:")
 

@@ -46,6 +46,12 @@ def test_a_wheel_brings_its_own_config_and_themes(wheel: Path, tmp_path: Path) -
     assert (wheel / "fleet_tui" / "fleet.tcss").is_file()
 
 
+def test_a_wheel_brings_its_languages(wheel: Path, tmp_path: Path) -> None:
+    code = "from fleet_tui.languages import use_language as use; from fleet_tui.text.language import tr"
+    told = run("-c", f"{code}; use('de'); print(tr('no link'))", site=wheel, cwd=tmp_path)
+    assert told.stdout == "keine Verbindung\n"
+
+
 def test_a_wheel_brings_the_pages_of_the_documentation_without_pictures(wheel: Path, tmp_path: Path) -> None:
     done = run("-m", "fleet_tui", "docs", "security", site=wheel, cwd=tmp_path)
     assert done.stdout == (ROOT / "SECURITY.md").read_text()

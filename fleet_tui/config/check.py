@@ -33,6 +33,10 @@ def checked(config: Config) -> list[str]:
     ]
 
 
+EMPTY = ": empty: add "
+"""The problem of a configuration without robots or floors."""
+
+
 def missing_files(config: Config) -> list[str]:
     """Return one line for each missing file of a floor. The console starts without them, and reports it."""
     return [
@@ -45,7 +49,7 @@ def missing_files(config: Config) -> list[str]:
 
 def _names(where: str, names: list[str]) -> Iterator[str]:
     if not names:
-        yield f"{where}: empty: add [[{where}]] with a name"
+        yield f"{where}{EMPTY}[[{where}]] with a name"
     for n, name in enumerate(names):
         if not NAME.fullmatch(name):
             yield f"{where}[{n}].name: {name!r} is not a ROS name: use letters, digits and _ only"

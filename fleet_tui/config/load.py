@@ -14,7 +14,7 @@ import platformdirs
 
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.registry import KINDS
-from fleet_tui.config.check import checked
+from fleet_tui.config.check import EMPTY, checked
 from fleet_tui.config.schema import Config, expanded
 from fleet_tui.config.small_file import read_toml
 from fleet_tui.errors import ConfigError, NoConfigError, did_you_mean
@@ -81,19 +81,20 @@ def looked_for() -> list[tuple[str, str]]:
 
 
 def load_if_any(given: str | None) -> Config:
-    """Read the config, or return an empty one: for a console with robots from elsewhere. Raises
+    """Read the config, or return an empty one: for a console with robots and floors from elsewhere. Raises
     ConfigError."""
     try:
         path = find(given)
     except NoConfigError:
         return Config()
-    return load(path)
+    return load(path, needs_robots=False)
 
 
-def load(path: Path) -> Config:
-    """Read and check a file. Raises ConfigError with every problem found."""
+def load(path: Path, needs_robots: bool = True) -> Config:
+    """Read and check a file. Raises ConfigError with every problem found; that there is no robot or no floor
+    is one if it `needs_robots`."""
     config, problems = read(path)
-    if problems:
+    if problems := [line for line in problems if needs_robots or EMPTY not in line]:
         raise ConfigError([f"{path}: {line}" for line in problems])
     return config
 

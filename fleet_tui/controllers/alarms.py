@@ -66,7 +66,7 @@ class AlarmResponses:
         if not isinstance(key, tuple):
             return
         if time.monotonic() - self._cleared_at() < LOOK:
-            self._notices.say("that alarm has just cleared: press again for the marked one")
+            self._notices.say("another alarm has just been marked: press again for that one")
             return
         self._acknowledge((key[0], key[1]))
         if key in fresh and len(fresh) > 1:

@@ -162,6 +162,9 @@ def _unlisted_end(trace: OrderTrace, last_listed: float | None, at: float, away:
     return Stage.LOST, f"left the queue with the robot {where}"
 
 
+UNSAID = "as reported by the robot"
+"""The reason of an end of which the robot said no more."""
+
 _ENDS = {
     OrderState.DONE: Stage.DONE,
     OrderState.CANCELLED: Stage.CANCELLED,
@@ -175,7 +178,7 @@ _ENDS = {
 def listed_end(order: Order, at: float) -> GoneOrder:
     """Return the end of an order that the robot lists as over."""
     assert order.state is not None
-    return GoneOrder(order, at, _ENDS[order.state], order.said or "as reported by the robot")
+    return GoneOrder(order, at, _ENDS[order.state], order.said or UNSAID)
 
 
 def latest(gone: Iterable[GoneOrder], order_id: str, since: float) -> GoneOrder | None:

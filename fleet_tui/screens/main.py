@@ -2,7 +2,7 @@
 
 import math
 import time
-from collections.abc import Mapping
+from collections.abc import Hashable, Mapping
 from functools import partial
 from inspect import isawaitable
 from typing import TYPE_CHECKING
@@ -57,7 +57,9 @@ class MainScreen(Screen[None]):
 
     rest: "Rest"
     alarm_cleared_at = -math.inf
-    """When the alarm under the cursor went by itself (monotonic)."""
+    """When the alarm under the cursor went by itself, or gave way to a worse one (monotonic)."""
+    _proposed: Hashable | None = None
+    """The alarm that was marked without anybody's choice."""
 
     def __init__(
         self,
@@ -161,7 +163,8 @@ class MainScreen(Screen[None]):
         """Put the cursors of fleet and alarms on a robot; they are drawn with the next rows."""
         self.fleet.listing.cursor = robot
         if (key := alarm_of(self.store.state, robot)) is not None:
-            self.alarms.listing.cursor = key  # an acknowledgement after a choice means that robot
+            # An acknowledgement after a choice means that robot.
+            self.alarms.listing.cursor, self._proposed = key, None
 
     def _show_floor(self, state: FleetState) -> None:
         from fleet_tui.screens.ordering.route_line import show_route
@@ -181,8 +184,11 @@ class MainScreen(Screen[None]):
         marked = self.alarms.listing.cursor
         if marked is not None and all(alarm.key != marked for alarm in state.alarms):
             self.alarm_cleared_at = time.monotonic()
-        if fresh and self.alarms.listing.cursor not in fresh and not self.alarms.has_focus:
-            self.alarms.listing.cursor = fresh[0]
+        is_own = marked == self._proposed and marked in fresh  # nobody chose it: it gives way to a worse one
+        if fresh and (is_own or marked not in fresh) and not self.alarms.has_focus:
+            if is_own and marked != fresh[0]:
+                self.alarm_cleared_at = time.monotonic()
+            self.alarms.listing.cursor = self._proposed = fresh[0]
 
     def _forget_trails(self) -> bool:
         if self.is_complete:

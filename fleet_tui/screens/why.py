@@ -41,7 +41,7 @@ def _wrapped(lines: list[str], width: int) -> list[str]:
     return [
         piece.replace(UNBROKEN, " ")
         for line, indent in zip(lines, indents, strict=True)
-        for piece in wrap(line, width, subsequent_indent=indent) or [""]
+        for piece in wrap(line, width, subsequent_indent=indent, break_on_hyphens=False) or [""]
     ]
 
 

@@ -249,3 +249,14 @@ def test_a_robot_that_drives_on_for_long_has_no_timeout(tmp_path: Path, seconds:
     path.write_text(f"{ENOUGH}\n[drive]\nrobot_timeout = {seconds}\n")
     with pytest.raises(ConfigError, match=r"drive\.robot_timeout: expected a number"):
         load(path)
+
+
+def test_a_demo_takes_a_configuration_without_robots_and_floors(tmp_path: Path) -> None:
+    file = tmp_path / "config.toml"
+    file.write_text('[ui]\nlanguage = "pt"\n')
+    assert load_if_any(str(file)).ui.language == "pt"
+    with pytest.raises(ConfigError, match="robots: empty"):
+        load(file)
+    file.write_text('[ui]\nlanguage = "pt"\ncolour = 3\n')
+    with pytest.raises(ConfigError, match=r"ui\.colour"):
+        load_if_any(str(file))

@@ -55,7 +55,7 @@ def test_an_alarm_that_has_just_taken_the_place_of_another_is_not_acknowledged_u
     pane.listing.cursor = LOW[0]
     alarms.acknowledge()
     assert desk.backend.events == []
-    assert desk.notices.text == "that alarm has just cleared: press again for the marked one"
+    assert desk.notices.text == "another alarm has just been marked: press again for that one"
 
 
 def test_all_at_once() -> None:

@@ -1,5 +1,7 @@
 """Alarms by key and menu."""
 
+import math
+
 import msgspec
 
 from fleet_tui.model.alarm import AlarmStage
@@ -87,18 +89,18 @@ async def test_an_acknowledgement_after_a_choice_is_of_that_robot(server: Rosbri
         await it.shows(f"acknowledged: obstacle alarm of {chosen}")
 
 
-async def test_the_marked_alarm_is_the_one_that_keys_mean(server: RosbridgeServer) -> None:
-    """A more urgent alarm comes above it and takes none of them away."""
+async def test_the_mark_goes_to_a_worse_alarm_unless_somebody_chose_the_marked_one(
+    server: RosbridgeServer,
+) -> None:
     server.bridge.muted.update(("/robot_0/obstacle", "/robot_1/obstacle", "/robot_1/battery"))
     async with console(config_of(server.url, 2, 2), (120, 40)) as it:
         server.bridge.publish_raw("/robot_1/battery", {"data": 5.0})
         await it.shows("▸▲ new  medium robot_1", "alarms")
         server.bridge.publish_raw("/robot_0/obstacle", {"data": 44.2})
-        await it.shows("▲ new  high   robot_0", "alarms")
-        assert "robot_1: Send it to a charger" in it.pane("alarms") and "a ack robot_1" in it.text
+        await it.shows("▸▲ new  high   robot_0", "alarms")
+        assert math.isfinite(it.app.main.alarm_cleared_at), "an acknowledgement waits for a look"
+        await it.shows("robot_0: Clear the path", "alarms")
         await it.press("!")
         assert it.app.main.navigation.robot == "robot_1"
-        await it.press("!")
-        assert it.app.main.navigation.robot == "robot_0"
-        await it.shows("▸▲ new  high   robot_0", "alarms")
-        await it.shows("robot_0: Clear the path", "alarms")
+        await it.shows("a ack")
+        assert "▸▲ new  medium robot_1" in it.pane("alarms")

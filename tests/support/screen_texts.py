@@ -54,11 +54,6 @@ SILENT = (
     ),
     *("adapters/move_base/reading", "adapters/move_base/probes", "adapters/nav2/reading"),
     *(
-        "adapters/vda5050/fields",
-        "adapters/vda5050/reading",
-        "adapters/vda5050/state",
-        "adapters/vda5050/frames",
-        "adapters/vda5050/reader",
         "adapters/nav2/probes",
         "adapters/nav2/adapter",
         "rules/driving/echoes",
@@ -72,8 +67,8 @@ AROUND = frozenset(("sanitize", "len", "tr", "int", "round", "max", "min", "abs"
 """Functions after whose argument a place is named."""
 UNHEARD = frozenset(("debug", "info", "warning", "error", "exception", "compile", "TypeVar", "LOG"))
 """Functions whose texts are not shown."""
-LABELLED = frozenset(("named", "Value"))
-"""Functions whose first argument is the name of a line or a column."""
+TOLD = {"named": (0,), "Value": (0,), "Reason": (0, 1), "Condition": (3, 4), "Problem": (1,), "say": (0,)}
+"""Functions with arguments that are shown, however short: names of lines and columns, causes, alarms."""
 _LABEL = re.compile("[A-Z][a-z]+")
 TYPED = re.compile(
     r"[a-z-]+ [A-Z]{2,}\b.*|.*\brobot_\d.*"
@@ -182,8 +177,8 @@ class _Spoken(ast.NodeVisitor):
             self.found += variants(node.args[0])
             self.visit(Calls(node.args[0]).only)
         elif name not in UNHEARD:
-            if name in LABELLED:
-                self.found += variants(node.args[0])
+            for at in TOLD.get(name, ()) if self.talks else ():
+                self.found += variants(node.args[at]) if at < len(node.args) else []
             self.generic_visit(node)
 
     def visit_Tuple(self, node: ast.Tuple) -> None:

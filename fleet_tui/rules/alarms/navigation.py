@@ -5,6 +5,7 @@ from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.order import route_text
+from fleet_tui.model.order_life import UNSAID
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
 from fleet_tui.rules.commands.failures import FAILED_FOR
@@ -92,7 +93,7 @@ def failed_order(state: FleetState, robot: Robot, _active: ActiveConditions) -> 
         return None
     stops = route_text(last.order.stops, lambda vertex: robot.name_of(vertex) or vertex)
     text = f"order {stops if last.order.stops else last.order.id} failed"
-    found = f"{text}{detail_text(last.reason)}"
+    found = f"{text}{detail_text('no reason reported' if last.reason == UNSAID else last.reason)}"
     return Condition(robot.name, "order", Priority.MEDIUM, found, text, parts=frozenset({last.order.id}))
 
 

@@ -4,6 +4,7 @@ from collections.abc import Iterable
 
 from fleet_tui.model.alarm import Alarm, AlarmStage
 from fleet_tui.model.fleet import FleetState, is_missing
+from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
 
 LONG_STILL = 30.0
@@ -61,7 +62,8 @@ def by_urgency(state: FleetState) -> list[str]:
 def next_in_trouble(state: FleetState, after: str, marked: object = None) -> str:
     """Return the robot of the marked alarm. If `after` has it, or it is no robot's, return the next one in
     the order of the alarms pane and around its end, of those that need a person while there are some; if none
-    is in trouble, one that waits, whose alarm is shelved or whose pose is missing; empty without one."""
+    is in trouble, one that waits or is blocked, whose alarm is shelved or whose pose is missing; empty if
+    there is none."""
     troubled, known = by_urgency(state), acknowledged(state)
     of_marked = {name for one in state.alarms if one.key == marked for name in _whose(one)}
     if of_marked and after not in of_marked and (found := [name for name in troubled if name in of_marked]):
@@ -71,14 +73,19 @@ def next_in_trouble(state: FleetState, after: str, marked: object = None) -> str
     names = names or [
         name
         for name, robot in state.robots.items()
-        if name in silenced or waits(state, robot) or is_missing(state, robot, "pose")
+        if name in silenced or _may_be(state, robot) or is_missing(state, robot, "pose")
     ]
     start = names.index(after) + 1 if after in names else 0
     return names[start % len(names)] if names else ""
 
 
+def _may_be(state: FleetState, robot: Robot) -> bool:
+    """Tell whether a robot is amber on the map."""
+    return waits(state, robot) or state.is_obstructed(robot)
+
+
 def _whose(alarm: Alarm) -> list[str]:
-    return [alarm.condition.source, *sorted(alarm.condition.parts)]
+    return [alarm.condition.source, *sorted(alarm.condition.parts, key=natural)]
 
 
 def trouble_elsewhere(state: FleetState, floor: str) -> str:

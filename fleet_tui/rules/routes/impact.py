@@ -41,11 +41,16 @@ class CutOrder(Struct, frozen=True):
     around: float | None
 
     @property
+    def further(self) -> float:
+        """Return the metres of the detour, infinite without a way."""
+        return math.inf if self.around is None else self.around - self.metres
+
+    @property
     def text(self) -> str:
         """Return the length of the detour in words."""
         if self.around is None:
             return "no way"
-        more = round(self.around - self.metres)
+        more = round(self.further)
         return f"detour +{more} m ({self.around:.0f} m)" if more > 0 else "another way, as long"
 
 

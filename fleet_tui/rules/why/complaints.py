@@ -47,16 +47,23 @@ def complaints(state: FleetState, robot: Robot, counter: LinkCounter | None) -> 
     parts = counter.health.values()
     fresh = [part for part in parts if state.now - part.at < DIAGNOSED_WITHIN]
     recent = [line for line in snapshot(counter.log) if state.now - line.at < LOGGED_WITHIN]
-    found = {one.text: one for one in (*_logged(recent, name), *_diagnosed(fresh, name))}
+    found = {one.text: one for one in (*_logged(state, recent, name), *_diagnosed(fresh, name))}
     return sorted(found.values(), key=lambda one: (not one.is_error, -one.at))[:SHOWN]
 
 
-def _logged(lines: Iterable[LogLine], name: re.Pattern[str]) -> Iterator[Complaint]:
+def _logged(state: FleetState, lines: Iterable[LogLine], name: re.Pattern[str]) -> Iterator[Complaint]:
     for line in lines:
         severity = line.severity or Severity.INFO
         if severity >= Severity.WARN and name.search(line.node):
             text = f"{_without(name, line.node)}: {severity.name} {line.text}"
-            yield Complaint(text, "log", severity >= Severity.ERROR, line.at)
+            yield Complaint(text, "log", severity >= Severity.ERROR, _written(state, line))
+
+
+def _written(state: FleetState, line: LogLine) -> float:
+    """Return when a line was written (monotonic seconds), as far as its stamp can be trusted: a bridge sends
+    the last lines again to who begins to listen."""
+    since = state.wall - line.stamp if line.stamp is not None else 0.0
+    return min(line.at, state.now - since) if 0.0 <= since < LOGGED_WITHIN else line.at
 
 
 def _diagnosed(parts: Iterable[PartDiagnosis], name: re.Pattern[str]) -> Iterator[Complaint]:

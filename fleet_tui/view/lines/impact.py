@@ -15,8 +15,8 @@ from fleet_tui.text.units import counted
 
 MOST_EDGES = 3
 """Edges whose impact is listed."""
-MOST_SHOWN = 8
-"""Orders that are listed; the number of others follows."""
+MOST_SHOWN, MOST_BESIDE = 8, 3
+"""Orders that are listed alone, and beside reasons; the number of others follows."""
 
 
 def impact_text(cut: Sequence[CutOrder]) -> str:
@@ -48,18 +48,18 @@ def why_impact(state: FleetState, robot: Robot) -> list[str]:
     ]
     lines = []
     for ends, what in edges[:MOST_EDGES]:
-        cut = cut_orders(state, ends)
+        cut = [one for one in cut_orders(state, ends) if ends != under or one.robot != robot.name]
         if ends == under and not cut:
             continue
         lines += ["", sanitize(f"{what} {edge_text(robot, ends)} {impact_text(cut)}")]
-        lines += [f"    {line}" for line in impact_lines(state, cut)]
+        lines += [f"    {line}" for line in impact_lines(state, cut, MOST_BESIDE)]
     return lines
 
 
-def impact_lines(state: FleetState, cut: Sequence[CutOrder]) -> Iterator[str]:
-    """Yield each order whose way is cut, with its detour; those without a way first."""
-    for one in sorted(cut, key=lambda found: found.around is not None)[:MOST_SHOWN]:
+def impact_lines(state: FleetState, cut: Sequence[CutOrder], most: int = MOST_SHOWN) -> Iterator[str]:
+    """Yield each order whose way is cut, with its detour, the longest first after those without a way."""
+    for one in sorted(cut, key=lambda found: -found.further)[:most]:
         told = mission(state.robots[one.robot], one.order)
         yield sanitize(f"{one.robot} {tr(told)}: {tr(one.text)}")
-    if len(cut) > MOST_SHOWN:
-        yield tr(f"and {len(cut) - MOST_SHOWN} more")
+    if len(cut) > most:
+        yield tr(f"and {len(cut) - most} more")

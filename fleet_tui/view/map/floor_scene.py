@@ -236,6 +236,6 @@ def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None
         mission=way,
         closed=_closed(state, floor.name, robot_map),
         note=", ".join(map(tr, notes)),
-        elsewhere=trouble_elsewhere(state, floor.name),
+        elsewhere=tr(trouble_elsewhere(state, floor.name)),
         waits=state.now - state.links[selected.link].since < PATIENCE,
     )

@@ -28,8 +28,9 @@ def robot_number(robot: SceneRobot) -> str:
     return robot.mark or str(robot.number)
 
 
-def robot_tag(robot: SceneRobot, plain: bool) -> str:
-    """Return the text beside the arrow: the number, then the robot's special states."""
+def robot_tag(robot: SceneRobot, plain: bool, has_age: bool = True) -> str:
+    """Return the text beside the arrow: the number, then the robot's special states; the age of an old pose,
+    or without it (`has_age`) a sign."""
     tag = robot_number(robot)
     if plain and robot.cargo:
         tag += "+"
@@ -41,8 +42,10 @@ def robot_tag(robot: SceneRobot, plain: bool) -> str:
         tag += "?"
     if robot.other_map:
         tag += "~" if plain else "≈"
+    if robot.online:
+        return tag
     # In brackets: "0 18 s" would read as two numbers.
-    return tag if robot.online else f"{tag} ({age(robot.age)})"
+    return f"{tag} ({age(robot.age)})" if has_age else tag + ("-" if plain else "○")
 
 
 def is_special(robot: SceneRobot) -> bool:
@@ -52,10 +55,10 @@ def is_special(robot: SceneRobot) -> bool:
 
 def robot_roles(robot: SceneRobot) -> tuple[StyleRole, StyleRole]:
     """Return the roles of the arrow and of the tag: the first shows selection, both show trouble."""
-    if not robot.online:
-        state = StyleRole.ROBOT_OFFLINE
-    elif robot.alarmed:
+    if robot.alarmed:
         state = StyleRole.ROBOT_ALARM
+    elif not robot.online:
+        state = StyleRole.ROBOT_OFFLINE
     elif robot.is_odd:
         state = StyleRole.ROBOT_WARN
     elif robot.selected:

@@ -13,8 +13,9 @@ from fleet_tui.view.map.layers import (
     draw_vertices,
 )
 from fleet_tui.view.map.lines import draw_approach, draw_closed, draw_edges, draw_mission, draw_trails
+from fleet_tui.view.map.outlines import draw_outlines
 from fleet_tui.view.map.placing.labels import Backdrop
-from fleet_tui.view.map.robots import Arrangement, draw_outlines, draw_robots
+from fleet_tui.view.map.robots import Arrangement, draw_robots
 from fleet_tui.view.map.scene import Scene
 from fleet_tui.view.map.streams import draw_path, draw_scan
 from fleet_tui.view.roles import StyleRole

@@ -1,18 +1,15 @@
 """The layer of robots: each an arrow with its number beside it, as one chip."""
 
-import math
 from collections.abc import Container, Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import partial
 from itertools import accumulate, chain
 from typing import NamedTuple
 
-from fleet_tui.model.geometry import Line
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.glyphs import robot_glyph, robot_number, robot_roles, robot_tag
 from fleet_tui.view.map.layers import MapOptions
-from fleet_tui.view.map.lines import blank_mask, ends_of, stroke, trace
 from fleet_tui.view.map.places import Place, quiet_places, seen_robots
 from fleet_tui.view.map.placing.labels import Backdrop, move_aside
 from fleet_tui.view.map.placing.occupancy import CellOccupancy
@@ -22,11 +19,9 @@ from fleet_tui.view.roles import StyleRole
 NEIGHBOURS = 4
 """Cells from arrow to arrow within which robots have their numbers together, if one alone has no space."""
 LARGE = 90
-"""Cells of the view's width from which an alarm is told beside its robot."""
+"""Cells of the view's width from which an alarm is told beside its robot, and the age of each offline one."""
 _DOTS = "•*"
 """The place of robots with different headings; the second in ASCII."""
-OUTLINE = 10.0
-"""Dots of a robot's longer side from which its outline is drawn."""
 Chips = list[tuple[int, int, str, StyleRole]]
 """Arrows and numbers: x, y, text, role."""
 
@@ -68,8 +63,9 @@ def _chips(
     """Return the chips of all robots: the selected one on top, then those in trouble.
 
     The arrow is in the robot's own cell; of several robots in a cell, or side by side, the numbers are
-    listed. A robot between others is listed with a neighbour, or has its number above or below; without space
-    it has none. Where numbers are listed, an arrow shows the heading of all of them, else there is a dot.
+    listed. A robot between others is listed with a neighbour, or has its number above or below, or in place
+    of its arrow; without space it has none. Where numbers are listed, an arrow shows the heading of all of
+    them, else there is a dot.
     """
     sharing = _groups(scene, camera)
     plain, turned = look.plain, scene.frame.origin.yaw
@@ -77,21 +73,34 @@ def _chips(
     for (x, y), arrow in arrows.items():
         occupancy.take(x, y, len(arrow))
     quiet = quiet_places(sharing, camera)
-    bridges: Chips = []
     numbers: dict[Place, _Numbers] = {}
     for at, robots in sharing.items():
         if placed := _beside_arrow(occupancy, robots, at, len(arrows[at]), look, sides, at in quiet):
             numbers[at] = placed
-    for at in [at for at in sharing if at not in numbers and at not in quiet]:
-        alone = robot_number(sharing[at][0]), robot_roles(sharing[at][0])[1]
-        if (joined := _join(occupancy, numbers, at, alone)) is not None:
-            bridges += _bridge(occupancy, at, joined)
-        else:
-            _stack(occupancy, numbers, at, alone)
+    others = _between(occupancy, sharing, numbers, arrows, quiet)
     _unite(arrows, numbers.values(), plain)
     chips = [(*at, arrows[at], robot_roles(robots[0])[0]) for at, robots in sharing.items()]
     listed = (_beside(placed.start, at[1], placed.runs) for at, placed in numbers.items())
-    return [*chips, *bridges, *chain.from_iterable(listed)]
+    return [*chips, *others, *chain.from_iterable(listed)]
+
+
+def _between(
+    occupancy: CellOccupancy,
+    sharing: dict[Place, list[SceneRobot]],
+    numbers: dict[Place, _Numbers],
+    arrows: dict[Place, str],
+    quiet: set[Place],
+) -> Chips:
+    """Place the numbers that have no space beside their arrow, and return the chips over cells and arrows."""
+    chips: Chips = []
+    for at in [at for at in sharing if at not in numbers]:
+        robot = sharing[at][0]
+        alone = robot_number(robot), robot_roles(robot)[1]
+        if at not in quiet and (joined := _join(occupancy, numbers, at, alone)) is not None:
+            chips += _bridge(occupancy, at, joined)
+        elif at in quiet or not _stack(occupancy, numbers, at, alone):
+            chips += _instead(occupancy, robot, at, len(arrows[at]))
+    return chips
 
 
 def _groups(scene: Scene, camera: Camera) -> dict[Place, list[SceneRobot]]:
@@ -117,7 +126,8 @@ def _beside_arrow(
     (x, y), first = at, robots[0]
     number = first.number
     has_alarm = occupancy.width >= LARGE and first.alarmed and first.online and first.said != ""
-    for n, runs in enumerate(_numbers(robots, look.plain, has_alarm)):
+    has_ages = occupancy.width >= LARGE or first.selected
+    for n, runs in enumerate(_numbers(robots, look.plain, has_alarm, has_ages)):
         cells = sum(len(text) for text, _ in runs)
         # The age of a pose, or an alarm, is also in a table: it covers no label.
         is_long = n == 0 and (has_alarm or not all(robot.online for robot in robots))
@@ -161,13 +171,22 @@ def _bridge(occupancy: CellOccupancy, at: Place, other: Place) -> Chips:
 
 def _stack(
     occupancy: CellOccupancy, numbers: dict[Place, _Numbers], at: Place, number: tuple[str, StyleRole]
-) -> None:
-    """Put the number of a robot above or below its arrow."""
+) -> bool:
+    """Put the number of a robot above or below its arrow, if there is space."""
     x, y = at
     for row in (y - 1, y + 1):
         if (x, row) not in numbers and occupancy.extends(x, row, len(number[0]), 1):
             numbers[x, row] = _Numbers(x, 1, [number], (at,))
-            return
+            return True
+    return False
+
+
+def _instead(occupancy: CellOccupancy, robot: SceneRobot, at: Place, arrow: int) -> Chips:
+    """Put the number of a robot in place of its arrow of `arrow` cells, if there is space."""
+    number = robot_number(robot)
+    if len(number) < arrow or (start := occupancy.number_over(*at, len(number))) is None:
+        return []
+    return [(start, at[1], number, robot_roles(robot)[0])]
 
 
 def _beside(x: int, y: int, runs: list[tuple[str, StyleRole]]) -> Chips:
@@ -177,7 +196,7 @@ def _beside(x: int, y: int, runs: list[tuple[str, StyleRole]]) -> Chips:
 
 
 def _numbers(
-    robots: list[SceneRobot], plain: bool, has_alarm: bool = False
+    robots: list[SceneRobot], plain: bool, has_alarm: bool, has_ages: bool
 ) -> Iterator[list[tuple[str, StyleRole]]]:
     """Yield the texts beside the arrow of the robots in one cell, each with its role, the most telling first:
     all of them, the first with a count of the others, each with states and without; the first alone. Beside
@@ -188,10 +207,9 @@ def _numbers(
         yield [(f"{robot_tag(first, plain)} {first.said}{' ' * bool(more)}", role), *count]
     if first.alarmed and more:
         yield [(robot_tag(first, plain), role), *count]
-    for text in (partial(robot_tag, plain=plain), robot_number):
-        # Among several an age would read as a number of its own.
-        texts = [text(one) if one.online or not more else robot_number(one) for one in robots]
-        tags = [(tag, robot_roles(one)[1]) for tag, one in zip(texts, robots, strict=True)]
+    # Among several an age would read as a number of its own.
+    for text in (partial(robot_tag, plain=plain, has_age=has_ages and not more), robot_number):
+        tags = [(text(one), robot_roles(one)[1]) for one in robots]
         yield [run for tag in tags for run in (tag, (",", StyleRole.ROBOT))][:-1]
         if more:
             yield [tags[0], *count]
@@ -214,36 +232,3 @@ def _unite(arrows: dict[Place, str], listed: Iterable[_Numbers], plain: bool) ->
     for numbers in listed:
         if len({arrows[at] for at in numbers.arrows}) > 1:
             arrows.update({at: _DOTS[plain].ljust(len(arrows[at])) for at in numbers.arrows})
-
-
-def draw_outlines(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
-    """Draw the outline of each robot of known size, to scale, if the zoom is close enough."""
-    dot = camera.scale * scene.frame.resolution
-    near = [robot for robot in scene.robots if robot.size and max(robot.size) >= OUTLINE * dot]
-    seen = [robot for robot in near if math.isfinite(robot.pose.x + robot.pose.y + robot.pose.yaw)]
-    for role in {_outline_role(robot) for robot in seen}:
-        sides = [side for robot in seen if _outline_role(robot) is role for side in _sides(robot)]
-        mask = blank_mask(camera)
-        trace(mask, *ends_of(scene, camera, tuple(sides)))
-        stroke(cells, mask, role, look, "%")
-
-
-def _outline_role(robot: SceneRobot) -> StyleRole:
-    if robot.selected:
-        return StyleRole.TARGET
-    return StyleRole.ROBOT_BODY_ALARM if robot.alarmed else StyleRole.ROBOT_BODY
-
-
-def _sides(robot: SceneRobot) -> Iterator[Line]:
-    """Return the four sides of a robot's outline; its pose is in the middle."""
-    assert robot.size is not None
-    x, y, yaw = robot.pose.x, robot.pose.y, robot.pose.yaw
-    length, width = robot.size
-    ahead = math.cos(yaw) * length / 2, math.sin(yaw) * length / 2
-    left = -math.sin(yaw) * width / 2, math.cos(yaw) * width / 2
-    corners = [
-        (x + one * ahead[0] + other * left[0], y + one * ahead[1] + other * left[1])
-        for one, other in ((1, 1), (1, -1), (-1, -1), (-1, 1))
-    ]
-    for (from_x, from_y), (to_x, to_y) in zip(corners, [*corners[1:], corners[0]], strict=True):
-        yield from_x, from_y, to_x, to_y

@@ -35,6 +35,8 @@ def test_what_is_special_about_a_robot_stands_at_its_number() -> None:
     odd = SceneRobot("r", 7, HERE, cargo=True, obstacle=True, paused=True, jumped=True, other_map=True)
     assert (robot_tag(odd, False), robot_tag(odd, True)) == ("7!‖?≈", "7+!=?~")
     assert robot_tag(SceneRobot("r", 7, HERE, online=False, age=90.0), False) == "7 (90 s)"
+    gone = SceneRobot("r", 7, HERE, online=False, age=90.0)
+    assert (robot_tag(gone, False, False), robot_tag(gone, True, False)) == ("7○", "7-")
 
 
 def test_trouble_goes_before_selection_and_selection_shows_in_the_arrow() -> None:

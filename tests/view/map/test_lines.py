@@ -223,29 +223,6 @@ def test_a_way_to_nowhere_breaks_nothing(far: float) -> None:
     assert "1→" in drawn(replace(scene, robots=(robot,))).text()
 
 
-@pytest.mark.parametrize(("yaw", "wide", "high"), [(0.0, 2.0, 1.0), (np.pi / 2, 1.0, 2.0)])
-def test_a_robot_of_known_size_has_its_outline_to_scale_when_seen_from_near(
-    yaw: float, wide: float, high: float
-) -> None:
-    robot = SceneRobot("robot_0", 1, Pose(6.0, 5.0, yaw), size=(2.0, 1.0))
-    near = CAMERA.zoomed(4.0, FRAME.to_pixel(6.0, 5.0))
-    before, after = (
-        drawn(replace(SCENE, robots=(one,)), camera=near) for one in (robot._replace(size=None), robot)
-    )
-    rows, columns = np.nonzero(before.codes != after.codes)
-    dot = near.scale * FRAME.resolution
-    assert (columns.max() - columns.min() + 1) * 2 * dot == pytest.approx(wide, abs=4 * dot)
-    assert (rows.max() - rows.min() + 1) * 4 * dot == pytest.approx(high, abs=8 * dot)
-
-
-def test_from_far_no_outline_is_drawn_and_one_that_is_nowhere_breaks_nothing() -> None:
-    robot = SceneRobot("robot_0", 1, Pose(6.0, 5.0), size=(0.4, 0.3))
-    with_size, without = (drawn(replace(SCENE, robots=(one,))) for one in (robot, robot._replace(size=None)))
-    assert with_size.text() == without.text()
-    nowhere = robot._replace(pose=Pose(float("nan"), 1.0, float("inf")), size=(9.0, 9.0))
-    assert drawn(replace(SCENE, robots=(nowhere,))).text() == drawn(SCENE).text()
-
-
 @given(st.floats(1.0, 9.0), st.floats(2.0, 18.0))
 def test_a_straight_way_takes_one_line_of_cells(y: float, x: float) -> None:
     across = drawn(replace(SCENE, mission=Mission(((2.0, y, 18.0, y),))))

@@ -78,13 +78,26 @@ class CellOccupancy:
         spared = [side for side in sides if self.free(_start(x, arrow, cells, side), y, cells)]
         if spares and not spared:
             return 0
-        if before in spared:
-            spared = [before]
         # A number beyond the floor's edge reads as one of nothing, and one on a wall breaks it.
         on_floor = [side for side in spared if not self._is_beyond(_start(x, arrow, cells, side), y, cells)]
-        side = [*on_floor, *spared, *sides][0]
+        best = on_floor or spared or sides
+        side = before if before in best else best[0]
         self._take_number(_start(x, arrow, cells, side), y, cells)
         return side
+
+    def number_over(self, x: int, y: int, cells: int) -> int | None:
+        """Occupy the cells for a number of `cells` cells in place of an arrow at (x, y), over no label and
+        with nothing beside it. Return the first one, None without space."""
+        for start in dict.fromkeys((x - cells + 1, x)):
+            left, right = max(start - 1, 0), min(start + cells + 1, self.width)
+            if start < 0 or start + cells > self.width:
+                continue
+            own = 1 << self._bit(x, y)
+            around = ((1 << right - left) - 1 << self._bit(left, y)) & ~own
+            if not self._taken & around and not self._texts >> self._bit(start, y) & (1 << cells) - 1:
+                self._take_number(start, y, cells)
+                return start
+        return None
 
     def extends(self, x: int, y: int, cells: int, side: int) -> bool:
         """Occupy cells of a row that continue to a `side`, if they and the next one are free and in view."""

@@ -204,3 +204,19 @@ def test_the_ends_of_an_order_have_a_label_and_move_no_other_that_leaves_them_ro
         assert end in names(ordered, camera)
     if end in before:
         assert names(ordered, camera) == before
+
+
+@given(taken_places, places, st.integers(1, 3))
+def test_a_number_in_place_of_an_arrow_touches_nothing(
+    taken: set[tuple[int, int]], at: tuple[int, int], cells: int
+) -> None:
+    occupancy = CellOccupancy(WIDTH, HEIGHT)
+    for x, y in taken | {at}:
+        occupancy.take(x, y, 1)
+    start = occupancy.number_over(*at, cells)
+    x, y = at
+    spots = {s: {(n, y) for n in range(s - 1, s + cells + 1)} - {at} for s in (x - cells + 1, x)}
+    fitting = [s for s, near in spots.items() if not near & taken and s >= 0 and s + cells <= WIDTH]
+    assert (start in fitting) if fitting else start is None
+    if start is not None:
+        assert not any(occupancy.free(n, y, 1) for n in range(start, start + cells))
