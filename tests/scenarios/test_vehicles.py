@@ -1,5 +1,6 @@
 """Vehicles that share no code with the console, over a real broker: watched, paused, driven, cancelled."""
 
+import asyncio
 import json
 from collections.abc import AsyncIterator, Callable
 from contextlib import AbstractAsyncContextManager, asynccontextmanager
@@ -8,13 +9,17 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.client.fleet_link import FleetLink
+from fleet_tui.config.schema import Link
+from fleet_tui.discovery.site import start_discovery
 from fleet_tui.maps.route_graphs import load_floor_graph
 from fleet_tui.model.commands import ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.order import Stop, at_vertices
-from tests.support.links import finished
+from tests.support.links import finished, linked
 from tests.support.mosquitto import Mosquitto, mosquitto, needs_mosquitto
+from tests.support.mqtt_peer import Peer
+from tests.support.polling import until
 from tests.support.vda_broker import console_on
 from tests.support.vda_vehicles import npm_vehicle, sdk_vehicle
 from tests.support.watched_store import WatchedStore
@@ -117,3 +122,21 @@ async def test_it_drives_over_a_graph_of_lif(tmp_path: Path) -> None:
         await store.until(lambda state: state.commands[-1].stage is Stage.DONE)
         agv = store.state.robots["agv"]
         assert agv.vehicle is not None and agv.vehicle.value.last_node == "n2"
+
+
+async def test_an_address_is_enough_to_see_vehicles_of_both_libraries(tmp_path: Path) -> None:
+    with mosquitto(tmp_path) as broker:
+        async with sdk_vehicle(broker), npm_vehicle(broker, "2.0.0", "0002"):
+            peer = Peer(broker.port, "uagv/+/+/0002/state")
+            await until(lambda: peer.told)
+            site = await asyncio.wrap_future(start_discovery(Link(broker.url)))
+            assert {one.name: one.serial for one in site.config.robots} == {
+                "agv_0001": "0001",
+                "agv_0002": "0002",
+            }
+            async with linked(site.config) as (link, store):
+                await store.until(lambda state: all(map(state.is_online, state.robots.values())))
+                for name, robot in store.state.robots.items():
+                    assert robot.floor == "hall" and robot.pose is not None
+                    assert await outcome(link, store, PauseRobot(name)) is Stage.NOT_SENT
+            peer.close()

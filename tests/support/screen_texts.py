@@ -54,11 +54,6 @@ SILENT = (
     ),
     *("adapters/move_base/reading", "adapters/move_base/probes", "adapters/nav2/reading"),
     *(
-        "adapters/vda5050/fields",
-        "adapters/vda5050/reading",
-        "adapters/vda5050/state",
-        "adapters/vda5050/frames",
-        "adapters/vda5050/reader",
         "adapters/nav2/probes",
         "adapters/nav2/adapter",
         "rules/driving/echoes",

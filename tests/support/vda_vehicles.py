@@ -45,9 +45,9 @@ def library() -> Path:
 
 
 @asynccontextmanager
-async def npm_vehicle(broker: Mosquitto, version: str) -> AsyncIterator[None]:
+async def npm_vehicle(broker: Mosquitto, version: str, serial: str = "0001") -> AsyncIterator[None]:
     """A vehicle of vda-5050-lib at (0, 0), which drives 2 m/s; it is killed, so that its last will comes."""
-    command = ["node", "vehicle.js", broker.url, version, "0001"]
+    command = ["node", "vehicle.js", broker.url, version, serial]
     process = await asyncio.create_subprocess_exec(*command, cwd=await asyncio.to_thread(library))
     try:
         yield

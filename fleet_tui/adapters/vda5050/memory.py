@@ -6,6 +6,8 @@ from fleet_tui.adapters.vda5050.fields import Fields
 from fleet_tui.adapters.vda5050.state import OrderNodes, nodes_of
 from fleet_tui.model.navigation import Goal
 
+RESTARTS, WITHIN = 3, 60.0
+"""Numbers of messages that go back so often in so many seconds are those of two senders."""
 TOLD_EVERY = 5.0
 """Seconds after which an unchanged order is told again, so that it does not grow old."""
 
@@ -15,7 +17,19 @@ class StateMemory:
 
     def __init__(self) -> None:
         self._nodes: dict[str, tuple[Any, Any, OrderNodes]] = {}
+        self._numbers: dict[str, float | None] = {}
+        self._back: dict[str, list[float]] = {}
+        """When the numbers of a vehicle's states went back (monotonic)."""
         self._orders: dict[str, tuple[tuple[Goal, ...], float]] = {}
+
+    def has_second_sender(self, robot: str, number: float | None, at: float) -> bool:
+        """Tell whether the numbers of a vehicle's states go back again and again: once is a restart."""
+        last, self._numbers[robot] = self._numbers.get(robot), number
+        if last is None or number is None or number >= last:
+            return False
+        back = [one for one in self._back.get(robot, ()) if 0.0 <= at - one < WITHIN]
+        self._back[robot] = [*back, at][-RESTARTS:]
+        return len(self._back[robot]) == RESTARTS
 
     def nodes(self, robot: str, state: Fields) -> tuple[OrderNodes, bool]:
         """Return the nodes that are left, and whether they have changed."""

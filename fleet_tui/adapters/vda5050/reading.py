@@ -73,6 +73,8 @@ def stamp_of(message: Fields) -> float | None:
 def read_state(origin: MessageOrigin, message: Fields) -> Iterator[events.Event]:
     """Read a state: everything that a vehicle reports."""
     robot, at = origin.robot, origin.at
+    if origin.memory.has_second_sender(robot, message.number("headerId"), at):
+        message.faults.append("headerId goes back again and again: two senders have this serial number")
     nodes, is_new = origin.memory.nodes(robot, message)
     vehicle = vehicle_of(message, origin.base, nodes)
     yield VehicleReported(robot, at, vehicle)

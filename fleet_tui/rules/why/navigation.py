@@ -18,12 +18,12 @@ def blocked(state: FleetState, robot: Robot) -> Reason | None:
     found, fresh = robot.blocked.value, state.is_fresh(robot, "blocked")
     zone = f" in {found.polygon}" if found.polygon else ""
     strength = Strength.CERTAIN if fresh and found.is_stopped else Strength.POSSIBLE
-    evidence = f"collision monitor triggered{zone}: clear the path at the robot"
+    cause = f"collision monitor triggered{zone}"
     if robot.vehicle is not None:
-        evidence = "protective field violated: clear the path at the robot"
+        cause = f"{found.polygon} violated"
     return Reason(
         blocked_text(found, state.now),
-        evidence,
+        f"{cause}: clear the path at the robot",
         strength,
         since=found.since,
         seen=robot.blocked.at,

@@ -33,6 +33,7 @@ BEAT_EVERY, BEAT_TIMEOUT = 2.0, 5.0
 NOWHERE = "fleet-tui/heartbeat"
 """A topic to unsubscribe from without a subscription: a broker must answer that, whatever the user's rights,
 and it changes nothing."""
+MOST_LOGGED = 100
 FAILED = 128
 """Reason code of a refused subscription."""
 
@@ -50,6 +51,7 @@ class BrokerSession:
         """Patterns by the ids of unanswered subscriptions."""
         self._beats: dict[int, float] = {}
         """Times at which unanswered signs of life were sent, by their ids."""
+        self._logged = set[str]()
         self._beating: asyncio.Task[None] | None = None
         self._client = self._paho(client_id)
         self._driver = PahoDriver(self._client, self._fail)
@@ -165,8 +167,13 @@ class BrokerSession:
                 self._listener.on_too_large(message.topic, size)
             else:
                 self._listener.on_message(message.topic, bytes(message.payload), message.retain)
-        except Exception:
-            LOG.exception("message of %d bytes", len(message.payload))
+        except Exception as problem:
+            name = repr(problem)
+            if (
+                name not in self._logged and len(self._logged) < MOST_LOGGED
+            ):  # the next message may fail in the same way
+                self._logged.add(name)
+                LOG.exception("message of %d bytes", len(message.payload))
 
     def _on_subscribe(
         self, _client: mqtt.Client, _data: Any, number: int, codes: list[ReasonCode], _more: Any

@@ -40,3 +40,15 @@ def test_a_wrong_node_is_named_each_time() -> None:
     for _ in range(2):
         site.read("state", state(nodeStates=[{"nodeId": 1, "sequenceId": 0}]))
     assert site.agv.faults == 2
+
+
+def test_numbers_that_go_back_once_are_a_restart_and_again_and_again_two_senders() -> None:
+    site = VehicleSite()
+    for number in (5, 6, 1, 2, 3):
+        site.read("state", state(headerId=number))
+    assert site.agv.faults == 0
+    for number in (900, 4, 901, 5):
+        site.read("state", state(headerId=number))
+    assert site.agv.last_fault == (
+        "state: headerId goes back again and again: two senders have this serial number"
+    )
