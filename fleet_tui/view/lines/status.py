@@ -76,7 +76,10 @@ def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
     if link.phase is not Phase.UP:
         yield from _no_link_runs(link, now, address)
         return
-    yield "● ", StyleRole.GOOD
+    is_late = link.late >= BEHIND
+    yield "● ", StyleRole.WARN if is_late else StyleRole.GOOD
+    if is_late:  # before the address, which a narrow line cuts
+        yield tr(f"{duration(link.late)} late: bridge overloaded "), StyleRole.WARN
     yield f"{address} ", StyleRole.TEXT
     if link.last_received is None:
         yield tr("nothing received yet"), StyleRole.DIM
@@ -89,8 +92,6 @@ def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
         yield f" {tr(sanitize(link.command_reason))}", StyleRole.ALARM
     if link.unsourced:
         yield f" {tr(sanitize(link.unsourced_text))}", StyleRole.ALARM
-    if link.late >= BEHIND:
-        yield tr(f" {duration(link.late)} late: bridge overloaded"), StyleRole.WARN
     if link.faults:
         yield tr(f" {link.faults} bad frames"), StyleRole.WARN
 

@@ -199,14 +199,14 @@ def _numbers(
     robots: list[SceneRobot], plain: bool, has_alarm: bool, has_ages: bool
 ) -> Iterator[list[tuple[str, StyleRole]]]:
     """Yield the texts beside the arrow of the robots in one cell, each with its role, the most telling first:
-    all of them, the first with a count of the others, each with states and without; the first alone. Beside
-    one in trouble the others are only counted: it must be clear whose arrow it is."""
+    all of them, the first with a count of the others, each with states and without; the first alone."""
     first, more = robots[0], len(robots) - 1
     role, count = robot_roles(first)[1], [(f"+{more}", StyleRole.ROBOT)] if more else []
     if has_alarm and first.said.isascii() and first.said.isprintable():  # each letter takes one cell
-        yield [(f"{robot_tag(first, plain)} {first.said}{' ' * bool(more)}", role), *count]
-    if first.alarmed and more:
-        yield [(robot_tag(first, plain), role), *count]
+        told = f"{robot_tag(first, plain)} {first.said}", role
+        numbers = [(robot_number(one), robot_roles(one)[1]) for one in robots[1:]]
+        yield [told, *(run for number in numbers for run in ((",", StyleRole.ROBOT), number))]
+        yield [told, *count]
     # Among several an age would read as a number of its own.
     for text in (partial(robot_tag, plain=plain, has_age=has_ages and not more), robot_number):
         tags = [(text(one), robot_roles(one)[1]) for one in robots]

@@ -86,17 +86,18 @@ class CellOccupancy:
         return side
 
     def number_over(self, x: int, y: int, cells: int) -> int | None:
-        """Occupy the cells for a number of `cells` cells in place of an arrow at (x, y), over no label and
-        with nothing beside it. Return the first one, None without space."""
-        for start in dict.fromkeys((x - cells + 1, x)):
-            left, right = max(start - 1, 0), min(start + cells + 1, self.width)
-            if start < 0 or start + cells > self.width:
-                continue
-            own = 1 << self._bit(x, y)
-            around = ((1 << right - left) - 1 << self._bit(left, y)) & ~own
-            if not self._taken & around and not self._texts >> self._bit(start, y) & (1 << cells) - 1:
-                self._take_number(start, y, cells)
-                return start
+        """Occupy the cells for a number of `cells` cells in place of an arrow at (x, y), with nothing beside
+        it, rather over no label. Return the first one, None without space."""
+        own = 1 << self._bit(x, y)
+        for kept_clear in (self._texts, 0):
+            for start in dict.fromkeys((x - cells + 1, x)):
+                left, right = max(start - 1, 0), min(start + cells + 1, self.width)
+                if start < 0 or start + cells > self.width:
+                    continue
+                around = ((1 << right - left) - 1 << self._bit(left, y)) & ~own
+                if not self._taken & around and not kept_clear >> self._bit(start, y) & (1 << cells) - 1:
+                    self._take_number(start, y, cells)
+                    return start
         return None
 
     def extends(self, x: int, y: int, cells: int, side: int) -> bool:
