@@ -119,9 +119,9 @@ def _link(state: FleetState, name: str) -> dict[str, Any]:
 
 def _arguments(robot: Robot | None, command: commands.Command) -> dict[str, Any]:
     match command:
-        case commands.PlaceOrder(_, stops):
+        case commands.PlaceOrder(_, stops, to_any):
             start = _stop("start", robot, stops[0]) if len(stops) > 1 else {}
-            what = command.what(robot.kind if robot else Kind())
+            what = "order any" if to_any else command.what(robot.kind if robot else Kind())
             return {"what": what, **start, **_stop("end", robot, stops[-1])}
         case commands.CancelOrder(_, order_id):
             return {"what": "cancel", "order": order_id}

@@ -7,11 +7,9 @@ import msgspec
 
 from fleet_tui.adapters.ros.facts import check_finite
 from fleet_tui.errors import MapError, WireError
-from fleet_tui.maps.images import OccupancyThresholds, classes_of
 from fleet_tui.model.events import GridReceived
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.grid import check_frame
-from fleet_tui.model.occupancy import build_grid
 
 MOST_LEVELS = 50
 
@@ -54,6 +52,10 @@ def read_levels(msg: object, at: float) -> Sequence[GridReceived]:
 
 
 def _grid(level: str, image: ImageMessage, at: float) -> GridReceived:
+    # With numpy and Pillow, whose import takes longer than a whole command without a screen.
+    from fleet_tui.maps.images import OccupancyThresholds, classes_of
+    from fleet_tui.model.occupancy import build_grid
+
     check_finite(image.x_offset, image.y_offset, image.yaw, image.scale, field=f"level {level[:40]}: image")
     try:
         classes = classes_of(io.BytesIO(image.data), image.name or "image", OccupancyThresholds())

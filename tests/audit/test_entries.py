@@ -17,11 +17,13 @@ from fleet_tui.model.commands import (
     ClearOrders,
     Command,
     PauseRobot,
+    PlaceOrder,
     ResumeRobot,
     Stage,
 )
 from fleet_tui.model.desk.events import AlarmAcknowledged
 from fleet_tui.model.events import CommandAdvanced
+from fleet_tui.model.order import at_vertices
 from fleet_tui.state.store import Store
 from tests.support.fleets import (
     F0,
@@ -78,6 +80,7 @@ def test_the_order_that_was_recognised_and_the_robots_words_are_in_it(tmp_path: 
     [
         (place_order(R0, 3), "bring cargo", {"end": "3", "end_label": "Store"}),
         (CancelOrder(R0, "12"), "cancel", {"order": "12"}),
+        (PlaceOrder(R0, at_vertices("2"), to_any=True), "order any", {"end": "2"}),
         (ClearOrders(R0), "clear", {}),
         (PauseRobot(R0), "pause", {}),
         (ResumeRobot(R0), "resume", {}),
@@ -89,7 +92,8 @@ def test_every_kind_of_command(
     store, _ = watched(tmp_path)
     give(store, 1, command, Stage.NOT_SENT, detail="no link")
     line = json.loads((tmp_path / FILE_NAME).read_bytes().splitlines()[-1])
-    known = {name: line.get(name) for name in ("start", "start_label", "end", "end_label", "order")}
+    asked = "start", "start_label", "end", "end_label", "order"
+    known = {name: line.get(name) for name in asked}
     assert {name: value for name, value in known.items() if value is not None} == arguments
     assert (line["what"], line["change"], line["words"]) == (what, "not sent", "no link")
 

@@ -93,3 +93,13 @@ async def test_a_pause_does_not_wait_until_a_large_fleet_is_advertised(
             await sent.came.wait()
     publisher.stop()
     assert [one["topic"] for one in sent.frames if one["op"] == "advertise"].count("/robot_99/cancel") == 1
+
+
+async def test_a_request_is_sent_once_although_its_topic_is_new_and_never_latched(
+    publisher: Publishing, sent: Sent
+) -> None:
+    publisher.send(lock("request", "/requests")._replace(is_request=True))
+    publisher.send(lock("goal"))
+    await until_repeated(sent, 3)
+    assert sent.published() == ["request", "goal", "goal"]
+    assert not any("latch" in frame or "qos" in frame for frame in sent.frames)

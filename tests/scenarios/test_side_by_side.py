@@ -1,0 +1,82 @@
+"""One console with robots behind rosbridge, a vehicle on a broker and fleets of Open-RMF."""
+
+from pathlib import Path
+
+from fleet_tui.config.load import from_text
+from fleet_tui.model.commands import PauseRobot, PlaceOrder
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.order import at_vertices
+from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.view.tables.fleet import fleet_table
+from tests.support.links import linked
+from tests.support.mosquitto import mosquitto, needs_mosquitto
+from tests.support.rmf_site import FIRST, hospital
+from tests.support.vda_broker import SpokenFor
+
+pytestmark = needs_mosquitto
+
+TEXT = """
+[links.hall]
+url = "{hall}"
+profile = "oh_ressources"
+[links.hospital]
+url = "{hospital}"
+profile = "rmf"
+[links.broker]
+url = "{broker}"
+role = "master"
+[[floors]]
+name = "floor_0"
+[[robots]]
+name = "robot_0"
+link = "hall"
+[[robots]]
+name = "tiny/robot_0"
+link = "hospital"
+[[robots]]
+name = "agv"
+manufacturer = "KIT"
+serial = "0001"
+link = "broker"
+"""
+
+
+def all_online(state: FleetState) -> bool:
+    return all(state.is_online(robot) and robot.battery for robot in state.robots.values())
+
+
+def is_driven(state: FleetState) -> bool:
+    return state.robots[FIRST].orders.current is not None
+
+
+async def test_each_kind_is_shown_and_commanded_in_its_own_way(tmp_path: Path) -> None:
+    hall = RosbridgeServer(World(1, 1, quiet=True))
+    await hall.start()
+    try:
+        with mosquitto(tmp_path) as broker:
+            async with hospital(robots=1, speed=1.0) as site:
+                urls = {"hall": hall.url, "hospital": site.server.url, "broker": broker.url}
+                vehicle = SpokenFor(broker)
+                async with linked(from_text(TEXT.format(**urls))) as (link, store):
+
+                    def online(state: FleetState) -> bool:
+                        vehicle.say()  # until the console listens
+                        return all_online(state) and state.robots[FIRST].knows_all_graphs()
+
+                    state = await store.until(online)
+                    kinds = {name: robot.kind.name for name, robot in state.robots.items()}
+                    shown = [row.key for row in fleet_table(state, FIRST, 200).rows]
+                    link.submit(PlaceOrder(FIRST, at_vertices("Store", "Base")))
+                    await store.until(is_driven)
+                    for name in kinds:
+                        link.submit(PauseRobot(name))
+                    await store.until(lambda state: state.is_paused(state.robots[FIRST]))
+                    await store.until(lambda state: state.is_paused(state.robots["robot_0"]))
+                    await vehicle.next("instantActions")
+                    sent = [one["type"] for one in site.sent()]
+    finally:
+        await hall.stop()
+    assert sent == ["robot_task_request", "interrupt_task_request"]
+    assert kinds == {"robot_0": "oh_ressources", FIRST: "rmf", "agv": "vda5050"}
+    assert shown == list(kinds)
