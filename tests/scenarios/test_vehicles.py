@@ -135,8 +135,9 @@ async def test_an_address_is_enough_to_see_vehicles_of_both_libraries(tmp_path: 
                 "agv_0002": "0002",
             }
             async with linked(site.config) as (link, store):
-                await store.until(lambda state: all(map(state.is_online, state.robots.values())))
+                # The events of a message are applied one after the other: its pose comes after the vehicle.
+                await store.until(lambda state: all(robot.floor == "hall" for robot in state.robots.values()))
                 for name, robot in store.state.robots.items():
-                    assert robot.floor == "hall" and robot.pose is not None
+                    assert robot.pose is not None and store.state.is_online(robot)
                     assert await outcome(link, store, PauseRobot(name)) is Stage.NOT_SENT
             peer.close()
