@@ -23,7 +23,7 @@ LINES = [
     ('fleet-tui graph ""', {"lint", "diff", "convert", "show"}),
     ('fleet-tui graph convert --t""', {"--to"}),
     ('fleet-tui graph convert --to rmf""', {"rmf"}),
-    ('fleet-tui demo --kind ""', {"oh_ressources", "nav2", "move_base", "vda5050", "mixed"}),
+    ('fleet-tui demo --kind ""', {"oh_ressources", "nav2", "move_base", "rmf", "vda5050", "mixed"}),
     ('fleet-tui docs status""', {"status-json"}),
     ('fleet-tui completion ""', {"bash", "zsh", "fish"}),
     ('fleet-tui pause ""', {"robot_7"}),

@@ -7,7 +7,6 @@ from pathlib import Path
 from fleet_tui.config.schema import Config
 from fleet_tui.demo import demo_config
 from fleet_tui.simulator.fleets import Fleet
-from fleet_tui.simulator.kinds import KINDS
 from fleet_tui.simulator.move_base.fleet import MoveBaseFleet
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.oh_ressources.fleet import OhFleet
@@ -15,7 +14,7 @@ from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.site import MIXED
+from fleet_tui.simulator.site import MIXED, mixed_kinds
 
 OH, MOVE_BASE, NAV2 = "robot_0", "robot_1", "robot_2"
 """The robots, each of the kind that its constant is named after."""
@@ -47,5 +46,5 @@ async def mixed_site(folder: Path) -> AsyncIterator[MixedSite]:
             stack.push_async_callback(server.stop)
             server.bridge.started -= 10.0  # such a bridge has discovered every publisher
         first, *others = [server.url for server in servers]
-        config = demo_config(Config(), first, len(KINDS), 1, "", MIXED, folder, others)
+        config = demo_config(Config(), first, len(mixed_kinds()), 1, "", MIXED, folder, others)
         yield MixedSite(servers, fleets, config)
