@@ -78,3 +78,10 @@ def test_messages_of_one_shape_have_translations_of_one_shape(language: str) -> 
             text = text.replace(f"{{{place}}}", f"<{number}>")
         found.setdefault(shape, set()).add(text)
     assert [many for many in found.values() if len(many) > 1] == []
+
+
+def test_what_people_write_and_call_things_stays_as_it_is() -> None:
+    use_language("de")
+    note = "robot_2: lost, idle"
+    assert tr(f"noted for the next shift: {note}") == f"notiert für die nächste Schicht: {note}"
+    assert "18 - no link sperren" in tr("Close 18 - no link: cuts the way of no order")

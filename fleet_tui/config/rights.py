@@ -35,7 +35,9 @@ def own_rights(file: Path | None = None) -> Permissions:
     try:
         table = _trusted(path)
     except FileNotFoundError:
-        return Permissions()
+        # A link to nowhere was meant to be a file of rights.
+        lost = f"{path}: it leads to a file that does not exist"
+        return Permissions(right=Right.VIEW, why=lost) if path.is_symlink() else Permissions()
     except (OSError, ValueError, RecursionError) as problem:
         reason = getattr(problem, "strerror", None) or str(problem)
         return Permissions(right=Right.VIEW, why=f"{path}: {reason}")

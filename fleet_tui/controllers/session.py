@@ -12,6 +12,7 @@ from fleet_tui.controllers.settings import ConsoleSettings
 from fleet_tui.keys import Key, Pane
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
+from fleet_tui.model.problem import Right
 from fleet_tui.text.language import tr
 from fleet_tui.view.lines.status import PAUSED, console_notes, resume_all, status_line, status_right
 from fleet_tui.view.tables.table import Run, cut, width_of
@@ -84,7 +85,7 @@ class LiveSession:
         kept = list(map(tr, files.notes()))
         notes = console_notes(state, may.read_only, may.armed, time.monotonic() - state.now)
         runs = status_line(state, robot, [*notes, *kept])
-        if may.armed and not may.read_only:
+        if may.armed and not may.read_only and may.right >= Right.DISPATCH:
             way_back = f", {resume_all(settings.keys)}"
             notes = [note + way_back * note.endswith(tr(PAUSED)) for note in notes]
             longer = status_line(state, robot, [*notes, *kept])

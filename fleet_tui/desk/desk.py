@@ -38,6 +38,8 @@ WAITING = 1000
 """Facts that wait for a writable folder; of more the oldest are lost, and counted."""
 LAST_CHANCE = 0.5
 """Seconds at the end after which an unresponsive folder is given up."""
+AT_ONCE = 100
+"""Facts that are taken with one look: thousands at once would hold the screen."""
 NAME = 40
 """Characters of a name of another console that are shown."""
 NOTES_FOR = 24 * 3600.0
@@ -68,6 +70,7 @@ class SharedDesk:
         self._problems: tuple[str, ...] = ()
         self._begun = math.inf
         self._has_read = False
+        self._untaken = deque[tuple[Fact, bool]]()
         self._is_closing, self._wake = False, threading.Event()
         self._thread = threading.Thread(target=self._work, name="fleet-tui-desk", daemon=True)
 
@@ -195,8 +198,10 @@ class SharedDesk:
 
     def _read(self) -> None:
         """Apply what others told, in the order of the file; of edges also this console's own."""
-        found, is_new, self._has_read = self._facts.read(), self._has_read, True
-        for fact in found:
+        self._untaken.extend((fact, self._has_read) for fact in self._facts.read())
+        self._has_read = True
+        for _ in range(min(len(self._untaken), AT_ONCE)):
+            fact, is_new = self._untaken.popleft()
             if isinstance(fact, SharedClosure):
                 self._apply_closure(fact)
             elif fact.console == self._presence.id:

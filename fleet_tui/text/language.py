@@ -15,8 +15,8 @@ from msgspec import Struct
 _TEXTS = (
     "after ago asked behind blind calls cells claims command_reason counted counts_text detail"
     " did_you_mean difference_text does doing doubt halved held how impact its jitter key kind lack"
-    " last_fault lift loaded looks lost_why mission most mutual near note noun noun_of others owner pending"
-    " present problem question reason refusal remedy removeprefix rest ruled_out shown silence silent"
+    " last_fault lift loaded looks lost_why mission most mutual near newest note noun noun_of others owner"
+    " pending present problem question reason refusal remedy removeprefix rest ruled_out shown silence silent"
     " since spread stage state_text steps tmux to_start told too text trying unit value verb way_text"
     " way_text2 ways what where why CONDITIONS OVERLOADED PAUSED READ_AS_0 STARTED_OVER"
 )
@@ -28,10 +28,13 @@ FIGURES = {
     **dict.fromkeys((*_COUNTS, "waiting"), r"[-\d.,]+"),
     **dict.fromkeys(("age", "duration", "lasted"), r"[\d.]+ \w+|never"),
     **dict.fromkeys(("path", "id", "order", "order_id"), r"\S+?"),
+    "name": r"\S+",
     "mission": r"order .*|.* -> .*",
     "route": r"[^()]*",
     "way": r"[^()]*",
-    "looks": r"(?: looks at .*)?",
+    "looks": r"(?: looks at [^,]*)?",
+    "to_start": r"(?:\d+ m to the start, then )?",
+    "lift": r"(?:, by lift)?",
     "claims": r"(?:, claims .*)?",
     "label": r".*?",
 }

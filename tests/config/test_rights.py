@@ -106,3 +106,9 @@ def test_a_user_without_a_name_goes_by_its_number(monkeypatch: pytest.MonkeyPatc
     monkeypatch.setattr("os.getuid", lambda: 4_000_000)
     monkeypatch.setattr("os.getgroups", lambda: [4_000_001])
     assert own_user() == "4000000" and "4000001" not in own_groups()
+
+
+def test_a_link_to_nowhere_is_no_missing_file(file: Path) -> None:
+    file.unlink(missing_ok=True)
+    file.symlink_to(file.parent / "gone.toml")
+    assert own_rights().right is Right.VIEW and "does not exist" in own_rights().why

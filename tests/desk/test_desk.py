@@ -11,7 +11,7 @@ import pytest
 
 from fleet_tui.config.schema import Config, DeskConfig, Operator
 from fleet_tui.desk import desk as desk_module
-from fleet_tui.desk.desk import SharedDesk, desk_of
+from fleet_tui.desk.desk import AT_ONCE, SharedDesk, desk_of
 from fleet_tui.desk.fact_file import FILE
 from fleet_tui.model.alarm import AlarmStage
 from fleet_tui.model.desk.desk import ends_of
@@ -134,6 +134,15 @@ def test_a_note_reaches_the_others_at_once(tmp_path: Path) -> None:
             ("ana", "robot_3 squeaks", True)
         ]
         assert ana.notes == []
+
+
+def test_many_facts_at_once_are_taken_in_parts_and_all_of_them(tmp_path: Path) -> None:
+    with at_desk(tmp_path, "ana", "ben") as (ana, ben):
+        many = 3 * AT_ONCE
+        for number in range(many):
+            ana.desk.share_note(Note(time.time(), "ana", str(number)))
+        eventually(lambda: len(ben.notes) == many)
+        assert [note.text for note, _ in ben.notes] == [str(number) for number in range(many)]
 
 
 def test_a_console_that_does_not_share_is_there_and_keeps_its_acts(tmp_path: Path) -> None:

@@ -153,14 +153,16 @@ class DeskCommands:
             title += "\nnobody else is there"
         for edge in desk.closed:
             named = f"{edge_text(self._robot, edge.ends)} on {edge.ends[0]}"
-            title += "\n" + sanitize(f"closed {self._clock(edge.wall)} by {edge.by}: {named}")
+            title += "\n" + sanitize(
+                f"closed {self._clock(edge.wall)} by {edge.by or 'this console'}: {named}"
+            )
         self._parts.open_menu(title, list(self._entries()))
 
     def _entries(self) -> Iterator[Entry]:
         state, find = self._parts.store.state, self._parts.navigation.find_robot
         for one in state.desk.others:
             looks = f" looks at {one.robot}" if one.robot in state.robots else ""
-            there = f"{one.name} on {one.host}{looks}{_claims(one.claims)}"
+            there = f"{one.name}, console on {one.host}{looks}{_claims(one.claims)}"
             yield sanitize(there), partial(find, one.robot) if looks else (lambda: None)
         if not state.desk.others:
             yield "Close", lambda: None

@@ -27,7 +27,8 @@ class NoteCommand:
             return Typed(problem="no note: this console keeps no history")
         if not text:
             return Typed(problem="note TEXT: what should the next shift know?")
-        return Typed([(f"Note for the next shift: {sanitize(text)}", partial(self._write, text))])
+        remark = sanitize(text)
+        return Typed([(f"Note for the next shift: {remark}", partial(self._write, text))])
 
     def _write(self, text: str) -> None:
         assert self._files.history is not None
@@ -35,4 +36,5 @@ class NoteCommand:
         if self._files.desk is not None:
             self._files.desk.share_note(note)
         self._files.log("note", text)
-        self._say(sanitize(f"noted for the next shift: {text}"))
+        remark = sanitize(text)
+        self._say(f"noted for the next shift: {remark}")

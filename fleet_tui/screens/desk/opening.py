@@ -22,11 +22,21 @@ def join_desk(screen: "MainScreen") -> None:
     if desk is None:
         return
 
+    newest: list[Note] = []
+
+    def show_newest() -> None:
+        taken, newest[:] = newest[-1:], []
+        for note in taken:
+            operator, remark = sanitize(note.operator), sanitize(note.text)
+            screen.notices.say(f"note of {operator}: {remark}")
+
     def take_note(note: Note, is_new: bool) -> None:
         if history is not None:
             history.add_note(note.text, note.operator, note.at)
         if is_new:
-            screen.call_later(screen.notices.say, sanitize(f"note of {note.operator}: {note.text}"))
+            newest.append(note)
+            if len(newest) == 1:  # many at once are one look at the screen: each would hide the one before
+                screen.call_later(show_newest)
 
     desk.selected = lambda: screen.navigation.robot
     desk.on_note = take_note

@@ -48,7 +48,8 @@ class PastEvent(Struct, frozen=True):
         by = tr(f", by {self.operator}") if self.operator else ""
         subject = f"{self.subject} " if self.subject else ""
         outcome = f": {tr(self.outcome)}" if self.outcome else ""
-        return sanitize(f"{subject}{tr(self.what)}{outcome}{detail_text(tr(self.detail))}{by}")
+        what = self.what if self.kind is EventKind.NOTE else tr(self.what)  # a person's own words
+        return sanitize(f"{subject}{what}{outcome}{detail_text(tr(self.detail))}{by}")
 
 
 def past_events(

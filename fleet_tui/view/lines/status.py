@@ -128,6 +128,8 @@ def status_line(
     runs.extend((note + "  ", StyleRole.WARN) for note in notes)
     others = len(state.links) - 1
     link = _worst(state)
+    if others > 0 and link.phase is not Phase.UP:  # before what a narrow line cuts
+        runs.append((f"{sanitize(link.name)} ", StyleRole.ALARM))
     runs.extend(_link_runs(link, state.now, sanitize(link.url if addressed or link.is_bag else link.name)))
     if others > 0:
         up = sum(link.phase is Phase.UP for link in state.links.values())

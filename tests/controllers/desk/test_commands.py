@@ -109,7 +109,7 @@ def test_the_menu_names_everybody_and_goes_to_what_they_look_at() -> None:
         "Desk: ana (this console), claims robot_0",
         "closed 12:00 by ben: Base - Hall on floor_0",
     ]
-    assert menu.texts == ["ben on hall looks at robot_1, claims robot_1"]
+    assert menu.texts == ["ben, console on hall looks at robot_1, claims robot_1"]
     menu.choose("ben")
     assert desk.selected == ["robot_1"]
 
