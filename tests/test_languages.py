@@ -85,3 +85,8 @@ def test_what_people_write_and_call_things_stays_as_it_is() -> None:
     note = "robot_2: lost, idle"
     assert tr(f"noted for the next shift: {note}") == f"notiert für die nächste Schicht: {note}"
     assert "18 - no link sperren" in tr("Close 18 - no link: cuts the way of no order")
+
+
+def test_a_figure_in_per_cent_is_no_text() -> None:
+    use_language("de")
+    assert tr("battery alarm, battery 0 %") == "Alarm Akku, Akku 0 %"

@@ -39,6 +39,8 @@ FIGURES = {
     "label": r".*?",
 }
 """Expressions for values of which more is known than that they are texts."""
+PER_CENT = r"[-\d.]+"
+"""The expression for a value before a per cent sign."""
 FEW = 5
 """Letters of its own below which a message fits nearly everything: its values are two words at most then, or
 a text of the console."""
@@ -115,7 +117,10 @@ def _pattern(msgid: str, translation: str) -> MessagePattern:
     parts = _PLACE.split(msgid)  # texts and names in turn
     fits_all = sum(map(str.isalpha, "".join(parts[::2]))) < FEW
     made = [re.escape(part) for part in parts]
-    made[1::2] = [f"(?P<{name}>{_value(name, fits_all)})" for name in parts[1::2]]
+    made[1::2] = [
+        f"(?P<{name}>{PER_CENT if after.startswith(' %') else _value(name, fits_all)})"
+        for name, after in zip(parts[1::2], parts[2::2], strict=True)
+    ]
     return MessagePattern(max(parts[::2], key=len), re.compile("".join(made)), translation, fits_all)
 
 
