@@ -19,6 +19,7 @@ _TEXTS = (
     " pending present problem question reason refusal remedy removeprefix rest ruled_out shown silence silent"
     " since spread stage state_text steps tmux to_start told too text trying unit value verb way_text"
     " way_text2 ways what where why CONDITIONS OVERLOADED PAUSED READ_AS_0 STARTED_OVER"
+    " cause e_stop_text mode_text withheld zone"
 )
 TEXTS = frozenset(_TEXTS.split(" "))
 """Places whose values are texts of the console, and translated, too; those of all others stay as they are:

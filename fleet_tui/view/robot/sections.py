@@ -88,7 +88,7 @@ def _packed(runs: Sequence[Run], cells: int) -> list[list[Run]]:
 
 def factsheet_section(robot: Robot) -> PageSection:
     """Return the properties of a vehicle."""
-    return _titled("Factsheet", factsheet_rows(robot), "")
+    return _titled(tr("Factsheet"), factsheet_rows(robot), "")
 
 
 def route_section(state: FleetState, robot: Robot) -> PageSection:
