@@ -5,7 +5,7 @@ Run: python -m tests.bench.bench_nav2
 
 import time
 
-from tests.bench.rows import Row, row
+from tests.bench.rows import Row, times_source
 from tests.support.in_pty import console, simulator
 
 ROBOTS = 50
@@ -28,12 +28,8 @@ def busy(kind: str) -> tuple[float, float]:
 
 def main() -> list[Row]:
     ours, source = busy("nav2"), busy("oh_ressources")
-    what, against = f"{ROBOTS} robots with Nav2: ", f"{ROBOTS} of the source's"
-    return [
-        row("P17", what + "screen thread", ours[0], "%", None, source[0], against),
-        row("P17", what + "process", ours[1], "%", None, source[1], against),
-        row("P17", what + "process, times that of the source's", ours[1] / source[1], "x", AT_MOST),
-    ]
+    what = f"{ROBOTS} robots with Nav2"
+    return times_source("P17", what, ours, source, f"{ROBOTS} of the source's", AT_MOST)
 
 
 if __name__ == "__main__":

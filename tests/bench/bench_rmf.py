@@ -1,4 +1,4 @@
-"""P29: the console with 100 robots in three fleets of Open-RMF against 100 of the source's, in one run.
+"""P30: the console with 100 robots in three fleets of Open-RMF against 100 of the source's, in one run.
 
 Run: python -m tests.bench.bench_rmf
 """
@@ -6,7 +6,7 @@ Run: python -m tests.bench.bench_rmf
 import time
 
 from fleet_tui.simulator.rmf.naming import full_name
-from tests.bench.rows import Row, row
+from tests.bench.rows import Row, times_source
 from tests.bench.three_fleets_sim import FLEETS
 from tests.support.in_pty import Terminal, console, serving, simulator
 
@@ -36,12 +36,8 @@ def main() -> list[Row]:
         ours = measured(terminal)
     with simulator(ROBOTS) as url, console(url, ROBOTS) as terminal:
         source = measured(terminal)
-    what, against = f"{ROBOTS} robots in three fleets of Open-RMF: ", f"{ROBOTS} of the source's"
-    return [
-        row("P29", what + "screen thread", ours[0], "%", None, source[0], against),
-        row("P29", what + "process", ours[1], "%", None, source[1], against),
-        row("P29", what + "process, times that of the source's", ours[1] / source[1], "x", AT_MOST),
-    ]
+    what = f"{ROBOTS} robots in three fleets of Open-RMF"
+    return times_source("P30", what, ours, source, f"{ROBOTS} of the source's", AT_MOST)
 
 
 if __name__ == "__main__":

@@ -18,7 +18,7 @@ from fleet_tui.config.load import from_text
 from fleet_tui.config.start import initial_state
 from fleet_tui.state.store import Store
 from tests.bench.bench_steady import steady
-from tests.bench.rows import Row, row
+from tests.bench.rows import Row, row, times_source
 from tests.support.in_pty import Terminal
 from tests.support.mosquitto import PROGRAM, mosquitto
 
@@ -84,13 +84,11 @@ def main() -> list[Row]:
     if PROGRAM is None:
         print("mosquitto is not installed: vehicles are not measured")
         return []
-    ours, source = busy(), steady(None)
-    what, against = f"{VEHICLES} vehicles, {PER_SECOND} msg/s: ", "100 of the source's robots"
+    ours, (screen, process, _) = busy(), steady(None)
+    what = f"{VEHICLES} vehicles, {PER_SECOND} msg/s"
     return [
-        row("P29", what + "screen thread", ours[0], "%", None, source[0], against),
-        row("P29", what + "process", ours[1], "%", None, source[1], against),
-        row("P29", what + "process, times 100 robots", ours[1] / source[1], "x", AT_MOST),
-        row("P29", what + "read of those sent", carried() / PER_SECOND * 100, "%"),
+        *times_source("P29", what, ours, (screen, process), "100 of the source's", AT_MOST),
+        row("P29", f"{what}: read of those sent", carried() / PER_SECOND * 100, "%"),
     ]
 
 

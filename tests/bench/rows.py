@@ -42,6 +42,18 @@ def row(
     return made
 
 
+def times_source(
+    id_: str, what: str, ours: tuple[float, float], source: tuple[float, float], against: str, most: float
+) -> list[Row]:
+    """Rows of the per cent of a core of screen thread and process, beside those with the source's robots;
+    `most`: the target of the times that the process may take."""
+    return [
+        row(id_, f"{what}: screen thread", ours[0], "%", None, source[0], against),
+        row(id_, f"{what}: process", ours[1], "%", None, source[1], against),
+        row(id_, f"{what}: process, times that of {against}", ours[1] / source[1], "x", most),
+    ]
+
+
 def number(value: float | None) -> str:
     if value is None:
         return "-"

@@ -13,7 +13,7 @@ TOLD_EVERY = 5.0
 
 
 class StateMemory:
-    """What the last state of each vehicle said."""
+    """The last state of each vehicle."""
 
     def __init__(self) -> None:
         self._nodes: dict[str, tuple[Any, Any, OrderNodes]] = {}

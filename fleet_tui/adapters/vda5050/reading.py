@@ -39,7 +39,7 @@ MOST_FACTS = 100
 
 
 class MessageOrigin(NamedTuple):
-    """Where a message came from: the robot, the base of its topics, the monotonic second of its arrival, and
+    """The origin of a message: the robot, the base of its topics, the monotonic second of its arrival, and
     whether the broker had kept it. `owns` tells whether an order was given by this operator's consoles;
     `memory` has the states before."""
 

@@ -73,13 +73,13 @@ def next_in_trouble(state: FleetState, after: str, marked: object = None) -> str
     names = names or [
         name
         for name, robot in state.robots.items()
-        if name in silenced or _may_be(state, robot) or is_missing(state, robot, "pose")
+        if name in silenced or _is_amber(state, robot) or is_missing(state, robot, "pose")
     ]
     start = names.index(after) + 1 if after in names else 0
     return names[start % len(names)] if names else ""
 
 
-def _may_be(state: FleetState, robot: Robot) -> bool:
+def _is_amber(state: FleetState, robot: Robot) -> bool:
     """Tell whether a robot is amber on the map."""
     return waits(state, robot) or state.is_obstructed(robot)
 
