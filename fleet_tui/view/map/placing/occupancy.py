@@ -81,8 +81,8 @@ class CellOccupancy:
         spared = [side for side in sides if self.free(_start(x, arrow, cells, side), y, cells)]
         if spares and not spared:
             return 0
-        # A number beyond the floor's edge reads as one of nothing, and one on a wall breaks it: rather a label
-        # moves.
+        # A number beyond the floor's edge reads as one of nothing, and one on a wall breaks it: rather than
+        # that a label moves.
         on_floor = [side for side in sides if not self._is_beyond(_start(x, arrow, cells, side), y, cells)]
         best = [side for side in on_floor if side in spared] or (on_floor if not spares else spared)
         best = best or spared or sides
