@@ -106,9 +106,7 @@ def draw_blocked(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -
     """Draw the edges on which a robot is in the way, over the mission, each with a sign in its middle."""
     if not scene.blocked:
         return
-    mask = blank_mask(camera)
-    trace(mask, *ends_of(scene, camera, scene.blocked))
-    bits = pack(mask)
+    _, bits = _thick(scene, camera, scene.blocked)
     drawn = (bits > 0) & (_OPEN | _KEPT)[cells.roles]
     cells.codes[drawn] = ord("x") if look.plain else BRAILLE[bits[drawn]]
     cells.roles[drawn] = StyleRole.ALARM
@@ -135,17 +133,25 @@ def draw_mission(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -
         _draw_way(cells, scene, camera, look, scene.mission.current)
 
 
-@np.errstate(invalid="ignore", over="ignore")
 def _draw_way(
     cells: Cells, scene: Scene, camera: Camera, look: MapOptions, lines: tuple[Line, ...], done: float = 0.0
 ) -> None:
     """Draw lines thick, to differ from an edge without colour, too."""
+    mask, thick = _thick(scene, camera, lines, done)
+    stroke(cells, mask, StyleRole.MISSION, look, "*", thick)
+
+
+@np.errstate(invalid="ignore", over="ignore")
+def _thick(
+    scene: Scene, camera: Camera, lines: tuple[Line, ...], done: float = 0.0
+) -> tuple[Mask, NDArray[np.uint8]]:
+    """Return the dots of lines, and the same lines wider, as bits."""
     starts, stops = ends_of(scene, camera, lines)
     along = np.abs(stops - starts).min(axis=1) < 1.0
     mask, straight = blank_mask(camera), blank_mask(camera)
     trace(mask, starts, stops, done=done)
     trace(straight, starts[along], stops[along], done=done)
-    stroke(cells, mask, StyleRole.MISSION, look, "*", thicken(mask, straight))
+    return mask, thicken(mask, straight)
 
 
 def draw_approach(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
