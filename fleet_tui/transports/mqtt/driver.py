@@ -20,9 +20,7 @@ GATHER = 0.04
 class PahoDriver:
     """Reads and writes a client's socket. On the network loop, but `connect`, which blocks, on any thread."""
 
-    def __init__(
-        self, client: FedClient, is_awaited: Callable[[], bool], fail: Callable[[], None]
-    ) -> None:
+    def __init__(self, client: FedClient, is_awaited: Callable[[], bool], fail: Callable[[], None]) -> None:
         """`is_awaited` tells whether an answer is: then each message is read at once. `fail` is called when
         the client can't go on: its server sends what is not MQTT."""
         self._client, self._is_awaited, self._fail = client, is_awaited, fail
