@@ -96,19 +96,8 @@ def _errors(state: Fields) -> Iterator[VehicleError]:
             error.word("errorLevel"),
             error.text("errorDescription", longest=LONGEST_WORDS),
             error.text("errorHint", longest=LONGEST_WORDS),
-            tuple(_reference(one) for one in references),
+            tuple((one.text("referenceKey"), one.id("referenceValue")) for one in references),
         )
-
-
-def _reference(one: Fields) -> str:
-    """Return the id that an error concerns. Numbers of messages are named: they could be ids of orders."""
-    key, value = one.text("referenceKey"), one.id("referenceValue")
-    return number_reference(value) if key == "headerId" else value
-
-
-def number_reference(number: str) -> str:
-    """Return the reference to a message by its number."""
-    return f"headerId {number}"
 
 
 def _actions(state: Fields) -> Iterator[VehicleAction]:

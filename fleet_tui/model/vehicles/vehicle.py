@@ -11,14 +11,18 @@ HIGH, MEDIUM = frozenset({"FATAL", "CRITICAL"}), frozenset({"URGENT"})
 
 
 class VehicleError(Struct, frozen=True):
-    """An error that a vehicle reports. `references` are the ids that it concerns, of orders, actions and
-    messages."""
+    """An error that a vehicle reports. `references` are what it concerns, by their keys: ids of orders and
+    actions, the number and the topic of a message."""
 
     type: str
     level: str = ""
     text: str = ""
     hint: str = ""
-    references: tuple[str, ...] = ()
+    references: tuple[tuple[str, str], ...] = ()
+
+    def concerns(self, id_: str) -> bool:
+        """Tell whether it names an order or an action. Numbers and topics of messages could be ids, too."""
+        return any(value == id_ for key, value in self.references if key not in ("headerId", "topic"))
 
 
 class VehicleAction(Struct, frozen=True):

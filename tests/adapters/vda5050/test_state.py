@@ -32,7 +32,7 @@ def test_a_state_of_2_0() -> None:
     )
     assert vehicle.takes_orders and vehicle.e_stop == "" and vehicle.field_violation is False
     assert vehicle.last_node == "n0" and vehicle.load == "" and vehicle.paused is False
-    assert vehicle.errors == (VehicleError("motorError", "FATAL", "hot", "cool it", ("o1",)),)
+    assert vehicle.errors == (VehicleError("motorError", "FATAL", "hot", "cool it", (("orderId", "o1"),)),)
 
 
 def test_a_state_of_3_0_is_read_by_its_own_names() -> None:
@@ -96,7 +96,7 @@ def test_nodes_with_places_are_a_graph() -> None:
 
 def test_numbers_of_messages_are_told_from_ids() -> None:
     found = read(state(errors=[error(headerId="7", orderId="o")])).errors[0]
-    assert found.references == ("headerId 7", "o")
+    assert found.references == (("headerId", "7"), ("orderId", "o"))
 
 
 def test_a_position_without_a_place_is_none() -> None:
