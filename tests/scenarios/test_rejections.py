@@ -2,6 +2,7 @@
 
 import asyncio
 import json
+import time
 from collections.abc import Callable
 from contextlib import AbstractAsyncContextManager
 from pathlib import Path
@@ -9,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.model.commands import PauseRobot, PlaceOrder, Stage
+from fleet_tui.model.events import CommandIssued
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.order import Stop, at_vertices
 from fleet_tui.transports.loop import network_loop
@@ -105,7 +107,9 @@ async def test_of_two_masters_at_one_moment_the_second_is_rejected(tmp_path: Pat
                 """Order before this console has read anything of the other order: its loop is in here."""
                 other.publish("uagv/v2/KIT/0001/order", foreign_order())
                 eventually(lambda: any(json.loads(one.payload)["orderId"] == "theirs" for one in other.told))
-                link.submit(FREE)
+                now = time.monotonic()
+                store.apply(CommandIssued(1, FREE, now, time.time()))
+                link._links["broker"].submit_now(1, FREE, now)
 
             await asyncio.wrap_future(asyncio.run_coroutine_threadsafe(overtaken(), network_loop()))
             await store.until(lambda state: state.commands and state.commands[-1].is_decided)

@@ -27,7 +27,7 @@ pytestmark = needs_mosquitto
 
 Vehicle = Callable[[Mosquitto], AbstractAsyncContextManager[None]]
 OLD_FIELD = 'instant_actions = "instantActions"'
-VEHICLES = {
+VEHICLES: dict[str, tuple[Vehicle, str]] = {
     "vda5050-sdk, 2.1": (sdk_vehicle, ""),
     "vda-5050-lib, 2.0": (lambda broker: npm_vehicle(broker, "2.0.0"), OLD_FIELD),
     "vda-5050-lib, 1.1": (lambda broker: npm_vehicle(broker, "1.1.0"), ""),

@@ -74,7 +74,7 @@ async def npm_vehicle(
 
 
 @asynccontextmanager
-async def sdk_vehicle(broker: Mosquitto, x: float = 0.0, map_known: str = "hall") -> AsyncIterator[None]:
+async def sdk_vehicle(broker: Mosquitto, *, x: float = 0.0, map_known: str = "hall") -> AsyncIterator[None]:
     """A vehicle of vda5050-sdk at (x, 0), which jumps from node to node, and has one map."""
     pytest.importorskip("aiomqtt")
     agv = pytest.importorskip("vda5050.client.agv")
