@@ -1,5 +1,6 @@
 """The state of a vehicle, from the messages of all versions."""
 
+import math
 from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple
@@ -66,9 +67,17 @@ def vehicle_of(state: Fields, base: str, nodes: OrderNodes) -> Vehicle:
         load=_load(state),
         order_id=state.text("orderId"),
         paused=state.flag("paused"),
+        speed=_speed(state),
         errors=tuple(_errors(state)),
         actions=tuple(_actions(state)),
     )
+
+
+def _speed(state: Fields) -> float | None:
+    """Return the speed in m/s, whatever its direction."""
+    velocity = state.part("velocity")
+    vx, vy = (velocity.number("vx"), velocity.number("vy")) if velocity else (None, None)
+    return None if vx is None and vy is None else math.hypot(vx or 0.0, vy or 0.0)
 
 
 def _sequence(node: Fields) -> float:

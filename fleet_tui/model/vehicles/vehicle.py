@@ -39,7 +39,7 @@ class Vehicle(Struct, frozen=True):
     messages. `is_placed`: it reports a position. `e_stop` is the word for its emergency stop, empty if it is
     not active. `last_node` is where it was last, `nodes_left` are the released nodes that it has still to
     reach, `horizon` the number of those not released; `waits`: it may not drive on until its master control
-    releases them. `load`: empty without one."""
+    releases them. `load`: empty without one. `speed` in m/s."""
 
     address: str
     version: str
@@ -57,6 +57,7 @@ class Vehicle(Struct, frozen=True):
     load: str | None = None
     order_id: str = ""
     paused: bool | None = None
+    speed: float | None = None
     errors: tuple[VehicleError, ...] = ()
     actions: tuple[VehicleAction, ...] = ()
 
