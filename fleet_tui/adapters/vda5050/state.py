@@ -63,7 +63,8 @@ def vehicle_of(state: Fields, base: str, nodes: OrderNodes) -> Vehicle:
         last_node=state.text("lastNodeId"),
         nodes_left=nodes.released,
         horizon=nodes.horizon,
-        waits=state.flag("newBaseRequest") is True or nodes.is_at_base_end,
+        # At the end of an order some vehicles ask for more as well: there is nothing to wait for.
+        waits=nodes.is_at_base_end or (bool(nodes.target) and state.flag("newBaseRequest") is True),
         load=_load(state),
         order_id=state.text("orderId"),
         paused=state.flag("paused"),

@@ -64,6 +64,7 @@ def test_clearance_is_missing_at_the_end_of_the_released_nodes() -> None:
     going = read(state(orderId="o", nodeStates=[*ahead, node("n1", 2)]))
     assert not going.waits and going.nodes_left == ("n1",) and is_running(going)
     assert read(state(orderId="o", nodeStates=[node("n1", 2)], newBaseRequest=True)).waits
+    assert not read(state(orderId="o", newBaseRequest=True)).waits  # its end: there is nothing to wait for
 
 
 def test_an_order_runs_while_nodes_or_actions_are_left() -> None:
