@@ -50,7 +50,8 @@ async def test_vehicles_on_the_embedded_broker_are_watched_and_driven(
     monkeypatch.setattr("shutil.which", lambda *_args, **_options: None)
     port = free_port()
     async with broker(port):
-        vehicle = await asyncio.to_thread(VehicleClient, *vehicles_of(["agv"], 1, 1, ""), port)
+        (simulated,) = vehicles_of(["agv"], 1, 1, "")
+        vehicle = await asyncio.to_thread(VehicleClient, simulated, port)
         stepping = asyncio.ensure_future(_stepped(vehicle))
         config = from_text(config_text(f"mqtt://127.0.0.1:{port}", robots=SIMULATED))
         async with linked(config) as (link, store):
