@@ -11,6 +11,7 @@ import pytest
 
 from fleet_tui.model.commands import PauseRobot, PlaceOrder, Stage
 from fleet_tui.model.events import CommandIssued
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.order import Stop, at_vertices
 from fleet_tui.transports.loop import network_loop
@@ -52,6 +53,11 @@ REJECTIONS: dict[str, tuple[Vehicle, PlaceOrder, str]] = {
 }
 
 
+def charges(state: FleetState) -> bool:
+    vehicle = state.robots["agv"].vehicle
+    return vehicle is not None and vehicle.value.charging is True
+
+
 @pytest.mark.parametrize("name", REJECTIONS)
 async def test_an_order_is_rejected_in_the_words_of_the_vehicle(tmp_path: Path, name: str) -> None:
     make, command, words = REJECTIONS[name]
@@ -66,8 +72,8 @@ async def test_an_order_is_rejected_in_the_words_of_the_vehicle(tmp_path: Path, 
                     and state.robots["agv"].maps["hall"].graph
                 )
             )
-            charging = "charging" in name
-            await store.until(lambda state: state.robots["agv"].vehicle.value.charging is charging)  # type: ignore[union-attr]
+            if "charging" in name:
+                await store.until(charges)
             for _ in range(2):  # the rejection of the first one is still among the errors
                 record = await finished(link, store, command)
                 assert (record.stage, record.detail) == (Stage.REFUSED, words)

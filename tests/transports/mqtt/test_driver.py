@@ -73,7 +73,7 @@ async def test_messages_are_gathered_but_an_answer_to_us_is_read_at_once(
             await events.subscribe("in/+")
             for n in range(3):
                 peer.publish(f"in/{n}", b"")
-                await until(lambda n=n: peer.told_on(f"in/{n}"))  # type: ignore[misc]
+                await until(lambda n=n: peer.told_on(f"in/{n}"))  # type: ignore[misc]  # a lambda's default
             assert not events.messages
             await events.call(lambda: events.connection.publish("out", b""))
             await until(lambda: len(events.messages) == 3)

@@ -70,9 +70,9 @@ async def test_messages_arrive_in_their_order_however_they_are_cut() -> None:
     single = [whole[n : n + 1] for n in range(60)] + [whole[60:]]
     for pieces in ([whole], single, [whole[:1000], whole[1000:-4], whole[-4:]]):
         async with told(pieces) as (events, received):
-            await until(lambda events=events: len(events.messages) == len(wanted))  # type: ignore[misc]
+            await until(lambda events=events: len(events.messages) == len(wanted))  # type: ignore[misc]  # a lambda's default
             assert events.messages == wanted and not events.lost
-            await until(lambda received=received: received.count(PUBACK) == 2)  # type: ignore[misc]
+            await until(lambda received=received: received.count(PUBACK) == 2)  # type: ignore[misc]  # as above
 
 
 async def test_a_topic_that_is_no_text_is_passed_over() -> None:

@@ -20,7 +20,7 @@ def test_an_order_of_the_same_operators_shell_is_his_own_and_another_ones_is_mar
     site = VehicleSite()
     site.read("state", state())
     (sent,) = site.adapter.outgoing(PlaceOrder("agv", (Stop(pose=Pose(9.0, 2.0)),)), 1, site.agv, "0" * 32)
-    for id_, mark in ((sent.name, ""), ("theirs", " (elsewhere)")):  # type: ignore[union-attr]
+    for id_, mark in ((sent.name, ""), ("theirs", " (elsewhere)")):  # type: ignore[union-attr]  # a message, which has a name
         site.read("state", state(orderId=id_, nodeStates=[node("a", 2)]))
         (order,) = site.agv.orders.open
         assert whose_mission(site.state, site.agv, order) == f"-> a?{mark}"
