@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from typing import Any
 
 import paho.mqtt.client as mqtt
-from paho.mqtt.enums import CallbackAPIVersion
 from paho.mqtt.reasoncodes import ReasonCode
 
 from fleet_tui.config.access import secret
@@ -19,6 +18,7 @@ from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError
 from fleet_tui.transports.mqtt import reasons
 from fleet_tui.transports.mqtt.driver import PahoDriver
+from fleet_tui.transports.mqtt.fed_client import FedClient
 from fleet_tui.transports.mqtt.listener import BrokerListener
 from fleet_tui.transports.tls import tls_context
 
@@ -54,16 +54,10 @@ class BrokerSession:
         self._logged = set[str]()
         self._beating: asyncio.Task[None] | None = None
         self._client = self._paho(client_id)
-        self._driver = PahoDriver(self._client, self._fail)
+        self._driver = PahoDriver(self._client, self._is_awaited, self._fail)
 
-    def _paho(self, client_id: str) -> mqtt.Client:
-        client = mqtt.Client(
-            CallbackAPIVersion.VERSION2,
-            client_id,
-            clean_session=True,
-            protocol=mqtt.MQTTv311,
-            reconnect_on_failure=False,
-        )
+    def _paho(self, client_id: str) -> FedClient:
+        client = FedClient(client_id, self._take)
         client.connect_timeout = CONNECT_TIMEOUT
         client.on_connect = self._on_connect
         client.on_disconnect = self._on_disconnect
@@ -124,6 +118,10 @@ class BrokerSession:
         self._driver.close()
         self._end(reasons.LOST)
 
+    def _is_awaited(self) -> bool:
+        """Tell whether the broker owes us an answer, whose time is measured."""
+        return bool(self._beats or self._asked) or not self._opened.done()
+
     def _open(self, reason: str) -> None:
         if not self._opened.done():
             self._opened.set_result(reason)
@@ -162,18 +160,30 @@ class BrokerSession:
 
     def _on_message(self, _client: mqtt.Client, _data: Any, message: mqtt.MQTTMessage) -> None:
         try:
-            size = len(message.payload)
-            if size > self._limit:
-                self._listener.on_too_large(message.topic, size)
+            topic = message.topic
+        except UnicodeDecodeError as problem:
+            if self._is_new(problem):
+                LOG.warning("message with an unreadable topic: %s", problem)
+            return
+        self._take(topic, bytes(message.payload), message.retain)
+
+    def _take(self, topic: str, payload: bytes, retained: bool) -> None:
+        try:
+            if len(payload) > self._limit:
+                self._listener.on_too_large(topic, len(payload))
             else:
-                self._listener.on_message(message.topic, bytes(message.payload), message.retain)
+                self._listener.on_message(topic, payload, retained)
         except Exception as problem:
-            name = repr(problem)
-            if (
-                name not in self._logged and len(self._logged) < MOST_LOGGED
-            ):  # the next message may fail in the same way
-                self._logged.add(name)
-                LOG.exception("message of %d bytes", len(message.payload))
+            if self._is_new(problem):
+                LOG.exception("message of %d bytes", len(payload))
+
+    def _is_new(self, problem: Exception) -> bool:
+        """Tell whether a problem is not logged yet: the next message may fail in the same way."""
+        name = repr(problem)
+        if name in self._logged or len(self._logged) >= MOST_LOGGED:
+            return False
+        self._logged.add(name)
+        return True
 
     def _on_subscribe(
         self, _client: mqtt.Client, _data: Any, number: int, codes: list[ReasonCode], _more: Any
