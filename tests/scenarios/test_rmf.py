@@ -17,6 +17,7 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import OrderState, at_vertices
+from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.simulator.rmf.faults import restart_dispatcher
 from tests.support.links import finished, linked
 from tests.support.rmf_site import FIRST, SECOND, Hospital, hospital, rmf_ready, stands_at, to
@@ -58,6 +59,19 @@ async def test_an_order_to_any_becomes_that_of_the_robot_that_has_it(site: Hospi
         assert [one.id for one in store.state.robots[SECOND].orders.open] == [record.order_id]
         await stands_at(store, record.id, Stage.DONE)
     assert [one["type"] for one in site.sent()] == ["dispatch_task_request"]
+
+
+async def test_an_order_is_cancelled_while_fleets_still_bid() -> None:
+    async with hospital(speed=1.0) as site, linked(site.config) as (link, store):
+        await store.until(rmf_ready)
+        given = link.submit(to("Store", to_any=True))
+        await stands_at(store, given, Stage.ACCEPTED)
+        (order,) = all_orders(store.state, store.state.robots[FIRST])
+        assert (order.state_text, order.stops) == ("fleets bid", at_vertices("Store"))
+        record = await finished(link, store, CancelOrder(FIRST, order.id))
+        assert record.stage is Stage.CONFIRMED
+        await stands_at(store, given, Stage.CANCELLED)
+        assert not any(robot.tasks for robot in site.fleet.robots.values())
 
 
 async def test_an_order_that_no_fleet_takes_is_refused_with_the_dispatchers_reason(site: Hospital) -> None:

@@ -12,6 +12,7 @@ from fleet_tui.model.geometry import Line, MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.robot import Robot, RobotMap
+from fleet_tui.rules.alarms.facilities import closed_edges
 from fleet_tui.rules.alarms.trouble import (
     acknowledged,
     in_trouble,
@@ -208,9 +209,14 @@ def _way(robot: Robot, floor: str, drafted: Drafted | None) -> tuple[tuple[str, 
     return tuple(place.vertex for place in places), Mission(lines) if lines else None
 
 
-def _closed(state: FleetState, floor: str, robot_map: RobotMap) -> tuple[Line, ...]:
-    places = robot_map.graph.vertices if robot_map.graph is not None else {}
+def _closed(state: FleetState, floor: str, owner: Robot | None) -> tuple[Line, ...]:
+    """Return the edges that people or the robot's fleet have closed."""
+    graph = owner.maps[floor].graph if owner is not None else None
+    if owner is None or graph is None:
+        return ()
+    places = graph.vertices
     ends = [edge.ends[1:] for edge in state.desk.closed_on(floor) if places.keys() >= set(edge.ends[1:])]
+    ends += closed_edges(state, owner.name, floor)
     return tuple((places[a].x, places[a].y, places[b].x, places[b].y) for a, b in ends)
 
 
@@ -234,7 +240,7 @@ def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None
         target_vertices=vertices_of_way,
         picked=vertices_of_way[-1] if drafted is not None and vertices_of_way else "",
         mission=way,
-        closed=_closed(state, floor.name, robot_map),
+        closed=_closed(state, floor.name, owner),
         note=", ".join(map(tr, notes)),
         elsewhere=tr(trouble_elsewhere(state, floor.name)),
         waits=state.now - state.links[selected.link].since < PATIENCE,

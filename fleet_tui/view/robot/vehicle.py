@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.alarms.facilities import listed
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
@@ -32,6 +33,9 @@ def vehicle_rows(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
             if value:
                 role = StyleRole.DIM if is_old else StyleRole.TEXT
                 yield named(name, (sanitize(value), role))
+    for one in listed(state, robot.link):
+        if one.user == robot.name:
+            yield named(one.sort.capitalize(), (sanitize(f"{one.name}: {one.state}"), StyleRole.TEXT))
     if robot.master is not None:
         text = f"{robot.master.value}, {age(state.now - robot.master.at)} ago"
         yield named("Master", (sanitize(text), StyleRole.TEXT))
