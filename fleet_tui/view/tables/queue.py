@@ -136,8 +136,7 @@ def _title(
         left = width - width_of(runs) - len(tr(CLEAR)) - 2
         runs.append((next((text for text in texts if len(text) <= left), texts[-1]), StyleRole.TEXT))
     if not all_robots:
-        left = width - width_of(runs) - len(tr(CLEAR)) - 2
-        runs += [run for run in _ages(state, robot, clock) if len(run[0]) <= left or run[1] is StyleRole.WARN]
+        runs += _ages(state, robot, clock)
     return runs
 
 
@@ -213,8 +212,8 @@ def queue_table(
     buttons: tuple[Button, ...] = ()
     if may and not all_robots and rows and robot.kind.can(kind.CLEAR):
         start = width - len(tr(CLEAR)) - 2  # its end above that of [Cancel]
-        if width_of(title) >= start:
-            title = [run for run in title if run[1] is not StyleRole.DIM]  # the number of orders goes first
+        while width_of(title) >= start and (dim := [run for run in title if run[1] is StyleRole.DIM]):
+            title.remove(dim[0])  # the number of orders goes first
         if start > LEAST_TITLE:
             title = [*cut(title, start - 1), (" " + tr(CLEAR), StyleRole.KEY)]
             buttons = (Button(start, start + len(tr(CLEAR)), "clear"),)

@@ -1,5 +1,7 @@
 """Facilities out of service as alarms, in words, and closed lanes as edges."""
 
+from typing import Any
+
 from fleet_tui.model.events import GraphReceived
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.fleets.events import FacilityReported
@@ -11,7 +13,7 @@ from tests.support.fleets import F0, R0, T0, reduced, tick
 from tests.support.rmf import rmf_fleet
 
 
-def with_one(before: FleetState, sort: str, name: str, at: float = T0, **more: str) -> FleetState:
+def with_one(before: FleetState, sort: str, name: str, at: float = T0, **more: Any) -> FleetState:
     return reduced(before, FacilityReported(R0, at, Facility(sort, name, at, **more)), tick(at))
 
 
