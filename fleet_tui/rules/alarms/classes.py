@@ -23,8 +23,8 @@ CLASSES = {
     ),
     "commands": AlarmClass(
         "high",
-        "telemetry arrives, but commands would not get through",
-        "no order and no pause reaches the robots of the link",
+        "telemetry arrives, but commands would not get through, to the robots named or to all",
+        "no order and no pause reaches the robots of the link, or those named",
         "Restart the robots' nodes or the ROS master; pause a robot by its own controls",
         1,
     ),
@@ -123,7 +123,8 @@ CLASSES = {
     ),
     "late": AlarmClass(
         "medium",
-        "messages of a link arrive at least a second late",
+        "messages of a link arrive at least a second late; high once its robots are silent, or commands get"
+        " no reply",
         "the data shown for its robots is old",
         "Subscribe to fewer topics, lower rates at the robots, or run a second bridge",
         10,

@@ -3,9 +3,11 @@
 from collections.abc import Iterator
 
 from fleet_tui.model.alarm import Condition, Priority
+from fleet_tui.model.desk.desk import Ends
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.fleets.facility import DOOR, LANES, LIFT, Facility
 from fleet_tui.model.order import natural
+from fleet_tui.model.robot import Robot
 from fleet_tui.text.durations import age
 
 SILENT_AFTER = 15.0
@@ -39,12 +41,12 @@ def facility_conditions(state: FleetState) -> Iterator[Condition]:
             )
 
 
-def closed_edges(state: FleetState, robot: str, floor: str) -> list[tuple[str, str]]:
-    """Return the ends of the edges of a floor that the fleet of a robot has closed, in either direction."""
-    one = state.robots[robot]
-    lanes = state.facilities.get(f"{one.link} {LANES} {robot.partition('/')[0]}")
-    graph = one.maps[floor].graph if floor in one.maps else None
+def closed_edges(state: FleetState, robot: Robot, floor: str) -> list[Ends]:
+    """Return the edges of a floor that the fleet of a robot has closed, in either direction."""
+    lanes = state.facilities.get(f"{robot.link} {LANES} {robot.name.partition('/')[0]}")
+    graph = robot.maps[floor].graph if floor in robot.maps else None
     if lanes is None or not lanes.closed or graph is None:
         return []
     closed = set(lanes.closed)
-    return [(edge.start, edge.end) for edge in graph.edges if edge.id in closed or edge.reverse_id in closed]
+    found = (edge for edge in graph.edges if edge.id in closed or edge.reverse_id in closed)
+    return [(floor, edge.start, edge.end) for edge in found]

@@ -7,6 +7,7 @@ own map_metadata.
 from dataclasses import replace
 from functools import lru_cache
 
+from fleet_tui.model.desk.desk import Ends
 from fleet_tui.model.fleet import FleetState, Floor
 from fleet_tui.model.geometry import Line, MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
@@ -26,7 +27,7 @@ from fleet_tui.rules.routes.order_draft import Drafted
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.area import worth_seeing
-from fleet_tui.view.map.mission import mission, targets
+from fleet_tui.view.map.mission import blocked_edges, edge_lines, mission, targets
 from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
 from fleet_tui.view.selection import Selection
 
@@ -209,15 +210,10 @@ def _way(robot: Robot, floor: str, drafted: Drafted | None) -> tuple[tuple[str, 
     return tuple(place.vertex for place in places), Mission(lines) if lines else None
 
 
-def _closed(state: FleetState, floor: str, owner: Robot | None) -> tuple[Line, ...]:
-    """Return the edges that people or the robot's fleet have closed."""
-    graph = owner.maps[floor].graph if owner is not None else None
-    if owner is None or graph is None:
-        return ()
-    places = graph.vertices
-    ends = [edge.ends[1:] for edge in state.desk.closed_on(floor) if places.keys() >= set(edge.ends[1:])]
-    ends += closed_edges(state, owner.name, floor)
-    return tuple((places[a].x, places[a].y, places[b].x, places[b].y) for a, b in ends)
+def _closed(state: FleetState, owner: Robot | None, floor: str) -> list[Ends]:
+    """Return the edges that people, or the fleet of the map's owner, have closed."""
+    by_fleet = closed_edges(state, owner, floor) if owner is not None else []
+    return [*(edge.ends for edge in state.desk.closed_on(floor)), *by_fleet]
 
 
 def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None = None) -> Scene:
@@ -240,7 +236,8 @@ def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None
         target_vertices=vertices_of_way,
         picked=vertices_of_way[-1] if drafted is not None and vertices_of_way else "",
         mission=way,
-        closed=_closed(state, floor.name, owner),
+        closed=edge_lines(robot_map, _closed(state, owner, floor.name)),
+        blocked=edge_lines(robot_map, blocked_edges(state, placed)),
         note=", ".join(map(tr, notes)),
         elsewhere=tr(trouble_elsewhere(state, floor.name)),
         waits=state.now - state.links[selected.link].since < PATIENCE,

@@ -38,10 +38,11 @@ def test_a_closed_lane_closes_its_edge_in_either_direction() -> None:
     ends = {"A": Vertex("A", 0, 0), "B": Vertex("B", 1, 0), "C": Vertex("C", 2, 0)}
     graph = RouteGraph(ends, (Edge("0", "A", "B", "1"), Edge("2", "B", "C")))
     state = reduced(rmf_fleet(), GraphReceived(R0, F0, graph))
-    assert closed_edges(state, R0, F0) == []
-    for closed, edges in (("1", [("A", "B")]), ("2", [("B", "C")]), ("7", [])):
+    assert closed_edges(state, state.robots[R0], F0) == []
+    for closed, edges in (("1", [(F0, "A", "B")]), ("2", [(F0, "B", "C")]), ("7", [])):
         told = Facility(LANES, R0, T0, closed=(closed,))
-        assert closed_edges(reduced(state, FacilityReported(R0, T0, told)), R0, F0) == edges
+        known = reduced(state, FacilityReported(R0, T0, told))
+        assert closed_edges(known, known.robots[R0], F0) == edges
 
 
 def test_the_lift_that_a_robot_has_is_a_reason_while_it_is_reported() -> None:
