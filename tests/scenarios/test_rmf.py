@@ -76,6 +76,17 @@ async def test_an_order_is_cancelled_while_fleets_still_bid() -> None:
         assert not any(robot.tasks for robot in site.fleet.robots.values())
 
 
+async def test_a_cancellation_that_no_dispatcher_takes_is_not_confirmed_while_fleets_bid() -> None:
+    async with hospital(speed=1.0) as site, linked(quick(site).config) as (link, store):
+        await store.until(rmf_ready)
+        given = link.submit(to("Store", to_any=True))
+        await stands_at(store, given, Stage.ACCEPTED)
+        site.fleet.dispatcher.deaf = True
+        (order,) = all_orders(store.state, store.state.robots[FIRST])
+        record = await finished(link, store, CancelOrder(FIRST, order.id))
+    assert record.stage is Stage.NOT_CONFIRMED
+
+
 async def test_an_order_that_no_fleet_takes_is_refused_with_the_dispatchers_reason(site: Hospital) -> None:
     for member in site.fleet.robots.values():
         member.places.pop("Store")
