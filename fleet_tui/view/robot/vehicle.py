@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.alarms.facilities import listed
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
@@ -32,6 +33,9 @@ def vehicle_rows(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
             named("Speed", *_run("" if vehicle.speed is None else f"{vehicle.speed:.2f} m/s", role)),
         )
         yield from (row for row in rows if row)
+    for one in listed(state, robot.link):
+        if one.user == robot.name:
+            yield named(one.sort.capitalize(), (sanitize(f"{one.name}: {one.state}"), StyleRole.TEXT))
     if robot.master is not None:
         text = f"{robot.master.value}, {age(state.now - robot.master.at)} ago"
         yield named("Master", (sanitize(text), StyleRole.TEXT))
