@@ -73,10 +73,10 @@ def _left(state: FleetState, robot: Robot) -> Robot:
     """Return a robot without its lost goals."""
     link = state.links[robot.link]
     earliest, latest = RELISTED_WITHIN
-    is_due = link.phase is Phase.UP and earliest <= state.now - link.since < latest
+    is_due = link.phase is Phase.UP and earliest <= state.now - link.ready_since < latest
     is_due = is_due and robot.kind.keeps_goals  # a late console gets no list of tasks
     if is_due and state.is_online(robot):
-        robot = without_unlisted(robot, link.since, state.now)
+        robot = without_unlisted(robot, link.ready_since, state.now)
     return without_ended(robot, state.now)
 
 
@@ -202,6 +202,7 @@ def apply(state: FleetState, event: events.Event) -> FleetState:
             | events.MessageArrived()
             | events.CommandPathChanged()
             | events.MessagesUnsourced()
+            | events.SubscriptionsAdvanced()
             | events.FrameRejected()
         ):
             return apply_to_link(state, event)

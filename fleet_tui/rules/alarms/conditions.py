@@ -152,7 +152,9 @@ def offline(state: FleetState, robot: Robot, active: ActiveConditions) -> Condit
     raised = was_active(active, robot.name, robot.link, "offline")
     if state.is_online(robot) if raised else link.phase is not Phase.UP:
         return None
-    due = limit + (robot.last_received or 0.0 if raised else max(robot.last_received or 0.0, link.since))
+    due = limit + (
+        robot.last_received or 0.0 if raised else max(robot.last_received or 0.0, link.ready_since)
+    )
     text = offline_text(state, robot)
     if robot.is_gone and robot.connection is not None and robot.last_received is not None:
         due = robot.connection.at
