@@ -35,6 +35,7 @@ noted: dict[str, list[Any]] = {
     "task": [],
     "count": [],
     "filter": [],
+    "truth": [],
 }
 
 
@@ -153,7 +154,32 @@ def counts() -> None:
     after(FleetLink, "close", closed)
 
 
+def truth() -> None:
+    """Once a second: the robots online, the messages, those that were dropped or overtaken, and the alarms
+    raised so far."""
+    raised = set[tuple[object, float]]()
+
+    def ticked(screen: MainScreen) -> None:
+        now, state = time.monotonic(), screen.store.state
+        raised.update((alarm.key, alarm.first_wall) for alarm in state.alarms)
+        if noted["truth"] and now - noted["truth"][-1]["at"] < 1.0:
+            return
+        links = screen.backend.counters.values()
+        look = {
+            "at": now,
+            "online": sum(map(state.is_online, state.robots.values())),
+            "messages": sum(link.all.count for link in links),
+            "dropped": sum(link.dropped + link.unreadable for link in links),
+            "overtaken": sum(link.overtaken for link in links),
+            "raised": len(raised),
+        }
+        noted["truth"].append(look)
+
+    after(MainScreen, "tick", ticked)
+
+
 KINDS = {
+    "truth": truth,
     "stock": stock,
     "filters": filters,
     "keys": keys,

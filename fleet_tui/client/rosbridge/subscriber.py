@@ -1,5 +1,5 @@
-"""Subscriptions of one bridge: all topics on each connection, by attention, the open map, and again all topics
-that stay silent. Everything runs on the network loop."""
+"""Subscriptions of one bridge: all topics on each connection, by attention, the open map, and again all
+topics that stay silent. Everything runs on the network loop."""
 
 import asyncio
 import logging

@@ -13,7 +13,7 @@ LONG_STILL = 30.0
 
 def waits(state: FleetState, robot: Robot) -> bool:
     """Tell whether a robot has stood with an order for so long, by poses that still hold."""
-    stands = robot.orders.current is not None and robot.still_for >= LONG_STILL
+    stands = robot.still_for >= LONG_STILL and robot.orders.current is not None
     return stands and state.is_fresh(robot, "pose")
 
 
