@@ -65,6 +65,7 @@ class TableActions(Struct, frozen=True):
 
     filter: Act
     sort: Act
+    group: Act
     mark: Act
     copy: Act
 

@@ -1,5 +1,6 @@
-"""Backlog of one connection: age of the oldest unread frame, and frames dropped in favour of newer ones: poses
-that were read together with a newer one, and while it is behind those of every topic."""
+"""Backlog of one connection: age of the oldest unread frame, and frames dropped in favour of newer ones.
+
+These are poses that were read together with a newer one, and while it is behind frames of every topic."""
 
 import asyncio
 import fcntl

@@ -10,8 +10,12 @@ from fleet_tui.rules.rates.attention import Attention, Intervals, Rates
 FULL = Intervals()
 STEPS = 200, 500
 """Milliseconds between poses, besides none and the longest: few steps, so that a zoom changes little."""
+USUAL = 100
+"""Milliseconds between poses at the usual full rate."""
 SPEED = 1.5
 """Metres a second of a robot that drives fast."""
+MOST_SHOWN = 1000
+"""Poses a second of all robots in view: nobody follows more than a hundred of them with their eyes."""
 MOST_ALARMED = 20
 """Robots with an alarm that have the full rate, the most urgent ones: in a flood nobody looks at all."""
 
@@ -36,6 +40,12 @@ def shown_interval(cell: float, longest: int) -> int:
     return max((step for step in (0, *STEPS, longest) if step <= min(visible, longest)), default=0)
 
 
+def crowd_interval(robots: int, longest: int) -> int:
+    """Return the milliseconds between poses at which so many robots in view send few enough."""
+    least = robots / MOST_SHOWN * 1000
+    return next((step for step in (0, *STEPS) if max(step, USUAL) >= least and step <= longest), longest)
+
+
 def is_in_view(robot: Robot, attention: Attention) -> bool:
     """Tell whether the map shows a robot."""
     view, pose = attention.view, robot.pose
@@ -50,8 +60,11 @@ def intervals(
     """Return the intervals that the messages of these robots should have."""
     if not is_large(state, rates):
         return dict.fromkeys(robots, FULL)
-    watched = frozenset(watched_robots(state, attention))
-    shown = shown_interval(attention.view.cell, rates.pose_ms) if attention.view is not None else 0
+    watched, shown = frozenset(watched_robots(state, attention)), rates.pose_ms
+    if attention.view is not None:
+        seen = sum(is_in_view(robot, attention) for robot in state.robots.values())
+        by_zoom = shown_interval(attention.view.cell, rates.pose_ms)
+        shown = max(by_zoom, crowd_interval(seen, rates.pose_ms))
     return {name: _intervals(state.robots[name], watched, attention, shown, rates) for name in robots}
 
 
@@ -60,7 +73,8 @@ def _intervals(
 ) -> Intervals:
     if robot.name in watched:
         return FULL
-    return Intervals(shown if is_in_view(robot, attention) else rates.pose_ms, rates.status_ms)
+    is_shown = shown < rates.pose_ms and is_in_view(robot, attention)
+    return Intervals(shown if is_shown else rates.pose_ms, rates.status_ms)
 
 
 def by_attention(state: FleetState, attention: Attention) -> Mapping[str, int]:

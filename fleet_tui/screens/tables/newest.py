@@ -27,7 +27,7 @@ class NewestRows:
         """Return fleet, alarms and queue. The fleet is the same table again until it is due, or another
         robot, size, arrangement or alarm asks for it."""
         screen, pane = self._screen, self._screen.fleet
-        arranged = pane.arrangement.typed, pane.arrangement.column
+        arranged = pane.arrangement.typed, pane.arrangement.column, pane.arrangement.groups.by
         if self._fleet_pace.is_due((screen.navigation.robot, pane.size, arranged, screen.store.state.alarms)):
             self._fleet = None  # until it is made: after a fault it is due again
         fleet = self._fleet or self.of(pane)

@@ -10,7 +10,17 @@ from fleet_tui.model.desk.events import AlarmShelved
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.rates.attention import Attention, Intervals, Rates, SeenArea
-from fleet_tui.rules.rates.wanted import FULL, MOST_ALARMED, SPEED, by_attention, intervals, shown_interval
+from fleet_tui.rules.rates.wanted import (
+    FULL,
+    MOST_ALARMED,
+    MOST_SHOWN,
+    SPEED,
+    USUAL,
+    by_attention,
+    crowd_interval,
+    intervals,
+    shown_interval,
+)
 from tests.support.fleets import F0, R0, T0, battery, commanded, fleet, link_up, pose, reduced, tick
 
 RATES = Rates(full_up_to=3)
@@ -96,3 +106,13 @@ def test_while_its_floor_is_unknown_a_robot_may_be_on_any() -> None:
     robot = replace(state.robots["robot_1"], floor=F1)
     places = by_attention(replace(state, robots={**state.robots, "robot_1": robot}), Attention("", "floor_0"))
     assert places["robot_0"] < places["robot_1"]
+
+
+@given(st.integers(0, 1000), st.integers(1000, 60_000))
+def test_a_crowd_in_view_sends_no_more_than_the_eye_can_follow(robots: int, longest: int) -> None:
+    assert robots * 1000 / max(crowd_interval(robots, longest), USUAL) <= MOST_SHOWN
+    assert crowd_interval(robots, longest) <= longest
+
+
+def test_the_more_robots_in_view_the_less_often() -> None:
+    assert [crowd_interval(robots, 1000) for robots in (10, 100, 150, 300, 900)] == [0, 0, 200, 500, 1000]
