@@ -76,15 +76,16 @@ def _names(state: FleetState, by: str) -> Sequence[str]:
 def head_row(state: FleetState, head: GroupHead, is_folded: bool, troubled: Collection[str]) -> Row:
     """Return the head of a group: how many robots are in it, in trouble and offline."""
     members = [robot for robot in state.robots.values() if BY[head.by](state, robot) == head.name]
+    count = len(members)
     alarmed = sum(robot.name in troubled for robot in members)
     offline = sum(not state.is_online(robot) for robot in members)
     runs: list[Run] = [
         (FOLDED if is_folded else UNFOLDED, StyleRole.KEY),
         (sanitize(head.name), StyleRole.TITLE),
-        (tr(f" {len(members)} robots"), StyleRole.DIM),
+        (tr(f" {count} robot{'s' * (count != 1)}"), StyleRole.DIM),
     ]
     if alarmed:
-        runs.append((tr(f" {alarmed} with alarms"), StyleRole.ALARM))
+        runs.append((tr(f" {alarmed} with alarm{'s' * (alarmed != 1)}"), StyleRole.ALARM))
     if offline:
         runs.append((tr(f" {offline} offline"), StyleRole.WARN))
     return Row(head, tuple(runs))

@@ -34,14 +34,14 @@ def test_each_group_has_a_head_and_trouble_first() -> None:
     assert keys(arranged()) == [FIRST, R0, "robot_2", "robot_4", SECOND, "robot_3", "robot_1"]
     table = fleet_table(placed(), R0, 80, arranged())
     assert text_of(table.rows[0].runs) == "- floor_0 3 robots"
-    assert text_of(table.rows[4].runs) == "- floor_1 2 robots 1 with alarms"
+    assert text_of(table.rows[4].runs) == "- floor_1 2 robots 1 with alarm"
     assert "in groups by floor" in text_of(table.title)
 
 
 def test_a_folded_group_keeps_its_counts_and_the_selected_robot() -> None:
     table = fleet_table(placed(), R0, 80, arranged(FIRST, SECOND))
     assert list(table.keys) == [FIRST, R0, SECOND]
-    assert text_of(table.rows[2].runs) == "+ floor_1 2 robots 1 with alarms"
+    assert text_of(table.rows[2].runs) == "+ floor_1 2 robots 1 with alarm"
     assert keys(arranged(FIRST), "robot_1") == [FIRST, SECOND, "robot_3", "robot_1"]
     assert table.lines < fleet_table(placed(), R0, 80, arranged()).lines
 
@@ -56,7 +56,7 @@ def test_robots_are_grouped_by_what_tells_them_apart() -> None:
     groups, alike = RowGroups(), fleet(3, 1)
     assert not groups.next(alike) and groups.by == ""
     other = replace(alike.robots["robot_1"], link="hall_b")
-    links = alike.links | {"hall_b": alike.links["rosbridge"]}
+    links = {**alike.links, "hall_b": alike.links["rosbridge"]}
     two = replace(alike, robots={**alike.robots, "robot_1": other}, links=links)
     assert groups.next(two) and groups.by == "link"
     assert groups.next(two) and groups.by == ""
