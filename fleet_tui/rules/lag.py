@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from msgspec.structs import replace
 
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.link import LinkState
+from fleet_tui.model.link import LinkState, Phase
 
 FRESH = 2.0
 """Maximum age in seconds of a pose whose stamp is used for the lag."""
@@ -24,6 +24,11 @@ def stamp_lag(state: FleetState, link: str, now: float) -> float:
         if robot.link == link and robot.clock and robot.pose and now - robot.clock.at < FRESH
     ]
     return statistics.median(lags) if lags else 0.0
+
+
+def is_overloaded(link: LinkState) -> bool:
+    """Tell whether messages of a bridge are late: that explains old robots and lost replies."""
+    return link.phase is Phase.UP and link.late >= BEHIND
 
 
 def with_lags(state: FleetState, now: float, unread: float) -> FleetState:

@@ -1,4 +1,4 @@
-"""The simple interface, above the map or in its place: robot, from, to, send, by arrows or mouse."""
+"""The simple interface, above the map, beside it or in its place: large buttons, for arrows or the mouse."""
 
 from collections.abc import Callable
 from typing import Any, ClassVar, Self

@@ -1,4 +1,4 @@
-"""Turns the simple interface on and off, above the map or in its place."""
+"""Turns the simple interface on and off, above the map, beside it or in its place."""
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING

@@ -1,8 +1,11 @@
 """Lag: what this console has not read yet, and what the bridge delivers late, are told apart."""
 
-from fleet_tui.model.events import Event, TimePassed
+from fleet_tui.model.alarm import Priority
+from fleet_tui.model.events import CommandPathChanged, Event, TimePassed
 from fleet_tui.model.fleet import FleetState
-from tests.support.fleets import LINK, R0, T0, WALL, battery, fleet, link_up, pose, queue, reduced
+from fleet_tui.model.link import CommandPath
+from fleet_tui.view.tables.alarms import alarm_table
+from tests.support.fleets import LINK, R0, T0, WALL, battery, fleet, link_up, pose, queue, reduced, text_of
 
 
 def tick(at: float, behind: float = 0.0) -> TimePassed:
@@ -28,6 +31,25 @@ def test_what_comes_late_while_this_console_keeps_up_is_the_bridges_doing() -> N
     assert (round(state.links[LINK].late, 1), state.behind) == (3.0, 0.0)
     (alarm,) = [alarm for alarm in state.alarms if alarm.condition.kind == "late"]
     assert alarm.text.startswith("messages 3.0 s late: bridge overloaded: use fewer topics")
+
+
+def test_robots_behind_a_late_bridge_are_in_its_alarm_and_not_blamed() -> None:
+    state = driving(late=9.0, unread=0.0)
+    assert not state.is_online(state.robots[R0]) and kinds(state) == {"late"}
+    (alarm,) = state.alarms
+    assert alarm.text.startswith("messages 9.0 s late, 1 robot silent: bridge overloaded")
+    assert alarm.condition.priority is Priority.HIGH
+    assert "1 suppressed" in text_of(alarm_table(state, str).title)
+    assert "offline" in kinds(reduced(state, tick(state.now + 60.0))), "nothing arrives any more"
+
+
+def test_lost_replies_are_those_of_a_late_bridge() -> None:
+    dead = CommandPathChanged(LINK, CommandPath.DEAD, "no reply within 5 s")
+    state = driving(late=3.0, unread=0.0)
+    (alarm,) = reduced(state, dead, tick(state.now)).alarms
+    assert alarm.text.startswith("messages 3.0 s late, no reply to commands: bridge overloaded")
+    on_time = reduced(driving(late=0.0, unread=0.0), dead, tick(T0 + 20.0))
+    assert kinds(on_time) == {"commands"}
 
 
 def test_what_waits_here_to_be_read_is_this_consoles_doing() -> None:

@@ -80,7 +80,9 @@ async def test_the_simple_interface_shows_its_four_buttons(server: RosbridgeServ
     async with console(config_of(server.url, 12), (80, 24), wait=False) as it:
         await it.until(lambda _: it.app.main.is_complete)
         await it.press("s")
-        await it.until(lambda _: heights(it) == {"simple": 13, "fleet": 5, "alarms": 3, "queue": 3})
+        await it.until(
+            lambda _: heights(it) == {"simple": 13, "map": 13, "fleet": 5, "alarms": 3, "queue": 3}
+        )
     async with console(config_of(server.url, 12), (80, 16), wait=False) as it:
         await it.until(lambda _: it.app.main.is_complete)
         await it.press("s")

@@ -116,7 +116,8 @@ CLASSES = {
     ),
     "late": AlarmClass(
         "medium",
-        "messages of a link arrive at least a second late",
+        "messages of a link arrive at least a second late; high once its robots are silent, or commands get"
+        " no reply",
         "the data shown for its robots is old",
         "Subscribe to fewer topics, lower rates at the robots, or run a second bridge",
         10,

@@ -18,8 +18,9 @@ from fleet_tui.rules.alarms.vehicles import VEHICLE_RULES
 from fleet_tui.rules.battery.charging import charger_of
 from fleet_tui.rules.commands.failures import failed_commands
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
-from fleet_tui.rules.lag import BEHIND
+from fleet_tui.rules.lag import BEHIND, is_overloaded
 from fleet_tui.text.durations import age, duration
+from fleet_tui.text.units import counted
 
 BAD_AFTER, BAD_FOR = 1.0, 10.0
 """Seconds from bad data to its alarm (other robots may send some, too), and without any until it counts as
@@ -131,9 +132,10 @@ def no_link(state: FleetState, link: LinkState, _active: ActiveConditions) -> Co
 
 
 def dead_commands(state: FleetState, link: LinkState, active: ActiveConditions) -> Condition | None:
-    """Raise if telemetry flows, but a command would not get through."""
-    was_dead = (link.name, "commands") in active and link.phase is not Phase.UP
-    if not was_dead and not (link.phase is Phase.UP and link.command_path in NO_WAY):
+    """Raise if telemetry flows, but a command would not get through: a late bridge has its own alarm."""
+    raised = (link.name, "commands") in active
+    is_news = link.phase is Phase.UP and not is_overloaded(link)
+    if not (raised or is_news) or (link.phase is Phase.UP and link.command_path not in NO_WAY):
         return None
     text = f"no command path: {link.command_reason}"
     return Condition(link.name, "commands", Priority.HIGH, text, "command path restored")
@@ -142,15 +144,16 @@ def dead_commands(state: FleetState, link: LinkState, active: ActiveConditions) 
 def offline(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
     """Raise after silence for longer than the limit, pending from half of it.
 
-    While the link is down its own alarm covers its robots; earlier alarms continue. A new link restarts the
-    silence of all robots.
+    While the link is down or late its own alarm covers its robots; earlier alarms continue. A new link
+    restarts the silence of all robots.
     """
     limit = state.patience(robot)
     if not robot.is_gone and robot.last_received is not None and state.now - robot.last_received <= limit / 2:
         return None
     link = state.links[robot.link]
     raised = was_active(active, robot.name, robot.link, "offline")
-    if state.is_online(robot) if raised else link.phase is not Phase.UP:
+    explained = link.phase is not Phase.UP or (is_overloaded(link) and not robot.is_gone)
+    if state.is_online(robot) if raised else explained:
         return None
     due = limit + (
         robot.last_received or 0.0 if raised else max(robot.last_received or 0.0, link.ready_since)
@@ -172,11 +175,18 @@ def behind(state: FleetState) -> Condition | None:
 
 def late(state: FleetState, link: LinkState, _active: ActiveConditions) -> Condition | None:
     """Raise if messages are late while this console keeps up: the bridge is overloaded."""
-    if link.phase is not Phase.UP or link.late < BEHIND:
+    if not is_overloaded(link):
         return None
     due = state.began.get((link.name, "late"), state.now) + BEHIND_FOR
+    silent = sum(robot.link == link.name and not state.is_online(robot) for robot in state.robots.values())
+    effects = [f"{counted(silent, 'robot')} silent"] * (silent > 0)
+    effects += ["no reply to commands"] * (link.command_path in NO_WAY)
+    told = ", ".join(effects)
     text = f"messages {duration(link.late)} late: {OVERLOADED}"
-    return Condition(link.name, "late", Priority.MEDIUM, text, "messages on time", due)
+    if told:
+        text = f"messages {duration(link.late)} late, {told}: {OVERLOADED}"
+    priority = Priority.HIGH if told else Priority.MEDIUM
+    return Condition(link.name, "late", priority, text, "messages on time", due)
 
 
 def unsourced(state: FleetState, link: LinkState, _active: ActiveConditions) -> Condition | None:

@@ -8,7 +8,7 @@ from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.battery.charging import charger_of
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import STANDS_AFTER, own_pause_text
-from fleet_tui.rules.lag import BEHIND
+from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.movement import JUMPS_WITHIN
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, name_of, stationary_since
 from fleet_tui.text.durations import age, duration
@@ -56,7 +56,7 @@ def no_link(state: FleetState, robot: Robot) -> Reason | None:
 def late_link(state: FleetState, robot: Robot) -> Reason | None:
     """Report that the messages of an offline robot may still come: its bridge is behind."""
     link = state.links[robot.link]
-    if link.phase is not Phase.UP or state.is_online(robot) or link.late < BEHIND:
+    if state.is_online(robot) or not is_overloaded(link):
         return None
     name, remedy = f"messages {duration(link.late)} late", CLASSES["late"].action
     return Reason(name, f"bridge of {link.name} overloaded", keys=DIAGNOSE, remedy=remedy)

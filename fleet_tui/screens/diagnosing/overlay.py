@@ -10,7 +10,7 @@ from textual.widgets import Input
 
 from fleet_tui.keys import DIAGNOSTICS, PAGES, Pane, by_id
 from fleet_tui.screens.diagnosing.controls import DiagnosticsControls
-from fleet_tui.screens.diagnosing.pages import FILTERED, Page, Pages
+from fleet_tui.screens.diagnosing.pages import BESIDE, FILTERED, Page, Pages
 from fleet_tui.screens.tables.paged_overlay import PagedOverlay
 from fleet_tui.terminal.display_driver import DisplayDriver
 from fleet_tui.terminal.lean_app import LeanApp
@@ -20,6 +20,8 @@ from fleet_tui.widgets.bindings import bindings, overlay_bindings
 
 KEYS = by_id(DIAGNOSTICS)
 EVERY = 0.25  # seconds between two updates
+TWO_PAGES = 180
+"""Cells of the screen from which a second page is beside the open one."""
 
 
 class Diagnostics(PagedOverlay):
@@ -67,6 +69,7 @@ class Diagnostics(PagedOverlay):
     def look(self) -> None:
         """Show the current page."""
         page, listing = self._controls.current, self.rows.listing
+        self.beside.display = self.screen.size.width >= TWO_PAGES
         self._pages.width = self.rows.row_width
         table = self._pages.table(page, self.output.budget)
         keys = table.keys
@@ -77,8 +80,17 @@ class Diagnostics(PagedOverlay):
         if listing.cursor is None and keys:
             listing.cursor = keys[0]
         self.rows.show(table)
+        if self.beside.display:
+            self._show_beside(BESIDE[page])
         self._tabs.show(*page_runs(list(PAGES), page, self._pages.frozen(page)))
         self._foot.show(*foot_runs(self._keys, page, self._controls.notice))
+
+    def _show_beside(self, page: Page) -> None:
+        marked = self.rows.listing.cursor
+        if page is Page.RAW and isinstance(marked, tuple) and marked != self._pages.topic:
+            self._pages.choose(*marked)
+        self._pages.width = self.beside.row_width
+        self.beside.show(self._pages.table(page, self.output.budget))
 
     def action_key(self, id_: str) -> None:
         """Run the action of a key of this screen."""

@@ -34,6 +34,15 @@ class Page(IntEnum):
     CONSOLE = 6
 
 
+BESIDE = {
+    Page.LINK: Page.TOPICS,
+    Page.TOPICS: Page.RAW,
+    Page.RAW: Page.LOG,
+    Page.LOG: Page.HEALTH,
+    Page.HEALTH: Page.LOG,
+    Page.CONSOLE: Page.LINK,
+}
+"""The page beside each one on a wide screen."""
 FILTERED = (Page.TOPICS, Page.LOG, Page.HEALTH, Page.CONSOLE)
 
 

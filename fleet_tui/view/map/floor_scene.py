@@ -25,7 +25,7 @@ from fleet_tui.rules.routes.order_draft import Drafted
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.area import worth_seeing
-from fleet_tui.view.map.mission import mission, targets
+from fleet_tui.view.map.mission import blocked_edges, edge_lines, mission, targets
 from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
 from fleet_tui.view.selection import Selection
 
@@ -208,12 +208,6 @@ def _way(robot: Robot, floor: str, drafted: Drafted | None) -> tuple[tuple[str, 
     return tuple(place.vertex for place in places), Mission(lines) if lines else None
 
 
-def _closed(state: FleetState, floor: str, robot_map: RobotMap) -> tuple[Line, ...]:
-    places = robot_map.graph.vertices if robot_map.graph is not None else {}
-    ends = [edge.ends[1:] for edge in state.desk.closed_on(floor) if places.keys() >= set(edge.ends[1:])]
-    return tuple((places[a].x, places[a].y, places[b].x, places[b].y) for a, b in ends)
-
-
 def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None = None) -> Scene:
     """Return the scene of the selected floor; while an order is typed its way is in place of the mission."""
     owner = map_owner(state, selection)
@@ -234,7 +228,8 @@ def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None
         target_vertices=vertices_of_way,
         picked=vertices_of_way[-1] if drafted is not None and vertices_of_way else "",
         mission=way,
-        closed=_closed(state, floor.name, robot_map),
+        closed=edge_lines(robot_map, [edge.ends for edge in state.desk.closed_on(floor.name)]),
+        blocked=edge_lines(robot_map, blocked_edges(state, placed)),
         note=", ".join(map(tr, notes)),
         elsewhere=tr(trouble_elsewhere(state, floor.name)),
         waits=state.now - state.links[selected.link].since < PATIENCE,

@@ -1,4 +1,4 @@
-"""The layers made of lines and dots: edges, the remaining mission, trails."""
+"""The layers made of lines and dots: edges, the remaining mission."""
 
 import math
 from functools import lru_cache
@@ -21,8 +21,6 @@ Mask = NDArray[np.bool_]
 
 OFF_EDGE = 1.0
 """Metres from which a robot is off its edge."""
-FADED = 30.0
-"""Seconds after which a trail is paler and has half as many dots."""
 _ARROW_ROOM = 8.0  # visible dots of an edge below which it has no arrow head
 _NEXT = ":"
 """The next orders' way in ASCII."""
@@ -101,10 +99,26 @@ def _point(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None
 
 def draw_closed(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
     """Draw a cross in the middle of each closed edge."""
-    for x0, y0, x1, y1 in scene.closed:
+    _mark(cells, scene, camera, scene.closed, "X" if look.plain else "✕")
+
+
+def draw_blocked(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
+    """Draw the edges on which a robot is in the way, over the mission, each with a sign in its middle."""
+    if not scene.blocked:
+        return
+    _, bits = _thick(scene, camera, scene.blocked)
+    drawn = (bits > 0) & (_OPEN | _KEPT)[cells.roles]
+    cells.codes[drawn] = ord("x") if look.plain else BRAILLE[bits[drawn]]
+    cells.roles[drawn] = StyleRole.ALARM
+    _mark(cells, scene, camera, scene.blocked, "!")
+
+
+def _mark(cells: Cells, scene: Scene, camera: Camera, edges: tuple[Line, ...], sign: str) -> None:
+    """Draw a sign in the middle of each edge."""
+    for x0, y0, x1, y1 in edges:
         x, y = camera.to_cell(*scene.frame.to_pixel((x0 + x1) / 2, (y0 + y1) / 2))
         if camera.shows(x, y):
-            cells.write(x, y, "X" if look.plain else "✕", StyleRole.ALARM)
+            cells.write(x, y, sign, StyleRole.ALARM)
 
 
 def draw_mission(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
@@ -119,17 +133,25 @@ def draw_mission(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -
         _draw_way(cells, scene, camera, look, scene.mission.current)
 
 
-@np.errstate(invalid="ignore", over="ignore")
 def _draw_way(
     cells: Cells, scene: Scene, camera: Camera, look: MapOptions, lines: tuple[Line, ...], done: float = 0.0
 ) -> None:
     """Draw lines thick, to differ from an edge without colour, too."""
+    mask, thick = _thick(scene, camera, lines, done)
+    stroke(cells, mask, StyleRole.MISSION, look, "*", thick)
+
+
+@np.errstate(invalid="ignore", over="ignore")
+def _thick(
+    scene: Scene, camera: Camera, lines: tuple[Line, ...], done: float = 0.0
+) -> tuple[Mask, NDArray[np.uint8]]:
+    """Return the dots of lines, and the same lines wider, as bits."""
     starts, stops = ends_of(scene, camera, lines)
     along = np.abs(stops - starts).min(axis=1) < 1.0
     mask, straight = blank_mask(camera), blank_mask(camera)
     trace(mask, starts, stops, done=done)
     trace(straight, starts[along], stops[along], done=done)
-    stroke(cells, mask, StyleRole.MISSION, look, "*", thicken(mask, straight))
+    return mask, thicken(mask, straight)
 
 
 def draw_approach(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
@@ -148,19 +170,6 @@ def draw_approach(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) 
     if math.dist((pose.x, pose.y), (x + done * along[0], y + done * along[1])) > OFF_EDGE:
         edge, done = (pose.x, pose.y, to_x, to_y), 0.0
     _draw_way(cells, scene, camera, look, (edge,), done)
-
-
-def draw_trails(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
-    """Draw trails as dots that pale and thin out with age."""
-    if scene.trail is None or not len(scene.trail):
-        return
-    dots, old = dots_of(scene, camera, scene.trail[:, :2]), scene.trail[:, 2] > FADED
-    # By place, so that a dot does not flicker with its neighbours.
-    thinned = old & (np.floor(dots).sum(axis=1) % 2 == 0)
-    for some, role in ((old & ~thinned, StyleRole.TRAIL_OLD), (~old, StyleRole.TRAIL)):
-        mask = blank_mask(camera)
-        set_dots(mask, dots[some])
-        stroke(cells, mask, role, look, ",")
 
 
 def stroke(

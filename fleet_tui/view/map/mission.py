@@ -1,12 +1,16 @@
-"""The way a robot still has to drive on one floor, from its orders and its graph."""
+"""The lines of one floor: the way a robot still has to drive, and the edges that are blocked or closed."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
+from fleet_tui.model.desk.desk import Ends
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.geometry import Line
 from fleet_tui.model.order import Order, vertices_of
-from fleet_tui.model.robot import Robot
+from fleet_tui.model.robot import Robot, RobotMap
+from fleet_tui.rules.routes.impact import edge_under, is_in_the_way
 from fleet_tui.rules.routes.ways import Routes, Spot, Way, routes_of
 from fleet_tui.rules.why.traffic import stops_left
-from fleet_tui.view.map.scene import Mission
+from fleet_tui.view.map.scene import Mission, SceneRobot
 
 ORDERS_SHOWN = 8
 
@@ -73,3 +77,20 @@ def _places(robot: Robot, floor: str, routes: Routes, vertex: str) -> tuple[Spot
     if actual is None:
         return ()
     return ((vertex, 0.0),) if actual == floor else routes.elevators
+
+
+def blocked_edges(state: FleetState, robots: Iterable[SceneRobot]) -> Iterator[Ends]:
+    """Yield the edges of a floor on which robots with an alarm stand in the way of others."""
+    for one in robots:
+        if one.alarmed or one.acknowledged:
+            robot = state.robots[one.name]
+            edge = edge_under(robot) if is_in_the_way(state, robot) else None
+            if edge is not None:
+                yield edge
+
+
+def edge_lines(robot_map: RobotMap, edges: Iterable[Ends]) -> tuple[Line, ...]:
+    """Return the lines of edges of a floor, as far as they are in its graph."""
+    places = robot_map.graph.vertices if robot_map.graph is not None else {}
+    ends = [edge[1:] for edge in edges if places.keys() >= set(edge[1:])]
+    return tuple((places[a].x, places[a].y, places[b].x, places[b].y) for a, b in ends)

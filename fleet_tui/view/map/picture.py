@@ -12,12 +12,19 @@ from fleet_tui.view.map.layers import (
     draw_labels,
     draw_vertices,
 )
-from fleet_tui.view.map.lines import draw_approach, draw_closed, draw_edges, draw_mission, draw_trails
+from fleet_tui.view.map.lines import (
+    draw_approach,
+    draw_blocked,
+    draw_closed,
+    draw_edges,
+    draw_mission,
+)
 from fleet_tui.view.map.outlines import draw_outlines
 from fleet_tui.view.map.placing.labels import Backdrop
 from fleet_tui.view.map.robots import Arrangement, draw_robots
 from fleet_tui.view.map.scene import Scene
 from fleet_tui.view.map.streams import draw_path, draw_scan
+from fleet_tui.view.map.trails import draw_trails
 from fleet_tui.view.roles import StyleRole
 
 Layer = Callable[[Cells, Scene, Camera, MapOptions], None]
@@ -27,7 +34,15 @@ STILL: tuple[Layer, ...] = (draw_ground, draw_edges)
 MISSION: tuple[Layer, ...] = (draw_mission, draw_vertices)
 """Below the labels. Redrawn only when the map, the graph, the mission, the camera or the options change."""
 
-MOVING: tuple[Layer, ...] = (draw_trails, draw_path, draw_approach, draw_scan, draw_closed, draw_outlines)
+MOVING: tuple[Layer, ...] = (
+    draw_trails,
+    draw_path,
+    draw_approach,
+    draw_scan,
+    draw_blocked,
+    draw_closed,
+    draw_outlines,
+)
 """Drawn at every tick; then the robots, and the layers of the mode on top."""
 
 

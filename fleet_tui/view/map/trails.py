@@ -5,13 +5,20 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from fleet_tui.view.map.camera import Camera
+from fleet_tui.view.map.cells import Cells
+from fleet_tui.view.map.layers import MapOptions
+from fleet_tui.view.map.lines import blank_mask, dots_of, set_dots, stroke
 from fleet_tui.view.map.scene import Scene
+from fleet_tui.view.roles import StyleRole
 
 SECONDS = 60.0
 STEP = 0.5
 """Metres between two points of a robot's trail."""
 POINTS = 128
 """The maximum number of points of one robot."""
+FADED = 30.0
+"""Seconds after which a trail is paler and has half as many dots."""
 EVERY = 0.25
 """Seconds between two samples: at 2 m/s a robot is sampled every STEP."""
 
@@ -61,3 +68,16 @@ class _Ring:
             self.points[self._next] = x, y, at
             self._next = (self._next + 1) % POINTS
             self._last = (x, y)
+
+
+def draw_trails(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
+    """Draw trails as dots that pale and thin out with age."""
+    if scene.trail is None or not len(scene.trail):
+        return
+    dots, old = dots_of(scene, camera, scene.trail[:, :2]), scene.trail[:, 2] > FADED
+    # By place, so that a dot does not flicker with its neighbours.
+    thinned = old & (np.floor(dots).sum(axis=1) % 2 == 0)
+    for some, role in ((old & ~thinned, StyleRole.TRAIL_OLD), (~old, StyleRole.TRAIL)):
+        mask = blank_mask(camera)
+        set_dots(mask, dots[some])
+        stroke(cells, mask, role, look, ",")

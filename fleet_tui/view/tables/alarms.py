@@ -132,12 +132,16 @@ def alarm_of(state: FleetState, robot: str) -> Key | None:
 
 
 def _suppressed(state: FleetState) -> int:
-    """Count the alarms that another one covers: of the robots in a group, and of those behind a link that is
-    down."""
+    """Count the alarms that another one covers: of the robots in a group, of those behind a link that is
+    down, and of the silent ones behind a late one."""
     active = [alarm.condition for alarm in state.alarms if alarm.holds]
     grouped = sum(len(condition.parts) - 1 for condition in active if is_group(condition.kind))
     down = {condition.source for condition in active if condition.kind == "link"}
-    return grouped + sum(robot.link in down for robot in state.robots.values())
+    late = {condition.source for condition in active if condition.kind == "late"}
+    silent = [robot for robot in state.robots.values() if robot.link in late and not state.is_online(robot)]
+    apart = {condition.source for condition in active} | {name for one in active for name in one.parts}
+    covered = sum(robot.name not in apart for robot in silent)
+    return grouped + covered + sum(robot.link in down for robot in state.robots.values())
 
 
 def _at(alarm: Alarm) -> float:

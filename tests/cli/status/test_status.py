@@ -139,7 +139,7 @@ def test_a_console_that_is_behind_and_a_bridge_that_is_late_need_attention_at_on
     state = replace(up, behind=2.4)
     assert "console: this console is 2.4 s behind" in attention(state) and report(state)["behind_s"] == 2.4
     state = replace(up, links={LINK: replace(up.links[LINK], late=3.0)})
-    assert attention(state)[0].startswith("rosbridge: messages 3.0 s late: bridge overloaded")
+    assert attention(state)[0].startswith("rosbridge: messages 3.0 s late, 1 robot silent: bridge overloaded")
     assert report(state)["links"][0]["late_s"] == 3.0 and not changes(report(up), report(state)).get("links")
 
 

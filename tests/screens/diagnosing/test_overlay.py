@@ -48,6 +48,19 @@ async def test_a_wrong_field_is_seen_from_the_topic_to_the_raw_text(
         await it.hides("[2 Topics]")
 
 
+async def test_on_a_wide_screen_the_message_of_the_marked_topic_is_beside_the_topics(
+    server: RosbridgeServer,
+) -> None:
+    async with console(config_of(server.url, 2, 2), (200, 60)) as it:
+        await open_page(it, 1, "Link")
+        await it.shows("/robot_0/pose", "diagnostics-beside")
+        await it.press("2", "home", "down")
+        await it.shows("Raw /robot_0/queue", "diagnostics-beside")
+        await it.press("down")
+        await it.shows("Raw /robot_0/obstacle", "diagnostics-beside")
+        await it.shows('"data": 0.0', "diagnostics-beside")
+
+
 async def test_log_and_health_are_subscribed_while_it_is_open(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2, 2)) as it:
         assert asked(server, "subscribe") == []

@@ -20,8 +20,9 @@ class Paged(App[None]):
 async def test_its_parts_and_what_enter_chooses() -> None:
     app = Paged()
     async with app.run_test() as pilot:
-        names = [child.id for child in app.pages.children]
-        assert names == ["things-pages", "things-filter", "things-rows", "things-keys"]
+        names = [one.id for one in app.pages.walk_children() if one.id]
+        assert names == ["things-pages", "things-filter", "things-rows", "things-beside", "things-keys"]
+        assert not app.pages.beside.display, "it is for overlays with a second page"
         app.pages.set_role_styles({})
         app.pages.open(app.pages.rows)
         app.pages.rows.show(Table((), [Row(n, ((str(n), StyleRole.TEXT),)) for n in "ab"]))

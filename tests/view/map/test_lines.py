@@ -229,3 +229,16 @@ def test_a_straight_way_takes_one_line_of_cells(y: float, x: float) -> None:
     assert len(np.unique(np.nonzero(np.isin(across.roles, LINE))[0])) == 1
     down = drawn(replace(SCENE, mission=Mission(((x, 1.0, x, 9.0),))))
     assert len(np.unique(np.nonzero(np.isin(down.roles, LINE))[1])) == 1
+
+
+@pytest.mark.parametrize("drawing", [Drawing.BRAILLE, Drawing.ASCII])
+def test_a_blocked_edge_is_a_line_with_a_sign_over_the_way_and_through_no_wall(drawing: Drawing) -> None:
+    scene = replace(SCENE, mission=Mission(ACROSS), blocked=((2.0, 5.0, 18.0, 5.0),))
+    cells, look = drawn(scene, MapOptions(drawing)), MapOptions(drawing)
+    (x, y), walls = CAMERA.to_cell(*FRAME.to_pixel(10.0, 5.0)), drawn(SCENE, look).roles
+    assert chr(cells.codes[y, x]) == "!" and cells.roles[y, x] == StyleRole.ALARM
+    row = cells.roles[y, CAMERA.to_cell(*FRAME.to_pixel(3.0, 5.0))[0] : x - 1]
+    assert (row == StyleRole.ALARM).all(), "the edge, not the way over it"
+    elsewhere = np.isin(walls, WALLS)
+    elsewhere[y, x] = False
+    assert (cells.roles[elsewhere] != StyleRole.ALARM).all()

@@ -181,3 +181,13 @@ def test_one_way_edges_are_those_without_a_way_back() -> None:
     for directed, found in ((True, ((2.0, 0.0, 3.0, 0.0),)), (False, ())):
         received = events.GraphReceived(R0, F0, RouteGraph(vertices, edges, directed))
         assert scene(reduced(fleet(), received)).one_way == found
+
+
+def test_the_edge_on_which_a_robot_with_an_alarm_stands_is_marked_while_it_lasts() -> None:
+    contact = events.ObstacleReported(R0, T0, 40.0)
+    found = reduced(fleet(), *DRIVING, contact)
+    assert scene(found).blocked == (), "no alarm yet: contact ends by itself on most drives"
+    found = reduced(found, tick(T0 + 0.1))
+    assert [set(places((line,))) for line in scene(found).blocked] == [{(0.0, 0.0), (1.0, 0.0)}]
+    gone = reduced(found, events.ObstacleReported(R0, T0 + 1, 0.0), pose(T0 + 1, 0.4), tick(T0 + 9))
+    assert scene(gone).blocked == ()

@@ -67,20 +67,25 @@ class CellOccupancy:
         """Occupy the cells for a number of `cells` cells beside an arrow of `arrow` cells at (x, y).
 
         Return its side: -1 left, 1 right, 0 if it fits on neither. Beside it is only its arrow: two numbers
-        never read as one. It stays on the side that it had `before`, if need be beside the arrow of a robot
-        that drives past; else it covers a label only if both sides do, none at all if it `spares` them."""
+        never read as one. On the floor it stays on the side that it had `before`, if need be beside the arrow
+        of a robot that drives past; else it covers a label only if both sides do, none at all if it `spares`
+        them."""
         if before and not spares and self._fits(x, y, arrow, cells, before, self._numbers):
-            self._take_number(_start(x, arrow, cells, before), y, cells)
-            return before
+            start = _start(x, arrow, cells, before)
+            if not self._is_beyond(start, y, cells):
+                self._take_number(start, y, cells)
+                return before
         sides = [side for side in (-1, 1) if self._fits(x, y, arrow, cells, side, self._taken)]
         if not sides:
             return 0
         spared = [side for side in sides if self.free(_start(x, arrow, cells, side), y, cells)]
         if spares and not spared:
             return 0
-        # A number beyond the floor's edge reads as one of nothing, and one on a wall breaks it.
-        on_floor = [side for side in spared if not self._is_beyond(_start(x, arrow, cells, side), y, cells)]
-        best = on_floor or spared or sides
+        # A number beyond the floor's edge reads as one of nothing, and one on a wall breaks it: rather than
+        # that a label moves.
+        on_floor = [side for side in sides if not self._is_beyond(_start(x, arrow, cells, side), y, cells)]
+        best = [side for side in on_floor if side in spared] or (on_floor if not spares else spared)
+        best = best or spared or sides
         side = before if before in best else best[0]
         self._take_number(_start(x, arrow, cells, side), y, cells)
         return side

@@ -17,6 +17,8 @@ BAD_FOR = 10.0
 
 NAMES = 34
 """Cells of the longest topic."""
+BAD = 8
+"""Cells of the number of bad messages, if there are any."""
 _FIRST = {StyleRole.ALARM: 0, StyleRole.WARN: 1}
 
 Entry = tuple[LinkState, TopicCounter]
@@ -63,21 +65,22 @@ def topic_table(state: FleetState, links: Links, wanted: str, now: float) -> Tab
     looked.sort(key=lambda one: _FIRST.get(one[0][1], len(_FIRST)))
     states, found = [one for one, _ in looked], [entry for _, entry in looked]
     names = column((topic.topic for _, topic in found), 10, NAMES)
+    bad = BAD * any(topic.errors for _, topic in found)
     keys = [(link.name, topic.topic) for link, topic in found]
-    rows = LateRows(keys, lambda n: Row(keys[n], (*_runs(states[n], found[n][1], names, now),)))
+    rows = LateRows(keys, lambda n: Row(keys[n], (*_runs(states[n], found[n][1], names, bad, now),)))
     trouble = sum(role in (StyleRole.WARN, StyleRole.ALARM) for _, role in states)
     note = tr(f" {len(found)}, {trouble} with problems") + (
         tr(f", matching {sanitize(wanted)}") if wanted else ""
     )
     title = (tr("Topics"), StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
     empty = tr("no matching topic") if wanted else tr("console starting")
-    return Table(title, rows, empty, head=_head(names))
+    return Table(title, rows, empty, head=_head(names, bad))
 
 
-def _head(names: int) -> tuple[Run, ...]:
+def _head(names: int, bad: int) -> tuple[Run, ...]:
     words = map(tr, ("State", "Topic", "Rate", "At most", "Last", "Bytes", "Messages"))
     state, topic, rate, most, last, size, count = words
-    heads = f"{state:<17}{topic:<{names}} {rate:>8} {most:>8} {last:>10} {'':>7} {size:>9} {count:>8}"
+    heads = f"{state:<17}{topic:<{names}} {rate:>8} {most:>8} {last:>10} {'':{bad}}{size:>9} {count:>8}"
     return ((heads, StyleRole.DIM),)
 
 
@@ -97,19 +100,19 @@ def asked_rate(ms: int | None) -> str:
     return f"{1000 / ms:.1f} Hz" if ms else ""
 
 
-def _runs(state: Run, topic: TopicCounter, names: int, now: float) -> Sequence[Run]:
+def _runs(state: Run, topic: TopicCounter, names: int, bad: int, now: float) -> Sequence[Run]:
     word, role = state
     rates = topic.rates(now)
     rate = "" if rates is None else f"{rates[0]:.1f} Hz"
     size = "" if rates is None else f"{size_text(rates[1])}/s"
-    bad = tr(f"{topic.errors:,} bad") if topic.errors else ""
+    errors = tr(f"{topic.errors:,} bad") if topic.errors else ""
     runs = [
         (f"{word:<17}", role),
         (fit(_shortened(sanitize(topic.topic), names), names) + " ", StyleRole.TEXT),
         (f"{rate:>8} ", StyleRole.TEXT),
         (f"{asked_rate(topic.asked_ms):>8} ", StyleRole.DIM),
         (f"{tr(ago(topic.at, now)):>10} ", StyleRole.WARN if role is StyleRole.WARN else StyleRole.TEXT),
-        (f"{bad:>7} ", StyleRole.WARN),
+        (f"{errors:>{bad - 1}} " if bad else "", StyleRole.WARN),
         (f"{size:>9} {topic.count:>8,}  ", StyleRole.DIM),
     ]
     why = topic.not_subscribed or (topic.bad.text if topic.bad is not None else "")

@@ -114,11 +114,14 @@ def test_a_label_in_another_aisle_would_be_read_as_of_another_vertex() -> None:
     assert CellOccupancy(WIDTH, HEIGHT).label_spot(10, 4, "Base", roles) == (10, 2), "nothing between"
 
 
-def test_a_new_number_is_on_the_side_without_a_wall() -> None:
+def test_a_number_is_on_the_side_without_a_wall() -> None:
     roles = ground()
     roles[:, 9] = StyleRole.WALL
-    assert CellOccupancy(WIDTH, HEIGHT, roles).number_side(10, 4, 1, 2, 0) == 1
-    assert CellOccupancy(WIDTH, HEIGHT, roles).number_side(10, 4, 1, 2, -1) == -1, "it stays where it was"
+    for before in (-1, 0, 1):
+        assert CellOccupancy(WIDTH, HEIGHT, roles).number_side(10, 4, 1, 2, before) == 1, "not on the wall"
+    roles[:, 12] = StyleRole.WALL
+    for before in (-1, 1):
+        assert CellOccupancy(WIDTH, HEIGHT, roles).number_side(10, 4, 1, 2, before) == before, "it stays"
 
 
 FRAME = MapFrame(0.05, 400, 200)
