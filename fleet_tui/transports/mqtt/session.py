@@ -108,6 +108,11 @@ class BrokerSession:
             raise LinkError("no link")
         self._asked[number] = patterns
 
+    def unsubscribe(self, patterns: Sequence[str]) -> None:
+        """Unsubscribe from topics. Raises LinkError."""
+        if self._client.unsubscribe(list(patterns))[0]:
+            raise LinkError("no link")
+
     def publish(self, topic: str, payload: bytes) -> None:
         """Send a message now, once at most: nothing repeats it. Raises LinkError."""
         if self._ended.done() or self._client.publish(topic, payload, qos=0).rc:
