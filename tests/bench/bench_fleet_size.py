@@ -26,6 +26,7 @@ BETWEEN = 0.11, 0.37
 """Seconds from a key to the next one: at any moment of the tick."""
 EVERY = ["--port", "0", "--stop-with-stdin", "--floors", "1", "--rate", "5"]
 PROCESS, KEY, MEGABYTES, ALARMS = 80.0, 50.0, 200.0, 10.0
+AT_START, SHOWN_WITHIN = 100, 3.0
 
 
 @dataclass(frozen=True)
@@ -46,11 +47,11 @@ class Figures:
     alarms: float
 
 
-def config(folder: Path, urls: list[str], robots: int) -> Path:
-    """A link for each bridge, all robots on one floor."""
+def config(folder: Path, urls: list[str], robots: int, floors: int = 1) -> Path:
+    """A link for each bridge, some floors."""
     text = f'[rosbridge]\nurl = "{urls[0]}"\n'
     text += "".join(f'[links.hall_{n}]\nurl = "{url}"\n' for n, url in enumerate(urls) if n)
-    text += '[[floors]]\nname = "floor_0"\n'
+    text += "".join(f'[[floors]]\nname = "floor_{n}"\n' for n in range(floors))
     for n in range(robots):
         hall = n // PER_BRIDGE
         text += f'[[robots]]\nname = "robot_{n}"\n' + (f'link = "hall_{hall}"\n' if hall else "")
@@ -117,6 +118,26 @@ def measured(robots: int, seconds: float = SECONDS) -> Figures:
     )
 
 
+def started() -> list[float]:
+    """Seconds from the link to a bridge that takes 20 ms for a subscription until the labels of the shown
+    floor, the poses of a hundred robots on two floors, and the last subscription."""
+    fleet = ["--port", "0", "--stop-with-stdin", "--floors", "2", "--robots", str(AT_START)]
+    with tempfile.TemporaryDirectory() as name, serving("tests.bench.slow_bridge_sim", *fleet) as (url, _):
+        noted, settings = Path(name) / "noted.json", config(Path(name), [url], AT_START, 2)
+        command = ["tests.bench.probe", str(noted), "starts", "--", "--config", str(settings)]
+        terminal = Terminal([sys.executable, "-m", *command], Path(name))
+        try:
+            terminal.wait_for("subscribing", 20.0)
+            terminal.wait_for(f"{AT_START} of {AT_START} online", 60.0)
+            while "subscribing" in terminal.text():
+                time.sleep(0.2)
+            time.sleep(1.0)
+        finally:
+            terminal.close()
+        up, *later = json.loads(noted.read_text())["started"]
+        return [at - up for at in later]
+
+
 def rows(robots: int, found: Figures) -> list[Row]:
     """The rows of a fleet; those of the largest have targets."""
     what, is_target = f"{robots} robots: ", robots == CURVE[-1]
@@ -138,7 +159,14 @@ def rows(robots: int, found: Figures) -> list[Row]:
 
 
 def main() -> list[Row]:
-    return [one for robots in CURVE for one in rows(robots, measured(robots))]
+    labels, poses, last = started()
+    what = f"{AT_START} robots, 20 ms for a subscription: link -> "
+    found = [
+        row("P15", what + "labels of the floor", labels, "s"),
+        row("P15", what + "and all robots", poses, "s", SHOWN_WITHIN),
+        row("P15", what + "last subscription", last, "s"),
+    ]
+    return found + [one for robots in CURVE for one in rows(robots, measured(robots))]
 
 
 if __name__ == "__main__":

@@ -36,6 +36,7 @@ noted: dict[str, list[Any]] = {
     "count": [],
     "filter": [],
     "truth": [],
+    "started": [],
 }
 
 
@@ -178,7 +179,27 @@ def truth() -> None:
     after(MainScreen, "tick", ticked)
 
 
+def starts() -> None:
+    """The times of the first ticks with the links, with the labels of the shown floor, with the poses of all
+    robots, too, and with everything that is subscribed."""
+
+    def ticked(screen: MainScreen) -> None:
+        state, shown = screen.store.state, screen.navigation.selection
+        known = state.robots[shown.robot].maps.get(shown.floor)
+        steps = (
+            all(link.was_up for link in state.links.values()),
+            known is not None and bool(known.labels),
+            all(robot.pose for robot in state.robots.values()),
+            all(link.topics and not link.waiting_topics for link in state.links.values()),
+        )
+        if len(noted["started"]) < len(steps) and all(steps[: len(noted["started"]) + 1]):
+            noted["started"].append(time.monotonic())
+
+    after(MainScreen, "tick", ticked)
+
+
 KINDS = {
+    "starts": starts,
     "truth": truth,
     "stock": stock,
     "filters": filters,
