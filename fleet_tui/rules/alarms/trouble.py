@@ -37,6 +37,8 @@ def acknowledged(state: FleetState) -> frozenset[str]:
 def _concerned(state: FleetState, stage: AlarmStage) -> frozenset[str]:
     alarms = [one for one in state.alarms if one.stage is stage]
     links = {one.condition.source for one in alarms} & state.links.keys()
+    if not links:  # asked several times a tick
+        return _robots(state, alarms)
     return _robots(state, alarms) | {robot.name for robot in state.robots.values() if robot.link in links}
 
 

@@ -116,6 +116,4 @@ class RowArrangement:
     def notes(self, shown: int) -> list[Run]:
         """Return what the title says of it; `shown` rows are left."""
         runs = [(f" /{self.typed}: {shown}", StyleRole.ACCENT)] if self.typed else []
-        by = self.groups.by
-        runs += [(tr(f" in groups by {tr(by)}"), StyleRole.ACCENT)] * bool(by)
         return runs + [(tr(f" by {tr(self.column)}"), StyleRole.ACCENT)] * bool(self.column)

@@ -35,7 +35,6 @@ def test_each_group_has_a_head_and_trouble_first() -> None:
     table = fleet_table(placed(), R0, 80, arranged())
     assert text_of(table.rows[0].runs) == "- floor_0 3 robots"
     assert text_of(table.rows[4].runs) == "- floor_1 2 robots 1 with alarm"
-    assert "in groups by floor" in text_of(table.title)
 
 
 def test_a_folded_group_keeps_its_counts_and_the_selected_robot() -> None:
