@@ -68,6 +68,7 @@ class Pacing:
 
     def _interval(self, feed: Feed, asked: Intervals) -> int:
         """Return an interval that leaves time to notice that messages have ceased."""
-        silence = self._adapters[feed.robot].kind.silence_of(feed.key, self._usual_silence)
+        kind, usual = self._adapters[feed.robot].kind, self._usual_silence
+        silence = min(kind.silence_of(feed.key, usual), kind.offline_after or usual)
         wanted = asked.pose if feed.fast else asked.status
         return max(feed.rate_ms, int(min(wanted, silence * 1000 * SHARE)))
