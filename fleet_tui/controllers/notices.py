@@ -10,6 +10,9 @@ from fleet_tui.view.lines.commands import newest
 SHOWN = 8.0
 """Seconds for which a text is shown: later it would read as the answer to the last key."""
 
+READ = 2.0
+"""Seconds after which a text was read, so that the next key ends it."""
+
 
 class Notices:
     """Keeps the newest text and the number of the newest command at that time; `text` is the first one."""
@@ -23,6 +26,8 @@ class Notices:
     ) -> None:
         self._store, self._refresh, self._clock = store, refresh, clock
         self._text, self._until, self.at = text, clock() + SHOWN, 0.0
+        self._since = math.inf
+        """Since when the text is shown, which a key may end; the first one is for a newcomer."""
         self.key_at = 0.0
         """The time of the last key of the console (monotonic seconds, of the state)."""
         self._said: set[str] = set()
@@ -47,10 +52,14 @@ class Notices:
         """Show a text with the next tick; if it `stays`, until there is a newer one."""
         self._text, self.at = text, newest(self._store.state)
         self._until = math.inf if stays else self._clock() + SHOWN
+        self._since = math.inf if stays else self._clock()
 
     def key_pressed(self) -> None:
-        """Remember the time of a key: what it leaves behind was read."""
+        """Remember the time of a key: what it leaves behind was read, and a text that had time for that
+        ends."""
         self.key_at = newest(self._store.state)
+        if self._clock() - self._since >= READ:
+            self._text = ""
 
     def clear(self) -> None:
         """Show no text."""

@@ -51,6 +51,8 @@ class Simple(Vertical):
     BINDINGS: ClassVar[list[BindingType]] = [
         ("down,j", "step(1)", "Down"),
         ("up,k", "step(-1)", "Up"),
+        ("right", "step(1)", "Right"),
+        ("left", "step(-1)", "Left"),
         ("escape", "back", "Back"),
     ]
 
@@ -102,6 +104,7 @@ class Simple(Vertical):
         self._button("send").variant = "default" if self._missing() else "primary"
         for field in ("robot", "from", "to", "send"):
             self._button(field).display = not self._choosing and (field != "from" or not only_to)
+        self.set_class(not self._choosing, "-buttons")
         self.query_one("#simple-missing").display = not self._choosing
         self.query_one("#simple-question").display = self.query_one(OptionList).display = bool(self._choosing)
 

@@ -7,6 +7,10 @@ LEAST_FLEET, LEAST_LIST = 4, 3
 LEAST_MAP = 9
 BUTTONS = 13
 """Lines of the simple interface."""
+BROAD = 180
+"""Cells from which its buttons are side by side."""
+PAGE_BESIDE = 45
+"""Lines of the panes from which a robot's page has all its sections one below the other."""
 LEAST_BESIDE, MAP_SHARE = 78, 10 / 21
 """Cells from which a narrow screen can have the tables beside its map, and the map's share of them: as in
 `fleet.tcss`."""

@@ -8,9 +8,11 @@ from textual.widget import Widget
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.layout import (
+    BROAD,
     LEAST_BESIDE,
     LEAST_SHARED,
     LEAST_TABLES,
+    PAGE_BESIDE,
     USUAL_SHAPE,
     WIDE_TABLES,
     Wanted,
@@ -39,8 +41,6 @@ OTHERS = 3
 """Lines of the screen that are no panes: status, message, footer. Before the first layout."""
 BELOW = 2
 """Those of them below the panes: message, footer."""
-PAGE_BESIDE = 45
-"""Lines of the panes from which a robot's page has all its sections one below the other."""
 
 
 def lines_below(overlay: Widget) -> int:
@@ -170,6 +170,7 @@ class Panes(Container):
     def on_resize(self) -> None:
         """Share out the new lines at once."""
         self.set_class(self.size.width >= LEAST_BESIDE, "-roomy")
+        self.set_class(self.size.width >= BROAD, "-broad")
         self.share_out()
 
     @property

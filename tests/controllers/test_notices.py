@@ -1,6 +1,6 @@
 """The last line: the newest text, and which command was the newest then."""
 
-from fleet_tui.controllers.notices import SHOWN, Notices
+from fleet_tui.controllers.notices import READ, SHOWN, Notices
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.state.store import Store
 from tests.support.fleets import R0, T0, commanded, fleet, reduced, tick
@@ -49,3 +49,21 @@ def test_the_time_of_a_key_is_that_of_the_state() -> None:
     notices = Notices(store, lambda: None)
     notices.key_pressed()
     assert notices.key_at == T0 + 3
+
+
+def test_a_key_ends_a_text_that_was_read_and_no_newer_one_nor_the_first() -> None:
+    now = [T0]
+    notices = Notices(Store(fleet()), lambda: None, "welcome", clock=lambda: now[0])
+    now[0] += READ
+    notices.key_pressed()
+    assert notices.text == "welcome", "a newcomer reads longer"
+    notices.say("no order here")
+    notices.key_pressed()
+    assert notices.text == "no order here", "keys follow each other fast"
+    now[0] += READ
+    notices.key_pressed()
+    assert notices.text == ""
+    notices.say("link not opened", stays=True)
+    now[0] += READ
+    notices.key_pressed()
+    assert notices.text == "link not opened"

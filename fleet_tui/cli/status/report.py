@@ -7,7 +7,7 @@ from fleet_tui.cli.session import missing
 from fleet_tui.cli.status.navigation import navigation
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import PAUSE
-from fleet_tui.model.link import NO_WAY, LinkState, Phase
+from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.conditions import behind, late
@@ -116,7 +116,8 @@ def attention(state: FleetState) -> list[str]:
         if link.phase is not Phase.UP:
             lines.append(f"{link.name}: no link to {link.url}: {link.reason or 'no reply'}")
         elif link.command_path in NO_WAY:
-            lines.append(f"{link.name}: no command path: {link.command_reason}")
+            is_dead = link.command_path is CommandPath.DEAD
+            lines.append(f"{link.name}: {'no command path: ' * is_dead}{link.command_reason}")
     for alarm in state.alarms:
         if alarm.holds and alarm.condition.kind not in ("link", "commands"):
             lines.append(f"{alarm.condition.source}: {alarm.text}")

@@ -23,8 +23,8 @@ CLASSES = {
     ),
     "commands": AlarmClass(
         "high",
-        "telemetry arrives, but commands would not get through",
-        "no order and no pause reaches the robots of the link",
+        "telemetry arrives, but commands would not get through, to the robots named or to all",
+        "no order and no pause reaches the robots of the link, or those named",
         "Restart the robots' nodes or the ROS master; pause a robot by its own controls",
         1,
     ),

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 
 from fleet_tui.model.alarm import Condition, Priority
 from fleet_tui.model.fleet import FleetState, behind_text, obstacle_text, offline_text
-from fleet_tui.model.link import NO_WAY, LinkState, Phase
+from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
 from fleet_tui.rules.alarms.members import MEMBER_RULES
@@ -138,6 +138,8 @@ def dead_commands(state: FleetState, link: LinkState, active: ActiveConditions) 
     if not (raised or is_news) or (link.phase is Phase.UP and link.command_path not in NO_WAY):
         return None
     text = f"no command path: {link.command_reason}"
+    if link.command_path is CommandPath.UNREGISTERED:
+        text = link.command_reason  # of some robots: the others take commands
     return Condition(link.name, "commands", Priority.HIGH, text, "command path restored")
 
 

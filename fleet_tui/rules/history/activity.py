@@ -27,6 +27,11 @@ def activity(state: FleetState, robot: Robot) -> Activity:
     return Activity.CHARGING if charges(state, robot) else Activity.IDLE
 
 
+def is_told(state: FleetState, robot: Robot) -> bool:
+    """Tell whether its activity is known now: not of a robot whose pose is old while others arrive."""
+    return not state.is_online(robot) or not state.is_old(robot, "pose")
+
+
 def _is_blocked(state: FleetState, robot: Robot) -> bool:
     if state.is_obstructed(robot):
         return True

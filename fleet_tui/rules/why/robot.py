@@ -54,9 +54,9 @@ def no_link(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def late_link(state: FleetState, robot: Robot) -> Reason | None:
-    """Report that the messages of an offline robot may still come: its bridge is behind."""
+    """Report that newer messages of a robot may still come: its bridge is behind."""
     link = state.links[robot.link]
-    if state.is_online(robot) or not is_overloaded(link):
+    if not is_overloaded(link) or (state.is_online(robot) and not state.is_old(robot, "pose")):
         return None
     name, remedy = f"messages {duration(link.late)} late", CLASSES["late"].action
     return Reason(name, f"bridge of {link.name} overloaded", keys=DIAGNOSE, remedy=remedy)

@@ -24,7 +24,7 @@ def impact_text(cut: Sequence[CutOrder]) -> str:
     if not cut:
         return tr("cuts the way of no order")
     lost = sum(one.around is None for one in cut)
-    rest = tr(f", {lost} without another") if lost else tr(", there is another")
+    rest = tr(f", {lost} without a detour") if lost else tr(", with a detour")
     return tr(f"cuts the way of {counted(len(cut), 'order')}{rest}")
 
 

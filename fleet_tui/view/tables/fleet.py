@@ -8,8 +8,9 @@ from functools import partial
 from fleet_tui.model.fleet import FleetState, is_missing, missing_text
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.alarms.trouble import LONG_STILL, acknowledged, by_urgency, shelved, waits
+from fleet_tui.rules.alarms.trouble import acknowledged, by_urgency, shelved, waits
 from fleet_tui.rules.commands.local_queue import all_orders
+from fleet_tui.rules.history.activity import MOVES_WITHIN
 from fleet_tui.rules.why.robot import charges
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
@@ -27,8 +28,8 @@ from fleet_tui.view.tables.table import LateRows, Row, Run, Table, width_of
 
 CARGO, IDLE, CHARGING = "▪", "idle", "charging"
 CALM = (IDLE, CHARGING)
-STILL_FROM = 5.0
-"""Seconds from which a robot stands still."""
+STILL_FROM, STILL_INSTEAD = 5.0, 15.0
+"""Seconds from which a robot stands still, and from which that is told in place of its order."""
 WHOLE_ROUTES = 26
 """Cells of the last column from which orders without a column of their own have their start, too."""
 SEEN_FROM = 2.0
@@ -113,6 +114,9 @@ def _without_order(state: FleetState, robot: Robot) -> str:
         return tr(missing_text(state, robot, "queue"))
     if waiting:
         return tr(f"{waiting} waiting")
+    begins = state.now - state.links[robot.link].since < STILL_FROM  # a first pose is no movement
+    if not begins and _movement(state, robot) and robot.still_for < MOVES_WITHIN:
+        return tr("moving")
     return tr(CHARGING if charges(state, robot) is not None else IDLE)
 
 
@@ -132,7 +136,7 @@ def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Co
         order = whose_mission(state, robot, shown)
     progress = progress_text(state, robot, current) if current is not None else ""
     if not columns.order:
-        if current is not None and not runs and _movement(state, robot) and robot.still_for >= LONG_STILL:
+        if current is not None and not runs and _movement(state, robot) and robot.still_for >= STILL_INSTEAD:
             runs = [(_movement(state, robot), movement), (" ", role)]
         if shown is not None and columns.state < WHOLE_ROUTES:
             order = destinations(robot, shown) or order

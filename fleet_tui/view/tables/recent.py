@@ -8,6 +8,7 @@ from heapq import nlargest
 from fleet_tui.model.alarm import Alarm, AlarmStage
 from fleet_tui.model.commands import ORDER_ENDS, CommandRecord, Stage
 from fleet_tui.model.fleet import FleetState, returned_text
+from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.order import Order
 from fleet_tui.model.order_life import GoneOrder
 from fleet_tui.model.robot import Robot
@@ -32,7 +33,7 @@ def recent_table(state: FleetState, clock: Callable[[float], str], lines: int, w
     """Return the newest events, at most `lines` of them. `clock` formats Unix seconds as a local time, which
     has no seconds in a pane of few cells."""
     found = [*_alarms(state), *_links(state), *_commands(state), *_orders(state, width < WHOLE)]
-    newest = nlargest(lines, found, key=lambda event: event[0])
+    newest = nlargest(lines, found or _connected(state), key=lambda event: event[0])
     sources = column((source for _, source, _ in newest), 7, 14) + 1
     shown = None if width >= WHOLE else HOURS_MINUTES
     rows = tuple(
@@ -51,8 +52,17 @@ def _alarms(state: FleetState) -> Iterator[Event]:
 def _links(state: FleetState) -> Iterator[Event]:
     for link in state.links.values():
         if text := returned_text(state, link):
-            at = state.wall - (state.now - link.since)
-            yield at, link.name, partial(_returned, text)
+            yield _since(state, link), link.name, partial(_returned, text)
+
+
+def _connected(state: FleetState) -> Iterator[Event]:
+    for link in state.links.values():
+        if link.phase is Phase.UP:
+            yield _since(state, link), link.name, partial(_returned, "connected")
+
+
+def _since(state: FleetState, link: LinkState) -> float:
+    return state.wall - (state.now - link.since)
 
 
 def _returned(text: str) -> tuple[Run, ...]:

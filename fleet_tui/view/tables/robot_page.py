@@ -10,6 +10,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.commands.follow_up import seen_end
+from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.why.place import place_text
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.language import tr
@@ -67,7 +68,7 @@ def _alarms(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Run, 
 
 def value_rows(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Run, ...]]:
     """Yield each value that this kind of robot reports, with its age; in less than the `width` of the columns
-    closer, and without `ago`."""
+    closer, and without `ago`. A pose has the age of its stamp; the others are as old as they are late."""
     is_narrow = width <= NAME + VALUE + AGE
     cells = VALUE - 2 if is_narrow else VALUE
     texts: dict[str, tuple[str, Reading[Any] | None]] = {
@@ -77,6 +78,8 @@ def value_rows(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Ru
         "obstacle": (_contact(robot.obstacle), robot.obstacle),
         "paused": (_yes_or_no(robot.paused), robot.paused),
     }
+    link = state.links[robot.link]
+    late = link.late if is_overloaded(link) else 0.0
     for value, (text, reading) in texts.items():
         if value not in robot.kind.reports:
             continue
@@ -84,11 +87,12 @@ def value_rows(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Ru
             yield named(value.capitalize(), (tr("not received"), StyleRole.DIM))
             continue
         is_old = not state.is_fresh(robot, value)
+        age_role = StyleRole.WARN if is_old or late else StyleRole.DIM
         yield named(
             value.capitalize(),
             (f"{text:<{cells}}", StyleRole.DIM if is_old else StyleRole.TEXT),
             # In whole seconds: tenths would never be at rest.
-            (_since(state.now - reading.at, is_narrow), StyleRole.WARN if is_old else StyleRole.DIM),
+            (_since(state.now - reading.at + (value != "pose") * late, is_narrow), age_role),
         )
     yield from _movement(state, robot)
 

@@ -23,7 +23,7 @@ def test_a_blocked_robot_names_the_orders_behind_it_with_their_detours() -> None
     )
     assert why_impact(state, state.robots[R0]) == [
         "",
-        "Blocked edge Hall - Dock cuts the way of 1 order, there is another",
+        "Blocked edge Hall - Dock cuts the way of 1 order, with a detour",
         "    robot_1 order 7, 1 -> 5: detour +6 m (36 m)",
     ]
 
@@ -37,7 +37,7 @@ def test_closed_edges_come_with_who_closed_them_and_orders_without_a_way_first()
     )
     assert why_impact(state, state.robots[R0]) == [
         "",
-        "Closed by ana: 3 - 5 cuts the way of 1 order, 1 without another",
+        "Closed by ana: 3 - 5 cuts the way of 1 order, 1 without a detour",
         "    robot_0 order 2, 3 -> 5: no way",
     ]
 

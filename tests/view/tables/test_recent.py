@@ -82,12 +82,12 @@ def test_the_newest_come_first_as_many_as_there_are_lines() -> None:
 def test_an_order_that_was_seen_to_begin_has_a_line_until_its_end() -> None:
     begun = queue(T0 + 1, (4, 1, 2, "W"), current=4)
     waits = reduced(fleet(), link_up(T0), *NAMED, queue(T0, (4, 1, 2, "Q")), tick(T0))
-    assert lines(waits) == []
+    assert lines(waits) == ["0 rosbridge connected"], "while there is nothing else"
     drives = reduced(waits, begun, queue(T0 + 2, (4, 1, 2, "W"), current=4), tick(T0 + 2))
     assert lines(drives) == ["1 robot_0 Base -> Store: started"]
     assert lines(reduced(drives, queue(T0 + 3), tick(T0 + 3))) == ["3 robot_0 Base -> Store: lost"]
     unseen = reduced(fleet(), link_up(T0), *NAMED, begun, tick(T0 + 2))
-    assert lines(unseen) == [], "when it began is not known"
+    assert lines(unseen) == ["0 rosbridge connected"], "when it began is not known"
     after_a_gap = reduced(waits, queue(T0 + 30, (4, 1, 2, "W"), current=4), tick(T0 + 30))
     assert not [line for line in lines(after_a_gap) if "started" in line]
 

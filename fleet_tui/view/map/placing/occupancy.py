@@ -72,12 +72,14 @@ class CellOccupancy:
         them."""
         if before and not spares and self._fits(x, y, arrow, cells, before, self._numbers):
             start = _start(x, arrow, cells, before)
-            if not self._is_beyond(start, y, cells):
+            if not self._is_beyond(start, y, cells) and not self._touches(start, y, cells, before):
                 self._take_number(start, y, cells)
                 return before
         sides = [side for side in (-1, 1) if self._fits(x, y, arrow, cells, side, self._taken)]
         if not sides:
             return 0
+        # Touching a label it reads as a part of that.
+        sides.sort(key=lambda side: self._touches(_start(x, arrow, cells, side), y, cells, side))
         spared = [side for side in sides if self.free(_start(x, arrow, cells, side), y, cells)]
         if spares and not spared:
             return 0
@@ -117,6 +119,11 @@ class CellOccupancy:
     def _take_number(self, x: int, y: int, cells: int) -> None:
         self.take(x, y, cells)
         self._numbers |= (1 << cells) - 1 << self._bit(x, y)
+
+    def _touches(self, x: int, y: int, cells: int, side: int) -> bool:
+        """Tell whether the next cell on a side is one to be spared."""
+        beyond = x - 1 if side < 0 else x + cells
+        return 0 <= beyond < self.width and bool(self._texts >> self._bit(beyond, y) & 1)
 
     def _is_beyond(self, x: int, y: int, cells: int) -> bool:
         return bool(self._beyond >> self._bit(x, y) & (1 << cells) - 1)
