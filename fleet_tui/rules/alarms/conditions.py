@@ -28,7 +28,7 @@ BAD_AFTER, BAD_FOR = 1.0, 10.0
 over."""
 BEHIND_FOR = 2.0
 """Seconds for which the console or a bridge must be behind: a map may take a moment."""
-OVERLOADED = "bridge overloaded: use fewer topics, lower rates or a second bridge"
+OVERLOADED = "bridge overloaded"
 CHARGES_WITHIN = 1800.0
 """Seconds at a charger after which a battery that is still low needs a person."""
 STILL = 2.0
