@@ -56,7 +56,7 @@ def open_demo(
 ) -> None:
     """Run the console on a simulated fleet, with theme and keys of the user's configuration, if there is one.
     Raises FleetError if it can't start."""
-    from fleet_tui.demo import ON_BROKER, demo_config, simulated, vehicles_config
+    from fleet_tui.demo import ON_BROKER, demo_config, simulated, vehicles_config, with_vehicles
 
     with TemporaryDirectory(prefix="fleet-tui-") as folder, simulated(*fleet) as (first, *further):
         from fleet_tui.console import open_console
@@ -66,7 +66,11 @@ def open_demo(
         if kind == ON_BROKER:
             config = vehicles_config(found, first, robots, floors, Path(folder))
         else:
-            config = demo_config(found, first, robots, floors, ros, kind, Path(folder), further)
+            brokers = [url for url in further if url.startswith("mqtt:")]
+            bridges = [url for url in further if url not in brokers]
+            config = demo_config(found, first, robots, floors, ros, kind, Path(folder), bridges)
+            for broker in brokers:
+                config = with_vehicles(config, broker)
         open_console(config, read_only, drawing, debug, demo=True)
 
 

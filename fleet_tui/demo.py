@@ -16,7 +16,7 @@ from fleet_tui.config.entries import DEFAULT_LINK, FloorEntry, RobotEntry
 from fleet_tui.config.schema import Config, Link, Notify, RoutinesConfig
 from fleet_tui.errors import FleetError
 from fleet_tui.simulator.kinds import KINDS
-from fleet_tui.simulator.site import SitedBridge, needs_graph_files, site_of
+from fleet_tui.simulator.site import MIXED, SitedBridge, needs_graph_files, site_of
 
 # Maximum seconds for the simulator to end by itself.
 PATIENCE = 1.0
@@ -41,8 +41,7 @@ def simulated(
         importlib.import_module("fleet_tui.app")
         assert child.stdout is not None
         try:
-            bridges = 1 if kind == ON_BROKER else len(site_of(kind, robots))
-            urls = [child.stdout.readline().decode().strip() for _ in range(bridges)]
+            urls = [child.stdout.readline().decode().strip() for _ in range(_servers(kind, robots))]
             if not all(url.startswith(("ws://", "mqtt://")) for url in urls):
                 raise FleetError("the simulator did not start: run `fleet-tui sim` for the reason")
             yield urls
@@ -52,6 +51,15 @@ def simulated(
                 child.wait(PATIENCE)
             except subprocess.TimeoutExpired:
                 child.kill()
+
+
+def _servers(kind: str, robots: int) -> int:
+    """Return the number of servers of the simulator."""
+    from fleet_tui.simulator.vda5050.broker import has_broker
+
+    if kind == ON_BROKER:
+        return 1
+    return len(site_of(kind, robots)) + (kind == MIXED and has_broker())
 
 
 def demo_config(
@@ -104,6 +112,16 @@ def vehicles_config(found: Config, url: str, robots: int, floors: int, folder: P
         notify=Notify(),
         routines=RoutinesConfig(str(folder / "routines")),
     )
+
+
+def with_vehicles(config: Config, url: str) -> Config:
+    """Return the configuration of a mixed fleet with its vehicles on a broker, whose master control is this
+    console. They drive on the graphs that the other robots have from files."""
+    from fleet_tui.simulator.vda5050.serving import IN_MIXED
+
+    vehicles = [RobotEntry(name, link="broker", size=SIZE) for name in IN_MIXED]
+    links = {**config.links, "broker": Link(url, role="master")}
+    return msgspec.structs.replace(config, links=links, robots=[*config.robots, *vehicles])
 
 
 def _robots(links: Mapping[str, SitedBridge], alone: bool) -> list[RobotEntry]:

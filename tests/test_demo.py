@@ -10,14 +10,16 @@ from websockets.asyncio.client import connect
 
 from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
 from fleet_tui.config.entries import RobotEntry
+from fleet_tui.config.fleet import adapters_of
 from fleet_tui.config.programs import ProgramEntry
-from fleet_tui.config.schema import Config
-from fleet_tui.demo import SIZE, demo_config, simulated
+from fleet_tui.config.schema import Config, Link
+from fleet_tui.demo import SIZE, demo_config, simulated, with_vehicles
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.site import MIXED, mixed_kinds
 from tests.support.adapters import names_of
+from tests.support.mosquitto import needs_mosquitto
 
 URLS = "ws://one:1", "ws://two:2"
 
@@ -44,6 +46,21 @@ def test_the_demos_configuration_names_links_and_profiles(tmp_path: Path) -> Non
     }
     assert not config.profiles["oh_ressources"].types  # on ROS 1, as usual
     assert all(Path(floor.graph).is_file() for floor in config.floors)
+
+
+@needs_mosquitto
+def test_a_mixed_demo_has_vehicles_on_a_broker_commanded_by_this_console(tmp_path: Path) -> None:
+    with simulated(3, 1, kind=MIXED) as urls:
+        assert [url.split(":")[0] for url in urls] == ["ws", "ws", "mqtt"]
+        mixed = demo_config(Config(), urls[0], 3, 1, kind=MIXED, folder=tmp_path, further=urls[1:2])
+        config = with_vehicles(mixed, urls[2])
+    assert config.links["broker"] == Link(urls[2], role="master") and "ros2" in config.links
+    assert config.robots[:3] == mixed.robots
+    adapters = adapters_of(config)
+    assert [(name, adapters[name].kind.name) for name in list(adapters)[3:]] == [
+        ("agv_0", "vda5050"),
+        ("agv_1", "vda5050"),
+    ]
 
 
 def test_the_demo_of_one_kind_has_one_profile_and_one_link(tmp_path: Path) -> None:

@@ -53,6 +53,7 @@ class ViewActions(Struct, frozen=True):
     programs: Act
     routines: Act
     desk: Act
+    facilities: Act
     go_to_time: Act
     step_robot: Step
     choose_robot: Step

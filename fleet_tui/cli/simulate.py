@@ -81,7 +81,8 @@ def _kind(command: F) -> F:
         metavar="|".join(WORDS),
         shell_complete=one_of(WORDS),
         show_default=True,
-        help=f"Simulate robots of this kind; {MIXED}: those behind bridges in turn, on two of them.",
+        help=f"Simulate robots of this kind; {MIXED}: those behind bridges in turn, on two of them, and two"
+        f" of {ON_BROKER} on a broker.",
     )(command)
 
 
@@ -95,7 +96,7 @@ _robots = _count("--robots", 500, SimulatedFleet().robots, "Number of robots.")
 _floors = _count("--floors", 20, SimulatedFleet().floors, "Number of floors.")
 
 
-def _check(kind: str, robots: int, ros: str | None) -> None:
+def _check(kind: str, robots: int, ros: str | None, port: int = 0) -> None:
     """Reject options that such robots don't support. Raises UsageError."""
     if kind == ON_BROKER:
         if ros:
@@ -105,6 +106,8 @@ def _check(kind: str, robots: int, ros: str | None) -> None:
             raise click.UsageError(f"all {least} kinds need at least --robots {least}")
         if ros:
             raise click.UsageError("--ros needs a single kind: a mixed fleet runs on ROS 1 and 2")
+        if port == LAST_PORT:
+            raise click.UsageError(f"a {MIXED} fleet needs two ports: --port {LAST_PORT} is the maximum")
     elif ros and ros not in KINDS[kind].ros:
         raise click.UsageError(f"kind {kind} runs on ROS {' and '.join(KINDS[kind].ros)} only")
 
@@ -201,16 +204,23 @@ def sim(
     """Serve a simulated fleet until Ctrl-C."""
     from fleet_tui.simulator.run import run
 
-    _check(kind, robots, ros)
-    if kind == MIXED and port == LAST_PORT:
-        raise click.UsageError(f"a {MIXED} fleet needs two ports: --port {LAST_PORT} is the maximum")
+    _check(kind, robots, ros, port)
     if kind == ON_BROKER:
         _on_broker(robots, floors, port, rate, seed, stop_with_stdin, first, graph_file, fault, speed)
         return
     if graph_file and not needs_graph_files(kind):
         raise click.UsageError(f"--graph-file: robots of kind {kind} publish their graph")
-    announce = partial(_announce, graph_file, floors)
-    run(robots, floors, port, rate, seed, announce, stop_with_stdin, fault, first, speed, ros or "", kind)
+    serve = partial(run, robots, floors, port, rate, seed, partial(_announce, graph_file, floors))
+    serve(stop_with_stdin, fault, first, speed, ros or "", kind, _beside(kind, floors, seed, rate, speed))
+
+
+def _beside(kind: str, *options: Any) -> Any:
+    """Return what is served beside the bridges of a kind."""
+    if kind != MIXED:
+        return None
+    from fleet_tui.simulator.vda5050.serving import vehicles_beside
+
+    return vehicles_beside(*options)
 
 
 def _on_broker(

@@ -12,6 +12,7 @@ from fleet_tui.discovery.recognition import Found
 from fleet_tui.model.order import natural
 
 FIRST = "# fleet-tui: discovered on this {}. Validate with `fleet-tui check`."
+ROLE = '# role = "watch"   # or "pause", or "master": what this console may command'
 BROKER = "broker"
 """The name of the link to a broker."""
 NO_ROBOTS = "# No robot topics found. Name the robots here and their topics in [profile.topics]."
@@ -23,7 +24,8 @@ def render(
     """Return a configuration as text. `frames`: of poses whose frame means a floor, by robot; `placed`: those
     that a person assigned to floors."""
     server, table = ("broker", f"[links.{BROKER}]") if bridge.is_broker else ("bridge", "[rosbridge]")
-    lines = [FIRST.format(server), "", table, *_differing(bridge), "", *_floors(found, frames, placed)]
+    lines = [FIRST.format(server), "", table, *_differing(bridge), *([ROLE] if bridge.is_broker else ())]
+    lines += ["", *_floors(found, frames, placed)]
     usual = next(iter(found))
     lines += _robots(found, usual)
     if not any(one.robots for one in found.values()):

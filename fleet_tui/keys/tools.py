@@ -46,6 +46,12 @@ TOOLS: tuple[Key[Actions], ...] = (
     ),
     Key("desk", (), lambda do: do.view.desk(), "Desk: who is there, claims, closed edges", only_live=True),
     Key(
+        "facilities",
+        ("K",),
+        lambda do: do.view.facilities(),
+        "Facilities: lifts, doors, dispensers, closed lanes",
+    ),
+    Key(
         "bundle",
         ("b",),
         lambda do: do.files.bundle(),

@@ -107,7 +107,7 @@ NEXT: Mapping[Stage, frozenset[Stage]] = {
     # An order that this console keeps until the robot is free for it; it may be moved in its queue.
     Stage.WAITING: frozenset({Stage.WAITING, Stage.SENT, Stage.NOT_SENT, Stage.CANCELLED}),
     Stage.SENT: frozenset({Stage.ACCEPTED, Stage.REFUSED, Stage.NO_ANSWER, Stage.UNKNOWN}),
-    Stage.ACCEPTED: _SEEN | {Stage.REFUSED},  # a dispatcher accepts an order before it looks for a robot
+    Stage.ACCEPTED: _SEEN | {Stage.REFUSED, Stage.CANCELLED},  # a dispatcher looks for a robot after that
     # An answer may be late; the link may go down meanwhile.
     Stage.NO_ANSWER: _SEEN | {Stage.ACCEPTED, Stage.REFUSED, Stage.UNKNOWN},
     Stage.UNKNOWN: _SEEN,

@@ -8,6 +8,7 @@ from msgspec.structs import replace
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key
 from fleet_tui.model.commands import CommandRecord
 from fleet_tui.model.desk.desk import Desk
+from fleet_tui.model.fleets.facility import Facility
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.robot import Reading, Robot
@@ -57,7 +58,8 @@ class Floor(Struct, frozen=True, eq=False):
 class FleetState(Struct, frozen=True, eq=False):
     """Everything known at one instant. `now` is monotonic, `wall` Unix time, both of the last tick; `began`
     is the start of each condition, alarm or not yet; `behind`: seconds by which this console reads
-    messages late, which count against no robot; `desk`: its people."""
+    messages late, which count against no robot; `desk`: its people; `facilities` are the
+    lifts, doors and the like of sites, by key."""
 
     floors: Mapping[str, Floor]
     robots: Mapping[str, Robot]
@@ -70,6 +72,7 @@ class FleetState(Struct, frozen=True, eq=False):
     wall: float = 0.0
     behind: float = 0.0
     desk: Desk = Desk()
+    facilities: Mapping[str, Facility] = field(default_factory=dict)
 
     def patience(self, robot: Robot) -> float:
         """Return the seconds of silence after which a robot counts as offline. Messages still unread by this

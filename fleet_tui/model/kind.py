@@ -55,9 +55,11 @@ class Kind(Struct, frozen=True):
     and has no queue: this console keeps it. `holds`: a pause cancels its goal, which this console keeps
     and sends again. `takes_stops`: one order leads to any number of stops; `gives_stops`: this console
     sends those one by one. `changes_floors`: an order can lead it to another floor.
-    `spares_others`: a clear cancels only the orders of this console. `names_places`: orders name vertices by
-    their labels. `streams` can be watched. `loads_graphs`: a graph reaches it as the file of its floor, which
-    it loads by its path. `pose_topic`: the name of its poses' topic, with {robot}, empty if unknown."""
+    `spares_others`: a clear cancels only the orders of this console. `is_told_changes`: its
+    orders are listed as they change, so that a late console does not know all. `names_places`: orders name
+    vertices by their labels. `streams` can be watched. `loads_graphs`: a graph reaches it as the file of its
+    floor, which it loads by its path. `pose_topic`: the name of its poses' topic, with {robot}, empty if
+    unknown."""
 
     name: str = ""
     reports: tuple[str, ...] = ()
@@ -76,6 +78,7 @@ class Kind(Struct, frozen=True):
     changes_floors: bool = True
     spares_others: bool = False
     names_places: bool = False
+    is_told_changes: bool = False
     streams: tuple[str, ...] = ()
     loads_graphs: bool = False
     pose_topic: str = ""

@@ -104,6 +104,7 @@ def _view_actions(screen: "MainScreen", rest: "Rest") -> ViewActions:
         programs=rest.programs.show,
         routines=rest.routines.show,
         desk=rest.desk.menu,
+        facilities=rest.facilities.menu,
         go_to_time=partial(rest.palette.show, "@"),
         step_robot=navigation.step_robot,
         choose_robot=partial(_choose_robot, screen),

@@ -34,7 +34,7 @@ from fleet_tui.keys.key import key_name
 from fleet_tui.screens.audit import AuditLog
 from fleet_tui.screens.camera_switch import CameraSwitch
 from fleet_tui.screens.confirm import Confirm
-from fleet_tui.screens.desk.opening import desk_commands, join_desk
+from fleet_tui.screens.desk.opening import desk_commands, facility_list, join_desk
 from fleet_tui.screens.diagnosing.overlay import Diagnostics
 from fleet_tui.screens.diagnosing.pages import Pages
 from fleet_tui.screens.driving import drive_controls, release_key
@@ -168,12 +168,12 @@ class Rest:
         self.values, self.edge_values = VertexValues(parts, self.editor), EdgeValues(parts, self.editor)
         self.drawing = GraphDrawing(parts, self.editor, self.values, self.edge_values)
         self.drives = drive_controls(self._screen, self, parts)
-        self.desk = desk_commands(self._screen, parts)
+        self.desk, self.facilities = desk_commands(self._screen, parts), facility_list(parts)
         self.release_key = partial(release_key, self.drives, keys)
 
     def _typed_set_up(self, line: str) -> Typed | None:
         """Parse a typed line that is about the desk, the draft or the map, None for any other."""
-        takers = (self.anyone, self.note, self.desk, self.values, self.edge_values)
+        takers = (self.anyone, self.note, self.desk, self.facilities, self.values, self.edge_values)
         found = (one.typed(line) for one in (*takers, self.draft_files, self.mapping))
         return next(filter(None, found), None)
 

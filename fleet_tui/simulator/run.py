@@ -5,7 +5,7 @@ import os
 import sys
 import threading
 from collections.abc import Callable, Sequence
-from contextlib import suppress
+from contextlib import AbstractAsyncContextManager, AsyncExitStack, suppress
 
 from fleet_tui.simulator.faults import parse_faults_of, play
 from fleet_tui.simulator.fleets import Fleet
@@ -32,22 +32,22 @@ def run(
     speed: float = 1.0,
     ros: str = "",
     kind: str = "oh_ressources",
+    beside: AbstractAsyncContextManager[str] | None = None,
 ) -> None:
     """Serve a simulated site on loopback and announce the URLs of its bridges; returns on SIGTERM.
 
     `rate`: poses per robot in Hz; port 0: free ones, else that of the first bridge. `stop_with_stdin`: also
-    return when stdin closes, so that the parent's death, however sudden, ends this process. `faults`: as
-    `parse_faults_of` reads them; `speed`: seconds of the robots' time in a second; `kind`, `ros`, `first`: as
-    `site_of` has them. Raises ConfigError, FleetError, and SystemExit(130) on Ctrl-C."""
+    return when stdin closes, as it does when the parent dies. `faults`: as `parse_faults_of` reads them;
+    `speed`: seconds of the robots' time in a second; `kind`, `ros`, `first`: as `site_of` has them; `beside`
+    is served, too. Raises FleetError, and SystemExit(130) on Ctrl-C."""
     site = site_of(kind, robots, ros, first)
     wanted = parse_faults_of(faults, faults_of(site))
-    servers = []
+    servers = list[RosbridgeServer]()
     for at, bridge in enumerate(site, port):
         fleets, dialect = _fleets(bridge, floors, seed), DIALECTS[bridge.ros]
-        server = RosbridgeServer(fleets, port=port and at, rate=rate, speed=speed, dialect=dialect)
-        play(server, [one for one in wanted if one[1] in server.bridge.services.robots])
-        servers.append(server)
-    if asyncio.run(_serve(servers, announce, stop_with_stdin)):
+        servers.append(RosbridgeServer(fleets, port=port and at, rate=rate, speed=speed, dialect=dialect))
+        play(servers[-1], [one for one in wanted if one[1] in servers[-1].bridge.services.robots])
+    if asyncio.run(_serve(servers, announce, stop_with_stdin, beside)):
         raise SystemExit(130)
 
 
@@ -59,20 +59,24 @@ def _fleets(bridge: SitedBridge, floors: int, seed: int) -> list[Fleet]:
 
 
 async def _serve(
-    servers: Sequence[RosbridgeServer], announce: Callable[[Sequence[str]], None], stop_with_stdin: bool
+    servers: Sequence[RosbridgeServer],
+    announce: Callable[[Sequence[str]], None],
+    stop_with_stdin: bool,
+    beside: AbstractAsyncContextManager[str] | None,
 ) -> bool:
     """Serve until stopped; return whether that was by Ctrl-C."""
     stopped = stopped_by_signal()
-    try:
+    async with AsyncExitStack() as stack:
         for server in servers:
+            stack.push_async_callback(server.stop)
             await server.start()
-        announce([server.url for server in servers])
+        urls = [server.url for server in servers]
+        if beside is not None:
+            urls.append(await stack.enter_async_context(beside))
+        announce(urls)
         if stop_with_stdin:
             threading.Thread(target=await_stdin, args=(stopped,), daemon=True).start()
         return await stopped
-    finally:
-        for server in servers:
-            await server.stop()
 
 
 def await_stdin(stopped: asyncio.Future[bool]) -> None:

@@ -19,7 +19,8 @@ def take_dispatch(state: FleetState, event: DispatchFact) -> FleetState:
 
 def _advanced(record: CommandRecord, event: DispatchFact) -> CommandRecord:
     if isinstance(event, DispatchFailed):
-        return record.advanced(Step(Stage.REFUSED, event.at, truncate(event.reason)))
+        stage = Stage.CANCELLED if event.is_cancelled else Stage.REFUSED
+        return record.advanced(Step(stage, event.at, truncate(event.reason)))
     record = record.advanced(Step(event.stage, event.at, truncate(event.detail)))
     # From now on the task is known by its own id: not every version passes on the name of its requester.
     return (

@@ -6,11 +6,19 @@ from msgspec.structs import replace
 
 from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState, with_robot
-from fleet_tui.model.fleets.events import MemberFact, MemberReported, StatusReported, TaskReported
+from fleet_tui.model.fleets.events import (
+    FacilityReported,
+    MemberFact,
+    MemberReported,
+    StatusReported,
+    TaskReported,
+)
+from fleet_tui.model.fleets.facility import Facility
 from fleet_tui.model.fleets.member import Member
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.state.reports import apply_report
 from fleet_tui.state.task_reports import apply_task
+from fleet_tui.text.limits import MOST_FACILITIES
 
 
 def apply_member_fact(state: FleetState, event: MemberFact) -> FleetState:
@@ -21,12 +29,20 @@ def apply_member_fact(state: FleetState, event: MemberFact) -> FleetState:
     if robot is None:
         return state
     match event:
+        case FacilityReported():
+            return _with_facility(state, replace(event.facility, link=robot.link))
         case MemberReported():
             return with_robot(state, _take_member(robot, event))
         case StatusReported():
             return with_robot(state, _take_status(robot, event))
         case _:
             assert_never(event)
+
+
+def _with_facility(state: FleetState, one: Facility) -> FleetState:
+    if one.key not in state.facilities and len(state.facilities) >= MOST_FACILITIES:
+        return state
+    return replace(state, facilities={**state.facilities, one.key: one})
 
 
 def _member(robot: Robot) -> Member:

@@ -33,6 +33,7 @@ from fleet_tui.state.goal_reports import without_ended, without_unlisted
 from fleet_tui.state.link_events import apply_to_link
 from fleet_tui.state.navigation_reports import apply_navigation
 from fleet_tui.state.reports import apply_map_fact, apply_report
+from fleet_tui.state.task_reports import without_unreported
 from fleet_tui.state.vehicle_reports import apply_vehicle, at_last_node
 
 # Made once: putting the types together for every event would take as long as finding one among them.
@@ -77,6 +78,8 @@ def _left(state: FleetState, robot: Robot) -> Robot:
     is_due = is_due and robot.kind.keeps_goals  # a late console gets no list of tasks
     if is_due and state.is_online(robot):
         robot = without_unlisted(robot, link.ready_since, state.now)
+    if robot.kind.is_told_changes:
+        robot = without_unreported(robot, state.now)
     return without_ended(robot, state.now)
 
 

@@ -4,6 +4,7 @@ from msgspec.structs import replace
 
 from fleet_tui.model.fleet import FleetState, with_robot
 from fleet_tui.model.fleets.events import TaskReported
+from fleet_tui.model.fleets.member import Member
 from fleet_tui.model.navigation import Goal, Progress
 from fleet_tui.model.order import OVER, OrderState
 from fleet_tui.model.robot import Reading, Robot
@@ -11,6 +12,13 @@ from fleet_tui.rules.commands.goals import active, with_reported, without
 from fleet_tui.state.goal_reports import with_queue
 
 TASK = "task"
+FRESH = 5.0
+"""Seconds for which the report of a fleet adapter holds."""
+BEGUN_LOST, WAITING_LOST = 60.0, 3600.0
+"""Seconds without a report after which a task that a robot had begun, or that waits for one, is lost if the
+robot drives another, or none. One may wait for its hour."""
+AT_REST = frozenset({"idle", "charging"})
+UNREPORTED = "no longer reported: unknown whether it was done"
 ENDED_FOR = 60.0
 """Seconds for which an ended task is kept, for the command that gave it."""
 
@@ -56,6 +64,37 @@ def _moved(state: FleetState, before: str, event: TaskReported) -> FleetState:
         for one in state.commands
     )
     return replace(state, commands=commands)
+
+
+def without_unreported(robot: Robot, now: float) -> Robot:
+    """Return a robot whose tasks are lost that its fleet adapter does not know any more: their end, or the
+    robot that has them now, was not reported. Nothing tells that they were carried out."""
+    member = robot.member
+    if member is None or now - member.at > FRESH:
+        return robot
+    lost = {one.uuid for one in active(robot.goals) if _is_unreported(one, member.value, now)}
+    if not lost:
+        return robot
+    goals = {
+        action: tuple(
+            replace(one, state=OrderState.LOST, ended_at=now, said=UNREPORTED) if one.uuid in lost else one
+            for one in listed
+        )
+        for action, listed in robot.goals.items()
+    }
+    robot = with_queue(replace(robot, goals=goals), now)
+    held = any(one.state is OrderState.PAUSED for one in active(goals))
+    return replace(robot, paused=Reading(held, now))
+
+
+def _is_unreported(task: Goal, member: Member, now: float) -> bool:
+    """Tell whether a robot drives another task, or none, for longer than the report of an end takes."""
+    if member.task == task.uuid or task.action != TASK:
+        return False
+    if not member.task and member.mode not in AT_REST and member.status != "idle":
+        return False
+    waits = WAITING_LOST if task.state is OrderState.QUEUED else BEGUN_LOST
+    return now - task.listed_at > waits
 
 
 def _with_task(robot: Robot, event: TaskReported) -> Robot:

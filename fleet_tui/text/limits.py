@@ -12,6 +12,8 @@ MOST_VERTICES = MOST_LABELS = 20_000
 """Maximum vertices, and labels, of one floor as one robot knows it."""
 MOST_EDGES = 50_000
 """Maximum edges of one such graph."""
+MOST_FACILITIES = 500
+"""Maximum lifts, doors and the like of all sites."""
 MOST_FRAMES = 1000
 """Maximum static frames of one message, and of one robot."""
 

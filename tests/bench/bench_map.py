@@ -99,7 +99,7 @@ def tick_times(grid: OccupancyGrid) -> None:
     """The moving parts over a backdrop that stands: to read beside P3."""
     rng = random.Random(1)
     camera = Camera.fit((SIDE, SIDE), WIDTH, HEIGHT)
-    for count in (1, 10, 100):
+    for count in (1, 10, 100, 1000):
         robots = tuple(
             SceneRobot(f"r{n}", n + 1, Pose(rng.uniform(10, 190), rng.uniform(10, 190), rng.uniform(0, 6)))
             for n in range(count)
@@ -107,7 +107,7 @@ def tick_times(grid: OccupancyGrid) -> None:
         scene = Scene("floor_0", grid.frame, grid, robots=robots)
         behind = backdrop(scene, camera, MapOptions())
         ms = median_ms(lambda b=behind, s=scene: picture(b, s, camera, MapOptions()), 41)  # type: ignore[misc]  # as above
-        print(f"    robots over the backdrop: {count:3} robots {ms:.2f} ms")
+        print(f"    robots over the backdrop: {count:4} robots {ms:.2f} ms")
 
 
 def walls_lost(cases: int = 3300) -> tuple[int, int]:

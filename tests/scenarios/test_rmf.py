@@ -2,11 +2,13 @@
 
 import json
 from collections.abc import AsyncIterator
+from pathlib import Path
 
 import msgspec
 import pytest
 
 from fleet_tui.adapters.profile import Profile
+from fleet_tui.config.start import initial_state
 from fleet_tui.model.commands import (
     CancelOrder,
     ClearOrders,
@@ -17,6 +19,7 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import OrderState, at_vertices
+from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.simulator.rmf.faults import restart_dispatcher
 from tests.support.links import finished, linked
 from tests.support.rmf_site import FIRST, SECOND, Hospital, hospital, rmf_ready, stands_at, to
@@ -58,6 +61,30 @@ async def test_an_order_to_any_becomes_that_of_the_robot_that_has_it(site: Hospi
         assert [one.id for one in store.state.robots[SECOND].orders.open] == [record.order_id]
         await stands_at(store, record.id, Stage.DONE)
     assert [one["type"] for one in site.sent()] == ["dispatch_task_request"]
+
+
+async def test_an_order_is_cancelled_while_fleets_still_bid() -> None:
+    async with hospital(speed=1.0) as site, linked(site.config) as (link, store):
+        await store.until(rmf_ready)
+        given = link.submit(to("Store", to_any=True))
+        await stands_at(store, given, Stage.ACCEPTED)
+        (order,) = all_orders(store.state, store.state.robots[FIRST])
+        assert (order.state_text, order.stops) == ("fleets bid", at_vertices("Store"))
+        record = await finished(link, store, CancelOrder(FIRST, order.id))
+        assert record.stage is Stage.CONFIRMED
+        await stands_at(store, given, Stage.CANCELLED)
+        assert not any(robot.tasks for robot in site.fleet.robots.values())
+
+
+async def test_a_cancellation_that_no_dispatcher_takes_is_not_confirmed_while_fleets_bid() -> None:
+    async with hospital(speed=1.0) as site, linked(quick(site).config) as (link, store):
+        await store.until(rmf_ready)
+        given = link.submit(to("Store", to_any=True))
+        await stands_at(store, given, Stage.ACCEPTED)
+        site.fleet.dispatcher.deaf = True
+        (order,) = all_orders(store.state, store.state.robots[FIRST])
+        record = await finished(link, store, CancelOrder(FIRST, order.id))
+    assert record.stage is Stage.NOT_CONFIRMED
 
 
 async def test_an_order_that_no_fleet_takes_is_refused_with_the_dispatchers_reason(site: Hospital) -> None:
@@ -222,3 +249,39 @@ async def test_a_robot_goes_through_all_floors_by_lift() -> None:
 
         await store.until(on)
     assert seen >= floors == {"floor_0", "floor_1", "floor_2"}
+
+
+def nav_graph_of(site: Hospital) -> str:
+    """The navigation graph of all levels as the file that fleet adapters read."""
+    levels = {}
+    for floor in site.fleet.building.floors:
+        places = {id_: n for n, id_ in enumerate(floor.graph.vertices)}
+        vertices = [
+            [one.x, one.y, {"name": floor.labels.get(id_, "")}] for id_, one in floor.graph.vertices.items()
+        ]
+        ends = [(places[one.start], places[one.end]) for one in floor.graph.edges]
+        lanes = [[*pair, {}] for start, end in ends for pair in ((start, end), (end, start))]
+        levels[floor.name] = {"vertices": vertices, "lanes": lanes}
+    return json.dumps({"building_name": "hospital", "levels": levels})  # JSON is YAML
+
+
+async def test_levels_of_a_file_serve_a_robot_on_all_floors(tmp_path: Path) -> None:
+    async with hospital(robots=1, floors=3) as site:
+        file = tmp_path / "nav.yaml"
+        file.write_text(nav_graph_of(site))
+        floors = [msgspec.structs.replace(one, graph=str(file)) for one in site.config.floors]
+        profile = Profile(kind="rmf", topics={"graphs": ""})
+        config = msgspec.structs.replace(site.config, floors=floors, profile=profile)
+        assert [name for name, one in initial_state(config, 0.0).floors.items() if one.graph_problem] == []
+        async with linked(config) as (link, store):
+            await store.until(rmf_ready)
+            record = await finished(link, store, to("Kitchen", "Packing 2"))
+            seen = set()
+
+            def on(state: FleetState) -> bool:
+                seen.add(state.robots[FIRST].floor)
+                return any(one.id == record.id and one.stage is Stage.DONE for one in state.commands)
+
+            state = await store.until(on)
+    assert seen == {"floor_0", "floor_1", "floor_2"}
+    assert all(one.graph and one.labels for one in state.robots[FIRST].maps.values())

@@ -9,6 +9,7 @@ from fleet_tui.model.order import at_vertices
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.view.tables.fleet import fleet_table
+from tests.support.console_pilot import console
 from tests.support.links import linked
 from tests.support.mosquitto import mosquitto, needs_mosquitto
 from tests.support.rmf_site import FIRST, hospital
@@ -80,3 +81,33 @@ async def test_each_kind_is_shown_and_commanded_in_its_own_way(tmp_path: Path) -
     assert sent == ["robot_task_request", "interrupt_task_request"]
     assert kinds == {"robot_0": "oh_ressources", FIRST: "rmf", "agv": "vda5050"}
     assert shown == list(kinds)
+
+
+async def test_all_kinds_are_on_one_screen_and_paused_by_one_key(tmp_path: Path) -> None:
+    hall = RosbridgeServer(World(1, 1, quiet=True))
+    await hall.start()
+    try:
+        with mosquitto(tmp_path) as broker:
+            async with hospital(robots=1, speed=1.0) as site:
+                urls = {"hall": hall.url, "hospital": site.server.url, "broker": broker.url}
+                vehicle = SpokenFor(broker)
+                async with console(from_text(TEXT.format(**urls)), (80, 24), wait=False) as it:
+
+                    def online(state: FleetState) -> bool:
+                        vehicle.say()  # until the console listens
+                        return all_online(state) and state.robots[FIRST].knows_all_graphs()
+
+                    await it.until(online)
+                    for shown in ("Fleet 3 of 3 online", "1 robot_0", "2 tiny/robot_0", "3 agv"):
+                        await it.shows(shown)
+                    await it.press("2", "colon")
+                    await it.type("tiny/robot_0 > Store")
+                    await it.press("enter")
+                    await it.until(is_driven)
+                    await it.shows("-> Store")
+                    await it.press("P", "y")
+                    await it.until(lambda state: state.is_paused(state.robots[FIRST]))
+                    await it.until(lambda state: state.is_paused(state.robots["robot_0"]))
+                    await vehicle.next("instantActions")
+    finally:
+        await hall.stop()

@@ -1,7 +1,6 @@
 """Vehicles that share no code with the console, over a real broker: watched, paused, driven, cancelled."""
 
 import asyncio
-import json
 from collections.abc import AsyncIterator, Callable
 from contextlib import AbstractAsyncContextManager, asynccontextmanager
 from pathlib import Path
@@ -11,7 +10,6 @@ import pytest
 from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.schema import Link
 from fleet_tui.discovery.site import start_discovery
-from fleet_tui.maps.route_graphs import load_floor_graph
 from fleet_tui.model.commands import ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
@@ -21,6 +19,7 @@ from tests.support.mosquitto import Mosquitto, mosquitto, needs_mosquitto
 from tests.support.mqtt_peer import Peer
 from tests.support.polling import until
 from tests.support.vda_broker import console_on
+from tests.support.vda_hall import hall_graph
 from tests.support.vda_vehicles import npm_vehicle, sdk_vehicle
 from tests.support.watched_store import WatchedStore
 
@@ -28,13 +27,11 @@ pytestmark = needs_mosquitto
 
 Vehicle = Callable[[Mosquitto], AbstractAsyncContextManager[None]]
 OLD_FIELD = 'instant_actions = "instantActions"'
-VEHICLES = {
+VEHICLES: dict[str, tuple[Vehicle, str]] = {
     "vda5050-sdk, 2.1": (sdk_vehicle, ""),
     "vda-5050-lib, 2.0": (lambda broker: npm_vehicle(broker, "2.0.0"), OLD_FIELD),
     "vda-5050-lib, 1.1": (lambda broker: npm_vehicle(broker, "1.1.0"), ""),
 }
-TYPE = {"vehicleTypeNodeProperties": [{"vehicleTypeId": "t"}]}
-EDGE_TYPE = {"vehicleTypeEdgeProperties": [{"vehicleTypeId": "t"}]}
 FAR = PlaceOrder("agv", (Stop(pose=Pose(20.0, 0.0)), Stop(pose=Pose(20.0, 5.0))))
 NEAR = PlaceOrder("agv", (Stop(pose=Pose(1.0, 0.0)),))
 
@@ -92,28 +89,8 @@ async def test_who_watches_is_refused_and_sees_it_go(tmp_path: Path, name: str) 
         assert connection is not None and connection.value.is_gone
 
 
-LIF = {
-    "metaInformation": {"lifVersion": "1.0.0"},
-    "layouts": [
-        {
-            "layoutId": "hall",
-            "nodes": [
-                {"nodeId": id_, "nodeName": name, "mapId": "hall", "nodePosition": {"x": x, "y": 0.0}, **TYPE}
-                for id_, name, x in (("n0", "Base", 0.0), ("n1", "Rack", 2.0), ("n2", "Dock", 4.0))
-            ],
-            "edges": [
-                {"edgeId": f"{a}-{b}", "startNodeId": a, "endNodeId": b, **EDGE_TYPE}
-                for a, b in (("n0", "n1"), ("n1", "n2"))
-            ],
-            "stations": [],
-        }
-    ],
-}
-
-
 async def test_it_drives_over_a_graph_of_lif(tmp_path: Path) -> None:
-    (tmp_path / "hall.lif.json").write_text(json.dumps(LIF))
-    loaded = load_floor_graph("hall", tmp_path / "hall.lif.json")
+    loaded = hall_graph(tmp_path)
     async with site(tmp_path, "vda-5050-lib, 2.0") as (link, store, vehicle), vehicle:
         link.post(loaded)
         await store.until(lambda state: seen(state) and state.robots["agv"].maps["hall"].graph)

@@ -22,7 +22,10 @@ from fleet_tui.simulator.kinds import KINDS
 from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.site import MIXED, Crew, SitedBridge, faults_of, site_of
+from tests.support.mosquitto import needs_mosquitto
+from tests.support.mqtt_peer import Peer
 from tests.support.nav2_client import Json, call, listen, until
+from tests.support.polling import eventually
 
 URLS = "ws://one:1", "ws://two:2"
 
@@ -37,14 +40,14 @@ def fleets(robots: int, floors: int) -> list[Fleet]:
 
 
 @contextmanager
-def sim(folder: Path, *args: str) -> Iterator[list[str]]:
+def sim(folder: Path, *args: str, count: int = 2) -> Iterator[list[str]]:
     """`fleet-tui sim --kind mixed` as a process; its URLs."""
     command = [sys.executable, "-m", "fleet_tui", "sim", "--kind", "mixed", "--stop-with-stdin", *args]
     with subprocess.Popen(
         command, cwd=folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
     ) as child:
         assert child.stdin is not None and child.stdout is not None
-        yield [child.stdout.readline().strip() for _ in range(2)]
+        yield [child.stdout.readline().strip() for _ in range(count)]
         child.stdin.close()
         assert child.wait(10) == 0
 
@@ -160,6 +163,15 @@ async def test_sim_serves_two_bridges_and_writes_the_graphs(tmp_path: Path) -> N
         "floor_0.geojson",
         "floor_1.geojson",
     ]
+
+
+@needs_mosquitto
+def test_vehicles_are_beside_the_bridges_on_a_broker(tmp_path: Path) -> None:
+    with sim(tmp_path, "--port", "0", count=3) as urls:
+        assert urls[2].startswith("mqtt://127.0.0.1:")
+        peer = Peer(int(urls[2].rsplit(":", 1)[1]), "uagv/+/+/+/connection")
+        eventually(lambda: {one.topic.split("/")[3] for one in peer.told} == {"agv_0", "agv_1"})
+        peer.close()
 
 
 def test_sim_takes_free_ports(tmp_path: Path) -> None:

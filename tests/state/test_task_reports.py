@@ -1,10 +1,12 @@
 """Tasks as the orders of robots: one at a time, moved between robots, interrupted and ended."""
 
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.fleets.events import MemberReported
+from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation_events import Alive
 from fleet_tui.model.order import OrderState
 from fleet_tui.rules.commands.goals import LISTED_FOR
-from tests.support.fleets import R0, T0, reduced, tick
+from tests.support.fleets import F0, R0, T0, reduced, tick
 from tests.support.rmf import DONE, ON, QUEUED, reported, rmf_fleet
 
 R1 = "robot_1"
@@ -50,3 +52,34 @@ def test_a_robot_without_any_task_is_not_said_to_be_unpaused() -> None:
 def test_the_estimate_is_its_progress_and_no_sign_of_life() -> None:
     robot = reduced(rmf_fleet(), reported(T0, "a")).robots[R0]
     assert robot.progress is None and robot.last_received is None
+
+
+def driving(at: float, task: str, mode: str = "moving") -> MemberReported:
+    return MemberReported(R0, at, Pose(0.0, 0.0), F0, at, 80.0, mode, task)
+
+
+def states(state: FleetState) -> list[OrderState | None]:
+    return [one.state for one in state.robots[R0].orders.orders]
+
+
+def test_a_task_whose_end_was_missed_is_lost_not_done_after_a_minute() -> None:
+    state = reduced(rmf_fleet(), reported(T0, "a"), driving(T0 + 50, "b"), tick(T0 + 50))
+    assert states(state) == [ON]
+    state = reduced(state, driving(T0 + 61, "b"), tick(T0 + 61))
+    assert states(state) == [OrderState.LOST]
+    assert "unknown whether it was done" in state.robots[R0].orders.orders[0].said
+    assert states(reduced(state, reported(T0 + 62, "a"))) == [ON]
+
+
+def test_a_task_is_not_lost_while_it_is_driven_or_while_its_adapter_is_silent() -> None:
+    state = reduced(rmf_fleet(), reported(T0, "a"), driving(T0 + 300, "a"), tick(T0 + 300))
+    assert states(state) == [ON]
+    silent = reduced(rmf_fleet(), reported(T0, "a"), driving(T0, "b"), tick(T0 + 300))
+    assert states(silent) == [ON]
+
+
+def test_a_waiting_task_of_an_idle_robot_is_lost_only_after_an_hour() -> None:
+    state = reduced(rmf_fleet(), reported(T0, "a", QUEUED), driving(T0 + 900, "", "idle"), tick(T0 + 900))
+    assert states(state) == [QUEUED]
+    state = reduced(state, driving(T0 + 3700, "", "idle"), tick(T0 + 3700))
+    assert states(state) == [OrderState.LOST]

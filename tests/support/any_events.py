@@ -14,6 +14,7 @@ from fleet_tui.model.commands import (
 from fleet_tui.model.desk import events as desk_events
 from fleet_tui.model.desk.desk import Colleague
 from fleet_tui.model.fleets import events as fleet_events
+from fleet_tui.model.fleets.facility import DOOR, LANES, LIFT, Facility
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.link import CommandPath, Phase
@@ -200,6 +201,16 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
         *(IDS, AT, st.sampled_from([Stage.ACCEPTED, Stage.REFUSED]), st.text(max_size=4), IDS),
     ),
     fleet_events.DispatchFailed: st.builds(fleet_events.DispatchFailed, IDS, AT, st.text(max_size=4)),
+    fleet_events.FacilityReported: st.builds(
+        fleet_events.FacilityReported,
+        ROBOTS,
+        AT,
+        st.builds(
+            Facility,
+            *(st.sampled_from((LIFT, DOOR, LANES)), IDS, AT, IDS, IDS, ROBOTS),
+            st.lists(IDS, max_size=2).map(tuple),
+        ),
+    ),
     fleet_events.TaskReported: st.builds(fleet_events.TaskReported, ROBOTS, AT, TASKS, FEW),
     events.PoseReported: st.builds(
         events.PoseReported,

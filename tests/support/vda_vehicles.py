@@ -16,13 +16,21 @@ LIBRARY = "vda-5050-lib@1.4.0"
 FOLDER = Path(__file__).parents[2] / ".venv" / "vehicles"
 PROGRAM = """
 const vda = require("vda-5050-lib");
-const [url, version, serial] = process.argv.slice(2);
-new vda.AgvController(
+const [url, version, serial, x, tolerance, charging] = process.argv.slice(2);
+const vehicle = new vda.AgvController(
   { manufacturer: "KIT", serialNumber: serial },
   { interfaceName: "uagv", transport: { brokerUrl: url }, vdaVersion: version },
   { agvAdapterType: vda.VirtualAgvAdapter, publishStateInterval: 1000, publishVisualizationInterval: 200 },
-  { initialPosition: { x: 0, y: 0, theta: 0, mapId: "hall", lastNodeId: "n0" }, vehicleSpeed: 2 },
-).start();
+  {
+    initialPosition: { x: Number(x), y: 0, theta: 0, mapId: "hall", lastNodeId: "n0" },
+    agvNormalDeviationXyTolerance: Number(tolerance),
+    initialBatteryCharge: 50,
+    vehicleSpeed: 2,
+  },
+);
+vehicle.start().then(() => {
+  if (charging === "true") vehicle.updateBatteryState({ batteryCharge: 50, charging: true }, true);
+});
 """
 
 
@@ -45,9 +53,18 @@ def library() -> Path:
 
 
 @asynccontextmanager
-async def npm_vehicle(broker: Mosquitto, version: str, serial: str = "0001") -> AsyncIterator[None]:
-    """A vehicle of vda-5050-lib at (0, 0), which drives 2 m/s; it is killed, so that its last will comes."""
-    command = ["node", "vehicle.js", broker.url, version, serial]
+async def npm_vehicle(
+    broker: Mosquitto,
+    version: str,
+    serial: str = "0001",
+    x: float = 0.0,
+    tolerance: float = 0.5,
+    charging: bool = False,
+) -> AsyncIterator[None]:
+    """A vehicle of vda-5050-lib at (x, 0), which drives 2 m/s, and takes orders that begin within so many
+    metres; it is killed, so that its last will comes."""
+    options = [version, serial, str(x), str(tolerance), str(charging).lower()]
+    command = ["node", "vehicle.js", broker.url, *options]
     process = await asyncio.create_subprocess_exec(*command, cwd=await asyncio.to_thread(library))
     try:
         yield
@@ -57,16 +74,19 @@ async def npm_vehicle(broker: Mosquitto, version: str, serial: str = "0001") -> 
 
 
 @asynccontextmanager
-async def sdk_vehicle(broker: Mosquitto) -> AsyncIterator[None]:
-    """A vehicle of vda5050-sdk at (0, 0), which jumps from node to node."""
+async def sdk_vehicle(broker: Mosquitto, *, x: float = 0.0, map_known: str = "hall") -> AsyncIterator[None]:
+    """A vehicle of vda5050-sdk at (x, 0), which jumps from node to node, and has one map."""
     pytest.importorskip("aiomqtt")
     agv = pytest.importorskip("vda5050.client.agv")
     config = pytest.importorskip("vda5050.config")
+    model = pytest.importorskip("vda5050.model")
     settings = config.VehicleConfig(
         broker_url=broker.url, manufacturer="KIT", serial_number="0001", state_interval=1.0
     )
     async with agv.VehicleClient(settings) as client:
-        client.update_position(x=0.0, y=0.0, theta=0.0, map_id="hall")
+        client.update_position(x=x, y=0.0, theta=0.0, map_id="hall")
+        status = model.MapStatus.ENABLED
+        client.publisher.set_maps([model.Map(map_id=map_known, map_version="1", map_status=status)])
         driven = set[asyncio.Task[object]]()
 
         @client.on_order  # type: ignore[untyped-decorator]  # of a library that may be missing

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, assert_never
 from fleet_tui.adapters.adapter import Feed, Outgoing, ServiceCall, Site
 from fleet_tui.adapters.probes import Probe
 from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.rmf import requests
+from fleet_tui.adapters.rmf import facilities, requests
 from fleet_tui.adapters.rmf.answers import read_dispatches, read_responses
 from fleet_tui.adapters.rmf.fleets import Read, read_fleets, read_statuses
 from fleet_tui.adapters.rmf.graphs import read_graphs
@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 
 EACH = 100
 """Messages that a bridge keeps for this console: each is of another fleet or task."""
-LATCHED = frozenset({"statuses", "tasks", "graphs"})
-ON_CHANGE = frozenset({"tasks", "responses", "dispatches"})
+LATCHED = frozenset({"statuses", "tasks", "graphs", "lanes"})
+ON_CHANGE = frozenset({"tasks", "responses", "dispatches", *facilities.READERS})
 REPORTS = {
     "fleets": ("pose", "battery", "member"),
     "statuses": ("pose", "battery", "member"),
@@ -52,6 +52,7 @@ class Rmf:
             "responses": read_responses(),
             "dispatches": read_dispatches(),
             "graphs": read_graphs(),
+            **{key: make() for key, make in facilities.READERS.items()},
         }
         reported = [value for key, values in REPORTS.items() if names.topic(key, "") for value in values]
         self.kind = kind.Kind(
@@ -64,6 +65,7 @@ class Rmf:
             takes_stops=True,
             spares_others=True,
             names_places=True,
+            is_told_changes=True,
         )
 
     def feeds(self, robot: str, floors: Sequence[str]) -> Iterable[Feed]:

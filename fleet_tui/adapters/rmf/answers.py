@@ -105,6 +105,7 @@ def read_dispatches() -> Read:
         for one in read_all(read_one, [*message.active, *message.finished], "tasks", MOST_ORDERS, []):
             if why := REASONS.get(one.status):
                 errors = "; ".join(filter(None, map(_error, one.errors[:3])))
-                yield DispatchFailed(one.task_id, at, ": ".join(filter(None, (why, errors))))
+                reason = ": ".join(filter(None, (why, errors)))
+                yield DispatchFailed(one.task_id, at, reason, one.status == CANCELLED_IN_FLIGHT)
 
     return facts

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 from fleet_tui.adapters.discovery import NAME, Discovery, Listed
 from fleet_tui.adapters.rmf.encoded import text_reader
+from fleet_tui.adapters.rmf.facilities import READERS
 from fleet_tui.adapters.rmf.fleets import FleetMessage, FleetUpdate, MemberMessage
 from fleet_tui.adapters.rmf.graphs import LEVEL, NavGraphMessage, NodeMessage
 from fleet_tui.adapters.rmf.names import robot_name
@@ -32,6 +33,8 @@ def discover(listed: Listed) -> Discovery:
         there = listed.topics.get(topic, "") or listed.heard.get(topic, "")
         if key not in ("requests", "responses") and not same_type(there, type_):
             found.topics[key] = ""
+            if key in READERS:
+                continue  # not every site has them
             found.note("topics", f"{key}: no {topic} of type {type_}")
     if "building" not in found.topics:
         found.live_maps |= set(floors)

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 import msgspec
+from msgspec.structs import replace
 
 from fleet_tui.adapters.parts import read_all
 from fleet_tui.adapters.rmf.fleets import Read
@@ -134,10 +135,15 @@ def _graph(vertices: tuple[Vertex, ...], edges: tuple[Edge, ...], lanes: list[La
     by_id = {vertex.id: vertex for vertex in vertices}
     ways = {(one.start, one.end) for one in edges}
     pairs_of = [
-        (edge,) if lane.edge_type == ONE_WAY else (edge, Edge(f"{edge.id}b", edge.end, edge.start))
+        (edge,) if lane.edge_type == ONE_WAY else (edge, Edge(f"{edge.id}b", edge.end, edge.start, edge.id))
         for edge, lane in zip(edges, lanes, strict=True)
     ]
     if any(len(pair) == 1 and (pair[0].end, pair[0].start) not in ways for pair in pairs_of):
         return RouteGraph(by_id, tuple(edge for pair in pairs_of for edge in pair), directed=True)
-    pairs = {frozenset((edge.start, edge.end)): edge for edge in reversed(edges)}
-    return RouteGraph(by_id, tuple(reversed(pairs.values())))
+    pairs = dict[frozenset[str], Edge]()
+    for edge in edges:
+        ends = frozenset((edge.start, edge.end))
+        first = pairs.setdefault(ends, edge)
+        if first is not edge and not first.reverse_id:
+            pairs[ends] = replace(first, reverse_id=edge.id)
+    return RouteGraph(by_id, tuple(pairs.values()))

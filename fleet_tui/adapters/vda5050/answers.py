@@ -2,7 +2,7 @@
 
 from typing import assert_never
 
-from fleet_tui.adapters.vda5050.state import is_running, number_reference
+from fleet_tui.adapters.vda5050.state import is_running
 from fleet_tui.model.commands import (
     CancelOrder,
     ClearOrders,
@@ -17,6 +17,8 @@ from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleAction, VehicleErro
 
 NO_ORDER = "noOrderToCancel"
 """Type of an error that some vehicles report without a reference, and without a failed action."""
+ORDER, INSTANT_ACTIONS = "order", "instantActions"
+"""Topics of commands, as errors name them."""
 FINISHED, FAILED = "FINISHED", "FAILED"
 
 
@@ -24,13 +26,15 @@ def answer(command: Command, id_: str, number: int, vehicle: Vehicle) -> tuple[S
     """Return the stage that a command reached by a state after it, with the vehicle's text: SENT while it is
     being carried out, None if the state says nothing of it. `id_` is that of its order or action, `number`
     the header id of its message."""
+    if isinstance(command, PlaceOrder) and vehicle.order_id == id_:
+        return Stage.ACCEPTED, ""  # errors that name it are of its way
     status = next((one for one in vehicle.actions if one.id == id_), None)
     if rejection := _rejection(command, id_, number, vehicle, status):
         return Stage.REFUSED, rejection
     is_done = status is not None and status.status == FINISHED
     match command:
-        case PlaceOrder():
-            return (Stage.ACCEPTED, "") if vehicle.order_id == id_ else None
+        case PlaceOrder() | SetUpCommand():
+            return None
         case CancelOrder() | ClearOrders():
             if is_done and not is_running(vehicle):
                 return Stage.ACCEPTED, ""
@@ -40,8 +44,6 @@ def answer(command: Command, id_: str, number: int, vehicle: Vehicle) -> tuple[S
                 return Stage.ACCEPTED, ""
             if is_done:  # it has no word for a pause but this
                 return Stage.CONFIRMED, "action finished"
-        case SetUpCommand():
-            return None
         case _:
             assert_never(command)
     return (Stage.SENT, "") if status is not None else None
@@ -60,18 +62,15 @@ def _rejection(
 
 def _concerns(error: VehicleError, command: Command, id_: str, number: int) -> bool:
     """Tell whether an error rejects this command: it may have been there before, so only references count."""
-    if id_ in error.references:
-        # An order that fails on its way has errors, too.
-        return not isinstance(command, PlaceOrder) or "order" in error.type.lower() or _is_rejection(error)
-    own = number_reference(str(number))
-    if own in error.references:
-        return isinstance(command, PlaceOrder) and set(error.references) <= {own, id_}
+    if error.concerns(id_):
+        return True
+    keys, is_order = dict(error.references), isinstance(command, PlaceOrder)
+    if keys.get("headerId") == str(number):  # orders and instant actions are counted apart
+        if is_order:
+            return "orderId" not in keys and keys.get("topic", ORDER) == ORDER
+        return keys.get("topic") == INSTANT_ACTIONS
     is_cancel = isinstance(command, CancelOrder | ClearOrders)
-    return is_cancel and error.type == NO_ORDER and not error.references
-
-
-def _is_rejection(error: VehicleError) -> bool:
-    return error.type.lower().replace("_", "") in ("validationerror", "norouteerror", "unsupportedparameter")
+    return is_cancel and error.type == NO_ORDER and not keys
 
 
 def error_text(error: VehicleError) -> str:

@@ -17,6 +17,7 @@ from fleet_tui.text.limits import truncate
 
 MOST_KNOWN = 20_000
 """Maximum topics that are remembered: a hostile client may make up versions without end."""
+KEPT_TEXT = "retained by the broker, of unknown age: not shown; the sender must not retain it"
 KEPT = ("connection", "factsheet")
 """Topics whose kept message counts: the other ones are fresh or nothing."""
 
@@ -79,7 +80,9 @@ class MessageReader:
         counter = self.counter.topics[self._feeds[robot, address.name].address]
         counter.count_frame(message.payload, False, at)
         if message.kept and address.name not in KEPT:
-            return ()  # its age is unknown: the sender's clock may be any
+            # Its age is unknown: the sender's clock may be any.
+            counter.failed(KEPT_TEXT)
+            return (events.MessageRejected(robot, f"{address.name}: {KEPT_TEXT}"),)
         origin = MessageOrigin(robot, address.base, at, message.kept, self._owns[robot], self._memory)
         try:
             fields = Fields.of(message.payload)

@@ -108,7 +108,7 @@ def _orders(vehicle: Vehicle, target: str, is_ours: bool) -> tuple[Goal, ...]:
 def _end(vehicle: Vehicle) -> OrderState:
     if any(one.type == CANCEL and one.status == "FINISHED" for one in vehicle.actions):
         return OrderState.CANCELLED
-    if any(one.level in HIGH and vehicle.order_id in one.references for one in vehicle.errors):
+    if any(one.level in HIGH and one.concerns(vehicle.order_id) for one in vehicle.errors):
         return OrderState.FAILED
     return OrderState.DONE
 

@@ -1,5 +1,6 @@
 """The state of a vehicle, from the messages of all versions."""
 
+import math
 from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple
@@ -62,13 +63,22 @@ def vehicle_of(state: Fields, base: str, nodes: OrderNodes) -> Vehicle:
         last_node=state.text("lastNodeId"),
         nodes_left=nodes.released,
         horizon=nodes.horizon,
-        waits=state.flag("newBaseRequest") is True or nodes.is_at_base_end,
+        # At the end of an order some vehicles ask for more as well: there is nothing to wait for.
+        waits=nodes.is_at_base_end or (bool(nodes.target) and state.flag("newBaseRequest") is True),
         load=_load(state),
         order_id=state.text("orderId"),
         paused=state.flag("paused"),
+        speed=_speed(state),
         errors=tuple(_errors(state)),
         actions=tuple(_actions(state)),
     )
+
+
+def _speed(state: Fields) -> float | None:
+    """Return the speed in m/s, whatever its direction."""
+    velocity = state.part("velocity")
+    vx, vy = (velocity.number("vx"), velocity.number("vy")) if velocity else (None, None)
+    return None if vx is None and vy is None else math.hypot(vx or 0.0, vy or 0.0)
 
 
 def _sequence(node: Fields) -> float:
@@ -96,19 +106,8 @@ def _errors(state: Fields) -> Iterator[VehicleError]:
             error.word("errorLevel"),
             error.text("errorDescription", longest=LONGEST_WORDS),
             error.text("errorHint", longest=LONGEST_WORDS),
-            tuple(_reference(one) for one in references),
+            tuple((one.text("referenceKey"), one.id("referenceValue")) for one in references),
         )
-
-
-def _reference(one: Fields) -> str:
-    """Return the id that an error concerns. Numbers of messages are named: they could be ids of orders."""
-    key, value = one.text("referenceKey"), one.id("referenceValue")
-    return number_reference(value) if key == "headerId" else value
-
-
-def number_reference(number: str) -> str:
-    """Return the reference to a message by its number."""
-    return f"headerId {number}"
 
 
 def _actions(state: Fields) -> Iterator[VehicleAction]:

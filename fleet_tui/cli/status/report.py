@@ -5,6 +5,7 @@ from typing import Any
 
 from fleet_tui.cli.session import missing
 from fleet_tui.cli.status.navigation import navigation
+from fleet_tui.cli.status.vehicle import vehicle
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import PAUSE
 from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
@@ -103,7 +104,7 @@ def _robot(state: FleetState, robot: Robot) -> Values:
         values["paused"] = state.pause(robot)
     if kind.lists_orders:
         values["orders"] = _orders(robot) if robot.queue else None
-    values |= navigation(state, robot)
+    values |= navigation(state, robot) | vehicle(state, robot)
     return values | {"bad_messages": robot.faults, "never_came": missing(robot)}
 
 
@@ -171,7 +172,7 @@ def changes(before: Values, after: Values) -> Values:
 
 
 def _ageless(entry: Values) -> Values:
-    ages = ("since_s", "last_message_s", "heard_s", "late_s", "blocked_s")
+    ages = ("since_s", "last_message_s", "heard_s", "late_s", "blocked_s", "state_s")
     kept = {name: value for name, value in entry.items() if name not in ages}
     for part, age in (("pose", "age_s"), ("progress", "elapsed_s")):
         if kept.get(part):

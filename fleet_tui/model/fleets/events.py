@@ -7,6 +7,7 @@ life.
 from msgspec import Struct
 
 from fleet_tui.model.commands import Stage
+from fleet_tui.model.fleets.facility import Facility
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation import Goal
 
@@ -59,12 +60,21 @@ class RequestAnswered(Struct, frozen=True, tag=True):
 
 
 class DispatchFailed(Struct, frozen=True, tag=True):
-    """A task for which the dispatcher found no robot."""
+    """A task for which the dispatcher found no robot, or that was cancelled before it had one."""
 
     task: str
     at: float
     reason: str
+    is_cancelled: bool = False
+
+
+class FacilityReported(Struct, frozen=True, tag=True):
+    """A lift, a door, a dispenser, an ingestor or the lanes of a fleet, at the site of a robot."""
+
+    robot: str
+    at: float
+    facility: Facility
 
 
 DispatchFact = RequestAnswered | DispatchFailed
-MemberFact = MemberReported | StatusReported | TaskReported
+MemberFact = MemberReported | StatusReported | TaskReported | FacilityReported

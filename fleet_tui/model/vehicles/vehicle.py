@@ -11,14 +11,18 @@ HIGH, MEDIUM = frozenset({"FATAL", "CRITICAL"}), frozenset({"URGENT"})
 
 
 class VehicleError(Struct, frozen=True):
-    """An error that a vehicle reports. `references` are the ids that it concerns, of orders, actions and
-    messages."""
+    """An error that a vehicle reports. `references` are what it concerns, by their keys: ids of orders and
+    actions, the number and the topic of a message."""
 
     type: str
     level: str = ""
     text: str = ""
     hint: str = ""
-    references: tuple[str, ...] = ()
+    references: tuple[tuple[str, str], ...] = ()
+
+    def concerns(self, id_: str) -> bool:
+        """Tell whether it names an order or an action. Numbers and topics of messages could be ids, too."""
+        return any(value == id_ for key, value in self.references if key not in ("headerId", "topic"))
 
 
 class VehicleAction(Struct, frozen=True):
@@ -35,7 +39,7 @@ class Vehicle(Struct, frozen=True):
     messages. `is_placed`: it reports a position. `e_stop` is the word for its emergency stop, empty if it is
     not active. `last_node` is where it was last, `nodes_left` are the released nodes that it has still to
     reach, `horizon` the number of those not released; `waits`: it may not drive on until its master control
-    releases them. `load`: empty without one."""
+    releases them. `load`: empty without one. `speed` in m/s."""
 
     address: str
     version: str
@@ -53,6 +57,7 @@ class Vehicle(Struct, frozen=True):
     load: str | None = None
     order_id: str = ""
     paused: bool | None = None
+    speed: float | None = None
     errors: tuple[VehicleError, ...] = ()
     actions: tuple[VehicleAction, ...] = ()
 

@@ -100,6 +100,13 @@ CLASSES = {
         "Read the issue on the robot's page; look at its fleet adapter, and at the robot",
         5,
     ),
+    "facility": AlarmClass(
+        "medium",
+        "a lift in fire or emergency mode, or a lift, a door, a dispenser or an ingestor offline",
+        "robots that need it wait there",
+        "Go to it and put it in service again, or close the lanes to it",
+        10,
+    ),
     "navigation": AlarmClass(
         "medium",
         "the robot reports, but its navigation gives no feedback on the current order any more",

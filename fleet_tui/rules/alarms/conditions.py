@@ -11,6 +11,7 @@ from fleet_tui.model.alarm import Condition, Priority
 from fleet_tui.model.fleet import FleetState, behind_text, obstacle_text, offline_text
 from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.alarms.facilities import facility_conditions
 from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
 from fleet_tui.rules.alarms.members import MEMBER_RULES
 from fleet_tui.rules.alarms.navigation import NAVIGATION_RULES
@@ -220,4 +221,5 @@ def conditions(state: FleetState, active: ActiveConditions) -> Iterator[Conditio
             found = rule(state, robot, active)
             if found is not None:
                 yield found
+    yield from facility_conditions(state)
     yield from failed_commands(state)

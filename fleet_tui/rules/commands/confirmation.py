@@ -26,6 +26,7 @@ from fleet_tui.model.order import PENDING, Order, OrderState
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetUpCommand
 from fleet_tui.rules.commands.goals import own_ids
+from fleet_tui.rules.commands.local_queue import is_bid
 from fleet_tui.rules.commands.order_search import find_order, queue_since
 from fleet_tui.rules.commands.pauses import WAITS, instead_of_pause, is_moving, pause_seen
 from fleet_tui.rules.commands.set_up.confirmation import instead_of_set_up, set_up_seen
@@ -76,6 +77,14 @@ def _still_there(robot: Robot, record: CommandRecord) -> list[str] | None:
     return [f"order {order.id} is {order.state_text}" for order in left]
 
 
+def _is_bid_for(state: FleetState, record: CommandRecord) -> bool:
+    """Tell whether fleets still bid for the order to cancel."""
+    command = record.command
+    return isinstance(command, CancelOrder) and any(
+        is_bid(one) and one.name == command.order_id for one in state.commands
+    )
+
+
 def _is_driven(state: FleetState, record: CommandRecord) -> bool:
     """Tell whether a goal that a clear cancels by its name is active, or may still be listed."""
     return isinstance(record.command, ClearOrders) and any(
@@ -112,7 +121,7 @@ def _seen(state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool)
             step = Step(Stage.CONFIRMED, state.now, f"seen in the queue as order {order.id}")
             return record.recognised(order, step)
         case CancelOrder() | ClearOrders():
-            if _still_there(robot, record) != [] or _is_driven(state, record):
+            if _is_bid_for(state, record) or _still_there(robot, record) != [] or _is_driven(state, record):
                 return record
             return record.advanced(Step(Stage.CONFIRMED, state.now, "no longer in the queue"))
         case PauseRobot():

@@ -64,9 +64,25 @@ def waiting_orders_of(state: FleetState, robot: Robot) -> tuple[Order, ...]:
     )
 
 
+def bids_of(state: FleetState, robot: Robot) -> tuple[Order, ...]:
+    """Return the orders to any robot for which fleets still bid, at the robot that they were given from."""
+    return tuple(
+        Order(one.name, one.command.stops, None, "fleets bid", 0)
+        for one in state.commands
+        if one.command.robot == robot.name and isinstance(one.command, PlaceOrder) and is_bid(one)
+    )
+
+
+def is_bid(record: CommandRecord) -> bool:
+    """Tell whether a dispatcher has taken an order to any robot, and has not chosen one yet."""
+    command = record.command
+    return isinstance(command, PlaceOrder) and command.to_any and record.stage is Stage.ACCEPTED
+
+
 def all_orders(state: FleetState, robot: Robot) -> tuple[Order, ...]:
-    """Return the orders of a robot in driving sequence: its own, then those that wait here."""
-    own = robot.orders.in_sequence()
+    """Return the orders of a robot in driving sequence: its own, then those for which fleets bid, or that
+    wait here."""
+    own = robot.orders.in_sequence() + bids_of(state, robot)
     return own + waiting_orders_of(state, robot) if robot.kind.keeps_goals else own
 
 

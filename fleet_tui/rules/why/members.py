@@ -1,8 +1,10 @@
 """Reasons of robots of fleets to stand still: by their driver, their adapter, and an emergency."""
 
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.fleets.facility import LIFT
 from fleet_tui.model.order import OrderState
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.alarms.facilities import SILENT_AFTER
 from fleet_tui.rules.alarms.members import FAILED_MODES
 from fleet_tui.rules.commands.goals import active
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength
@@ -34,4 +36,16 @@ def emergency(state: FleetState, robot: Robot) -> Reason | None:
     return Reason("held by an emergency", "its task goes on when that ends", seen=held[0].listed_at)
 
 
-MEMBER_REASONS = (failed_mode, issues, emergency)
+def lift(state: FleetState, robot: Robot) -> Reason | None:
+    """Report the lift that it has, or has called, while it stands for it."""
+    own = [one for one in state.facilities.values() if one.sort == LIFT and one.user == robot.name]
+    own = [one for one in own if one.link == robot.link and state.now - one.at <= SILENT_AFTER]
+    if not own:
+        return None
+    one = own[0]
+    strength = Strength.CERTAIN if one.fault else Strength.LIKELY
+    remedy = "Put the lift in service again" if one.fault else ""
+    return Reason(f"waits for lift {one.name}", one.state, strength, seen=one.at, remedy=remedy)
+
+
+MEMBER_REASONS = (failed_mode, issues, emergency, lift)

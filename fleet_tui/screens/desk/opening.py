@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING
 
 from fleet_tui.controllers.desk.commands import DeskCommands
 from fleet_tui.controllers.parts import SetUpParts
+from fleet_tui.controllers.tables.facilities import FacilityList
 from fleet_tui.model.history.facts import Note
 from fleet_tui.text.sanitize import sanitize
 
@@ -14,6 +15,11 @@ if TYPE_CHECKING:
 def desk_commands(screen: "MainScreen", parts: SetUpParts) -> DeskCommands:
     """Return the typed lines of the desk on this screen."""
     return DeskCommands(parts, screen.files, screen.backend.post, screen.settings.clock)
+
+
+def facility_list(parts: SetUpParts) -> FacilityList:
+    """Return the list of a site's lifts and doors on this screen."""
+    return FacilityList(parts)
 
 
 def join_desk(screen: "MainScreen") -> None:

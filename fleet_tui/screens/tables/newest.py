@@ -57,4 +57,4 @@ class NewestRows:
         if pane is screen.alarms:
             return alarm_table(state, screen.settings.clock, *arranged, pane.listing.cursor)
         may = screen.dispatch.permissions.right >= Right.DISPATCH
-        return queue_table(state, robot, screen.shows_all_orders, *arranged, may)
+        return queue_table(state, robot, screen.shows_all_orders, *arranged, may, screen.settings.clock)

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 AGAIN = 20.0
 """Seconds after which a dispatcher restarts."""
 FLAT = 8.0
+FIRE, CLOSED = 3, (2, 5)
 """Per cent."""
 PACKAGES = ("rmf_fleet_msgs", "rmf_task_msgs", "rmf_building_map_msgs", "rmf_lift_msgs", "rmf_door_msgs")
 
@@ -84,6 +85,22 @@ def _restarts(server: "RosbridgeServer", robot: str) -> None:
     fleet_at(server, robot).troubles.append(step)
 
 
+def _fire(server: "RosbridgeServer", robot: str) -> None:
+    fleet_at(server, robot).lift.mode = FIRE
+
+
+def _door(server: "RosbridgeServer", robot: str) -> None:
+    fleet_at(server, robot).doors[0].is_offline = True
+
+
+def _dispenser(server: "RosbridgeServer", robot: str) -> None:
+    fleet_at(server, robot).offline.add("pharmacy")
+
+
+def _lanes(server: "RosbridgeServer", robot: str) -> None:
+    fleet_at(server, robot).closed_lanes[:] = CLOSED
+
+
 def _unsourced(server: "RosbridgeServer", _robot: str) -> None:
     server.bridge.services.unsourced |= set(PACKAGES)
 
@@ -94,6 +111,10 @@ FAULTS: Faults = {
     "no-answer": ("requests are carried out and never answered", _mute),
     "dispatcher": (f"the dispatcher restarts every {AGAIN:g} s", _restarts),
     "unsourced": ("the bridge lacks the packages rmf_*_msgs", _unsourced),
+    "fire": ("the lift is in fire mode", _fire),
+    "door": ("a door is offline", _door),
+    "dispenser": ("the dispenser is offline", _dispenser),
+    "lanes": (f"{len(CLOSED)} lanes are closed", _lanes),
     "silent": ("its driver is lost, its fleet adapter goes on", _member(_lost)),
     "obstacle": ("permanent obstacle", _member(_stuck)),
     "issue": ("its fleet adapter reports an issue", _member(_issue)),

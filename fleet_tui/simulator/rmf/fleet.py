@@ -25,12 +25,17 @@ TASKS, RESPONSES, REQUESTS = "/task_state_update", "/task_api_responses", "/task
 DISPATCHES, GRAPHS = "/dispatch_states", "/nav_graphs"
 MAP = "/map"
 LIFTS, DOORS = "/lift_states", "/door_states"
+DISPENSERS, INGESTORS, LANES = "/dispenser_states", "/ingestor_states", "/lane_states"
+PHARMACY, RETURNS = "pharmacy", "returns"
+"""The dispenser and the ingestor."""
 TYPES = {
     STATES: "rmf_fleet_msgs/FleetState",
     DISPATCHES: "rmf_task_msgs/DispatchStates",
     RESPONSES: "rmf_task_msgs/ApiResponse",
     LIFTS: "rmf_lift_msgs/LiftState",
     DOORS: "rmf_door_msgs/DoorState",
+    DISPENSERS: "rmf_dispenser_msgs/DispenserState",
+    INGESTORS: "rmf_ingestor_msgs/IngestorState",
 }
 TASKS_KEPT = 10
 RESPONDING = 2
@@ -56,6 +61,7 @@ class RmfFleet(RmfWorld):
         self.actions: Mapping[str, ActionServer] = {}
         self.period = period
         self._due = self._tick = 0.0
+        self._told_lanes: list[int] = []
         self._seen = dict.fromkeys(self.robots, time.time())
         self._responses: list[tuple[str, Message]] = []
         self._last_tasks: deque[Payload] = deque(maxlen=TASKS_KEPT)
@@ -74,9 +80,14 @@ class RmfFleet(RmfWorld):
         type_ = dialect.message_type("rmf_building_map_msgs/Graph")
         yield Topic(GRAPHS, type_, lambda _: graphs[0], latched=True, history=lambda: graphs)
 
+        type_ = dialect.message_type("rmf_fleet_msgs/LaneStates")
+        yield Topic(LANES, type_, lambda _: Payload({}), latched=True, history=self._lanes)
         building = Payload(messages.building_map(self.building))
         type_ = dialect.message_type("rmf_building_map_msgs/BuildingMap")
         yield Topic(MAP, type_, lambda _: building, latched=True)
+
+    def _lanes(self) -> list[Payload]:
+        return [Payload({"fleet_name": one, "closed_lanes": self.closed_lanes}) for one in self.fleets]
 
     def subscriptions(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
         """The topic of requests."""
@@ -117,6 +128,12 @@ class RmfFleet(RmfWorld):
         yield LIFTS, Payload(messages.lift_state(self.lift, stamp))
         for door in self.doors:
             yield DOORS, Payload(messages.door_state(door, stamp))
+        yield DISPENSERS, Payload(messages.work_state(PHARMACY, PHARMACY in self.offline, stamp))
+        yield INGESTORS, Payload(messages.work_state(RETURNS, RETURNS in self.offline, stamp))
+        if self.closed_lanes != self._told_lanes:
+            self._told_lanes = list(self.closed_lanes)
+            for payload in self._lanes():
+                yield LANES, payload
 
     def services(self, dialect: Dialect) -> Mapping[str, ServiceType]:
         """None: requests are messages."""

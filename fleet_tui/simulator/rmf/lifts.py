@@ -14,10 +14,16 @@ CLOSED, MOVING, OPEN = 0, 1, 2
 DOORS = {"ward_door": (10.0, 10.0), "kitchen_door": (23.0, 16.5)}
 """The place of each door, on every floor the same."""
 LIFT = "lift_1"
+AGV, FIRE = 2, 3
+"""Modes of a lift."""
+OFFLINE = 3
+"""The mode of a door that is out of order."""
 
 
 class SimLift:
     """One lift between all floors."""
+
+    mode = AGV
 
     def __init__(self, building: Building) -> None:
         self.floors = [floor.name for floor in building.floors]
@@ -46,6 +52,7 @@ class SimDoor:
         self.name, self.floor, self.spot = f"{floor}_{name}", floor, spot
         self.mode = CLOSED
         self._for = 0.0
+        self.is_offline = False
 
     def step(self, members: Mapping[str, SimMember], dt: float) -> None:
         """Open for robots nearby, and close some seconds after the last."""
@@ -55,4 +62,4 @@ class SimDoor:
             for one in members.values()
         )
         self._for = OPEN_FOR if near else max(0.0, self._for - dt)
-        self.mode = OPEN if self._for else CLOSED
+        self.mode = OFFLINE if self.is_offline else OPEN if self._for else CLOSED

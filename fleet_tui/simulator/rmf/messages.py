@@ -20,7 +20,6 @@ Message = dict[str, Any]
 BOTH_WAYS = 0
 STRING, BOOL = 1, 4
 """Types of a parameter."""
-AGV_MODE = 2
 
 
 def text(value: Message) -> Message:
@@ -142,7 +141,7 @@ def lift_state(lift: SimLift, stamp: Message) -> Message:
         "door_state": 0 if is_moving else OPEN if lift.session else 0,
         "motion_state": MOVING if is_moving else 0,
         "available_modes": "",
-        "current_mode": AGV_MODE,
+        "current_mode": lift.mode,
         "session_id": lift.session,
     }
 
@@ -150,3 +149,9 @@ def lift_state(lift: SimLift, stamp: Message) -> Message:
 def door_state(door: SimDoor, stamp: Message) -> Message:
     """Return a rmf_door_msgs/DoorState."""
     return {"door_time": stamp, "door_name": door.name, "current_mode": {"value": door.mode}}
+
+
+def work_state(name: str, is_offline: bool, stamp: Message) -> Message:
+    """Return a rmf_dispenser_msgs/DispenserState or a rmf_ingestor_msgs/IngestorState."""
+    mode = 2 if is_offline else 0
+    return {"time": stamp, "guid": name, "mode": mode, "request_guid_queue": [], "seconds_remaining": 0.0}

@@ -38,6 +38,10 @@ class RmfWorld:
         self.doors = [
             SimDoor(name, floor.name, spot) for floor in self.building.floors for name, spot in DOORS.items()
         ]
+        self.closed_lanes: list[int] = []
+        """The numbers of closed edges, alike for all fleets."""
+        self.offline = set[str]()
+        """Dispensers and ingestors that are offline."""
         self.troubles: list[Callable[[float], None]] = []
         self._owed, self._next = 0.0, 3.0
         self._given = 0

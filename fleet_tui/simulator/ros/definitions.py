@@ -105,6 +105,10 @@ rmf_building_map_msgs/BuildingMap: string name, rmf_building_map_msgs/Level[] le
 rmf_lift_msgs/LiftState: time lift_time, string lift_name, string[] available_floors, string current_floor, \
 string destination_floor, uint8 door_state, uint8 motion_state, uint8[] available_modes, \
 uint8 current_mode, string session_id
+rmf_dispenser_msgs/DispenserState: time time, string guid, int32 mode, string[] request_guid_queue, \
+float32 seconds_remaining
+rmf_ingestor_msgs/IngestorState: time time, string guid, int32 mode, string[] request_guid_queue, \
+float32 seconds_remaining
 rmf_door_msgs/DoorMode: uint32 value
 rmf_door_msgs/DoorState: time door_time, string door_name, rmf_door_msgs/DoorMode current_mode
 rosapi/TypeDef: string type, string[] fieldnames, string[] fieldtypes, int32[] fieldarraylen, \

@@ -25,10 +25,19 @@ def free_port() -> int:
         return port
 
 
+def _mosquitto_program() -> str | None:
+    return shutil.which("mosquitto") or shutil.which("mosquitto", path=_PLACES)
+
+
+def has_broker() -> bool:
+    """Tell whether a broker is installed."""
+    return _mosquitto_program() is not None or find_spec("amqtt") is not None
+
+
 @asynccontextmanager
 async def broker(port: int) -> AsyncIterator[None]:
     """Serve MQTT on a port of loopback. Raises FleetError."""
-    program = shutil.which("mosquitto") or shutil.which("mosquitto", path=_PLACES)
+    program = _mosquitto_program()
     if program is not None:
         async with _mosquitto(program, port):
             yield

@@ -4,12 +4,13 @@ import asyncio
 import random
 import threading
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import AsyncIterator, Callable, Mapping, Sequence
+from contextlib import AbstractAsyncContextManager, asynccontextmanager
 from typing import Any, cast
 
 from fleet_tui.simulator.faults import Faults, parse_faults_of
 from fleet_tui.simulator.run import await_stdin
-from fleet_tui.simulator.vda5050.broker import broker, free_port
+from fleet_tui.simulator.vda5050.broker import broker, free_port, has_broker
 from fleet_tui.simulator.vda5050.clients import VehicleClient
 from fleet_tui.simulator.vda5050.faults import FAULTS
 from fleet_tui.simulator.vda5050.vehicle import SimVehicle
@@ -17,6 +18,8 @@ from fleet_tui.simulator.warehouse import build_building
 from fleet_tui.stopping import stopped_by_signal
 
 STEP = 0.05
+IN_MIXED = ("agv_0", "agv_1")
+"""The vehicles beside a mixed fleet."""
 
 
 def vehicles_of(names: Sequence[str], floors: int, seed: int, faults: str) -> list[SimVehicle]:
@@ -56,18 +59,34 @@ async def _serve(
     speed: float,
 ) -> bool:
     stopped = stopped_by_signal()
-    async with broker(port):
-        clients = [VehicleClient(vehicle, port) for vehicle in vehicles]
-        announce([f"mqtt://127.0.0.1:{port}"])
+    async with served(vehicles, port, rate, speed) as url:
+        announce([url])
         if stop_with_stdin:
             threading.Thread(target=await_stdin, args=(stopped,), daemon=True).start()
+        return await stopped
+
+
+@asynccontextmanager
+async def served(vehicles: Sequence[SimVehicle], port: int, rate: float, speed: float) -> AsyncIterator[str]:
+    """Serve vehicles on a broker of their own, and yield its address. Raises FleetError."""
+    async with broker(port):
+        clients = [VehicleClient(vehicle, port) for vehicle in vehicles]
         stepping = asyncio.ensure_future(_step(clients, rate, speed))
         try:
-            return await stopped
+            yield f"mqtt://127.0.0.1:{port}"
         finally:
             stepping.cancel()
             for client in clients:
                 client.close()
+
+
+def vehicles_beside(
+    floors: int, seed: int, rate: float, speed: float
+) -> AbstractAsyncContextManager[str] | None:
+    """Return the vehicles of a mixed fleet, on any free port; None where no broker is installed."""
+    if not has_broker():
+        return None
+    return served(vehicles_of(IN_MIXED, floors, seed, ""), free_port(), rate, speed)
 
 
 async def _step(clients: Sequence[VehicleClient], rate: float, speed: float) -> None:

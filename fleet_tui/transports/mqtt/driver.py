@@ -1,43 +1,32 @@
 """Drives a client of paho on the network loop, instead of a thread of its own."""
 
 import asyncio
-import fcntl
 import logging
 import ssl
-import struct
-import termios
 from collections.abc import Callable
 from contextlib import suppress
 from typing import Any
 
 import paho.mqtt.client as mqtt
 
+from fleet_tui.transports.mqtt.fed_client import PIECE, FedClient
+
 LOG = logging.getLogger(__name__)
 
-BUSY, GATHER = 0.02, 0.01
-"""Seconds between two reads from which messages are gathered, and for which they are."""
-
-
-def _has_more(sock: Any) -> bool:
-    """Tell whether bytes wait to be read. Under TLS a socket may hold more than the system tells, and less
-    than a message."""
-    if isinstance(sock, ssl.SSLSocket):
-        return sock.fileno() >= 0 and sock.pending() > 0
-    try:
-        return bool(struct.unpack("i", fcntl.ioctl(sock, termios.FIONREAD, b"\0\0\0\0"))[0])
-    except (OSError, ValueError):
-        return False
+GATHER = 0.04
+"""Seconds for which messages are gathered after a read: to wake up costs as much as to read."""
 
 
 class PahoDriver:
     """Reads and writes a client's socket. On the network loop, but `connect`, which blocks, on any thread."""
 
-    def __init__(self, client: mqtt.Client, fail: Callable[[], None]) -> None:
-        """`fail` is called when the client can't go on: its server sends what is not MQTT."""
-        self._client, self._fail = client, fail
+    def __init__(self, client: FedClient, is_awaited: Callable[[], bool], fail: Callable[[], None]) -> None:
+        """`is_awaited` tells whether an answer is: then each message is read at once. `fail` is called when
+        the client can't go on: its server sends what is not MQTT."""
+        self._client, self._is_awaited, self._fail = client, is_awaited, fail
         self._loop = asyncio.get_running_loop()
-        self._read_at = 0.0
-        self._resting: asyncio.TimerHandle | None = None
+        self._is_listening = False
+        self._resting: asyncio.Handle | None = None
         client.on_socket_open = self._on_socket_open
         client.on_socket_close = self._on_socket_close
         client.on_socket_register_write = self._on_writes
@@ -49,8 +38,20 @@ class PahoDriver:
     def _listen(self, sock: Any) -> None:
         """Read as soon as something arrives, unless the socket is closed meanwhile."""
         current: Any = self._client.socket()
-        if current is sock:
+        if current is sock and not self._is_listening:
+            self._stop_resting()
+            self._is_listening = True
             self._loop.add_reader(sock, self._read)
+
+    def _stop_listening(self, sock: Any) -> None:
+        if self._is_listening:
+            self._is_listening = False
+            self._loop.remove_reader(sock)
+
+    def _stop_resting(self) -> None:
+        if self._resting is not None:
+            self._resting.cancel()
+            self._resting = None
 
     def _on_socket_close(self, _client: mqtt.Client, _data: Any, sock: Any) -> None:
         self._forget(sock)
@@ -67,35 +68,40 @@ class PahoDriver:
         self._loop.remove_writer(sock)
 
     def _forget(self, sock: Any) -> None:
-        if self._resting is not None:
-            self._resting.cancel()
-        self._loop.remove_reader(sock)
+        self._stop_resting()
+        self._stop_listening(sock)
         self._loop.remove_writer(sock)
 
     def _read(self) -> None:
-        """Read what has arrived. While messages come one after the other, those of some milliseconds are read
-        together: to wake up costs as much as to read."""
-        self._guarded(self._client.loop_read)
+        """Read what has arrived, and then nothing for a moment: what arrives meanwhile is read together."""
+        self._stop_resting()
+        size = self._guarded(self._client.receive)
         sock: Any = self._client.socket()
-        while sock is not None and _has_more(sock):
-            self._guarded(self._client.loop_read)
-            sock = self._client.socket()
-        now = self._loop.time()
-        if sock is not None and now - self._read_at < BUSY:
-            self._loop.remove_reader(sock)
-            self._resting = self._loop.call_later(GATHER, self._listen, sock)
-        self._read_at = now
+        if sock is None:
+            return
+        # Under TLS the socket may hold more than the system tells.
+        if size >= PIECE or (isinstance(sock, ssl.SSLSocket) and sock.fileno() >= 0 and sock.pending()):
+            self._resting = self._loop.call_later(0, self._read)
+        elif size and not self._is_awaited():
+            self._stop_listening(sock)
+            self._resting = self._loop.call_later(GATHER, self._read)
+        else:
+            self._listen(sock)
 
     def write(self) -> None:
-        """Write what waits."""
+        """Write what waits, and read the answer as soon as it arrives."""
         self._guarded(self._client.loop_write)
+        sock: Any = self._client.socket()
+        if sock is not None:
+            self._listen(sock)
 
-    def _guarded(self, do: Callable[[], object]) -> None:
+    def _guarded(self, do: Callable[[], int]) -> int:
         try:
-            do()
+            return do()
         except Exception:
             LOG.exception("paho")
             self._fail()
+        return 0
 
     def close(self) -> None:
         """Close the connection: the broker hears of it if it can."""

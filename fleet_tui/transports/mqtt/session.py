@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from typing import Any
 
 import paho.mqtt.client as mqtt
-from paho.mqtt.enums import CallbackAPIVersion
 from paho.mqtt.reasoncodes import ReasonCode
 
 from fleet_tui.config.access import secret
@@ -19,6 +18,7 @@ from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError
 from fleet_tui.transports.mqtt import reasons
 from fleet_tui.transports.mqtt.driver import PahoDriver
+from fleet_tui.transports.mqtt.fed_client import FedClient
 from fleet_tui.transports.mqtt.listener import BrokerListener
 from fleet_tui.transports.tls import tls_context
 
@@ -54,16 +54,10 @@ class BrokerSession:
         self._logged = set[str]()
         self._beating: asyncio.Task[None] | None = None
         self._client = self._paho(client_id)
-        self._driver = PahoDriver(self._client, self._fail)
+        self._driver = PahoDriver(self._client, self._is_awaited, self._fail)
 
-    def _paho(self, client_id: str) -> mqtt.Client:
-        client = mqtt.Client(
-            CallbackAPIVersion.VERSION2,
-            client_id,
-            clean_session=True,
-            protocol=mqtt.MQTTv311,
-            reconnect_on_failure=False,
-        )
+    def _paho(self, client_id: str) -> FedClient:
+        client = FedClient(client_id, self._take)
         client.connect_timeout = CONNECT_TIMEOUT
         client.on_connect = self._on_connect
         client.on_disconnect = self._on_disconnect
@@ -127,26 +121,22 @@ class BrokerSession:
         if self._beating is not None:
             self._beating.cancel()
         self._driver.close()
-        self._end(reasons.LOST)
+        _settle(self._ended, reasons.LOST)
 
-    def _open(self, reason: str) -> None:
-        if not self._opened.done():
-            self._opened.set_result(reason)
-
-    def _end(self, reason: str) -> None:
-        if not self._ended.done():
-            self._ended.set_result(reason)
+    def _is_awaited(self) -> bool:
+        """Tell whether the broker owes us an answer, whose time is measured."""
+        return bool(self._beats or self._asked) or not self._opened.done()
 
     def _fail(self) -> None:
         """End a connection whose server sends what is not MQTT."""
-        self._open(reasons.NO_ANSWER)
-        self._end(reasons.LOST)
+        _settle(self._opened, reasons.NO_ANSWER)
+        _settle(self._ended, reasons.LOST)
 
     async def _beat(self) -> None:
         """Ask the broker for a sign of life, again and again."""
         while not self._ended.done():
             if self.silence > BEAT_TIMEOUT:
-                self._end(reasons.STOPPED)
+                _settle(self._ended, reasons.STOPPED)
                 return
             code, number = self._client.unsubscribe(NOWHERE)
             if not code and number is not None:
@@ -157,28 +147,40 @@ class BrokerSession:
     def _on_connect(
         self, _client: mqtt.Client, _data: Any, _flags: mqtt.ConnectFlags, code: ReasonCode, _more: Any
     ) -> None:
-        self._open(reasons.rejected(code.value, self._link) if code.value else "")
+        _settle(self._opened, reasons.rejected(code.value, self._link) if code.value else "")
 
     def _on_disconnect(
         self, _client: mqtt.Client, _data: Any, _flags: mqtt.DisconnectFlags, _code: ReasonCode, _more: Any
     ) -> None:
-        self._open(reasons.dropped(self._link))
-        self._end(reasons.LOST)
+        _settle(self._opened, reasons.dropped(self._link))
+        _settle(self._ended, reasons.LOST)
 
     def _on_message(self, _client: mqtt.Client, _data: Any, message: mqtt.MQTTMessage) -> None:
         try:
-            size = len(message.payload)
-            if size > self._limit:
-                self._listener.on_too_large(message.topic, size)
+            topic = message.topic
+        except UnicodeDecodeError as problem:
+            if self._is_new(problem):
+                LOG.warning("message with an unreadable topic: %s", problem)
+            return
+        self._take(topic, bytes(message.payload), message.retain)
+
+    def _take(self, topic: str, payload: bytes, retained: bool) -> None:
+        try:
+            if len(payload) > self._limit:
+                self._listener.on_too_large(topic, len(payload))
             else:
-                self._listener.on_message(message.topic, bytes(message.payload), message.retain)
+                self._listener.on_message(topic, payload, retained)
         except Exception as problem:
-            name = repr(problem)
-            if (
-                name not in self._logged and len(self._logged) < MOST_LOGGED
-            ):  # the next message may fail in the same way
-                self._logged.add(name)
-                LOG.exception("message of %d bytes", len(message.payload))
+            if self._is_new(problem):
+                LOG.exception("message of %d bytes", len(payload))
+
+    def _is_new(self, problem: Exception) -> bool:
+        """Tell whether a problem is not logged yet: the next message may fail in the same way."""
+        name = repr(problem)
+        if name in self._logged or len(self._logged) >= MOST_LOGGED:
+            return False
+        self._logged.add(name)
+        return True
 
     def _on_subscribe(
         self, _client: mqtt.Client, _data: Any, number: int, codes: list[ReasonCode], _more: Any
@@ -192,3 +194,9 @@ class BrokerSession:
         sent_at = self._beats.pop(number, None)
         if sent_at is not None:
             self._listener.on_answer(time.monotonic() - sent_at)
+
+
+def _settle(phase: "asyncio.Future[str]", reason: str) -> None:
+    """End a phase, once."""
+    if not phase.done():
+        phase.set_result(reason)

@@ -17,6 +17,7 @@ from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
 from fleet_tui.view.map.glyphs import robot_glyph
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop, picture
+from fleet_tui.view.map.placing.crowds import LEAST
 from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import SIGNS
@@ -58,6 +59,7 @@ def _robots(*robots: SceneRobot) -> Scene:
 _ROBOTS = (
     (_robots(_ROBOT), "a robot: its heading and number"),
     (_robots(_ROBOT, _NEIGHBOUR), "robots side by side, of different headings"),
+    (_robots(*[_ROBOT] * LEAST), "robots near each other in a crowd: how many"),
     (_robots(_ROBOT._replace(selected=True)), "the selected robot"),
     (_robots(_ROBOT._replace(cargo=True)), "with cargo on board"),
     (

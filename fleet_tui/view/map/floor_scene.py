@@ -7,11 +7,13 @@ own map_metadata.
 from dataclasses import replace
 from functools import lru_cache
 
+from fleet_tui.model.desk.desk import Ends
 from fleet_tui.model.fleet import FleetState, Floor
 from fleet_tui.model.geometry import Line, MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.robot import Robot, RobotMap
+from fleet_tui.rules.alarms.facilities import closed_edges
 from fleet_tui.rules.alarms.trouble import (
     acknowledged,
     in_trouble,
@@ -208,6 +210,12 @@ def _way(robot: Robot, floor: str, drafted: Drafted | None) -> tuple[tuple[str, 
     return tuple(place.vertex for place in places), Mission(lines) if lines else None
 
 
+def _closed(state: FleetState, owner: Robot | None, floor: str) -> list[Ends]:
+    """Return the edges that people, or the fleet of the map's owner, have closed."""
+    by_fleet = closed_edges(state, owner, floor) if owner is not None else []
+    return [*(edge.ends for edge in state.desk.closed_on(floor)), *by_fleet]
+
+
 def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None = None) -> Scene:
     """Return the scene of the selected floor; while an order is typed its way is in place of the mission."""
     owner = map_owner(state, selection)
@@ -228,7 +236,7 @@ def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None
         target_vertices=vertices_of_way,
         picked=vertices_of_way[-1] if drafted is not None and vertices_of_way else "",
         mission=way,
-        closed=edge_lines(robot_map, [edge.ends for edge in state.desk.closed_on(floor.name)]),
+        closed=edge_lines(robot_map, _closed(state, owner, floor.name)),
         blocked=edge_lines(robot_map, blocked_edges(state, placed)),
         note=", ".join(map(tr, notes)),
         elsewhere=tr(trouble_elsewhere(state, floor.name)),

@@ -50,7 +50,8 @@ def robot_tag(robot: SceneRobot, plain: bool, has_age: bool = True) -> str:
 
 def is_special(robot: SceneRobot) -> bool:
     """Tell whether a robot is the selected one, or in a state that its tag shows."""
-    return robot.selected or not robot.online or robot_tag(robot, plain=False) != robot_number(robot)
+    states = robot.obstacle, robot.alarmed, robot.acknowledged, robot.waits, robot.paused, robot.jumped
+    return robot.selected or not robot.online or robot.other_map or any(states)
 
 
 def robot_roles(robot: SceneRobot) -> tuple[StyleRole, StyleRole]:

@@ -1,6 +1,6 @@
 """The layer of robots: each an arrow with its number beside it, as one chip."""
 
-from collections.abc import Container, Iterable, Iterator
+from collections.abc import Container, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from itertools import accumulate, chain
@@ -11,6 +11,7 @@ from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.glyphs import robot_glyph, robot_number, robot_roles, robot_tag
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.places import Place, quiet_places, seen_robots
+from fleet_tui.view.map.placing.crowds import crowd_chips, is_crowd
 from fleet_tui.view.map.placing.labels import Backdrop, move_aside
 from fleet_tui.view.map.placing.occupancy import CellOccupancy
 from fleet_tui.view.map.scene import Scene, SceneRobot
@@ -52,13 +53,22 @@ def draw_robots(
     """Draw every robot as a chip; labels of the picture `behind` give way. `before` keeps places: they stay
     while there is space."""
     occupancy = CellOccupancy(camera.width, camera.height, cells.roles)
-    chips = _chips(occupancy, scene, camera, look, before.sides)
+    seen = seen_robots(scene, camera)
+    if is_crowd(len(seen), camera):
+        chips = crowd_chips(occupancy, seen, scene.frame.origin.yaw, look.plain)
+    else:
+        chips = _chips(occupancy, seen, scene, camera, look, before.sides)
     move_aside(cells, behind, occupancy, before.aside)
     cells.write_all(chips)
 
 
 def _chips(
-    occupancy: CellOccupancy, scene: Scene, camera: Camera, look: MapOptions, sides: dict[int, int]
+    occupancy: CellOccupancy,
+    seen: Sequence[tuple[SceneRobot, Place]],
+    scene: Scene,
+    camera: Camera,
+    look: MapOptions,
+    sides: dict[int, int],
 ) -> Chips:
     """Return the chips of all robots: the selected one on top, then those in trouble.
 
@@ -67,7 +77,7 @@ def _chips(
     of its arrow; without space it has none. Where numbers are listed, an arrow shows the heading of all of
     them, else there is a dot.
     """
-    sharing = _groups(scene, camera)
+    sharing = _groups(seen)
     plain, turned = look.plain, scene.frame.origin.yaw
     arrows = {at: _arrow(robots, at, sharing, turned, plain) for at, robots in sharing.items()}
     for (x, y), arrow in arrows.items():
@@ -103,10 +113,10 @@ def _between(
     return chips
 
 
-def _groups(scene: Scene, camera: Camera) -> dict[Place, list[SceneRobot]]:
+def _groups(seen: Sequence[tuple[SceneRobot, Place]]) -> dict[Place, list[SceneRobot]]:
     """Return the robots by the cell of their arrow: arrows side by side would read as one."""
     groups: dict[Place, list[SceneRobot]] = {}
-    for robot, (x, y) in seen_robots(scene, camera):
+    for robot, (x, y) in seen:
         near = [at for at in ((x, y), (x - 1, y), (x + 1, y)) if at in groups]
         groups.setdefault(near[0] if near else (x, y), []).append(robot)
     return groups

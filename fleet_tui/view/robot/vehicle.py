@@ -4,7 +4,9 @@ from collections.abc import Iterator
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.alarms.facilities import listed
 from fleet_tui.text.durations import age
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.robot_page import named
@@ -15,30 +17,36 @@ SHOWN = 12
 
 
 def vehicle_rows(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
-    """Yield its connection, mode, node and load, each as far as it is reported."""
+    """Yield its connection, mode, node, load and speed, each as far as it is reported."""
     if robot.connection is not None:
         known = robot.connection.value
         text = f"{known.text}, VDA 5050 {known.version}" if known.version else known.text
         yield named("Broker", (sanitize(text), StyleRole.WARN if known.is_gone else StyleRole.TEXT))
     if robot.vehicle is not None:
-        vehicle, is_old = robot.vehicle.value, not state.is_fresh(robot, "vehicle")
-        values = {
-            "Mode": vehicle.mode.lower(),
-            "Node": vehicle.last_node,
-            "Load": vehicle.load or "",
-            "Charging": _yes_or_no(vehicle.charging),
-        }
-        for name, value in values.items():
-            if value:
-                role = StyleRole.DIM if is_old else StyleRole.TEXT
-                yield named(name, (sanitize(value), role))
+        vehicle = robot.vehicle.value
+        role = StyleRole.TEXT if state.is_fresh(robot, "vehicle") else StyleRole.DIM
+        rows = (
+            named("Mode", *_run(vehicle.mode.lower(), role)),
+            named("Node", *_run(vehicle.last_node, role)),
+            named("Load", *_run(vehicle.load or "", role)),
+            named("Charging", *_run(_yes_or_no(vehicle.charging), role)),
+            named("Speed", *_run("" if vehicle.speed is None else f"{vehicle.speed:.2f} m/s", role)),
+        )
+        yield from (row for row in rows if row)
+    for one in listed(state, robot.link):
+        if one.user == robot.name:
+            yield named(one.sort.capitalize(), (sanitize(f"{one.name}: {one.state}"), StyleRole.TEXT))
     if robot.master is not None:
         text = f"{robot.master.value}, {age(state.now - robot.master.at)} ago"
         yield named("Master", (sanitize(text), StyleRole.TEXT))
 
 
+def _run(value: str, role: StyleRole) -> tuple[Run, ...]:
+    return ((sanitize(value), role),) if value else ()
+
+
 def _yes_or_no(value: bool | None) -> str:
-    return "" if value is None else "yes" if value else "no"
+    return "" if value is None else tr("yes") if value else tr("no")
 
 
 def factsheet_rows(robot: Robot) -> Iterator[tuple[Run, ...]]:

@@ -5,6 +5,7 @@ from functools import partial
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import Order, Stop, pose_text, route_text
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.goals import own_ids
 from fleet_tui.rules.commands.local_queue import foreign
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
@@ -30,8 +31,10 @@ def destinations(robot: Robot, order: Order) -> str:
 
 
 def whose_mission(state: FleetState, robot: Robot, order: Order) -> str:
-    """Return the mission, marked if another client gave it, for robots without a queue."""
-    ours = not robot.kind.keeps_goals or order.is_over or order not in foreign(state, robot)
+    """Return the mission, marked if another client gave it, for robots without a queue. An order that says
+    by itself that it is this operator's, from another of his consoles, is his own."""
+    ours = not robot.kind.keeps_goals or order.is_over or order.id in own_ids(robot.goals)
+    ours = ours or order not in foreign(state, robot)
     return mission(robot, order) + ("" if ours else tr(FOREIGN))
 
 

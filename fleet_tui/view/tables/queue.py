@@ -1,10 +1,11 @@
 """The queue pane: a robot's orders, the current one first, each with its Cancel."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from fleet_tui.model import kind
 from fleet_tui.model.commands import CancelOrder, ClearOrders, CommandRecord, PlaceOrder, Stage
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import Phase
 from fleet_tui.model.order import Order, OrderState, natural, vertices_of
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.local_queue import all_orders
@@ -26,6 +27,7 @@ SHORT = {OrderState.IN_PROCESS: "now"}
 LEAST_TITLE = 16
 """Cells that the title must keep beside its button."""
 
+Clock = Callable[[float], str]
 Listed = tuple[Robot, int, Order]
 
 
@@ -110,7 +112,13 @@ def _row(
 
 
 def _title(
-    robot: Robot, state: FleetState, count: int, placed: int, all_robots: bool, width: int
+    robot: Robot,
+    state: FleetState,
+    count: int,
+    placed: int,
+    all_robots: bool,
+    width: int,
+    clock: Clock | None,
 ) -> list[Run]:
     ours = not all_robots and robot.kind.keeps_goals
     runs: list[Run] = [(tr("Queue all robots") if all_robots else tr(f"Queue {robot.name}"), StyleRole.TITLE)]
@@ -127,9 +135,26 @@ def _title(
         texts = (tr(" cargo on board"), tr(" cargo"), f" {CARGO}")
         left = width - width_of(runs) - len(tr(CLEAR)) - 2
         runs.append((next((text for text in texts if len(text) <= left), texts[-1]), StyleRole.TEXT))
-    if not all_robots and robot.queue is not None and state.is_old(robot, "queue"):
-        runs.append((tr(f" {age(state.now - robot.queue.at)} old"), StyleRole.WARN))
+    if not all_robots:
+        runs += _ages(state, robot, clock)
     return runs
+
+
+def _ages(state: FleetState, robot: Robot, clock: Clock | None) -> Iterator[Run]:
+    """Yield the age of an old queue, and since when it is known."""
+    if robot.queue is not None and state.is_old(robot, "queue"):
+        yield tr(f" {age(state.now - robot.queue.at)} old"), StyleRole.WARN
+    wall = known_since(state, robot)
+    if wall is not None and clock is not None:
+        yield tr(f" since {clock(wall)}"), StyleRole.DIM
+
+
+def known_since(state: FleetState, robot: Robot) -> float | None:
+    """Return the Unix time since which a robot's orders are known, if a late console is not told all."""
+    link = state.links[robot.link]
+    if not robot.kind.is_told_changes or link.phase is not Phase.UP:
+        return None
+    return state.wall - (state.now - link.since)
 
 
 def _rows(
@@ -171,23 +196,24 @@ def queue_table(
     width: int,
     arrangement: RowArrangement | None = None,
     may: bool = True,
+    clock: Clock | None = None,
 ) -> Table:
     """Return the orders in a pane of `width` cells, as arranged; `may`: their user has the right to change
-    them."""
+    them; `clock` writes Unix times."""
     arrangement = arrangement or RowArrangement()
     known = listed(state, selected, all_robots)
     entries = arrangement.arranged(known, _values(state))
     under_way = _under_way(state, selected, all_robots)
     robot = state.robots[selected]
     rows = _rows(state, entries, under_way, width, all_robots, may)
-    title = _title(robot, state, len(known), _awaited(state, under_way), all_robots, width)
+    title = _title(robot, state, len(known), _awaited(state, under_way), all_robots, width, clock)
     title[1:1] = arrangement.notes(len(entries))
     listing = any(one.kind.lists_orders for one in state.robots.values())
     buttons: tuple[Button, ...] = ()
     if may and not all_robots and rows and robot.kind.can(kind.CLEAR):
         start = width - len(tr(CLEAR)) - 2  # its end above that of [Cancel]
-        if width_of(title) >= start:
-            title = [run for run in title if run[1] is not StyleRole.DIM]  # the number of orders goes first
+        while width_of(title) >= start and (dim := [run for run in title if run[1] is StyleRole.DIM]):
+            title.remove(dim[0])  # the number of orders goes first
         if start > LEAST_TITLE:
             title = [*cut(title, start - 1), (" " + tr(CLEAR), StyleRole.KEY)]
             buttons = (Button(start, start + len(tr(CLEAR)), "clear"),)

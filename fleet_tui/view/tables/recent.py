@@ -34,10 +34,13 @@ def recent_table(state: FleetState, clock: Callable[[float], str], lines: int, w
     has no seconds in a pane of few cells."""
     found = [*_alarms(state), *_links(state), *_commands(state), *_orders(state, width < WHOLE)]
     newest = nlargest(lines, found or _connected(state), key=lambda event: event[0])
-    sources = column((source for _, source, _ in newest), 7, 14) + 1
+    sources = column((source for _, source, _ in newest), 7, 15)
     shown = None if width >= WHOLE else HOURS_MINUTES
     rows = tuple(
-        Row(None, ((f"{clock(at)[:shown]} ", StyleRole.DIM), (fit(source, sources), StyleRole.DIM), *runs()))
+        Row(
+            None,
+            ((f"{clock(at)[:shown]} ", StyleRole.DIM), (fit(source, sources) + " ", StyleRole.DIM), *runs()),
+        )
         for at, source, runs in newest
     )
     return Table(((tr("Recent"), StyleRole.TITLE),), rows, tr("nothing yet"))

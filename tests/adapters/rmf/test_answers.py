@@ -59,5 +59,5 @@ def test_a_task_that_no_fleet_took_is_named_with_the_reasons() -> None:
     }
     assert read(adapter(), "dispatches", states) == [
         DispatchFailed("b", 5.0, "no fleet took the task: Not Feasible: no bid"),
-        DispatchFailed("d", 5.0, "cancelled before a robot had it"),
+        DispatchFailed("d", 5.0, "cancelled before a robot had it", True),
     ]

@@ -45,6 +45,8 @@ def test_an_order_is_taken_when_the_vehicle_names_it() -> None:
         ("OTHER_ORDER_ACTIVE", {"orderId": "mine"}),
         ("noRouteError", {"orderId": "mine"}),
         ("validationError", {"headerId": "7"}),
+        ("validationError", {"topic": "order", "headerId": "7"}),
+        ("mapError", {"orderId": "mine", "orderUpdateId": "0"}),
     ],
 )
 def test_a_rejection_is_known_by_its_reference(type_: str, ids: dict[str, str]) -> None:
@@ -60,11 +62,25 @@ def test_a_rejection_is_known_by_its_reference(type_: str, ids: dict[str, str]) 
         ("orderError", {"orderId": "other"}),  # of an earlier order: it may stay for long
         ("orderError", {"orderId": "other", "headerId": "7"}),
         ("orderError", {}),
-        ("motorError", {"orderId": "mine"}),  # on its way, not instead of it
+        ("validationError", {"topic": "instantActions", "headerId": "7"}),
+        ("orderError", {"headerId": "mine"}),
     ],
 )
 def test_other_errors_are_no_rejection(type_: str, ids: dict[str, str]) -> None:
     assert said(ORDER, errors=[error(type_=type_, **ids)]) is None
+
+
+def test_an_error_of_an_order_on_its_way_is_no_rejection() -> None:
+    failed = error(type_="orderError", orderId="mine")
+    assert said(ORDER, orderId="mine", errors=[failed]) == (Stage.ACCEPTED, "")
+
+
+@pytest.mark.parametrize("command", [PAUSE, RESUME, CLEAR])
+def test_instant_actions_that_a_vehicle_can_not_read_are_rejected(command: Command) -> None:
+    bad = error(type_="validationError", text="no actions", topic="instantActions", headerId="7")
+    assert said(command, paused=None, errors=[bad]) == (Stage.REFUSED, "validationError: no actions")
+    other = error(type_="validationError", topic="order", headerId="7")
+    assert said(command, paused=None, errors=[other]) is None
 
 
 @pytest.mark.parametrize(("command", "wanted"), [(PAUSE, True), (RESUME, False)])

@@ -27,7 +27,11 @@ def test_a_vehicle_may_be_known_by_its_serial_number_alone() -> None:
 
 def test_a_kept_state_is_not_fresh_and_not_shown() -> None:
     site = VehicleSite()
-    assert site.read("state", state(), kept=True) == ()
+    for name in ("state", "order"):
+        (told,) = site.read(name, state(), kept=True)
+        assert isinstance(told, events.MessageRejected)
+        assert told.text.startswith(f"{name}: retained by the broker, of unknown age: not shown")
+    assert site.agv.vehicle is None and site.agv.pose is None and site.agv.last_received is None
     (found,) = site.read("connection", message(connectionState="ONLINE"), kept=True)
     assert isinstance(found, ConnectionReported) and found.is_kept
 

@@ -32,7 +32,7 @@ def test_a_state_of_2_0() -> None:
     )
     assert vehicle.takes_orders and vehicle.e_stop == "" and vehicle.field_violation is False
     assert vehicle.last_node == "n0" and vehicle.load == "" and vehicle.paused is False
-    assert vehicle.errors == (VehicleError("motorError", "FATAL", "hot", "cool it", ("o1",)),)
+    assert vehicle.errors == (VehicleError("motorError", "FATAL", "hot", "cool it", (("orderId", "o1"),)),)
 
 
 def test_a_state_of_3_0_is_read_by_its_own_names() -> None:
@@ -64,6 +64,7 @@ def test_clearance_is_missing_at_the_end_of_the_released_nodes() -> None:
     going = read(state(orderId="o", nodeStates=[*ahead, node("n1", 2)]))
     assert not going.waits and going.nodes_left == ("n1",) and is_running(going)
     assert read(state(orderId="o", nodeStates=[node("n1", 2)], newBaseRequest=True)).waits
+    assert not read(state(orderId="o", newBaseRequest=True)).waits  # its end: there is nothing to wait for
 
 
 def test_an_order_runs_while_nodes_or_actions_are_left() -> None:
@@ -96,7 +97,7 @@ def test_nodes_with_places_are_a_graph() -> None:
 
 def test_numbers_of_messages_are_told_from_ids() -> None:
     found = read(state(errors=[error(headerId="7", orderId="o")])).errors[0]
-    assert found.references == ("headerId 7", "o")
+    assert found.references == (("headerId", "7"), ("orderId", "o"))
 
 
 def test_a_position_without_a_place_is_none() -> None:

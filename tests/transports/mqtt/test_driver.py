@@ -3,12 +3,15 @@
 import asyncio
 from pathlib import Path
 
+import pytest
 from msgspec.structs import replace
 
 from fleet_tui.config.schema import Link
+from fleet_tui.transports.mqtt import driver, session
 from tests.support.broker_events import connecting
 from tests.support.certificates import sign
 from tests.support.mosquitto import ANYONE, free_port, mosquitto, needs_mosquitto
+from tests.support.mqtt_peer import Peer
 from tests.support.polling import until
 
 pytestmark = needs_mosquitto
@@ -56,3 +59,22 @@ async def test_a_server_that_is_no_broker_is_named(tmp_path: Path) -> None:
     async with connecting(Link(f"mqtt://127.0.0.1:{free_port()}"), wait=False) as events:
         await until(lambda: events.lost)
         assert events.lost[0][0] == "connection refused"
+
+
+async def test_messages_are_gathered_but_an_answer_to_us_is_read_at_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(driver, "GATHER", 60.0)
+    monkeypatch.setattr(session, "BEAT_EVERY", 60.0)
+    with mosquitto(tmp_path) as broker:
+        peer = Peer(broker.port, "in/#")
+        async with connecting(Link(broker.url)) as events:
+            await until(lambda: events.answers)
+            await events.subscribe("in/+")
+            for n in range(3):
+                peer.publish(f"in/{n}", b"")
+                await until(lambda n=n: peer.told_on(f"in/{n}"))  # type: ignore[misc]  # a lambda's default
+            assert not events.messages
+            await events.call(lambda: events.connection.publish("out", b""))
+            await until(lambda: len(events.messages) == 3)
+        peer.close()

@@ -16,7 +16,7 @@ def test_what_is_reported_is_shown_and_no_more() -> None:
     assert texts(site) == []
     site.read("connection", message(connectionState="ONLINE"))
     assert texts(site) == ["Broker connected, VDA 5050 2.0.0"]
-    site.read("state", state(loads=[{"loadType": "EPAL"}]))
+    site.read("state", state(loads=[{"loadType": "EPAL"}], velocity={"vx": -0.3, "vy": 0.4}))
     site.read("order", message(orderId="o", nodes=[], edges=[]))
     site.read("factsheet", message(physicalParameters={"speedMax": 1.5}))
     assert texts(site) == [
@@ -25,6 +25,7 @@ def test_what_is_reported_is_shown_and_no_more() -> None:
         "Node n0",
         "Load EPAL",
         "Charging no",
+        "Speed 0.50 m/s",
         "Master order o, 0 s ago",
         "speedMax 1.5",
     ]

@@ -59,6 +59,10 @@ class CellOccupancy:
             return False
         return not (self._taken | self._texts) >> self._bit(x, y) & (1 << cells) - 1
 
+    def has_room(self, x: int, y: int, cells: int) -> bool:
+        """Tell whether they are all in the view and none is taken, whatever is to be spared."""
+        return 0 <= y < self._height and x >= 0 and x + cells <= self.width and not self.is_taken(x, y, cells)
+
     def is_taken(self, x: int, y: int, cells: int) -> bool:
         """Tell whether one of these cells, all in the view, is occupied."""
         return bool(self._taken >> self._bit(x, y) & (1 << cells) - 1)

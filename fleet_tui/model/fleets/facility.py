@@ -1,0 +1,25 @@
+"""Lifts, doors, dispensers and ingestors of a site, and the lanes of its fleets: read-only."""
+
+from msgspec import Struct
+
+LIFT, DOOR, DISPENSER, INGESTOR, LANES = "lift", "door", "dispenser", "ingestor", "lanes"
+
+
+class Facility(Struct, frozen=True):
+    """A facility as last reported at the monotonic second `at`. `sort` is one of the words above, `link` that
+    of its site; `state` describes it in words, `fault` is the reason that robots can't use it, empty for
+    none; `user` is the robot that has it, `closed` are the numbers of the closed lanes of fleet `name`."""
+
+    sort: str
+    name: str
+    at: float
+    state: str = ""
+    fault: str = ""
+    user: str = ""
+    closed: tuple[str, ...] = ()
+    link: str = ""
+
+    @property
+    def key(self) -> str:
+        """Return its key among all facilities: names are unique for a link and a sort only."""
+        return f"{self.link} {self.sort} {self.name}"
