@@ -117,30 +117,22 @@ class BrokerSession:
         if self._beating is not None:
             self._beating.cancel()
         self._driver.close()
-        self._end(reasons.LOST)
+        _settle(self._ended, reasons.LOST)
 
     def _is_awaited(self) -> bool:
         """Tell whether the broker owes us an answer, whose time is measured."""
         return bool(self._beats or self._asked) or not self._opened.done()
 
-    def _open(self, reason: str) -> None:
-        if not self._opened.done():
-            self._opened.set_result(reason)
-
-    def _end(self, reason: str) -> None:
-        if not self._ended.done():
-            self._ended.set_result(reason)
-
     def _fail(self) -> None:
         """End a connection whose server sends what is not MQTT."""
-        self._open(reasons.NO_ANSWER)
-        self._end(reasons.LOST)
+        _settle(self._opened, reasons.NO_ANSWER)
+        _settle(self._ended, reasons.LOST)
 
     async def _beat(self) -> None:
         """Ask the broker for a sign of life, again and again."""
         while not self._ended.done():
             if self.silence > BEAT_TIMEOUT:
-                self._end(reasons.STOPPED)
+                _settle(self._ended, reasons.STOPPED)
                 return
             code, number = self._client.unsubscribe(NOWHERE)
             if not code and number is not None:
@@ -151,13 +143,13 @@ class BrokerSession:
     def _on_connect(
         self, _client: mqtt.Client, _data: Any, _flags: mqtt.ConnectFlags, code: ReasonCode, _more: Any
     ) -> None:
-        self._open(reasons.rejected(code.value, self._link) if code.value else "")
+        _settle(self._opened, reasons.rejected(code.value, self._link) if code.value else "")
 
     def _on_disconnect(
         self, _client: mqtt.Client, _data: Any, _flags: mqtt.DisconnectFlags, _code: ReasonCode, _more: Any
     ) -> None:
-        self._open(reasons.dropped(self._link))
-        self._end(reasons.LOST)
+        _settle(self._opened, reasons.dropped(self._link))
+        _settle(self._ended, reasons.LOST)
 
     def _on_message(self, _client: mqtt.Client, _data: Any, message: mqtt.MQTTMessage) -> None:
         try:
@@ -198,3 +190,9 @@ class BrokerSession:
         sent_at = self._beats.pop(number, None)
         if sent_at is not None:
             self._listener.on_answer(time.monotonic() - sent_at)
+
+
+def _settle(phase: "asyncio.Future[str]", reason: str) -> None:
+    """End a phase, once."""
+    if not phase.done():
+        phase.set_result(reason)
