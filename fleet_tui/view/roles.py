@@ -61,3 +61,6 @@ class StyleRole(IntEnum):
 
 WALLS = (StyleRole.WALL, StyleRole.WALL_BEYOND, StyleRole.WALL_SOLID)
 """All roles of walls with nothing over them."""
+
+LABELS = (StyleRole.LABEL, StyleRole.LABEL_BEYOND, StyleRole.TARGET, StyleRole.TARGET_BEYOND)
+"""Roles of labels, and of the order's ends."""

@@ -14,7 +14,7 @@ from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.places import Points, Same, pixels
 from fleet_tui.view.map.raster import BRAILLE, pack, thicken
 from fleet_tui.view.map.scene import Scene
-from fleet_tui.view.roles import WALLS, StyleRole
+from fleet_tui.view.roles import LABELS, WALLS, StyleRole
 
 Mask = NDArray[np.bool_]
 """The dots of a view, (rows, columns)."""
@@ -114,10 +114,10 @@ def draw_blocked(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -
 
 
 def _mark(cells: Cells, scene: Scene, camera: Camera, edges: tuple[Line, ...], sign: str) -> None:
-    """Draw a sign in the middle of each edge."""
+    """Draw a sign in the middle of each edge, in no label."""
     for x0, y0, x1, y1 in edges:
         x, y = camera.to_cell(*scene.frame.to_pixel((x0 + x1) / 2, (y0 + y1) / 2))
-        if camera.shows(x, y):
+        if camera.shows(x, y) and cells.roles[y, x] not in LABELS:
             cells.write(x, y, sign, StyleRole.ALARM)
 
 

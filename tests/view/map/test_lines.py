@@ -242,3 +242,9 @@ def test_a_blocked_edge_is_a_line_with_a_sign_over_the_way_and_through_no_wall(d
     elsewhere = np.isin(walls, WALLS)
     elsewhere[y, x] = False
     assert (cells.roles[elsewhere] != StyleRole.ALARM).all()
+
+
+def test_the_sign_of_a_closed_or_blocked_edge_is_in_no_label() -> None:
+    vertex = SceneVertex("1", 9.6, 5.0, label="Elevator")
+    for scene in (replace(SCENE, blocked=ACROSS), replace(SCENE, closed=ACROSS)):
+        assert "Elevator" in drawn(replace(scene, vertices=(vertex,))).text()

@@ -92,7 +92,8 @@ class CellOccupancy:
         on_floor = [side for side in sides if not self._is_beyond(_start(x, arrow, cells, side), y, cells)]
         best = [side for side in on_floor if side in spared] or (on_floor if not spares else spared)
         best = best or spared or sides
-        side = before if before in best else best[0]
+        stays = before in best and not self._touches(_start(x, arrow, cells, before), y, cells, before)
+        side = before if stays else best[0]
         self._take_number(_start(x, arrow, cells, side), y, cells)
         return side
 
