@@ -37,6 +37,7 @@ class Navigation:
     ) -> None:
         self._store, self._selected, self._camera, self._refresh = store, selected, camera, refresh
         self.selection = first_selection(store.state)
+        store.attention = Attention(self.robot, self.floor)
 
     @property
     def robot(self) -> str:

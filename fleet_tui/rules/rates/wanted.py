@@ -57,8 +57,9 @@ def is_in_view(robot: Robot, attention: Attention) -> bool:
 def intervals(
     state: FleetState, robots: Iterable[str], attention: Attention, rates: Rates
 ) -> Mapping[str, Intervals]:
-    """Return the intervals that the messages of these robots should have."""
-    if not is_large(state, rates):
+    """Return the intervals that the messages of these robots should have: without an operator, as in a
+    recording or for metrics, everything counts."""
+    if not is_large(state, rates) or not attention.robot:
         return dict.fromkeys(robots, FULL)
     watched, shown = frozenset(watched_robots(state, attention)), rates.pose_ms
     if attention.view is not None:

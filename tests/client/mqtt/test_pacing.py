@@ -26,6 +26,7 @@ async def test_positions_are_subscribed_while_their_vehicle_is_looked_at(
         vehicle = SpokenFor(broker)
         text = config_text(broker.url, "watch", robots=f"{ONE}\n{OTHER}\n[rates]\nfull_up_to = 1")
         async with linked(from_text(text)) as (link, store):
+            store.attention = Attention("agv_2")
             topics = link.counters["broker"].topics
             states, positions = (topics[f"+/+/KIT/0001/{name}"] for name in ("state", "visualization"))
 

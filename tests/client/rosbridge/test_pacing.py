@@ -44,6 +44,7 @@ def asked(server: RosbridgeServer, topic: str) -> list[int]:
 
 async def test_who_is_selected_comes_fully_and_the_others_seldom(server: RosbridgeServer) -> None:
     async with linked(large(server)) as (_, store):
+        store.attention = Attention("robot_0")
         await store.until(ready)
         assert asked(server, "/robot_1/pose") == [RATES.pose_ms]
         assert asked(server, "/robot_1/battery") == [RATES.status_ms]
@@ -62,6 +63,7 @@ async def test_who_is_selected_comes_fully_and_the_others_seldom(server: Rosbrid
 
 async def test_who_is_in_view_comes_as_often_as_the_zoom_can_show(server: RosbridgeServer) -> None:
     async with linked(large(server)) as (_, store):
+        store.attention = Attention("robot_0")
         await store.until(ready)
         store.attention = Attention("robot_0", "floor_0", SeenArea(-1e3, -1e3, 1e3, 1e3, 0.4))
         await store.until(lambda _: all(len(asked(server, f"/robot_{n}/pose")) == 2 for n in range(ROBOTS)))
@@ -71,6 +73,7 @@ async def test_who_is_in_view_comes_as_often_as_the_zoom_can_show(server: Rosbri
 
 async def test_a_command_is_confirmed_at_the_full_rate(server: RosbridgeServer) -> None:
     async with linked(large(server)) as (link, store):
+        store.attention = Attention("robot_0")
         await store.until(ready)
         record = await finished(link, store, PauseRobot("robot_4"))
     assert record.stage is Stage.CONFIRMED
@@ -91,6 +94,7 @@ async def test_no_rate_is_so_slow_that_a_robot_looks_offline(server: RosbridgeSe
     # A pose that may be old for long is a sign of life all the same.
     config = replace(config, profile=replace(config.profile, silence={"pose": 60.0}))
     async with linked(config) as (_, store):
+        store.attention = Attention("robot_0")
         await store.until(ready)
         assert asked(server, "/robot_2/pose") == [int(2000 * SHARE)]
 

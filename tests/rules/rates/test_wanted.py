@@ -53,8 +53,12 @@ def test_who_is_out_of_view_comes_seldom() -> None:
 
 
 def test_a_small_fleet_has_its_full_rate() -> None:
-    assert set(rates(placed(robots=3), Attention()).values()) == {FULL}
-    assert set(rates(placed(robots=4), Attention()).values()) == {SELDOM}
+    assert set(rates(placed(robots=3), Attention(R0)).values()) == {FULL}
+    assert set(rates(placed(robots=4), Attention(R0)).values()) == {FULL, SELDOM}
+
+
+def test_without_an_operator_everything_counts() -> None:
+    assert set(rates(placed(), Attention()).values()) == {FULL}, "as for a recording, or metrics"
 
 
 def test_a_command_under_way_makes_its_robot_come_fully() -> None:
