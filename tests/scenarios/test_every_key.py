@@ -39,6 +39,7 @@ EVERYWHERE = {
     "acknowledge": "alarms",
     "acknowledge_all": "alarms",
     "bundle": "notice",
+    "facilities": "notice",
     **dict.fromkeys(("edit", "drive", "pose", "goal", "mapping", "laser", "path", "camera"), "answer"),
     "filter_rows": "overlay",
     "sort_rows": "sorted",
