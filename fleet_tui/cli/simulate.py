@@ -16,12 +16,13 @@ from fleet_tui.cli.options import NearestGroup, NumberRange, appearance, merged,
 from fleet_tui.errors import did_you_mean
 from fleet_tui.simulator.faults import parse_faults_of
 from fleet_tui.simulator.kinds import KINDS
-from fleet_tui.simulator.site import MIXED, faults_of, mixed_kinds, needs_graph_files, site_of
+from fleet_tui.simulator.site import MIXED, faults_of, needs_graph_files, site_of
 
 F = TypeVar("F", bound=Callable[..., Any])
 
 WORDS = (*KINDS, ON_BROKER, MIXED)
 LAST_PORT, MQTT_PORT = 65535, 1883
+IN_MIXED = 2 * len(KINDS)
 
 
 def _simulation(command: F) -> F:
@@ -78,10 +79,11 @@ def _kind(command: F) -> F:
         *("--kind", "kind"),
         default=USUAL,
         callback=_known_kind,
+        is_eager=True,  # the usual number of robots depends on it
         metavar="|".join(WORDS),
         shell_complete=one_of(WORDS),
         show_default=True,
-        help=f"Simulate robots of this kind; {MIXED}: those behind bridges in turn, on two of them, and two"
+        help=f"Simulate robots of this kind; {MIXED}: those behind bridges in turn, on several, and two"
         f" of {ON_BROKER} on a broker.",
     )(command)
 
@@ -92,7 +94,23 @@ def _count(option: str, most: int, usual: int, help_: str) -> Callable[[F], F]:
     return click.option(option, type=numbers, metavar="N", default=usual, show_default=True, help=help_)
 
 
-_robots = _count("--robots", 500, SimulatedFleet().robots, "Number of robots.")
+def _robots(command: F) -> F:
+    """Add `--robots`."""
+    return click.option(
+        "--robots",
+        type=click.IntRange(1, 500),
+        metavar="N",
+        callback=_usual_robots,
+        show_default=f"{SimulatedFleet().robots}, {MIXED}: {IN_MIXED}",
+        help="Number of robots.",
+    )(command)
+
+
+def _usual_robots(context: click.Context, _option: click.Parameter, robots: int | None) -> int:
+    """Return the number of robots: two of each kind in a mixed fleet, unless told otherwise."""
+    return robots or (IN_MIXED if context.params["kind"] == MIXED else SimulatedFleet().robots)
+
+
 _floors = _count("--floors", 20, SimulatedFleet().floors, "Number of floors.")
 
 
@@ -102,12 +120,12 @@ def _check(kind: str, robots: int, ros: str | None, port: int = 0) -> None:
         if ros:
             raise click.UsageError(f"kind {kind} has no ROS: leave out --ros")
     elif kind == MIXED:
-        if robots < (least := len(mixed_kinds())):
+        if robots < (least := len(KINDS)):
             raise click.UsageError(f"all {least} kinds need at least --robots {least}")
         if ros:
             raise click.UsageError("--ros needs a single kind: a mixed fleet runs on ROS 1 and 2")
-        if port == LAST_PORT:
-            raise click.UsageError(f"a {MIXED} fleet needs two ports: --port {LAST_PORT} is the maximum")
+        if port > (last := LAST_PORT + 1 - (ports := len(site_of(MIXED, robots)))):
+            raise click.UsageError(f"a {MIXED} fleet needs {ports} ports: --port {last} is the maximum")
     elif ros and ros not in KINDS[kind].ros:
         raise click.UsageError(f"kind {kind} runs on ROS {' and '.join(KINDS[kind].ros)} only")
 
@@ -151,7 +169,7 @@ def demo(
     metavar="PORT",
     default=9090,
     show_default=True,
-    help=f"Listen on this port; 0 picks a free one. A {MIXED} fleet also takes the next port; a broker is on"
+    help=f"Listen on this port; 0 picks a free one. A {MIXED} fleet also takes the next ports; a broker is on"
     f" {MQTT_PORT} by default.",
 )
 @click.option(

@@ -140,13 +140,22 @@ def _title(
     return runs
 
 
+def _named(title: list[Run], cells: int) -> list[Run]:
+    """Return a title with the name shortened so far that the rest is in these cells."""
+    (name, role), *rest = title
+    least = max(LEAST_TITLE, cells - width_of(rest))
+    return (
+        title if width_of(title) <= cells or cell_width(name) <= least else [(fit(name, least), role), *rest]
+    )
+
+
 def _ages(state: FleetState, robot: Robot, clock: Clock | None) -> Iterator[Run]:
     """Yield the age of an old queue, and since when it is known."""
     if robot.queue is not None and state.is_old(robot, "queue"):
         yield tr(f" {age(state.now - robot.queue.at)} old"), StyleRole.WARN
     wall = known_since(state, robot)
     if wall is not None and clock is not None:
-        yield tr(f" since {clock(wall)}"), StyleRole.DIM
+        yield tr(f" since {clock(wall)}"), StyleRole.TEXT
 
 
 def known_since(state: FleetState, robot: Robot) -> float | None:
@@ -215,8 +224,10 @@ def queue_table(
         while width_of(title) >= start and (dim := [run for run in title if run[1] is StyleRole.DIM]):
             title.remove(dim[0])  # the number of orders goes first
         if start > LEAST_TITLE:
-            title = [*cut(title, start - 1), (" " + tr(CLEAR), StyleRole.KEY)]
+            title = [*cut(_named(title, start - 1), start - 1), (" " + tr(CLEAR), StyleRole.KEY)]
             buttons = (Button(start, start + len(tr(CLEAR)), "clear"),)
+    else:
+        title = _named(title, width)
     empty = tr("no orders") if all_robots and listing else _empty(robot, may)
     return Table(tuple(title), rows, arrangement.no_match if known else empty, buttons, unfiltered=len(known))
 
