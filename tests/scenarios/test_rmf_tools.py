@@ -50,6 +50,8 @@ async def test_doctor_finds_nothing_wrong_with_a_hospital_that_works() -> None:
         code, checks = await findings(site)
     assert (code, {text.split()[0] for text in checks.values()}) == (0, {"ok"})
     assert "old, on floor_0" in checks[f"{SECOND} location"]
+    assert "all vertices reachable" in checks["floor_0 graph"] and "all valid" in checks["floor_0 labels"]
+    assert "all on free ground" in checks["floor_0 vertices"]
 
 
 async def test_doctor_names_a_lost_robot_and_the_missing_packages() -> None:
