@@ -41,7 +41,12 @@ def test_robots_with_equal_reports_share_one() -> None:
 
 
 def test_one_topic_reports_the_floors_of_all_robots() -> None:
-    told = [graph(1, 2), labels({1: "Base"}), graph(3, robot="robot_1"), replace(graph(7), floor="floor_1")]
+    told: list[Event] = [
+        graph(1, 2),
+        labels({1: "Base"}),
+        graph(3, robot="robot_1"),
+        replace(graph(7), floor="floor_1"),
+    ]
     shared = Feed("graphs", (R0, "robot_1"), "", "/nav_graphs", "", is_shared=True)
     topics = [TopicFacts(shared, event=told[-1], events={key_of(one): one for one in told})]
     (first, one), (second, other) = surveys_of(F0, topics)
