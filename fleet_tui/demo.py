@@ -75,7 +75,7 @@ def demo_config(
     """Return theme and keys of the user's config; links, floors and robots of the simulator. The route graphs
     of kinds that publish none are written to the folder. `further`: the URLs of all bridges but the first."""
     site = site_of(kind, robots, ros)
-    links = dict(zip([DEFAULT_LINK, *(f"ros{bridge.ros}" for bridge in site[1:])], site, strict=True))
+    links = dict(zip([DEFAULT_LINK, *(bridge.name for bridge in site[1:])], site, strict=True))
     names = [f"floor_{n}" for n in range(floors)]
     graphs = graphs_of(kind, folder, names)
     profiles = {one.kind: _profile(one.kind, floors, bridge.ros) for bridge in site for one in bridge.crews}

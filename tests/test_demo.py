@@ -14,31 +14,31 @@ from fleet_tui.config.fleet import adapters_of
 from fleet_tui.config.programs import ProgramEntry
 from fleet_tui.config.schema import Config, Link
 from fleet_tui.demo import SIZE, demo_config, simulated, with_vehicles
+from fleet_tui.simulator.kinds import KINDS
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.simulator.site import MIXED, mixed_kinds
+from fleet_tui.simulator.site import MIXED
 from tests.support.adapters import names_of
 from tests.support.mosquitto import needs_mosquitto
 
-URLS = "ws://one:1", "ws://two:2"
+URLS = "ws://one:1", "ws://two:2", "ws://three:3"
 
 
 def test_the_demos_configuration_names_links_and_profiles(tmp_path: Path) -> None:
-    config = demo_config(Config(), URLS[0], 4, 2, kind=MIXED, folder=tmp_path, further=URLS[1:])
+    config = demo_config(Config(), URLS[0], 5, 2, kind=MIXED, folder=tmp_path, further=URLS[1:])
     assert (config.rosbridge.url, {name: link.url for name, link in config.links.items()}) == (
         URLS[0],
-        {"ros2": URLS[1]},
+        {"ros2": URLS[1], "rmf": URLS[2]},
     )
     assert config.robots == [
         RobotEntry("robot_0", profile="oh_ressources", size=SIZE),
         RobotEntry("robot_1", profile="move_base", size=SIZE),
         RobotEntry("robot_2", link="ros2", profile="nav2", size=SIZE),
-        RobotEntry("robot_3", profile="oh_ressources", size=SIZE),
+        RobotEntry("tiny/robot_3", link="rmf", profile="rmf", size=SIZE),
+        RobotEntry("robot_4", profile="oh_ressources", size=SIZE),
     ]
-    assert {name: profile.kind for name, profile in config.profiles.items()} == {
-        kind: kind for kind in mixed_kinds()
-    }
+    assert {name: profile.kind for name, profile in config.profiles.items()} == {kind: kind for kind in KINDS}
     assert config.profiles["nav2"].topics == {
         "mode": "/{robot}/mode",
         "floor": "/{robot}/floor",
@@ -50,14 +50,14 @@ def test_the_demos_configuration_names_links_and_profiles(tmp_path: Path) -> Non
 
 @needs_mosquitto
 def test_a_mixed_demo_has_vehicles_on_a_broker_commanded_by_this_console(tmp_path: Path) -> None:
-    with simulated(3, 1, kind=MIXED) as urls:
-        assert [url.split(":")[0] for url in urls] == ["ws", "ws", "mqtt"]
-        mixed = demo_config(Config(), urls[0], 3, 1, kind=MIXED, folder=tmp_path, further=urls[1:2])
-        config = with_vehicles(mixed, urls[2])
-    assert config.links["broker"] == Link(urls[2], role="master") and "ros2" in config.links
-    assert config.robots[:3] == mixed.robots
+    with simulated(4, 1, kind=MIXED) as urls:
+        assert [url.split(":")[0] for url in urls] == ["ws", "ws", "ws", "mqtt"]
+        mixed = demo_config(Config(), urls[0], 4, 1, kind=MIXED, folder=tmp_path, further=urls[1:3])
+        config = with_vehicles(mixed, urls[3])
+    assert config.links["broker"] == Link(urls[3], role="master") and "ros2" in config.links
+    assert config.robots[:4] == mixed.robots
     adapters = adapters_of(config)
-    assert [(name, adapters[name].kind.name) for name in list(adapters)[3:]] == [
+    assert [(name, adapters[name].kind.name) for name in list(adapters)[4:]] == [
         ("agv_0", "vda5050"),
         ("agv_1", "vda5050"),
     ]

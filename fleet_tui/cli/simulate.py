@@ -10,17 +10,14 @@ import click
 from click.core import ParameterSource
 
 from fleet_tui.arriving import SimulatedFleet, open_demo
-from fleet_tui.cli.fault_option import ALL_FAULTS, ON_BROKER, USUAL, fault_option
-from fleet_tui.cli.offers import one_of
 from fleet_tui.cli.options import NearestGroup, NumberRange, appearance, merged, screen, without_config
-from fleet_tui.errors import did_you_mean
+from fleet_tui.cli.simulator_options import ALL_FAULTS, ON_BROKER, fault_option, kind_option, robots_option
 from fleet_tui.simulator.faults import parse_faults_of
 from fleet_tui.simulator.kinds import KINDS
-from fleet_tui.simulator.site import MIXED, faults_of, mixed_kinds, needs_graph_files, site_of
+from fleet_tui.simulator.site import MIXED, faults_of, needs_graph_files, site_of
 
 F = TypeVar("F", bound=Callable[..., Any])
 
-WORDS = (*KINDS, ON_BROKER, MIXED)
 LAST_PORT, MQTT_PORT = 65535, 1883
 
 
@@ -48,13 +45,6 @@ def _ros(command: F) -> F:
     )(command)
 
 
-def _known_kind(_context: click.Context, _option: click.Parameter, kind: str) -> str:
-    if kind not in WORDS:
-        near = did_you_mean(kind, WORDS) or f": {', '.join(WORDS)}"
-        raise click.BadParameter(f"unknown kind of robot: {kind}{near}")
-    return kind
-
-
 def _announce(graph_file: Path | None, floors: int, urls: Sequence[str]) -> None:
     """Write the graphs and print the addresses: only now, as a port may have been unavailable."""
     from fleet_tui.simulator.navigating.graph_file import write_graphs
@@ -72,28 +62,14 @@ def simulated() -> None:
     """Group of the commands, which the command line lists as its own."""
 
 
-def _kind(command: F) -> F:
-    """Add `--kind`."""
-    return click.option(
-        *("--kind", "kind"),
-        default=USUAL,
-        callback=_known_kind,
-        metavar="|".join(WORDS),
-        shell_complete=one_of(WORDS),
-        show_default=True,
-        help=f"Simulate robots of this kind; {MIXED}: those behind bridges in turn, on two of them, and two"
-        f" of {ON_BROKER} on a broker.",
-    )(command)
-
-
-def _count(option: str, most: int, usual: int, help_: str) -> Callable[[F], F]:
-    """Return the option for a number of something."""
-    numbers = click.IntRange(1, most)
-    return click.option(option, type=numbers, metavar="N", default=usual, show_default=True, help=help_)
-
-
-_robots = _count("--robots", 500, SimulatedFleet().robots, "Number of robots.")
-_floors = _count("--floors", 20, SimulatedFleet().floors, "Number of floors.")
+_floors: Callable[[F], F] = click.option(
+    "--floors",
+    type=click.IntRange(1, 20),
+    metavar="N",
+    default=SimulatedFleet().floors,
+    show_default=True,
+    help="Number of floors.",
+)
 
 
 def _check(kind: str, robots: int, ros: str | None, port: int = 0) -> None:
@@ -102,19 +78,19 @@ def _check(kind: str, robots: int, ros: str | None, port: int = 0) -> None:
         if ros:
             raise click.UsageError(f"kind {kind} has no ROS: leave out --ros")
     elif kind == MIXED:
-        if robots < (least := len(mixed_kinds())):
+        if robots < (least := len(KINDS)):
             raise click.UsageError(f"all {least} kinds need at least --robots {least}")
         if ros:
             raise click.UsageError("--ros needs a single kind: a mixed fleet runs on ROS 1 and 2")
-        if port == LAST_PORT:
-            raise click.UsageError(f"a {MIXED} fleet needs two ports: --port {LAST_PORT} is the maximum")
+        if port > (last := LAST_PORT + 1 - (ports := len(site_of(MIXED, robots)))):
+            raise click.UsageError(f"a {MIXED} fleet needs {ports} ports: --port {last} is the maximum")
     elif ros and ros not in KINDS[kind].ros:
         raise click.UsageError(f"kind {kind} runs on ROS {' and '.join(KINDS[kind].ros)} only")
 
 
 @simulated.command(epilog="`fleet-tui sim --help` lists the faults.")
-@_kind
-@_robots
+@kind_option
+@robots_option
 @_floors
 @_ros
 @_simulation
@@ -142,8 +118,8 @@ def demo(
 
 
 @simulated.command(epilog=ALL_FAULTS)
-@_kind
-@_robots
+@kind_option
+@robots_option
 @_floors
 @click.option(
     "--port",
@@ -151,7 +127,7 @@ def demo(
     metavar="PORT",
     default=9090,
     show_default=True,
-    help=f"Listen on this port; 0 picks a free one. A {MIXED} fleet also takes the next port; a broker is on"
+    help=f"Listen on this port; 0 picks a free one. A {MIXED} fleet also takes the next ports; a broker is on"
     f" {MQTT_PORT} by default.",
 )
 @click.option(

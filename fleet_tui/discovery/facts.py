@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from fleet_tui.adapters.adapter import Adapter, Feed
-from fleet_tui.model.events import Event
+from fleet_tui.model.events import Event, GraphReceived, LabelsReceived
 
 if TYPE_CHECKING:  # with numpy
     from fleet_tui.model.set_up.streams import StreamValue
@@ -71,7 +71,7 @@ class TopicFacts:
     more, with default options; `fragmented`: bytes of a fragmented message; `held_by`: the bridge's node, if
     it still held the topic after we unsubscribed; `complaint`: the message about it in the bridge's log;
     `picture`: the newest one of a camera. `events` and `lags`: the last of each robot that its messages
-    name; of maps without a robot, of each floor.
+    name, by `key_of`.
     """
 
     wanted: Feed
@@ -105,6 +105,14 @@ class TopicFacts:
         the bridge complains."""
         means = not self.wanted.silent or bool(self.complaint)
         return not self.count and self.waited >= LONG_ENOUGH and means
+
+
+def key_of(event: Event) -> str:
+    """Return the key of an event among those of its topic: its robot; for maps without one the floor, for a
+    graph and labels both."""
+    if isinstance(event, GraphReceived | LabelsReceived):
+        return f"{type(event).__name__} {event.robot} {event.floor}"
+    return getattr(event, "robot", "") or getattr(event, "floor", "")
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,7 +18,7 @@ from fleet_tui.adapters.ros.reading import ROSOUT
 from fleet_tui.client.rosbridge.calls import Calls
 from fleet_tui.client.rosbridge.heartbeat import SERVICE as HEARTBEAT
 from fleet_tui.config.schema import Link
-from fleet_tui.discovery.facts import TopicFacts
+from fleet_tui.discovery.facts import TopicFacts, key_of
 from fleet_tui.errors import LinkError, WireError
 from fleet_tui.maps.levels import read_levels
 from fleet_tui.model.events import Event, GraphReceived, PoseReported
@@ -78,7 +78,7 @@ class TopicListening:
 
     def _keep(self, event: Event, at: float) -> None:
         self.event = event
-        self.events[(getattr(event, "robot", "") or getattr(event, "floor", ""))] = event
+        self.events[key_of(event)] = event
         if isinstance(event, GraphReceived) and event.faults:
             self.faults, self.problem = self.faults + event.faults, event.fault
         if isinstance(event, PoseReported | OdometryReported | MemberReported) and event.stamp is not None:

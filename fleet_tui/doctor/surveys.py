@@ -38,10 +38,12 @@ def surveys_of(floor: str, topics: list[TopicFacts]) -> list[tuple[FloorSurvey, 
     """Return every different report of a floor, with its robots."""
     found = dict[str, FloorSurvey]()
     for facts in topics:
-        if facts.wanted.floor != floor:
-            continue
-        survey = found.get(facts.wanted.robot, FloorSurvey())
-        found[facts.wanted.robot] = _with(survey, facts.event)
+        if facts.wanted.floor == floor:
+            survey = found.get(facts.wanted.robot, FloorSurvey())
+            found[facts.wanted.robot] = _with(survey, facts.event)
+        for event in facts.events.values() if facts.wanted.is_shared else ():  # one message: all floors
+            if isinstance(event, GraphReceived | LabelsReceived) and event.floor == floor:
+                found[event.robot] = _with(found.get(event.robot, FloorSurvey()), event)
     surveys = list[tuple[FloorSurvey, list[str]]]()
     for robot, survey in found.items():
         owners = next((robots for other, robots in surveys if other == survey), None)

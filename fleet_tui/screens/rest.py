@@ -34,7 +34,7 @@ from fleet_tui.keys.key import key_name
 from fleet_tui.screens.audit import AuditLog
 from fleet_tui.screens.camera_switch import CameraSwitch
 from fleet_tui.screens.confirm import Confirm
-from fleet_tui.screens.desk.opening import desk_commands, facility_list, join_desk
+from fleet_tui.screens.desk.opening import desk_and_facilities, join_desk
 from fleet_tui.screens.diagnosing.overlay import Diagnostics
 from fleet_tui.screens.diagnosing.pages import Pages
 from fleet_tui.screens.driving import drive_controls, release_key
@@ -168,7 +168,7 @@ class Rest:
         self.values, self.edge_values = VertexValues(parts, self.editor), EdgeValues(parts, self.editor)
         self.drawing = GraphDrawing(parts, self.editor, self.values, self.edge_values)
         self.drives = drive_controls(self._screen, self, parts)
-        self.desk, self.facilities = desk_commands(self._screen, parts), facility_list(parts)
+        self.desk, self.facilities = desk_and_facilities(self._screen, parts)
         self.release_key = partial(release_key, self.drives, keys)
 
     def _typed_set_up(self, line: str) -> Typed | None:

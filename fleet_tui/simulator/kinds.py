@@ -39,10 +39,10 @@ class SimKind:
     profile: Callable[[int], Mapping[str, Any]]
     graph_files: bool = False
     """Their graph is no topic but a file."""
-    named: Callable[[int], str] = "robot_{}".format
-    """Returns the name of the robot with a number."""
-    mixes: bool = True
-    """They take turns with those of other kinds in a mixed fleet."""
+    named: Callable[[int, int], str] = "robot_{1}".format
+    """Returns the name of the robot with a number, the first argument being its turn in this kind."""
+    is_apart: bool = False
+    """In a mixed fleet they have a bridge of their own: Nav2 has another type of /map."""
 
 
 def _oh_ressources(robots: int, floors: int, seed: int, first: int, step: int) -> "Fleet":
@@ -74,5 +74,5 @@ KINDS: Mapping[str, SimKind] = {
     "oh_ressources": SimKind(_oh_ressources, ("1", "2"), FAULTS, oh_ressources),
     "move_base": SimKind(_move_base, ("1",), MOVE_BASE_FAULTS, navigating, graph_files=True),
     "nav2": SimKind(_nav2, ("2",), NAV2_FAULTS, navigating, graph_files=True),
-    "rmf": SimKind(_rmf, ("2",), RMF_FAULTS, rmf, named=full_name, mixes=False),
+    "rmf": SimKind(_rmf, ("2",), RMF_FAULTS, rmf, named=full_name, is_apart=True),
 }

@@ -20,13 +20,14 @@ class Crew:
     @property
     def names(self) -> list[str]:
         """The names of the robots."""
-        return [KINDS[self.kind].named(number) for number in self.numbers]
+        return [KINDS[self.kind].named(turn, number) for turn, number in enumerate(self.numbers)]
 
 
 @dataclass(frozen=True)
 class SitedBridge:
-    """A bridge of a generation of ROS, and the robots behind it."""
+    """A bridge of a generation of ROS, and the robots behind it. `name`: that of its link."""
 
+    name: str
     ros: str
     crews: tuple[Crew, ...]
 
@@ -38,18 +39,17 @@ def site_of(kind: str, robots: int, ros: str = "", first: int = 0) -> Sequence[S
     robot's name. In a mixed fleet the kinds take turns.
     """
     if kind != MIXED:
-        return [SitedBridge(ros or KINDS[kind].ros[0], (Crew(kind, range(first, first + robots)),))]
-    kinds = mixed_kinds()
-    numbers = {kind: range(first + turn, first + robots, len(kinds)) for turn, kind in enumerate(kinds)}
-    return [
-        SitedBridge(ros, tuple(Crew(kind, numbers[kind]) for kind in kinds if KINDS[kind].ros[0] == ros))
-        for ros in sorted({KINDS[kind].ros[0] for kind in kinds})
-    ]
+        return [_bridge("", ros or KINDS[kind].ros[0], Crew(kind, range(first, first + robots)))]
+    crews = [Crew(kind, range(first + turn, first + robots, len(KINDS))) for turn, kind in enumerate(KINDS)]
+    bridges = dict[tuple[str, str], list[Crew]]()
+    for crew in crews:
+        one = KINDS[crew.kind]
+        bridges.setdefault((one.ros[0], crew.kind if one.is_apart else ""), []).append(crew)
+    return [_bridge(kind, ros, *bridges[ros, kind]) for ros, kind in sorted(bridges)]
 
 
-def mixed_kinds() -> list[str]:
-    """Return the kinds of a mixed fleet."""
-    return [name for name, kind in KINDS.items() if kind.mixes]
+def _bridge(name: str, ros: str, *crews: Crew) -> SitedBridge:
+    return SitedBridge(name or f"ros{ros}", ros, crews)
 
 
 def faults_of(bridges: Iterable[SitedBridge]) -> Mapping[str, Faults]:
@@ -61,5 +61,5 @@ def faults_of(bridges: Iterable[SitedBridge]) -> Mapping[str, Faults]:
 
 def needs_graph_files(kind: str) -> bool:
     """Tell whether some of the robots have their graph in a file, not in a topic."""
-    kinds = [KINDS[name] for name in (mixed_kinds() if kind == MIXED else [kind])]
+    kinds = [KINDS[name] for name in (KINDS if kind == MIXED else [kind])]
     return any(one.graph_files for one in kinds)

@@ -28,7 +28,7 @@ def measured(terminal: Terminal) -> tuple[float, float]:
 
 
 def main() -> list[Row]:
-    names = [full_name(n, FLEETS) for n in range(ROBOTS)]
+    names = [full_name(n, n, FLEETS) for n in range(ROBOTS)]
     with (
         serving("tests.bench.three_fleets_sim", str(ROBOTS)) as (url, _),
         console(url, ROBOTS, kind="rmf", names=names) as terminal,

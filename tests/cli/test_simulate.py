@@ -39,9 +39,9 @@ def test_a_port_in_use_is_named(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        (["--kind", "mixed", "--robots", "2"], "all 3 kinds need at least --robots 3"),
+        (["--kind", "mixed", "--robots", "3"], "all 4 kinds need at least --robots 4"),
         (["--kind", "mixed", "--ros", "1"], "--ros needs a single kind"),
-        (["--kind", "mixed", "--port", "65535"], "--port 65535 is the maximum"),
+        (["--kind", "mixed", "--port", "65534"], "--port 65533 is the maximum"),
         (["--kind", "nav2", "--ros", "1"], "kind nav2 runs on ROS 2 only"),
         (["--kind", "nav3"], "did you mean nav2?"),
         (["--graph-file", "x.geojson"], "robots of kind oh_ressources publish their graph"),

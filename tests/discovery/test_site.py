@@ -42,7 +42,7 @@ async def test_it_listens_and_asks_rosapi_and_nothing_else(kind: str) -> None:
         found = await discovered(server.url)
         assert server.bridge.received and only_asked(server)
         assert not server.bridge.services.calls
-    names = [KINDS[kind].named(number) for number in range(3)]
+    names = [KINDS[kind].named(number, number) for number in range(3)]
     assert [robot.name for robot in found.config.robots] == sorted(names)
     assert found.summary == f"3 robots ({kind}), 2 floors"
     assert found.choices == [] and found.lacks == []

@@ -1,9 +1,10 @@
 """Floors as robots report them: equal reports share one, and what lies at a place of the map."""
 
 import numpy as np
+from msgspec.structs import replace
 
 from fleet_tui.adapters.adapter import Feed
-from fleet_tui.discovery.facts import TopicFacts
+from fleet_tui.discovery.facts import TopicFacts, key_of
 from fleet_tui.doctor.surveys import OFF_MAP, FloorSurvey, class_at, live_grid, surveys_of
 from fleet_tui.model.events import Event, FrameReceived, GridReceived
 from fleet_tui.model.geometry import MapFrame, Pose
@@ -37,6 +38,21 @@ def test_robots_with_equal_reports_share_one() -> None:
     assert both == FloorSurvey(graph(1, 2).graph, {"1": "Base"}, FRAME)
     assert (other.graph, other.labels, other.frame) == (graph(1).graph, None, None)
     assert (both.name_of("1"), both.name_of("2"), other.name_of("1")) == ("1 (Base)", "2", "1")
+
+
+def test_one_topic_reports_the_floors_of_all_robots() -> None:
+    told: list[Event] = [
+        graph(1, 2),
+        labels({1: "Base"}),
+        graph(3, robot="robot_1"),
+        replace(graph(7), floor="floor_1"),
+    ]
+    shared = Feed("graphs", (R0, "robot_1"), "", "/nav_graphs", "", is_shared=True)
+    topics = [TopicFacts(shared, event=told[-1], events={key_of(one): one for one in told})]
+    (first, one), (second, other) = surveys_of(F0, topics)
+    assert (one, other) == ([R0], ["robot_1"]) and first == FloorSurvey(graph(1, 2).graph, {"1": "Base"})
+    assert second.graph == graph(3).graph
+    assert [robots for _, robots in surveys_of("floor_1", topics)] == [[R0]]
 
 
 def test_a_live_map_is_the_first_that_came_of_its_floor() -> None:

@@ -18,6 +18,7 @@ from fleet_tui.model.order import OrderState
 from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.play.cursor import RecordingCursor
 from fleet_tui.recording.recorder import Recorder
+from fleet_tui.simulator.rmf.faults import FAULTS
 from tests.support.links import finished
 from tests.support.rmf_site import FIRST, SECOND, Hospital, hospital, rmf_ready, to
 from tests.support.watched_store import WatchedStore
@@ -49,6 +50,8 @@ async def test_doctor_finds_nothing_wrong_with_a_hospital_that_works() -> None:
         code, checks = await findings(site)
     assert (code, {text.split()[0] for text in checks.values()}) == (0, {"ok"})
     assert "old, on floor_0" in checks[f"{SECOND} location"]
+    assert "all vertices reachable" in checks["floor_0 graph"] and "all valid" in checks["floor_0 labels"]
+    assert "all on free ground" in checks["floor_0 vertices"]
 
 
 async def test_doctor_names_a_lost_robot_and_the_missing_packages() -> None:
@@ -71,6 +74,8 @@ async def test_a_recording_plays_tasks_as_they_were(tmp_path: Path) -> None:
             await store.until(rmf_ready)
             order = await finished(link, store, to("Store", "Base"))
             await store.until(lambda state: state.robots[FIRST].orders.current)
+            FAULTS["lanes"][1](site.server, FIRST)
+            await store.until(lambda state: any(one.closed for one in state.facilities.values()))
             await finished(link, store, PauseRobot(FIRST))
         recorder.close()
         last = store.state
@@ -81,3 +86,4 @@ async def test_a_recording_plays_tasks_as_they_were(tmp_path: Path) -> None:
     assert robot.orders == lived.orders and robot.orders.open[0].id == order.order_id
     assert robot.orders.open[0].state is OrderState.PAUSED
     assert robot.goals == lived.goals and robot.member == lived.member
+    assert cursor.state.facilities == last.facilities and last.facilities

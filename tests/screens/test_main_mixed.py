@@ -16,9 +16,9 @@ from fleet_tui.view.tables.fleet import fleet_table
 from fleet_tui.view.tables.queue import queue_table
 from fleet_tui.view.tables.table import Table
 from tests.support.console_pilot import Console, console
-from tests.support.mixed_site import MOVE_BASE, NAV2, OH, MixedSite, mixed_site
+from tests.support.mixed_site import MOVE_BASE, NAV2, OH, RMF, MixedSite, mixed_site
 
-KINDS = {OH: "oh_ressources", MOVE_BASE: "move_base", NAV2: "nav2"}
+KINDS = {OH: "oh_ressources", MOVE_BASE: "move_base", NAV2: "nav2", RMF: "rmf"}
 WIDE = 400
 """Cells in which nothing is cut."""
 
@@ -94,7 +94,9 @@ async def test_every_robot_reads_as_in_a_fleet_of_its_own_and_tells_what_its_kin
         assert "cargo" not in told[NAV2] or told[NAV2]["cargo"] is None
         for name in KINDS:
             title = "".join(text for text, _ in queue_table(state, name, False, WIDE).title)
-            assert title.startswith(f"Queue {name}") and (" from here" in title) is (name != OH)
+            assert title.startswith(f"Queue {name}") and (" from here" in title) is (
+                name in (MOVE_BASE, NAV2)
+            )
         rows = {name: " ".join(words(fleet_table(state, name, WIDE), name)[0]) for name in KINDS}
         for name in (OH, MOVE_BASE):
             assert "stop 1 of" not in rows[name] and "m, " not in rows[name]
@@ -106,8 +108,8 @@ async def test_one_pause_reaches_all_over_both_bridges(site: MixedSite) -> None:
     async with console(site.config) as it:
         await busy(it)
         await it.press("P")
-        await it.shows("pause all: 3 confirmed", "message")
-    ros1, ros2 = site.servers
+        await it.shows("pause all: 4 confirmed", "message")
+    ros1, ros2, _ = site.servers
     assert "/robot_0/Application_layout/Pause" in [service for service, _ in ros1.bridge.services.calls]
     assert [one["topic"] for one in ros1.bridge.received if one["op"] == "publish"][
         -1
@@ -123,7 +125,7 @@ async def test_all_are_on_one_map_and_in_one_queue(site: MixedSite) -> None:
         for name in KINDS:
             await it.shows(name, "queue")
         labels = {
-            frozenset(robot_map.labels.items())
+            frozenset(robot_map.labels.values())
             for robot in state.robots.values()
             for robot_map in robot.maps.values()
         }

@@ -1,4 +1,4 @@
-"""Robots of every kind at one site, behind two bridges."""
+"""Robots of every kind at one site, behind three bridges."""
 
 import asyncio
 import json
@@ -27,7 +27,7 @@ from tests.support.mqtt_peer import Peer
 from tests.support.nav2_client import Json, call, listen, until
 from tests.support.polling import eventually
 
-URLS = "ws://one:1", "ws://two:2"
+URLS = "ws://one:1", "ws://two:2", "ws://three:3"
 
 
 def fleets(robots: int, floors: int) -> list[Fleet]:
@@ -40,7 +40,7 @@ def fleets(robots: int, floors: int) -> list[Fleet]:
 
 
 @contextmanager
-def sim(folder: Path, *args: str, count: int = 2) -> Iterator[list[str]]:
+def sim(folder: Path, *args: str, count: int = 3) -> Iterator[list[str]]:
     """`fleet-tui sim --kind mixed` as a process; its URLs."""
     command = [sys.executable, "-m", "fleet_tui", "sim", "--kind", "mixed", "--stop-with-stdin", *args]
     with subprocess.Popen(
@@ -52,23 +52,25 @@ def sim(folder: Path, *args: str, count: int = 2) -> Iterator[list[str]]:
         assert child.wait(10) == 0
 
 
-def two_free_ports() -> int:
-    """A port that is free, and so is the next one."""
+def free_ports() -> int:
+    """A port that is free, and so are the next ones."""
     while True:
-        with socket.socket() as one, socket.socket() as next_:
+        with socket.socket() as one, socket.socket() as second, socket.socket() as third:
             one.bind(("127.0.0.1", 0))
             port = int(one.getsockname()[1])
             try:
-                next_.bind(("127.0.0.1", port + 1))
+                second.bind(("127.0.0.1", port + 1))
+                third.bind(("127.0.0.1", port + 2))
             except OSError:
                 continue
             return port
 
 
 def test_the_kinds_take_turns() -> None:
-    assert site_of(MIXED, 5) == [
-        SitedBridge("1", (Crew("oh_ressources", range(0, 5, 3)), Crew("move_base", range(1, 5, 3)))),
-        SitedBridge("2", (Crew("nav2", range(2, 5, 3)),)),
+    assert site_of(MIXED, 6) == [
+        SitedBridge("ros1", "1", (Crew("oh_ressources", range(0, 6, 4)), Crew("move_base", range(1, 6, 4)))),
+        SitedBridge("ros2", "2", (Crew("nav2", range(2, 6, 4)),)),
+        SitedBridge("rmf", "2", (Crew("rmf", range(3, 6, 4)),)),
     ]
     crews = [crew for bridge in site_of(MIXED, 17, first=4) for crew in bridge.crews]
     numbers = sorted(number for crew in crews for number in crew.numbers)
@@ -78,7 +80,7 @@ def test_the_kinds_take_turns() -> None:
 
 @pytest.mark.parametrize("floors", [1, 3])
 def test_fleets_behind_one_bridge_share_no_topic_service_or_listener(floors: int) -> None:
-    both = fleets(8, floors)
+    both = fleets(11, floors)
     topics = Counter(topic.name for fleet in both for topic in fleet.topics(0.0, ROS1))
     services = Counter(name for fleet in both for name in fleet.services(ROS1))
     subscriptions = Counter(name for fleet in both for name in fleet.subscriptions())
@@ -91,8 +93,8 @@ def labels(message: Json) -> dict[int, str]:
 
 
 def test_the_graphs_topic_and_file_agree(tmp_path: Path) -> None:
-    server = RosbridgeServer(fleets(3, 2))
-    config = demo_config(Config(), URLS[0], 3, 2, kind=MIXED, folder=tmp_path, further=URLS[1:])
+    server = RosbridgeServer(fleets(4, 2))
+    config = demo_config(Config(), URLS[0], 4, 2, kind=MIXED, folder=tmp_path, further=URLS[1:])
     for floor in config.floors:
         told = {
             name: json.loads(server.bridge.topics[f"/robot_0/{floor.name}/{name}"].payload(0.0).json)
@@ -115,11 +117,11 @@ def test_the_graphs_topic_and_file_agree(tmp_path: Path) -> None:
 
 
 class TestFaults:
-    KNOWN = faults_of(site_of(MIXED, 4))
+    KNOWN = faults_of(site_of(MIXED, 5))
 
     def test_a_fault_is_for_every_robot_that_knows_it(self) -> None:
         assert parse_faults_of("stuck", self.KNOWN) == [
-            ("stuck", name) for name in ("robot_0", "robot_3", "robot_1", "robot_2")
+            ("stuck", name) for name in ("robot_0", "robot_4", "robot_1", "robot_2")
         ]
         assert parse_faults_of("inactive", self.KNOWN) == [("inactive", "robot_2")]
         assert parse_faults_of("first-lost,restart:robot_0", self.KNOWN) == [
@@ -136,14 +138,14 @@ class TestFaults:
         assert third.startswith("--fault stuck:robot_9: unknown robot")
 
 
-async def test_sim_serves_two_bridges_and_writes_the_graphs(tmp_path: Path) -> None:
-    port = two_free_ports()
-    args = ("--port", str(port), "--robots", "4", "--floors", "2", "--graph-file", "graphs")
+async def test_sim_serves_three_bridges_and_writes_the_graphs(tmp_path: Path) -> None:
+    port = free_ports()
+    args = ("--port", str(port), "--robots", "5", "--floors", "2", "--graph-file", "graphs")
     with sim(tmp_path, *args, "--fault", "reject,silent:robot_1") as urls:
-        assert urls == [f"ws://127.0.0.1:{port}", f"ws://127.0.0.1:{port + 1}"]
+        assert urls == [f"ws://127.0.0.1:{at}" for at in (port, port + 1, port + 2)]
         async with connect(urls[0]) as ros1, connect(urls[1]) as ros2, asyncio.timeout(20):
             topics = (await call(ros1, "/rosapi/topics"))["topics"]
-            assert {"/robot_0/queue", "/robot_3/queue", "/robot_1/move_base/status", "/floor_0/map"} <= {
+            assert {"/robot_0/queue", "/robot_4/queue", "/robot_1/move_base/status", "/floor_0/map"} <= {
                 *topics
             }
             assert not any(name.startswith("/robot_2/") for name in topics)
@@ -167,20 +169,20 @@ async def test_sim_serves_two_bridges_and_writes_the_graphs(tmp_path: Path) -> N
 
 @needs_mosquitto
 def test_vehicles_are_beside_the_bridges_on_a_broker(tmp_path: Path) -> None:
-    with sim(tmp_path, "--port", "0", count=3) as urls:
-        assert urls[2].startswith("mqtt://127.0.0.1:")
-        peer = Peer(int(urls[2].rsplit(":", 1)[1]), "uagv/+/+/+/connection")
+    with sim(tmp_path, "--port", "0", count=4) as urls:
+        assert urls[3].startswith("mqtt://127.0.0.1:")
+        peer = Peer(int(urls[3].rsplit(":", 1)[1]), "uagv/+/+/+/connection")
         eventually(lambda: {one.topic.split("/")[3] for one in peer.told} == {"agv_0", "agv_1"})
         peer.close()
 
 
 def test_sim_takes_free_ports(tmp_path: Path) -> None:
     with sim(tmp_path, "--port", "0") as urls:
-        assert len(set(urls)) == 2 and all(url.startswith("ws://127.0.0.1:") for url in urls)
+        assert len(set(urls)) == 3 and all(url.startswith("ws://127.0.0.1:") for url in urls)
 
 
-def test_a_port_that_is_taken_ends_both(tmp_path: Path) -> None:
-    port = two_free_ports()
+def test_a_port_that_is_taken_ends_all(tmp_path: Path) -> None:
+    port = free_ports()
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", port + 1))
         taken.listen()
@@ -193,9 +195,9 @@ def test_a_port_that_is_taken_ends_both(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("args", "words"),
     [
-        (("--robots", "2"), "at least --robots 3"),
+        (("--robots", "3"), "at least --robots 4"),
         (("--ros", "1"), "--ros needs a single kind"),
-        (("--port", "65535"), "needs two ports"),
+        (("--port", "65535"), "needs 3 ports"),
         (("--fault", "inactive:robot_1"), "unknown fault of this kind of robots"),
     ],
 )

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from fleet_tui.adapters.discovery import NAME, Discovery, Listed
 from fleet_tui.adapters.rmf.encoded import text_reader
 from fleet_tui.adapters.rmf.facilities import READERS
-from fleet_tui.adapters.rmf.fleets import FleetMessage, FleetUpdate, MemberMessage
+from fleet_tui.adapters.rmf.fleets import FleetMessage, FleetUpdate, MemberMessage, MemberUpdate
 from fleet_tui.adapters.rmf.graphs import LEVEL, NavGraphMessage, NodeMessage
 from fleet_tui.adapters.rmf.names import robot_name
 from fleet_tui.adapters.rmf.vocabulary import VOCABULARY
@@ -20,11 +20,13 @@ SAMPLES = ("fleets", "statuses", "graphs")
 
 def discover(listed: Listed) -> Discovery:
     """Name the robots of all fleets and the levels, and the topics that are missing."""
-    robots, levels = set[str](), set[str]()
-    for name, level in _members(listed):
-        robots.add(name)
+    members, levels = set[tuple[str, str]](), set[str]()
+    for fleet, name, level in _members(listed):
+        members.add((fleet, name))
         levels.add(level)
-    odd = sorted(name for name in robots if not NAME.fullmatch(name))
+    robots = {robot_name(*one) for one in members}
+    slashed = {robot_name(*one) for one in members if "/" in one[0]}
+    odd = sorted(name for name in robots if name in slashed or not NAME.fullmatch(name))
     floors = sorted((levels | set(_levels(listed))) - {""}, key=natural)
     found = Discovery({name: list(floors) for name in sorted(robots - set(odd), key=natural)})
     if not found.robots:
@@ -39,7 +41,10 @@ def discover(listed: Listed) -> Discovery:
     if "building" not in found.topics:
         found.live_maps |= set(floors)
     for name in odd:
-        found.note("topics", f"{name!r} can't be the name of a robot here: letters, digits and ./_- only")
+        if name in slashed:
+            found.note("topics", f"{name!r} can't be the name of a robot here: its fleet's name has a /")
+        else:
+            found.note("topics", f"{name!r} can't be the name of a robot here: letters, digits and ./_- only")
     return found
 
 
@@ -47,27 +52,25 @@ def _messages(listed: Listed, key: str) -> tuple[object, ...]:
     return listed.messages.get(VOCABULARY.topics[key][0], ())
 
 
-def _members(listed: Listed) -> Iterator[tuple[str, str]]:
-    """Yield the name and the level of each robot in the messages that can be read."""
-    read, read_one, read_update = (
-        ros.reader(FleetMessage),
-        ros.reader(MemberMessage),
-        text_reader(FleetUpdate),
-    )
+def _members(listed: Listed) -> Iterator[tuple[str, str, str]]:
+    """Yield the fleet, the name and the level of each robot in the messages that can be read."""
+    read, read_one = ros.reader(FleetMessage), ros.reader(MemberMessage)
+    read_update, read_place = text_reader(FleetUpdate), ros.reader(MemberUpdate)
     for message in _messages(listed, "fleets"):
         try:
             fleet = read(message)
             for one in map(read_one, fleet.robots):
-                yield robot_name(fleet.name, one.name), one.location.level_name
+                yield fleet.name, one.name, one.location.level_name
         except WireError:
             continue
     for message in _messages(listed, "statuses"):
         try:
             update = read_update(message).data
+            for name, one in update.robots.items():
+                place = read_place(one).location
+                yield update.name, name, place.map if place else ""
         except WireError:
             continue
-        for name, member in update.robots.items():
-            yield robot_name(update.name, name), member.location.map if member.location else ""
 
 
 def _levels(listed: Listed) -> Iterator[str]:

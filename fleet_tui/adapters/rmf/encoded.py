@@ -1,6 +1,7 @@
 """Messages that are JSON in a std_msgs/String."""
 
 from collections.abc import Callable, Mapping
+from itertools import islice
 from typing import Any, TypeVar
 
 import msgspec
@@ -11,6 +12,9 @@ from fleet_tui.errors import WireError
 from fleet_tui.text.limits import LONGEST_NAME, truncate
 
 S = TypeVar("S", bound=msgspec.Struct)
+
+LEVELS, PARTS = 8, 100
+"""Nested lists that are shown, and parts of each: other clients write them."""
 
 
 def decoder(struct: type[S]) -> Callable[[str], S]:
@@ -32,14 +36,16 @@ def text_reader(struct: type[S]) -> Callable[[object], S]:
     return lambda msg: decode(read(msg).data)
 
 
-def line_of(value: Any) -> str:
-    """Return a value of any shape as one line of text."""
-    if isinstance(value, str):
+def line_of(value: Any, levels: int = LEVELS) -> str:
+    """Return a value of any shape as one line of text, `levels` deep."""
+    if not levels:
+        text = "..."
+    elif isinstance(value, str):
         text = value
     elif isinstance(value, Mapping):
-        text = ", ".join(f"{key}: {line_of(part)}" for key, part in value.items())
+        text = ", ".join(f"{key}: {line_of(part, levels - 1)}" for key, part in islice(value.items(), PARTS))
     elif isinstance(value, list):
-        text = ", ".join(map(line_of, value))
+        text = ", ".join(line_of(part, levels - 1) for part in value[:PARTS])
     else:
         text = "" if value is None else str(value)
     return truncate(" ".join(text.split()), LONGEST_NAME)

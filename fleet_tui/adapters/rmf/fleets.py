@@ -82,10 +82,10 @@ class MemberUpdate(msgspec.Struct, frozen=True):
 
 
 class UpdatedFleet(msgspec.Struct, frozen=True):
-    """The data of fleet_state_update."""
+    """The data of fleet_state_update, its robots unread: one bad one must not cost the others."""
 
     name: str
-    robots: dict[str, MemberUpdate] = {}
+    robots: dict[str, Any] = {}
 
 
 class FleetUpdate(msgspec.Struct, frozen=True):
@@ -118,9 +118,8 @@ def _member(robot: str, one: MemberMessage, at: float) -> events.Event:
         pose, percent = _pose(place.x, place.y, place.yaw), _percent(one.battery_percent, 1.0)
     except WireError as problem:
         return events.MessageRejected(robot, str(problem))
-    return MemberReported(
-        robot, at, pose, place.level_name, place.t.seconds, percent, mode, truncate(one.task_id, LONGEST_NAME)
-    )
+    floor, task = truncate(place.level_name, LONGEST_NAME), truncate(one.task_id, LONGEST_NAME)
+    return MemberReported(robot, at, pose, floor, place.t.seconds, percent, mode, task)
 
 
 def _pose(x: float, y: float, yaw: float) -> Pose:
@@ -139,27 +138,29 @@ def _percent(value: float | None, scale: float) -> float | None:
 
 def read_statuses() -> Read:
     """Read a fleet_state_update."""
-    read = text_reader(FleetUpdate)
+    read, read_one = text_reader(FleetUpdate), ros.reader(MemberUpdate)
 
     def facts(robots: frozenset[str], msg: object, at: float) -> Iterable[events.Event]:
         fleet = read(msg).data
         for name, one in fleet.robots.items():
             if (robot := robot_name(fleet.name, name)) in robots:
-                yield _status(robot, one, at)
+                try:
+                    yield _status(robot, read_one(one), at)
+                except WireError as problem:
+                    yield events.MessageRejected(robot, str(problem))
 
     return facts
 
 
 def _status(robot: str, one: MemberUpdate, at: float) -> events.Event:
+    """Return the report of an adapter. Raises WireError."""
     place = one.location
-    try:
-        pose = _pose(place.x, place.y, place.yaw) if place else None
-        percent = _percent(one.battery, 100.0)
-    except WireError as problem:
-        return events.MessageRejected(robot, str(problem))
+    pose = _pose(place.x, place.y, place.yaw) if place else None
+    percent = _percent(one.battery, 100.0)
     issues = tuple(filter(None, map(_issue, one.issues[:MOST_ISSUES])))
     status, task = truncate(one.status, LONGEST_NAME), truncate(one.task_id, LONGEST_NAME)
-    return StatusReported(robot, at, status, task, issues, pose, place.map if place else "", percent)
+    floor = truncate(place.map, LONGEST_NAME) if place else ""
+    return StatusReported(robot, at, status, task, issues, pose, floor, percent)
 
 
 def _issue(value: Any) -> str:

@@ -13,7 +13,7 @@ from fleet_tui.adapters.ros import messages as ros
 from fleet_tui.adapters.ros.facts import is_place
 from fleet_tui.model import events
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
-from fleet_tui.text.limits import LONGEST_NAME, MOST_EDGES, MOST_VERTICES, truncate
+from fleet_tui.text.limits import LONGEST_NAME, MOST_EDGES, MOST_VERTICES, too_many, truncate
 
 ONE_WAY = 1
 """The type of an edge in one direction."""
@@ -89,9 +89,12 @@ def _levels(
     """Return graph and labels of each level. Lanes between levels are rides in a lift, and left out."""
     nodes = dict(_nodes(message, faults))
     read_lane = ros.reader(LaneMessage)
+    if more := too_many(len(message.edges), MOST_EDGES, "edges"):
+        faults.append(more)
     lanes = [
-        (n, lane)
-        for n, lane in enumerate(read_all(read_lane, message.edges, "edges", MOST_EDGES, faults))
+        (n, lane)  # closed lanes are named by the number that bad ones count for
+        for n, part in enumerate(message.edges[:MOST_EDGES])
+        for lane in read_all(read_lane, [part], f"edges[{n}]", 1, faults)
         if lane.v1_idx in nodes and lane.v2_idx in nodes
     ]
     found = {}
@@ -116,9 +119,10 @@ def _nodes(message: NavGraphMessage, faults: list[str]) -> Iterator[tuple[int, t
             faults.append(f"vertex {n} has no finite position")
             continue
         params = {one.name: one for one in node.params}
-        level = params[LEVEL].value_string if LEVEL in params else ""
+        level = truncate(params[LEVEL].value_string, LONGEST_NAME) if LEVEL in params else ""
         label = truncate(node.name.strip(), LONGEST_NAME)
-        id_ = label if label and label not in taken else f"#{n}"
+        is_unique = label not in taken and not label.startswith("#")
+        id_ = label if label and is_unique else f"#{n}"
         taken.add(id_)
         type_ = _type(params)
         yield n, (level, Vertex(id_, node.x, node.y, ROLES.get(type_, Role.PLAIN), type_), label)

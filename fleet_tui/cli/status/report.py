@@ -7,6 +7,7 @@ from fleet_tui.cli.session import missing
 from fleet_tui.cli.status.navigation import navigation
 from fleet_tui.cli.status.vehicle import vehicle
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.fleets.facility import LANES, Facility
 from fleet_tui.model.kind import PAUSE
 from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.model.order import Stop
@@ -35,7 +36,14 @@ def _link(state: FleetState, link: LinkState) -> Values:
         "commands_reason": link.command_reason or None,
         "late_s": round(link.late, 1),
         "bad_frames": link.faults,
+        "facilities": [_facility(state, one) for one in state.facilities.values() if one.link == link.name],
     }
+
+
+def _facility(state: FleetState, one: Facility) -> Values:
+    closed = {"closed": list(one.closed)} if one.sort == LANES else {}
+    told = {"state": one.state or None, "fault": one.fault or None, "user": one.user or None}
+    return {"sort": one.sort, "name": one.name, **told, **closed, "age_s": _age(state, one.at)}
 
 
 def _value(reading: Reading[Any] | None, digits: int = 1) -> Any:
@@ -177,4 +185,6 @@ def _ageless(entry: Values) -> Values:
     for part, age in (("pose", "age_s"), ("progress", "elapsed_s")):
         if kept.get(part):
             kept[part] = {name: value for name, value in kept[part].items() if name != age}
+    if "facilities" in kept:
+        kept["facilities"] = [{**one, "age_s": None} for one in kept["facilities"]]
     return kept

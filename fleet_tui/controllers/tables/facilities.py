@@ -1,5 +1,7 @@
 """The list of a site's lifts, doors, dispensers and closed lanes: read-only."""
 
+from collections.abc import Callable
+
 from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.model.fleets.facility import LANES
@@ -15,15 +17,15 @@ TITLE = "Facilities: lifts, doors, dispensers, closed lanes"
 class FacilityList:
     """Lists the facilities of all sites, those that are out of service first."""
 
-    def __init__(self, parts: SetUpParts) -> None:
-        self._parts = parts
+    def __init__(self, parts: SetUpParts, clock: Callable[[float], str]) -> None:
+        self._parts, self._clock = parts, clock
 
     def typed(self, line: str) -> Typed | None:
         """Parse `facilities`, None for any other line."""
         return Typed([(TITLE, self.menu)]) if line.strip().casefold() == VERB else None
 
     def menu(self) -> None:
-        """Open the list, as it is now."""
+        """Open the list, as it is now: its title has the time."""
         state = self._parts.store.state
         lines = [facility_text(state, one) for one in listed(state)]
         lanes = (one for one in state.facilities.values() if one.sort == LANES and one.closed)
@@ -31,4 +33,6 @@ class FacilityList:
         if not lines:
             self._parts.notices.say(tr("no lifts, doors or dispensers are reported"))
             return
-        self._parts.open_menu(tr(TITLE), [(sanitize(line), lambda: None) for line in lines])
+        self._parts.open_menu(
+            f"{tr(TITLE)}, {self._clock(state.wall)}", [(sanitize(line), lambda: None) for line in lines]
+        )

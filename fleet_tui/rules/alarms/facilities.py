@@ -10,7 +10,7 @@ from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
 from fleet_tui.text.durations import age
 
-SILENT_AFTER = 15.0
+SILENT_AFTER = 5.0
 """Seconds after which the state of a facility is said with its age: each is sent at least once a second."""
 
 

@@ -12,14 +12,10 @@ if TYPE_CHECKING:
     from fleet_tui.screens.main import MainScreen
 
 
-def desk_commands(screen: "MainScreen", parts: SetUpParts) -> DeskCommands:
-    """Return the typed lines of the desk on this screen."""
-    return DeskCommands(parts, screen.files, screen.backend.post, screen.settings.clock)
-
-
-def facility_list(parts: SetUpParts) -> FacilityList:
-    """Return the list of a site's lifts and doors on this screen."""
-    return FacilityList(parts)
+def desk_and_facilities(screen: "MainScreen", parts: SetUpParts) -> tuple[DeskCommands, FacilityList]:
+    """Return the typed lines of the desk on this screen, and the list of a site's lifts and doors."""
+    clock = screen.settings.clock
+    return DeskCommands(parts, screen.files, screen.backend.post, clock), FacilityList(parts, clock)
 
 
 def join_desk(screen: "MainScreen") -> None:

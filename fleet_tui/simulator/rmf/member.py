@@ -12,13 +12,15 @@ IDLE, CHARGING, MOVING, PAUSED, WAITING = 0, 1, 2, 3, 4
 
 
 class SimMember:
-    """A robot that a fleet adapter drives. `changed` are tasks whose states are not published yet."""
+    """A robot that a fleet adapter drives. `changed` are tasks whose states are not published yet.
+    Fleets take turns: `turn`."""
 
     silence = 0.0
     """Seconds for which its driver has lost it."""
 
     def __init__(
         self,
+        turn: int,
         index: int,
         building: Building,
         vertex: int,
@@ -28,8 +30,8 @@ class SimMember:
     ) -> None:
         self.body = SimRobot(index, building, vertex, rng, quiet)
         self.index, self.wheels = index, self.body.wheels
-        self.own_name, self.fleet = self.body.name, fleet_of(index, fleets)
-        self.name = full_name(index, fleets)
+        self.own_name, self.fleet = self.body.name, fleet_of(turn, fleets)
+        self.name = full_name(turn, index, fleets)
         self.places = {label: id_ for floor in building.floors for id_, label in floor.labels.items()}
         self.tasks: list[SimTask] = []
         """The task under way, then those that wait."""

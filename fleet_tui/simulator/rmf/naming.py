@@ -4,11 +4,11 @@ FLEETS = ("tiny", "carrier")
 """The usual fleets, which take turns."""
 
 
-def fleet_of(index: int, fleets: tuple[str, ...] = FLEETS) -> str:
-    """Return the fleet of the robot with this number."""
-    return fleets[index % len(fleets)]
+def fleet_of(turn: int, fleets: tuple[str, ...] = FLEETS) -> str:
+    """Return the fleet of the robot whose turn it is."""
+    return fleets[turn % len(fleets)]
 
 
-def full_name(index: int, fleets: tuple[str, ...] = FLEETS) -> str:
-    """Return the name of a robot with that of its fleet."""
-    return f"{fleet_of(index, fleets)}/robot_{index}"
+def full_name(turn: int, index: int, fleets: tuple[str, ...] = FLEETS) -> str:
+    """Return the name of the robot with a number, behind that of its fleet."""
+    return f"{fleet_of(turn, fleets)}/robot_{index}"

@@ -31,7 +31,7 @@ class RmfWorld:
     ) -> None:
         self._rng, self._quiet, self.fleets = random.Random(seed), quiet, fleets
         self.building = build_building(floors)
-        members = (self._new_member(index) for index in robot_numbers(robots, first, step))
+        members = (self._new_member(*one) for one in enumerate(robot_numbers(robots, first, step)))
         self.robots = {member.name: member for member in members}
         self.dispatcher = SimDispatcher(self.robots, millis)
         self.lift = SimLift(self.building)
@@ -46,12 +46,12 @@ class RmfWorld:
         self._owed, self._next = 0.0, 3.0
         self._given = 0
 
-    def _new_member(self, index: int) -> SimMember:
+    def _new_member(self, turn: int, index: int) -> SimMember:
         """Robots start in turn on all floors, spread over the vertices."""
-        turn, number = divmod(index, len(self.building.floors))
+        row, number = divmod(index, len(self.building.floors))
         vertices = tuple(self.building.floors[number].graph.vertices)
-        vertex = vertices[(13 * turn + 3 * number) % len(vertices)]
-        return SimMember(index, self.building, vertex, self._rng, self._quiet, self.fleets)
+        vertex = vertices[(13 * row + 3 * number) % len(vertices)]
+        return SimMember(turn, index, self.building, vertex, self._rng, self._quiet, self.fleets)
 
     def step(self, dt: float) -> None:
         """Let dt seconds pass, in steps of fixed length; a remainder waits for the next call."""
@@ -75,7 +75,8 @@ class RmfWorld:
         if self._next > 0.0:
             return
         self._next = self._rng.uniform(10.0, 25.0)
-        idle = [member for member in self.robots.values() if not member.tasks and member.index % 2]
+        second = [*self.robots.values()][1::2]
+        idle = [member for member in second if not member.tasks]
         if idle:
             member = self._rng.choice(idle)
             self._given += 1

@@ -48,6 +48,8 @@ def request_text(state: FleetState, request: Request) -> str:
     if len({command.robot for command in request.commands}) > 1:
         return tr(batch_name(state, request.commands))
     robot = request.commands[0].robot
+    if isinstance(asked := request.commands[0], PlaceOrder) and asked.to_any:
+        first = first.removeprefix(f"{robot} ")  # it is not that robot's before it has it
     rest = (
         command_text(state, command).removeprefix(f"{robot} {tr('order')} ")
         for command in request.commands[1:]

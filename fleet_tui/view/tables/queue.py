@@ -24,8 +24,9 @@ from fleet_tui.view.tables.table import Button, LateRows, Row, Run, Table, colum
 CANCEL, CLEAR = "[Cancel]", "[Clear all]"
 GAP = "  "
 SHORT = {OrderState.IN_PROCESS: "now"}
-LEAST_TITLE = 16
-"""Cells that the title must keep beside its button."""
+HOURS_MINUTES, WIDE = 5, 60
+LEAST_TITLE, LEAST_NAME = 16, 10
+"""Cells that the title must keep beside its button, and of those for the name."""
 
 Clock = Callable[[float], str]
 Listed = tuple[Robot, int, Order]
@@ -50,10 +51,10 @@ def _under_way(state: FleetState, selected: str, all_robots: bool) -> list[Comma
 
 
 def _awaited(state: FleetState, under_way: list[CommandRecord]) -> int:
-    """Return the number of orders given here that no queue shows yet: one in a queue may lack its answer."""
-    placed = [
-        one for one in under_way if isinstance(one.command, PlaceOrder) and one.stage is not Stage.WAITING
-    ]
+    """Return the number of orders given here that no queue shows yet: one in a queue may lack its answer.
+    One to any robot is in no robot's queue while fleets bid for it."""
+    sent = (one for one in under_way if one.stage is not Stage.WAITING)
+    placed = [one for one in sent if isinstance(order := one.command, PlaceOrder) and not order.to_any]
     names = [one.command.robot for one in placed]
     found = [find_order(state, state.robots[name], one) for name, one in zip(names, placed, strict=True)]
     return len(placed) - len({(name, one.id) for name, one in zip(names, found, strict=True) if one})
@@ -93,7 +94,7 @@ def _row(
     unknown = robot.knows_all_graphs() and None in map(robot.name_of, vertices_of(order.stops))
     runs: list[Run] = [
         (fit(robot.name, names) + " " if names else "", StyleRole.TEXT),
-        (fit(f"#{order.id}", ids) + " ", StyleRole.DIM),
+        (_id(order, ids) + " ", StyleRole.DIM),
     ]
     has_button = may and robot.kind.can(kind.CANCEL) and not order.is_over
     space = width - 1 - (len(tr(CANCEL)) if has_button else 0)
@@ -109,6 +110,12 @@ def _row(
         return Row(key, tuple(cut(runs, space)))
     button = Button(space, space + len(tr(CANCEL)), "cancel")
     return Row(key, (*cut(runs, space - 1), (" ", role), (tr(CANCEL), StyleRole.KEY)), (button,))
+
+
+def _id(order: Order, cells: int) -> str:
+    """Return an order's id. Long ones differ at their end: `patrol.dispatch-12`."""
+    text = sanitize(f"#{order.id}")
+    return fit(text if len(text) <= cells else f"#…{text[len(text) - cells + 2 :]}", cells)
 
 
 def _title(
@@ -140,13 +147,23 @@ def _title(
     return runs
 
 
+def _within(title: list[Run], cells: int) -> list[Run]:
+    """Return a title for this many cells: first the number of orders goes, then the end of the name."""
+    while width_of(title) > cells and (dim := [run for run in title if run[1] is StyleRole.DIM]):
+        title.remove(dim[0])
+    (name, role), *rest = title
+    least = max(LEAST_NAME, cells - width_of(rest))
+    is_long = width_of(title) > cells and cell_width(name) > least
+    return [(fit(name, least), role), *rest] if is_long else title
+
+
 def _ages(state: FleetState, robot: Robot, clock: Clock | None) -> Iterator[Run]:
     """Yield the age of an old queue, and since when it is known."""
     if robot.queue is not None and state.is_old(robot, "queue"):
         yield tr(f" {age(state.now - robot.queue.at)} old"), StyleRole.WARN
     wall = known_since(state, robot)
     if wall is not None and clock is not None:
-        yield tr(f" since {clock(wall)}"), StyleRole.DIM
+        yield tr(f" since {clock(wall)[:HOURS_MINUTES]}"), StyleRole.TEXT
 
 
 def known_since(state: FleetState, robot: Robot) -> float | None:
@@ -168,7 +185,7 @@ def _rows(
     leaving = _leaving(state, under_way)
     columns = (
         column((entry[0].name for entry in entries), 6, 12) if all_robots else 0,
-        column((f"#{entry[2].id}" for entry in entries), 2, 12),
+        column((f"#{entry[2].id}" for entry in entries), 2, 12 if width >= WIDE else 9),
         column((whose_mission(state, entry[0], entry[2]) for entry in entries), 10, 40),
     )
 
@@ -212,11 +229,11 @@ def queue_table(
     buttons: tuple[Button, ...] = ()
     if may and not all_robots and rows and robot.kind.can(kind.CLEAR):
         start = width - len(tr(CLEAR)) - 2  # its end above that of [Cancel]
-        while width_of(title) >= start and (dim := [run for run in title if run[1] is StyleRole.DIM]):
-            title.remove(dim[0])  # the number of orders goes first
         if start > LEAST_TITLE:
-            title = [*cut(title, start - 1), (" " + tr(CLEAR), StyleRole.KEY)]
+            title = [*cut(_within(title, start - 1), start - 1), (" " + tr(CLEAR), StyleRole.KEY)]
             buttons = (Button(start, start + len(tr(CLEAR)), "clear"),)
+    else:
+        title = _within(title, width)
     empty = tr("no orders") if all_robots and listing else _empty(robot, may)
     return Table(tuple(title), rows, arrangement.no_match if known else empty, buttons, unfiltered=len(known))
 

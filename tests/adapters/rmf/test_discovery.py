@@ -7,6 +7,7 @@ from tests.support.rmf import member, text
 
 TYPES = {topic: type_.replace("/", "/msg/") for topic, type_ in VOCABULARY.topics.values()}
 STATE = {"name": "tiny", "robots": [member("t1"), member("t 2")]}
+SLASHED = {"name": "a/b", "robots": [member("c")]}
 PLACE = {"map": "L1", "x": 0.0, "y": 0.0, "yaw": 0.0}
 UPDATE = text({"data": {"name": "carrier", "robots": {"c1": {"location": PLACE}, "c2": {}}}})
 GRAPH = {
@@ -15,7 +16,7 @@ GRAPH = {
     "edges": [],
 }
 MESSAGES: dict[str, tuple[object, ...]] = {
-    "/fleet_states": (STATE, {"odd": 1}),
+    "/fleet_states": (STATE, {"odd": 1}, SLASHED),
     "/fleet_state_update": (UPDATE, {"data": "{"}),
     "/nav_graphs": (GRAPH, {}),
 }
@@ -31,7 +32,8 @@ def test_messages_name_robots_of_all_fleets_and_the_levels() -> None:
     assert found.robots == dict.fromkeys(("carrier/c1", "carrier/c2", "tiny/t1"), floors)
     assert found.live_maps == set(floors) and not found.topics
     assert found.notes["topics"] == [
-        "'tiny/t 2' can't be the name of a robot here: letters, digits and ./_- only"
+        "'a/b/c' can't be the name of a robot here: its fleet's name has a /",
+        "'tiny/t 2' can't be the name of a robot here: letters, digits and ./_- only",
     ]
 
 

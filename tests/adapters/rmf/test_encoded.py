@@ -24,3 +24,11 @@ def test_bad_json_is_refused_with_the_name_of_its_field(data: str, problem: str)
 def test_any_value_is_one_line() -> None:
     assert line_of({"a": [1, "x\n y"], "b": 2.5}) == "a: 1, x y, b: 2.5"
     assert len(line_of("x" * 10_000)) < 250
+
+
+def test_no_depth_or_length_of_a_value_is_too_much() -> None:
+    deep: list[object] = []
+    for _ in range(5000):
+        deep = [deep]
+    assert line_of(deep) == "..."
+    assert line_of({str(n): "x" for n in range(100_000)}).startswith("0: x, 1: x")

@@ -52,6 +52,14 @@ def test_a_battery_of_the_adapter_is_0_to_1_and_one_of_the_driver_0_to_100() -> 
     )
 
 
+def test_a_robot_without_a_position_costs_no_other_of_its_fleet() -> None:
+    place = {"x": None, "y": 0.0, "yaw": 0.0}  # NaN, as its JSON has it
+    data = {"name": "tiny", "robots": {"t1": {"location": place}, "t2": {"status": "idle"}}}
+    bad, good = read(adapter(), "statuses", text({"data": data}))
+    assert isinstance(bad, MessageRejected) and bad.robot == TINY and "location.x" in bad.text
+    assert isinstance(good, StatusReported) and (good.robot, good.status) == ("tiny/t2", "idle")
+
+
 def test_a_place_that_is_none_is_refused() -> None:
     data = {"name": "tiny", "robots": {"t1": {"location": {"x": 1e99, "y": 0.0, "yaw": 0.0}}}}
     (found,) = read(adapter(), "statuses", text({"data": data}))

@@ -32,6 +32,8 @@ def test_those_out_of_service_are_listed_first_and_old_states_with_their_age() -
     assert facility_text(state, listed(state)[1]) == "lift a: at L1, used by tiny/t1"
     late = reduced(state, tick(T0 + 20))
     assert facility_text(late, listed(late)[0]) == "door d: offline, 20 s ago"
+    still = with_one(late, LIFT, "a", T0 + 20, state="at L2")
+    assert [facility_text(still, one)[-5:] for one in listed(still)] == ["s ago", "at L2", "s ago"]
 
 
 def test_a_closed_lane_closes_its_edge_in_either_direction() -> None:

@@ -4,12 +4,18 @@ import re
 
 import pytest
 
+from fleet_tui.adapters.profile import Profile
+from fleet_tui.config.entries import FloorEntry, RobotEntry
+from fleet_tui.config.schema import Config
+from fleet_tui.config.start import initial_state
 from fleet_tui.model import events
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Stage
 from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.fleets.events import MemberReported, TaskReported
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.kind import Kind
+from fleet_tui.model.navigation import Goal
 from fleet_tui.model.order import Order, OrderQueue, OrderState, Stop, at_vertices
 from fleet_tui.text.sanitize import cells_of
 from fleet_tui.view.roles import StyleRole
@@ -24,6 +30,7 @@ from tests.support.fleets import (
     fleet,
     graph,
     labels,
+    link_up,
     place_order,
     queue,
     reduced,
@@ -91,7 +98,7 @@ def test_an_order_is_written_by_its_stops_whatever_they_are() -> None:
         ("Base -> Consumidores -> 3", "-> Consumidores", "-> (1.2, -3.4)", "to a point"),
         strict=True,
     ):
-        assert way in line and "3f2a-77-" in line and "paused" in line and "unknown" not in line
+        assert way in line and "-000000 " in line and "paused" in line and "unknown" not in line
 
 
 def test_a_vertex_is_not_called_unknown_before_the_graphs_have_come() -> None:
@@ -215,3 +222,17 @@ def test_who_may_not_command_has_no_buttons_and_no_hint_to_order() -> None:
     table = queue_table(state, R0, False, 80, may=False)
     assert not table.title_buttons and not table.rows[0].buttons
     assert queue_table(reduced(fleet(), queue(T0)), R0, False, 80, may=False).empty == "no orders"
+
+
+@pytest.mark.parametrize("width", [36, 44, 54, 76])
+def test_since_when_a_queue_is_known_stays_beside_a_long_name(width: int) -> None:
+    name = "transport_of_the_north_wing/robot_12"
+    config = Config(profile=Profile(kind="rmf"), floors=[FloorEntry("floor_0")], robots=[RobotEntry(name)])
+    place = MemberReported(name, T0, Pose(1.0, 2.0), "floor_0", 7.0, 80.0, "idle", "")
+    task = TaskReported(name, T0, Goal("a", "a", "task", OrderState.QUEUED))
+    known = reduced(initial_state(config, T0), link_up(T0), place, task, tick(T0))
+    for may in (True, False):
+        table = queue_table(known, name, False, width, may=may, clock=lambda wall: "14:02:33")
+        title = text_of(table.title)
+        assert " since 14:02" in title and title.startswith("Queue tra"), title
+        assert width_of(table.title) <= width
