@@ -66,6 +66,7 @@ class TableActions(Struct, frozen=True):
 
     filter: Act
     sort: Act
+    group: Act
     mark: Act
     copy: Act
 

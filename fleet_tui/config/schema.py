@@ -10,6 +10,7 @@ import msgspec
 from fleet_tui.adapters.profile import DriveConfig, Profile
 from fleet_tui.config.entries import DEFAULT_LINK, FloorEntry, Positive, RobotEntry
 from fleet_tui.config.programs import ProgramEntry
+from fleet_tui.rules.rates.attention import Rates
 
 S = TypeVar("S", bound=msgspec.Struct)
 
@@ -183,6 +184,7 @@ class Config(msgspec.Struct, frozen=True):
     operator: Operator = Operator()
     keys: dict[str, str] = {}
     ui: Ui = Ui()
+    rates: Rates = Rates()
     alarms: Alarms = Alarms()
     notify: Notify = Notify()
     recording: RecordingConfig = RecordingConfig()

@@ -7,7 +7,8 @@ from time import monotonic
 
 from fleet_tui.controllers.stride import Stride
 from fleet_tui.keys.key import key_name
-from fleet_tui.view.map.camera import ZOOM_STEP
+from fleet_tui.rules.rates.attention import SeenArea
+from fleet_tui.view.map.camera import ZOOM_STEP, seen_area
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.modes.mode import CursorMode, MapMode, ViewMode
 from fleet_tui.widgets.map_view import MapView, post_pick
@@ -88,6 +89,11 @@ class MapControls:
         pixel = scene.frame.to_pixel(*place)
         if all(map(math.isfinite, pixel)) and not camera.shows(*camera.to_cell(*pixel)):
             self.centre(at)
+
+    def seen(self) -> SeenArea | None:
+        """Return the area that the map shows, None without a scene."""
+        scene = self._picture.scene
+        return seen_area(self._picture.viewport.camera(scene), scene.frame) if scene is not None else None
 
     def edges(self) -> None:
         """Show or hide the graph's edges."""

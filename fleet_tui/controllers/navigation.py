@@ -6,19 +6,23 @@ from typing import Protocol
 from msgspec.structs import replace
 
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.rules.rates.attention import Attention, SeenArea
 from fleet_tui.rules.sites import of_site
 from fleet_tui.state.store import Store
 from fleet_tui.view.selection import Selection, first_selection
 
 
 class MapCamera(Protocol):
-    """The part of the map that other objects move."""
+    """The part of the map that other objects move and ask."""
 
     def reveal(self) -> None:
         """Centre on the selected robot if it is out of view."""
 
     def centre(self, at: tuple[float, float] | None = None) -> None:
         """Centre on a place in metres of the shown floor, or on the selected robot."""
+
+    def seen(self) -> SeenArea | None:
+        """Return the area that the map shows."""
 
 
 class Navigation:
@@ -50,8 +54,9 @@ class Navigation:
         return of_site(self._store.state, self.robot)
 
     def settle(self, state: FleetState, follow: bool) -> Selection:
-        """Let the floor follow the robot."""
+        """Let the floor follow the robot, and the messages what is looked at."""
         self.selection = self.selection.settled(state, follow)
+        self._store.attention = Attention(self.robot, self.floor, self._camera().seen())
         return self.selection
 
     def select(self, robot: str) -> None:

@@ -32,6 +32,13 @@ TABLES: tuple[Key[Actions], ...] = (
         of_rows=True,
     ),
     Key(
+        "group_rows",
+        ("Z",),
+        lambda do: do.rows.group(),
+        "Group the fleet by floor, by link, or not; Enter folds a group",
+        of_rows=True,
+    ),
+    Key(
         "copy_row",
         ("y",),
         lambda do: do.rows.copy(),

@@ -103,6 +103,7 @@ class TopicCounter(Flow):
     `on_demand`: only while its floor is shown, `on_change`: only then."""
 
     __slots__ = (
+        "asked_ms",
         "bad",
         "errors",
         "kind",
@@ -128,6 +129,8 @@ class TopicCounter(Flow):
         self.topic, self.robot, self.kind = topic, robot, kind
         self.once, self.on_demand, self.on_change = once, on_demand, on_change
         self.errors = 0
+        self.asked_ms: int | None = None
+        """The milliseconds between two messages that were requested, None before."""
         self.last: Raw | None = None
         self.bad: BadMessage | None = None
         self.not_subscribed = ""

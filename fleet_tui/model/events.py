@@ -179,6 +179,15 @@ class MessagesUnsourced(Struct, frozen=True, tag=True):
     package: str
 
 
+class SubscriptionsAdvanced(Struct, frozen=True, tag=True):
+    """A bridge has handled `done` of `total` subscriptions since its connection was opened."""
+
+    link: str
+    at: float
+    done: int
+    total: int
+
+
 class CommandIssued(Struct, frozen=True, tag=True):
     """An operator's command that passed the checks: for this floor, else for its robot's current one."""
 
@@ -222,6 +231,7 @@ Event = (
     | MessageArrived
     | CommandPathChanged
     | MessagesUnsourced
+    | SubscriptionsAdvanced
     | CommandIssued
     | CommandAdvanced
     | GoalAnswered

@@ -156,7 +156,7 @@ MISSING_AFTER = 3.0
 
 def is_missing(state: FleetState, robot: Robot, value: str) -> bool:
     """Tell whether a value that must arrive regularly has never come, though there was time for it."""
-    has_begun = state.now - state.links[robot.link].since < MISSING_AFTER
+    has_begun = state.now - state.links[robot.link].ready_since < MISSING_AFTER
     return getattr(robot, value) is None and robot.kind.expects(value) and not has_begun
 
 

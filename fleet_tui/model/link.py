@@ -36,7 +36,8 @@ class LinkState(Struct, frozen=True):
     commands, tested or not; `was_up`: it has been up before; `outage`: seconds for which it was down before
     it came up again, else 0; `fault_at` is the time of the last bad frame; `late` are the seconds by which
     its poses are late, `unsourced` the package whose messages the bridge lacks; `site` is the one that it
-    belongs to."""
+    belongs to; `topics` are the subscriptions that were requested of a bridge with many, of which
+    `waiting_topics` are not handled yet, `subscribed_at` the time of the last handled one."""
 
     name: str
     url: str
@@ -56,6 +57,14 @@ class LinkState(Struct, frozen=True):
     late: float = 0.0
     unsourced: str = ""
     site: str = ""
+    topics: int = 0
+    waiting_topics: int = 0
+    subscribed_at: float = 0.0
+
+    @property
+    def ready_since(self) -> float:
+        """Return the time from which its robots may be silent or incomplete only by themselves."""
+        return max(self.since, self.subscribed_at)
 
     @property
     def unsourced_text(self) -> str:

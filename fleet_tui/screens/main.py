@@ -126,20 +126,20 @@ class MainScreen(Screen[None]):
     def tick(self) -> None:
         """Show the newest state."""
         self.dispatch.release_startup()
-        whole, robot, clock = self.store.state, self.navigation.robot, self.settings.clock
-        state = self.navigation.here
+        whole, state, robot = self.store.state, self.navigation.here, self.navigation.robot
         if self.is_complete:
             if self.rest.tables.filter_line.goes_first:
                 return
-            self._show_floor(state)
+            if self.newest.is_floor_due():
+                self._show_floor(state)
             self.rest.show()
         self._mark_alarm(state)
+        clock, covered = self.settings.clock, self.rest.covered if self.is_complete else 0
         page, recent = partial(robot_page, state, clock=clock), partial(recent_table, state, clock)
-        tables = self.newest.tables()
-        self.panes.show(state, tables, robot, page, recent, self.rest.covered if self.is_complete else 0)
+        self.panes.show(state, self.newest.tables(), robot, page, recent, covered)
         self.status.show(*self.session.headline(whole, robot, self.status.size.width))
-        said, width = self.notices, self.message.size.width
-        self.message.show(message_line(whole, said.text, said.at, width, said.key_at))
+        said = self.notices
+        self.message.show(message_line(whole, said.text, said.at, self.message.size.width, said.key_at))
         self._show_hints(state, robot)
         self.settings.announce(whole)
 
@@ -175,8 +175,8 @@ class MainScreen(Screen[None]):
         if drafted is not None and drafted[0].marked is not None:
             selection = replace(selection, floor=drafted[0].marked.floor)
         self.rest.live_map.show(state, selection, others=self.panes.has_small_maps)
-        scene = self.rest.mapping.on(self.rest.streams.on(floor_scene(state, selection, drafted)))
-        self.rest.show_scene(scene)
+        scene = self.rest.streams.on(floor_scene(state, selection, drafted))
+        self.rest.show_scene(self.rest.mapping.on(scene))
 
     def _mark_alarm(self, state: FleetState) -> None:
         """Mark an alarm, of those that wait for an acknowledgement unless the pane has the focus."""

@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING, assert_never
 
+from fleet_tui.view.tables.groups import GroupHead
 from fleet_tui.widgets import messages
 from fleet_tui.widgets.bindings import textual_key
 
@@ -25,7 +26,8 @@ def picked(screen: "MainScreen", event: messages.Picked) -> None:
             rest.drawing.clicked(event.dragged)
         case messages.RowPicked():
             # The fleet's cursor selects. It may have moved since.
-            if event.pane == "fleet" and event.key == screen.fleet.listing.cursor:
+            is_there = event.pane == "fleet" and event.key == screen.fleet.listing.cursor
+            if is_there and not isinstance(event.key, GroupHead):
                 navigation.select(str(event.key))
         case messages.RowChosen():
             _open_menu(rest, event)
@@ -39,6 +41,8 @@ def picked(screen: "MainScreen", event: messages.Picked) -> None:
 
 def _open_menu(rest: "Rest", event: messages.RowChosen) -> None:
     match event.pane, event.key:
+        case "fleet", GroupHead() as head:
+            rest.tables.fold(head)
         case "fleet", str(robot):
             rest.robots.menu(robot)
         case "queue", (str(robot), str(order_id), _):

@@ -74,10 +74,10 @@ def _left(state: FleetState, robot: Robot) -> Robot:
     """Return a robot without its lost goals."""
     link = state.links[robot.link]
     earliest, latest = RELISTED_WITHIN
-    is_due = link.phase is Phase.UP and earliest <= state.now - link.since < latest
+    is_due = link.phase is Phase.UP and earliest <= state.now - link.ready_since < latest
     is_due = is_due and robot.kind.keeps_goals  # a late console gets no list of tasks
     if is_due and state.is_online(robot):
-        robot = without_unlisted(robot, link.since, state.now)
+        robot = without_unlisted(robot, link.ready_since, state.now)
     if robot.kind.is_told_changes:
         robot = without_unreported(robot, state.now)
     return without_ended(robot, state.now)
@@ -205,6 +205,7 @@ def apply(state: FleetState, event: events.Event) -> FleetState:
             | events.MessageArrived()
             | events.CommandPathChanged()
             | events.MessagesUnsourced()
+            | events.SubscriptionsAdvanced()
             | events.FrameRejected()
         ):
             return apply_to_link(state, event)

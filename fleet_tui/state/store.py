@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.rules.rates.attention import Attention
 from fleet_tui.state import reducer
 from fleet_tui.state.streams import Streams
 
@@ -13,12 +14,15 @@ Watcher = Callable[[FleetState, FleetState], None]
 class Store:
     """Holds the newest state. Only the writer's thread calls `apply`; any thread reads `state`, which is one
     reference, swapped whole. A watcher is called with the state before and after an event that changed a
-    command, an alarm or the desk, before anything else happens. `streams` are beside the state."""
+    command, an alarm or the desk, before anything else happens. `streams` and `attention` are beside the
+    state."""
 
     def __init__(self, state: FleetState) -> None:
         self.state = state
         self.watchers: list[Watcher] = []
         self.streams = Streams()
+        self.attention = Attention()
+        """What the operator looks at: links request its messages first, and more often."""
 
     def apply(self, event: Event) -> None:
         """Apply one event."""

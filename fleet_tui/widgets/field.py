@@ -31,12 +31,17 @@ class Field(Input):
         """Insert pasted text, sanitized: it may come from a robot."""
         event.text = "\n".join(map(sanitize, event.text.splitlines()))
 
-    def on_key(self, event: events.Key) -> None:
+    async def on_key(self, event: events.Key) -> None:
         """Run a bound key, forward a late key to the focused widget, or insert it as text."""
         focused = self.screen.focused
         action = self._on.get(event.key)
         if focused is self and action is None:
             give_turn()
+            for editing in self._bindings.key_to_bindings.get(event.key, ()):
+                # Textual runs it once the key has bubbled up: after the letters that follow it.
+                event.stop()
+                event.prevent_default()
+                await self.app.run_action(editing.action, self)
             return
         end_turn()  # a command may follow, which the loop sends
         event.stop()

@@ -137,7 +137,7 @@ class Panes(Container):
             self.page.show(page(robot, self.page.row_width))
         if self.recent.size.height and self._recent_pace.is_due(self.recent.size):
             self.recent.show(recent(self.recent.size.height - 1, self.recent.row_width))
-        self.activity.look(state, fleet.keys)
+        self.activity.look(state, [key for key in fleet.keys if isinstance(key, str)])
 
     def show_map(self, view: "MapView", scene: "Scene") -> None:
         """Show a scene on the map, which is drawn once its height is that for its floor."""

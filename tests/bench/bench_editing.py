@@ -1,4 +1,4 @@
-"""P15: a step of the graph editor until its picture is made. Run: python -m tests.bench.bench_editing"""
+"""P16: a step of the graph editor until its picture is made. Run: python -m tests.bench.bench_editing"""
 
 import random
 import statistics
@@ -75,9 +75,9 @@ def main() -> list[Row]:
     moves, drawn = times_of(large_floor(), scene, 100)
     what = f"editing {VERTICES} vertices, {EDGES} edges"
     return [
-        row("P15", f"{what}: cursor -> picture, p95", p95(moves), "ms", 20.0),
-        row("P15", f"{what}: new edge -> picture, median", statistics.median(drawn), "ms"),
-        row("P15", f"{what}: new edge -> picture, p95", p95(drawn), "ms", 20.0, p95(small), "an empty graph"),
+        row("P16", f"{what}: cursor -> picture, p95", p95(moves), "ms", 20.0),
+        row("P16", f"{what}: new edge -> picture, median", statistics.median(drawn), "ms"),
+        row("P16", f"{what}: new edge -> picture, p95", p95(drawn), "ms", 20.0, p95(small), "an empty graph"),
     ]
 
 

@@ -35,6 +35,8 @@ noted: dict[str, list[Any]] = {
     "task": [],
     "count": [],
     "filter": [],
+    "truth": [],
+    "started": [],
 }
 
 
@@ -153,7 +155,52 @@ def counts() -> None:
     after(FleetLink, "close", closed)
 
 
+def truth() -> None:
+    """Once a second: the robots online, the messages, those that were dropped or overtaken, and the alarms
+    raised so far."""
+    raised = set[tuple[object, float]]()
+
+    def ticked(screen: MainScreen) -> None:
+        now, state = time.monotonic(), screen.store.state
+        raised.update((alarm.key, alarm.first_wall) for alarm in state.alarms)
+        if noted["truth"] and now - noted["truth"][-1]["at"] < 1.0:
+            return
+        links = screen.backend.counters.values()
+        look = {
+            "at": now,
+            "online": sum(map(state.is_online, state.robots.values())),
+            "messages": sum(link.all.count for link in links),
+            "dropped": sum(link.dropped + link.unreadable for link in links),
+            "overtaken": sum(link.overtaken for link in links),
+            "raised": len(raised),
+        }
+        noted["truth"].append(look)
+
+    after(MainScreen, "tick", ticked)
+
+
+def starts() -> None:
+    """The times of the first ticks with the links, with the labels of the shown floor, with the poses of all
+    robots, too, and with everything that is subscribed."""
+
+    def ticked(screen: MainScreen) -> None:
+        state, shown = screen.store.state, screen.navigation.selection
+        known = state.robots[shown.robot].maps.get(shown.floor)
+        steps = (
+            all(link.was_up for link in state.links.values()),
+            known is not None and bool(known.labels),
+            all(robot.pose for robot in state.robots.values()),
+            all(link.topics and not link.waiting_topics for link in state.links.values()),
+        )
+        if len(noted["started"]) < len(steps) and all(steps[: len(noted["started"]) + 1]):
+            noted["started"].append(time.monotonic())
+
+    after(MainScreen, "tick", ticked)
+
+
 KINDS = {
+    "starts": starts,
+    "truth": truth,
     "stock": stock,
     "filters": filters,
     "keys": keys,

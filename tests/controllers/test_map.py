@@ -96,3 +96,13 @@ async def test_to_follow_a_robot_that_is_not_here_says_when_it_begins() -> None:
         controls.follow()
         assert len(said) == 1
         assert "follow on" in app.rows()[0]
+
+
+async def test_the_closer_the_view_the_smaller_the_area_and_the_cells() -> None:
+    async with Pane().run_test(size=(100, 30)) as pilot:
+        app, _ = await started(pilot)
+        whole = app.controls.seen()
+        app.controls.zoom_in()
+        nearer = app.controls.seen()
+        assert whole is not None and nearer is not None
+        assert nearer.cell < whole.cell and nearer.right - nearer.left < whole.right - whole.left

@@ -2,6 +2,7 @@
 
 from fleet_tui.model.events import PoseReported
 from fleet_tui.model.geometry import Pose
+from fleet_tui.rules.rates.attention import Attention, SeenArea
 from tests.support.desk import Desk
 from tests.support.fleets import T0, fleet, reduced
 
@@ -41,3 +42,10 @@ def test_a_vertex_is_found_with_its_floor() -> None:
     it = desk()
     it.navigation.find_vertex("floor_1", 3.0, 4.0)
     assert (it.navigation.floor, it.camera.centred) == ("floor_1", [(3.0, 4.0)])
+
+
+def test_what_is_looked_at_is_beside_the_state() -> None:
+    it = desk()
+    it.camera.area = SeenArea(0.0, 0.0, 9.0, 9.0, 0.5)
+    it.navigation.find_robot("robot_1")
+    assert it.store.attention == Attention("robot_1", "floor_1", it.camera.area)

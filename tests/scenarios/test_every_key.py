@@ -42,6 +42,7 @@ EVERYWHERE = {
     **dict.fromkeys(("edit", "drive", "pose", "goal", "mapping", "laser", "path", "camera"), "answer"),
     "filter_rows": "overlay",
     "sort_rows": "sorted",
+    "group_rows": "grouped",
     "mark_row": "marked",
     "copy_row": "notice",
     "all_orders": "queue",

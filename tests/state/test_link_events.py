@@ -2,11 +2,11 @@
 
 from fleet_tui.model import events
 from fleet_tui.model.link import CommandPath, LinkState, Phase
-from fleet_tui.state.link_events import apply_to_link
+from fleet_tui.state.link_events import LinkEvent, apply_to_link
 from tests.support.fleets import LINK, T0, fleet, link_lost, link_up
 
 
-def after(*facts: events.LinkChanged | events.CommandPathChanged | events.MessagesUnsourced) -> LinkState:
+def after(*facts: LinkEvent) -> LinkState:
     state = fleet()
     for fact in facts:
         state = apply_to_link(state, fact)
@@ -47,3 +47,11 @@ def test_a_link_that_returns_tells_how_long_it_was_lost_until_it_is_lost_again()
     back = after(link_up(T0), link_lost(T0 + 5), tries, link_up(T0 + 27), link_up(T0 + 28))
     assert back.outage == 22.0
     assert after(link_up(T0), link_lost(T0 + 5), link_up(T0 + 27), link_lost(T0 + 30)).outage == 0.0
+
+
+def test_a_link_is_ready_from_its_last_subscription_on() -> None:
+    begun = events.SubscriptionsAdvanced(LINK, T0 + 1, 50, 900)
+    link = after(link_up(T0), begun)
+    assert (link.topics, link.waiting_topics, link.ready_since) == (900, 850, T0 + 1)
+    lost = after(link_up(T0), begun, link_lost(T0 + 5), link_up(T0 + 9))
+    assert (lost.waiting_topics, lost.ready_since) == (0, T0 + 9)

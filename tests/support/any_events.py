@@ -250,6 +250,9 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
     ),
     events.MessageArrived: st.builds(events.MessageArrived, st.just(LINK), AT),
     events.MessagesUnsourced: st.builds(events.MessagesUnsourced, st.just(LINK), st.text(max_size=9)),
+    events.SubscriptionsAdvanced: st.builds(
+        events.SubscriptionsAdvanced, st.just(LINK), AT, st.integers(0, 900), st.integers(900, 901)
+    ),
     events.CommandPathChanged: st.builds(
         events.CommandPathChanged, st.just(LINK), st.sampled_from(CommandPath), st.text(max_size=9)
     ),

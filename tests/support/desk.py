@@ -19,6 +19,7 @@ from fleet_tui.model.link import CommandPath
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
 from fleet_tui.model.set_up.driving import DrivePhase, DriveState, Steering
+from fleet_tui.rules.rates.attention import SeenArea
 from fleet_tui.state.store import Store
 from fleet_tui.state.streams import Streams
 from fleet_tui.view.map.drawing import Drawing
@@ -111,12 +112,16 @@ class Camera:
     def __init__(self) -> None:
         self.centred = list[tuple[float, float] | None]()
         self.revealed = 0
+        self.area: SeenArea | None = None
 
     def reveal(self) -> None:
         self.revealed += 1
 
     def centre(self, at: tuple[float, float] | None = None) -> None:
         self.centred.append(at)
+
+    def seen(self) -> SeenArea | None:
+        return self.area
 
 
 class Desk:

@@ -54,6 +54,7 @@ PARTS: Mapping[str, Part] = {
     "simple": lambda it: it.app.main.panes.has_class("-simple"),
     "queue": lambda it: it.pane("queue").splitlines()[0],
     "sorted": lambda it: it.app.main.fleet.arrangement.column,
+    "grouped": lambda it: it.app.main.fleet.arrangement.groups.by,
     "marked": lambda it: list(it.app.main.fleet.listing.marks),
     "row": lambda it: it.app.main.fleet.listing.cursor,
     # All columns are visible: rows that are not longer than their pane look the same.

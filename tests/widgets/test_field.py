@@ -31,6 +31,18 @@ async def test_keys_in_the_queue_follow_the_focus() -> None:
         assert (first.value, second.value) == ("a", "bc")
 
 
+async def test_editing_keys_of_one_burst_keep_their_place_among_letters() -> None:
+    app = WidgetApp(field := Field({}, id="field"))
+    async with app.run_test() as pilot:
+        field.focus()
+        await pilot.pause()
+        # As a driver does it with all keys of one read.
+        for key in ("l", "a", "u", "backspace", "backspace", "backspace", "k", "t", "left", "i", "end", "c"):
+            app.post_message(events.Key(key, key if len(key) == 1 else None))
+        await pilot.pause()
+        assert field.value == "kitc"
+
+
 async def test_pasted_text_is_made_visible() -> None:
     field = Field({}, id="field")
     async with WidgetApp(field).run_test() as pilot:

@@ -73,6 +73,8 @@ class FrameReader:
             *(one.address for one in self._feeds.values() if one.queue_length > 1),
         }
         """Topics of which every message counts, not only the newest."""
+        self.poses = {one.address: one.robot for one in self._feeds.values() if one.fast}
+        """The robot by each topic of poses, of which a newer one replaces the older."""
         self._decode_apart, self._decode_pictures, self._warn = decode_apart, decode_pictures, warn
         self.maps_received: set[str] = set()
         """Topics of maps of which one has come on this connection."""

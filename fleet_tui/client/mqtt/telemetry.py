@@ -3,12 +3,14 @@
 import logging
 import time
 from collections.abc import Mapping
+from contextlib import suppress
 
 from fleet_tui.adapters.adapter import Adapter
 from fleet_tui.adapters.vda5050.frames import BrokerMessage, frame_of
 from fleet_tui.adapters.vda5050.reader import MessageReader
 from fleet_tui.adapters.vda5050.topics import OF_MASTERS
 from fleet_tui.client.mqtt.commands import VehicleCommands
+from fleet_tui.client.mqtt.pacing import VehiclePacing
 from fleet_tui.client.writer import Writer
 from fleet_tui.config.fleet import feeds_of, limit_of
 from fleet_tui.config.schema import Config
@@ -23,6 +25,8 @@ from fleet_tui.transports.mqtt.connection import BrokerConnection
 LOG = logging.getLogger(__name__)
 
 MOST_LOGGED = 1000
+LOOK_EVERY = 0.2
+"""Seconds between looks at what the operator looks at."""
 REFUSED = "broker refuses the subscription: grant the user read access"
 
 
@@ -34,19 +38,34 @@ class VehicleTelemetry:
         self._link, self._writer = link, writer
         self._feeds = {feed.address: feed for feed in feeds_of(config, adapters, link)}
         self._reading = MessageReader(link, limit_of(config, link), adapters, self._feeds.values())
+        self._pacing = VehiclePacing(config, self._feeds.values(), writer.store)
         self.counter = self._reading.counter
         self.connection = BrokerConnection(config.bridge(link), self)
         timeout = config.alarms.no_answer_after
         self.commands = VehicleCommands(self.connection, adapters, writer, timeout)
         self._logged = set[str]()
-        self._received_at = self._reported_at = 0.0
+        self._received_at = self._reported_at = self._next_look = 0.0
+        self._is_open = False
         self._path: tuple[CommandPath, str, bool] | None = None
         writer.before_tick.append(self._tick)
 
-    def _tick(self, _now: float) -> None:
+    def _tick(self, now: float) -> None:
         if self._received_at > self._reported_at:
             self._reported_at = self._received_at
             self._writer.apply(events.MessageArrived(self._link, self._received_at))
+        if self._is_open and now > self._next_look:
+            self._next_look = now + LOOK_EVERY
+            self._pace(now)
+
+    def _pace(self, now: float) -> None:
+        """Subscribe to the frequent positions of vehicles that are looked at, and leave those of others."""
+        changes = self._pacing.due(now)
+        entered, left = [[name for name, on in changes.items() if on is wanted] for wanted in (True, False)]
+        with suppress(LinkError):
+            if entered:
+                self.connection.subscribe(entered)
+            if left:
+                self.connection.unsubscribe(left)
 
     def on_connecting(self) -> None:
         """Report that a connection attempt has begun."""
@@ -56,10 +75,12 @@ class VehicleTelemetry:
         """Subscribe to the topics of all vehicles, one vehicle after the other: some brokers limit the number
         of topics in a request."""
         self.counter.opened()
+        self._pacing.begin(time.monotonic())
+        self._is_open = True
         self._writer.apply(events.LinkChanged(self._link, time.monotonic(), Phase.UP))
         self._set_path(CommandPath.UNTRIED, "", True)
         by_robot = dict[str, list[str]]()
-        for feed in self._feeds.values():
+        for feed in filter(self._pacing.is_wanted, self._feeds.values()):
             by_robot.setdefault(feed.robot, []).append(feed.address)
         try:
             for patterns in by_robot.values():
@@ -70,6 +91,7 @@ class VehicleTelemetry:
     def on_lost(self, reason: str, next_try_in: float) -> None:
         """Report the loss, and end open commands."""
         now = time.monotonic()
+        self._is_open = False
         self.commands.on_lost()
         self.counter.lost(reason, now)
         self._set_path(CommandPath.DEAD, reason, False)

@@ -1,4 +1,6 @@
-"""Backlog of one connection: age of the oldest unread frame, and frames dropped in favour of newer ones."""
+"""Backlog of one connection: age of the oldest unread frame, and frames dropped in favour of newer ones.
+
+These are poses that were read together with a newer one, and while it is behind frames of every topic."""
 
 import asyncio
 import fcntl
@@ -32,6 +34,8 @@ class Backlog:
         """When how many bytes had arrived in all, read or not."""
         self._newest: dict[str, tuple[float, Frame]] = {}
         """By topic: the time since which a frame waits, and the newest frame. The longest wait is first."""
+        self._poses: dict[str, Frame] = {}
+        """The newest pose of each robot that was just read."""
         self._timer: asyncio.TimerHandle | None = None
         self._age = 0.0
 
@@ -56,7 +60,7 @@ class Backlog:
             and not self._newest
             and frame[2] - self._connection.factory.fed_at < LONGEST_PIECE
         ):
-            self._take(frame)
+            self._take_newest(topic, frame)
             return
         since, overtaken = self._newest.get(topic, (frame[2], None))
         if overtaken is not None:
@@ -64,6 +68,27 @@ class Backlog:
         self._newest[topic] = since, frame
         if self._timer is None:
             self._timer = asyncio.get_running_loop().call_later(GATHER, self._drain)
+
+    def _take_newest(self, topic: str, frame: Frame) -> None:
+        """Take a frame; of a pose not before all that has arrived with it is read, or another report of its
+        robot comes: their order stays."""
+        robot = self._reading.poses.get(topic)
+        if robot is None:
+            before = self._poses.pop(self._reading.counter.topics[topic].robot, None)
+            if before is not None:
+                self._take(before)
+            self._take(frame)
+            return
+        if not self._poses:
+            asyncio.get_running_loop().call_soon(self._take_poses)
+        if robot in self._poses:
+            self._reading.counter.overtaken += 1
+        self._poses[robot] = frame
+
+    def _take_poses(self) -> None:
+        poses, self._poses = self._poses, {}
+        for frame in poses.values():
+            self._take(frame)
 
     def _drain(self) -> None:
         loop = asyncio.get_running_loop()
@@ -78,6 +103,7 @@ class Backlog:
         """Drop all unread frames: the connection is lost."""
         self._arrived.clear()
         self._newest.clear()
+        self._poses.clear()
         self._age = 0.0
         if self._timer is not None:
             self._timer.cancel()

@@ -1,9 +1,9 @@
-"""Subscriptions of one bridge: all topics on each connection, the open map, and again all topics that stay
-silent. Everything runs on the network loop."""
+"""Subscriptions of one bridge: all topics on each connection, by attention, the open map, and again all
+topics that stay silent. Everything runs on the network loop."""
 
 import asyncio
 import logging
-import random
+import time
 from collections.abc import Callable, Iterable, Mapping, Set
 from contextlib import suppress
 
@@ -12,26 +12,25 @@ from fleet_tui.adapters.ros import operations
 from fleet_tui.adapters.ros.reading import FrameReader
 from fleet_tui.adapters.ros.type_names import type_problem
 from fleet_tui.client.rosbridge.calls import Calls
+from fleet_tui.client.rosbridge.heartbeat import SERVICE
 from fleet_tui.client.rosbridge.latched import Latched
 from fleet_tui.client.rosbridge.log_subscription import LogSubscription
+from fleet_tui.client.rosbridge.pacing import Pacing
+from fleet_tui.client.rosbridge.renewals import PER_TOPIC, Renewals
+from fleet_tui.client.rosbridge.topic_types import ROSAPI_TIMEOUT, topic_types
 from fleet_tui.errors import LinkError
 from fleet_tui.model import events
 from fleet_tui.transports.rosbridge.connection import Connection
 
 LOG = logging.getLogger(__name__)
 
-ROSAPI_TIMEOUT = 2.0
+# Topics that are subscribed at once: a bridge handles one after the other, and then answers a call behind
+# them.
+AT_ONCE = 50
 # A bridge too old for CBOR sends nothing: after this many seconds the map is requested as JSON.
 CBOR_PATIENCE = 20.0
 # A bridge of ROS 2 is never too old, but sends no CBOR larger than its max_message_size: only pieces of JSON.
 CBOR_PATIENCE_ROS2 = 8.0
-# A bridge behind which roscore was restarted stays silent until subscribed again. A robot that is only
-# switched off is subscribed again repeatedly, at doubling intervals. Seconds; a real bridge takes
-# 20 ms for each topic, and has not finished before that.
-FIRST_RENEWAL, PER_TOPIC, LONGEST_INTERVAL = 8.0, 0.03, 64.0
-# The bridge subscribes in ROS again only when no client holds the topic. Consoles notice a silence at about
-# the same time, and unsubscribe for a quarter of the time they waited, up to this many seconds: together.
-LONGEST_RELEASE = 8.0
 
 
 class Subscriber:
@@ -44,12 +43,13 @@ class Subscriber:
         feeds: Iterable[Feed],
         adapters: Mapping[str, Adapter],
         reading: FrameReader,
+        pacing: Pacing,
         report: Callable[[events.Event], None],
     ) -> None:
         self._connection, self._calls, self._reading, self._report = connection, calls, reading, report
-        self._feeds, self._adapters = tuple(feeds), adapters
+        self._feeds, self._adapters, self._pacing = tuple(feeds), adapters, pacing
         self._robots = {robot for feed in self._feeds for robot in feed.robots}
-        self._first_renewal = FIRST_RENEWAL + PER_TOPIC * len(self._feeds)
+        self._renewals = Renewals(self._robots, len(self._feeds))
         self.types: dict[str, str] = {}
         """Type by topic, as last listed by rosapi; empty if it does not answer."""
         self._refused: set[str] = set()
@@ -58,28 +58,50 @@ class Subscriber:
         self._json_timer: asyncio.TimerHandle | None = None
         self._map: Feed | None = None
         self._watched: frozenset[Feed] = frozenset()
-        self.log_subscription = LogSubscription(connection, self._ask_types)
+        self._subscribed: set[str] = set()
+        self.log_subscription = LogSubscription(connection, lambda: topic_types(calls))
         self._latched = Latched(reading, self._of_latched, self._subscribe, self._unsubscribe)
-        self._subscribed_at: dict[str, float] = {}
-        self._patience: dict[str, float] = {}
         self._task: asyncio.Task[None] | None = None
 
     def start(self, now: float) -> None:
         """Subscribe to all topics: the bridge keeps nothing from before. `now` is monotonic, in seconds."""
         self._reading.maps_received.clear()
         self._refused.clear()
-        self._patience.clear()
-        self._subscribed_at = dict.fromkeys(self._robots, now)
+        self._renewals.start(now)
+        self._subscribed.clear()
+        self._pacing.begin(now)
         self._task = asyncio.ensure_future(self._begin())
 
     async def _begin(self) -> None:
-        self.types = await self._ask_types()
+        self.types = await topic_types(self._calls)
         # First, to receive the bridge's warnings about the others.
         self.log_subscription.subscribe(self.types)
-        for wanted in self._of(self._robots):
-            self._subscribe(wanted)
+        waiting = self._of(self._robots)
+        total, at_once = len(waiting), AT_ONCE
+        while waiting:
+            self._report_progress(total - len(waiting), total)
+            # Again for each part: by now it is known which robots are on the shown floor.
+            waiting = self._pacing.sorted(waiting)
+            for wanted in waiting[:at_once]:
+                self._subscribe(wanted)
+            waiting = waiting[at_once:]
+            if waiting and not await self._are_handled():
+                at_once = len(waiting)
+        self._report_progress(total, total)
         if self._is_ros2:
             self._latched.start(self._of_latched(), PER_TOPIC)
+
+    async def _are_handled(self) -> bool:
+        """Wait until the bridge has handled all subscriptions. Tell whether it shows that."""
+        with suppress(LinkError):
+            await self._calls.call(SERVICE, {}, ROSAPI_TIMEOUT + PER_TOPIC * AT_ONCE)
+            return True
+        return False
+
+    def _report_progress(self, done: int, total: int) -> None:
+        if total > AT_ONCE:
+            link, now = self._reading.counter.name, time.monotonic()
+            self._report(events.SubscriptionsAdvanced(link, now, done, total))
 
     @property
     def _is_ros2(self) -> bool:
@@ -106,31 +128,20 @@ class Subscriber:
             self._task.cancel()
 
     def check(self, now: float, last_message: Mapping[str, float]) -> None:
-        """Subscribe again for robots that have been silent for long; `last_message` is by robot, in monotonic
-        seconds."""
-        if self._task is None or not self._task.done() or not self._connection.is_connected:
+        """Subscribe again to topics that should come faster or slower by now, of the same id, which replaces
+        the earlier one, and for robots that have been silent for long; `last_message` is by robot, in
+        monotonic seconds."""
+        if self._task is None or not self._connection.is_connected:
             return
-        silent = {
-            robot for robot in self._robots if self._is_silent(robot, now, last_message.get(robot, 0.0))
-        }
-        if not silent:
+        for feed in self._pacing.due(now):
+            if feed.address in self._subscribed:
+                self._subscribe(feed)
+        if not self._task.done():
             return
-        LOG.info("silent, subscribing again: %s", " ".join(sorted(silent)))
-        release_time = min(LONGEST_RELEASE, max(map(self._interval, silent)) / 4)
-        for robot in silent:
-            self._subscribed_at[robot] = now
-            # A random delay brings consoles together that did not start to wait together.
-            self._patience[robot] = min(LONGEST_INTERVAL, self._interval(robot) * random.uniform(1.8, 2.2))
-        self._task = asyncio.ensure_future(self._renew(silent, release_time))
-
-    def _interval(self, robot: str) -> float:
-        return self._patience.get(robot, self._first_renewal)
-
-    def _is_silent(self, robot: str, now: float, last_message: float) -> bool:
-        subscribed_at = self._subscribed_at[robot]
-        if last_message > subscribed_at:
-            self._patience.pop(robot, None)
-        return now - max(last_message, subscribed_at) > self._interval(robot)
+        silent, release_time = self._renewals.due(now, last_message)
+        if silent:
+            LOG.info("silent, subscribing again: %s", " ".join(sorted(silent)))
+            self._task = asyncio.ensure_future(self._renew(silent, release_time))
 
     async def _renew(self, robots: Set[str], release_time: float) -> None:
         # A topic of several robots is fine if any of them sends: the others would lose messages meanwhile.
@@ -138,7 +149,7 @@ class Subscriber:
         for wanted in renewed:
             self._unsubscribe(wanted)
         await asyncio.sleep(release_time)
-        self.types = await self._ask_types()
+        self.types = await topic_types(self._calls)
         for wanted in renewed:
             self._subscribe(wanted)
 
@@ -148,22 +159,6 @@ class Subscriber:
             for one in self._feeds
             if any(robot in robots for robot in one.robots) and (not one.on_demand or one is self._map)
         ] + [one for one in self._watched if one.robot in robots]
-
-    async def _ask_types(self) -> dict[str, str]:
-        """Return type by topic, as rosapi lists them; empty if it doesn't."""
-        try:
-            response = await self._calls.call("/rosapi/topics", {}, ROSAPI_TIMEOUT)
-        except LinkError as problem:
-            LOG.info("types not checked: %s", problem)
-            return {}
-        values = response.values
-        if not response.result or not isinstance(values, dict):
-            LOG.info("types not checked: %s", values)
-            return {}
-        topics, types = values.get("topics"), values.get("types")
-        if not isinstance(topics, list) or not isinstance(types, list):
-            return {}
-        return {str(topic): str(type_) for topic, type_ in zip(topics, types, strict=False)}
 
     def _subscribe(self, wanted: Feed) -> None:
         problem = type_problem(wanted, self.types, self._adapters[wanted.robot].names.table)
@@ -179,7 +174,7 @@ class Subscriber:
             topic,
             # ROS 2 writes the same type with a middle part: the bridge expects its own spelling.
             self.types.get(topic, wanted.type),
-            wanted.rate_ms,
+            self._pacing.interval(wanted),
             "cbor" if (wanted.large or is_stream) and topic not in self._as_json else "none",
             queue_length=wanted.queue_length,
             latched=wanted.latched and self._is_ros2 and self._latched.wants_qos(topic),
@@ -188,12 +183,18 @@ class Subscriber:
             self._connection.send(operations.subscribe(asked))
         except LinkError:
             return
+        self._subscribed.add(topic)
+        self._reading.counter.topics[topic].asked_ms = asked.throttle_rate
         # If rosapi answers, it shows whether there is a map at all.
         if asked.compression == "cbor" and (topic in self.types or not self.types):
-            patience = CBOR_PATIENCE_ROS2 if self._is_ros2 and self.types else CBOR_PATIENCE
-            count, loop = self._reading.counter.topics[topic].count, asyncio.get_running_loop()
-            timer = loop.call_later(patience, self._request_as_json, wanted, count)
-            self._json_timer = timer if wanted.large else self._json_timer
+            self._expect_cbor(wanted)
+
+    def _expect_cbor(self, wanted: Feed) -> None:
+        """Request a topic as JSON if it does not come as CBOR."""
+        patience = CBOR_PATIENCE_ROS2 if self._is_ros2 and self.types else CBOR_PATIENCE
+        count, loop = self._reading.counter.topics[wanted.address].count, asyncio.get_running_loop()
+        timer = loop.call_later(patience, self._request_as_json, wanted, count)
+        self._json_timer = timer if wanted.large else self._json_timer
 
     def _request_as_json(self, wanted: Feed, count: int) -> None:
         has_come = self._reading.counter.topics[wanted.address].count > count
@@ -205,6 +206,7 @@ class Subscriber:
             self._subscribe(wanted)
 
     def _unsubscribe(self, wanted: Feed) -> None:
+        self._subscribed.discard(wanted.address)
         with suppress(LinkError):
             self._connection.send(operations.unsubscribe(wanted.address))
 

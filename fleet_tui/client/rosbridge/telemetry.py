@@ -15,6 +15,7 @@ from fleet_tui.adapters.ros.reading import WORTH_A_PROCESS, FrameReader, Read, S
 from fleet_tui.client.memory import trim
 from fleet_tui.client.rosbridge.backlog import Backlog, Frame
 from fleet_tui.client.rosbridge.calls import Calls
+from fleet_tui.client.rosbridge.pacing import Pacing
 from fleet_tui.client.rosbridge.services import Services
 from fleet_tui.client.rosbridge.set_up.camera_channel import CameraChannel
 from fleet_tui.client.rosbridge.set_up.stream_writer import StreamWriter
@@ -65,8 +66,9 @@ class Telemetry:
         self._reading = FrameReader(
             link, limit, adapters, feeds, decode_apart, LOG.warning, self._sink, read_levels
         )
+        pacing = Pacing(config, adapters, feeds, writer.store)
         self._subscriber = Subscriber(
-            self.connection, self._calls, feeds, adapters, self._reading, self._take
+            self.connection, self._calls, feeds, adapters, self._reading, pacing, self._take
         )
         self._on_demand = [feed for feed in feeds if feed.wanted_for in ("target", "stream")]
         self._pictures = CameraChannel(bridge, feeds, adapters, self._subscriber, self._reading, self._sink)

@@ -67,7 +67,7 @@ CLASSES = {
         "medium",
         "no message for longer than `offline_after`",
         "it may drive on unseen, and takes no commands",
-        "Check the robot: power, Wi-Fi, its nodes",
+        "Check the robot: power, Wi-Fi, its software",
         5,
     ),
     "stuck": AlarmClass(

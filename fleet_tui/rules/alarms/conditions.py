@@ -28,7 +28,7 @@ BAD_AFTER, BAD_FOR = 1.0, 10.0
 over."""
 BEHIND_FOR = 2.0
 """Seconds for which the console or a bridge must be behind: a map may take a moment."""
-OVERLOADED = "bridge overloaded: use fewer topics, lower rates or a second bridge"
+OVERLOADED = "bridge overloaded"
 CHARGES_WITHIN = 1800.0
 """Seconds at a charger after which a battery that is still low needs a person."""
 STILL = 2.0
@@ -158,7 +158,9 @@ def offline(state: FleetState, robot: Robot, active: ActiveConditions) -> Condit
     explained = link.phase is not Phase.UP or (is_overloaded(link) and not robot.is_gone)
     if state.is_online(robot) if raised else explained:
         return None
-    due = limit + (robot.last_received or 0.0 if raised else max(robot.last_received or 0.0, link.since))
+    due = limit + (
+        robot.last_received or 0.0 if raised else max(robot.last_received or 0.0, link.ready_since)
+    )
     text = offline_text(state, robot)
     if robot.is_gone and robot.connection is not None and robot.last_received is not None:
         due = robot.connection.at

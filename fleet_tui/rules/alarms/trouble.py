@@ -13,7 +13,7 @@ LONG_STILL = 30.0
 
 def waits(state: FleetState, robot: Robot) -> bool:
     """Tell whether a robot has stood with an order for so long, by poses that still hold."""
-    stands = robot.orders.current is not None and robot.still_for >= LONG_STILL
+    stands = robot.still_for >= LONG_STILL and robot.orders.current is not None
     return stands and state.is_fresh(robot, "pose")
 
 
@@ -37,6 +37,8 @@ def acknowledged(state: FleetState) -> frozenset[str]:
 def _concerned(state: FleetState, stage: AlarmStage) -> frozenset[str]:
     alarms = [one for one in state.alarms if one.stage is stage]
     links = {one.condition.source for one in alarms} & state.links.keys()
+    if not links:  # asked several times a tick
+        return _robots(state, alarms)
     return _robots(state, alarms) | {robot.name for robot in state.robots.values() if robot.link in links}
 
 

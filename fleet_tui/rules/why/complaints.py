@@ -9,6 +9,7 @@ from fleet_tui.model.counters import LinkCounter, snapshot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.ros_logs import Health, LogLine, PartDiagnosis, Severity
+from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.why.orders import LOOK
 from fleet_tui.rules.why.reason import Reason, Strength
 
@@ -33,6 +34,8 @@ class Complaint(Struct, frozen=True):
         """Return it as a reason to stand still."""
         strength = Strength.LIKELY if self.is_error else Strength.POSSIBLE
         evidence, remedy = f"in the robot's own {self.source}", LOOK if self.is_error else ""
+        if "battery" in self.text.casefold():
+            remedy = CLASSES["battery"].action
         return Reason(self.text, evidence, strength, seen=self.at, keys=("diagnostics",), remedy=remedy)
 
 

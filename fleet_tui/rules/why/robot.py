@@ -1,7 +1,7 @@
 """Reasons to stand still from the robot: its own reports, and whether it is online."""
 
 from fleet_tui.model.commands import Stage
-from fleet_tui.model.fleet import FleetState, obstacle_text
+from fleet_tui.model.fleet import FleetState, obstacle_text, offline_text
 from fleet_tui.model.link import Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.classes import CLASSES
@@ -74,7 +74,9 @@ def silent_robot(state: FleetState, robot: Robot) -> Reason | None:
             f"All {len(beside)} robots of {robot.link} are silent: check its bridge and the network first"
         )
     if robot.last_received is None:
-        return Reason("never seen", "link up, no message received", strength, keys=DIAGNOSE, remedy=remedy)
+        what = "message" if robot.connection is None else "state"
+        evidence = f"link up, no {what} received"
+        return Reason(offline_text(state, robot), evidence, strength, keys=DIAGNOSE, remedy=remedy)
     name, since = f"offline {age(state.now - robot.last_received)}", robot.last_received
     return Reason(name, "link up, no messages", strength, since, keys=DIAGNOSE, remedy=remedy)
 

@@ -21,11 +21,15 @@ class DiagnosticsControls:
         self.notice = ""
         self._cursors: dict[Page, Hashable] = {}
         self._came_from_topics = False
+        self._robot = ""
 
     def begin(self, robot: str) -> None:
-        """Show the page that was open last; the first time a topic of `robot` is marked."""
-        if self._pages.topic is None:
-            self._pages.topic = self._cursors[Page.TOPICS] = self._pages.first_topic(robot)
+        """Show the page that was open last; a topic of `robot` is marked if another one was looked at."""
+        if robot != self._robot:
+            self._robot, self._pages.topic = robot, self._pages.first_topic(robot)
+            self._cursors[Page.TOPICS] = self._pages.topic
+            if self.current is Page.TOPICS:
+                self._view.rows.listing.cursor = self._pages.topic
         self._pages.begin_log(robot)
         self.page(self.current)
 

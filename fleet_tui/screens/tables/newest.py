@@ -13,22 +13,36 @@ from fleet_tui.widgets.rows_pane import RowsPane
 if TYPE_CHECKING:
     from fleet_tui.screens.main import MainScreen
 
+CROWD = 300
+"""Robots from which poses come as seldom as the map is drawn."""
+
 
 class NewestRows:
     """Nobody reads values that change ten times a second, and all of a large fleet take a while to sort: the
-    fleet's rows are made five times a second."""
+    fleet's rows are made five times a second, of a crowd twice; the map of a crowd is made five times."""
 
     def __init__(self, screen: "MainScreen") -> None:
         self._screen = screen
-        self._fleet_pace = Pace(0.2)
+        self._fleet_pace, self._crowd_pace = Pace(0.2), Pace(0.5)
+        self._floor_pace = Pace(0.2)
         self._fleet: Table | None = None
+
+    def is_floor_due(self) -> bool:
+        """Tell whether to show the newest floor: of a crowd not at every tick, unless the map has a mode, as
+        when a robot is driven."""
+        screen = self._screen
+        if len(screen.store.state.robots) < CROWD or screen.rest.map_pane.is_mode:
+            return True
+        return self._floor_pace.is_due((screen.navigation.selection, screen.rest.map.size))
 
     def tables(self) -> list[Table]:
         """Return fleet, alarms and queue. The fleet is the same table again until it is due, or another
         robot, size, arrangement or alarm asks for it."""
         screen, pane = self._screen, self._screen.fleet
-        arranged = pane.arrangement.typed, pane.arrangement.column
-        if self._fleet_pace.is_due((screen.navigation.robot, pane.size, arranged, screen.store.state.alarms)):
+        arranged = pane.arrangement.typed, pane.arrangement.column, pane.arrangement.groups.by
+        is_crowd = len(screen.store.state.robots) >= CROWD
+        pace = self._crowd_pace if is_crowd else self._fleet_pace
+        if pace.is_due((screen.navigation.robot, pane.size, arranged, screen.store.state.alarms)):
             self._fleet = None  # until it is made: after a fault it is due again
         fleet = self._fleet or self.of(pane)
         return [fleet, self.of(screen.alarms), self.of(screen.queue)]

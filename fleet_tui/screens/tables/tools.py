@@ -12,6 +12,7 @@ from fleet_tui.screens.tables.filter_line import FilterLine
 from fleet_tui.screens.tables.outcomes import Outcomes
 from fleet_tui.terminal.clipboard import clipboard, copied_text
 from fleet_tui.terminal.lean_app import LeanApp
+from fleet_tui.view.tables.groups import GroupHead
 from fleet_tui.widgets.rows_pane import RowsPane
 
 if TYPE_CHECKING:
@@ -31,7 +32,7 @@ class TableTools:
         self.marked = MarkedCommands(
             screen.store, screen.dispatch, ask, self.robots, self.outcomes.show, self._unmark
         )
-        self.actions = TableActions(self._filter, self._sort, self._mark, self._copy)
+        self.actions = TableActions(self._filter, self._sort, self._group, self._mark, self._copy)
 
     @property
     def widgets(self) -> tuple[Widget, ...]:
@@ -73,7 +74,22 @@ class TableTools:
         self._table.arrangement.next_column()
         self._screen.show_rows(self._table)
 
+    def _group(self) -> None:
+        fleet = self._screen.fleet
+        if not fleet.arrangement.groups.next(self._screen.navigation.here):
+            self._screen.notices.say("one floor and one link: nothing to group by")
+        self._screen.show_rows(fleet)
+
+    def fold(self, head: GroupHead) -> None:
+        """Fold a group of the fleet, or unfold it; the cursor stays on it."""
+        fleet = self._screen.fleet
+        fleet.arrangement.groups.fold(head)
+        fleet.show(self._screen.newest.of(fleet))
+
     def _mark(self) -> None:
+        if isinstance(self._table.listing.cursor, GroupHead):
+            self._screen.notices.say("a group can't be marked: mark its robots")
+            return
         self._table.listing.toggle_mark()
         self._screen.show_rows(self._table)
 

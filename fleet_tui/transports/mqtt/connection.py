@@ -47,6 +47,10 @@ class BrokerConnection:
         """Subscribe to topics in one request. Raises LinkError without a connection."""
         self._open_session().subscribe(patterns)
 
+    def unsubscribe(self, patterns: Sequence[str]) -> None:
+        """Unsubscribe from topics in one request. Raises LinkError without a connection."""
+        self._open_session().unsubscribe(patterns)
+
     def publish(self, topic: str, payload: bytes) -> None:
         """Send a message with QoS 0, not retained. Raises LinkError without a connection."""
         self._open_session().publish(topic, payload)

@@ -53,18 +53,14 @@ class BrokerSession:
         """Times at which unanswered signs of life were sent, by their ids."""
         self._logged = set[str]()
         self._beating: asyncio.Task[None] | None = None
-        self._client = self._paho(client_id)
-        self._driver = PahoDriver(self._client, self._is_awaited, self._fail)
-
-    def _paho(self, client_id: str) -> FedClient:
-        client = FedClient(client_id, self._take)
+        client = self._client = FedClient(client_id, self._take)
         client.connect_timeout = CONNECT_TIMEOUT
         client.on_connect = self._on_connect
         client.on_disconnect = self._on_disconnect
         client.on_message = self._on_message
         client.on_subscribe = self._on_subscribe
         client.on_unsubscribe = self._on_unsubscribe
-        return client
+        self._driver = PahoDriver(self._client, self._is_awaited, self._fail)
 
     async def open(self) -> None:
         """Connect and log in, with secrets and certificates read again: they may have been renewed.
@@ -101,6 +97,11 @@ class BrokerSession:
         if code or number is None:
             raise LinkError("no link")
         self._asked[number] = patterns
+
+    def unsubscribe(self, patterns: Sequence[str]) -> None:
+        """Unsubscribe from topics. Raises LinkError."""
+        if self._client.unsubscribe(list(patterns))[0]:
+            raise LinkError("no link")
 
     def publish(self, topic: str, payload: bytes) -> None:
         """Send a message now, once at most: nothing repeats it. Raises LinkError."""

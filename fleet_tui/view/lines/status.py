@@ -86,6 +86,9 @@ def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
     else:
         silent = max(0.0, now - link.last_received)
         yield f"{duration(silent)}", StyleRole.DIM if silent < SILENT_AFTER else StyleRole.WARN
+    if link.waiting_topics:
+        done = link.topics - link.waiting_topics
+        yield tr(f" subscribing: {done} of {link.topics} topics"), StyleRole.TEXT
     if link.command_path is CommandPath.DEAD:
         yield tr(f" commands dead: {sanitize(link.command_reason)}"), StyleRole.ALARM
     elif link.command_path is CommandPath.UNREGISTERED:
@@ -105,6 +108,7 @@ def _worst(state: FleetState) -> LinkState:
             link.command_path not in NO_WAY,
             not link.unsourced,
             link.late < BEHIND,
+            -link.waiting_topics,
             link.last_received or 0.0,
         ),
     )

@@ -8,10 +8,13 @@ import math
 from dataclasses import dataclass, replace
 
 from fleet_tui.model.geometry import MapFrame
+from fleet_tui.rules.rates.attention import SeenArea
 
 DOTS_X, DOTS_Y = 2, 4
 MIN_SCALE = 0.125
 ZOOM_STEP = math.sqrt(2.0)
+BEYOND = 0.25
+"""Share of the view's size around it that counts as seen: the map may be moved there next."""
 _DEAD_ZONE = 0.3  # of the view, to each side of its middle: a followed robot moves freely in it
 
 
@@ -130,6 +133,16 @@ def _fit_scale(extent: tuple[float, float], width: int, height: int) -> float:
     # One extra cell on each side: snapping to whole cells then never cuts the map's rim off.
     across = extent[0] / (DOTS_X * max(width - 2, 1))
     return max(across, extent[1] / (DOTS_Y * max(height - 1, 1)), MIN_SCALE)
+
+
+def seen_area(camera: Camera, frame: MapFrame) -> SeenArea:
+    """Return the area in metres that a view shows, and a little more."""
+    cell = DOTS_X * camera.scale
+    across, down = (0.5 + BEYOND) * camera.width * cell, (0.5 + BEYOND) * camera.height * 2 * cell
+    ends = [(x, y) for x in (-across, across) for y in (-down, down)]
+    places = [frame.to_world(camera.column + x, camera.row + y) for x, y in ends]
+    (left, *_, right), (low, *_, top) = (sorted(one) for one in zip(*places, strict=True))
+    return SeenArea(left, low, right, top, cell * frame.resolution)
 
 
 def scale_bar(camera: Camera, frame: MapFrame, width: int) -> tuple[str, int]:

@@ -11,6 +11,7 @@ from fleet_tui.text.language import tr
 from fleet_tui.text.row_filter import filter_terms, is_wanted
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.groups import RowGroups
 from fleet_tui.view.tables.table import Run
 
 Item = TypeVar("Item")
@@ -29,10 +30,11 @@ class Value(Struct, Generic[Item], frozen=True):
 
 
 class RowArrangement:
-    """The filter as `typed`, and the value that sorts, empty for the table's own order."""
+    """The filter as `typed`, the value that sorts, empty for the table's own order, and the groups."""
 
     def __init__(self) -> None:
         self.typed = ""
+        self.groups = RowGroups()
         self.is_typing = False
         """The operator is about to type a letter: what it will search in is made before, for that takes
         longer than a key may."""

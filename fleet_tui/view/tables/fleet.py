@@ -20,6 +20,7 @@ from fleet_tui.view.tables.arrangement import RowArrangement, Value
 from fleet_tui.view.tables.battery import battery_bar, battery_run
 from fleet_tui.view.tables.fleet_columns import Columns, floor_text
 from fleet_tui.view.tables.fleet_counts import fleet_counts
+from fleet_tui.view.tables.groups import GroupHead, head_row
 from fleet_tui.view.tables.missions import FOREIGN, destinations, mission, whose_mission
 from fleet_tui.view.tables.news import failed_command, news, shortened_news
 from fleet_tui.view.tables.progress import progress_text
@@ -227,18 +228,21 @@ def fleet_table(
     calm = partial(_calm, state, troubled, silenced)
     everyone = state.robots.values()
     robots = arrangement.arranged(everyone, _values(state), lambda robot: robot.name, state.now, calm)
-    columns = Columns.of(state, width)
+    columns, groups = Columns.of(state, width), arrangement.groups
+    entries = groups.grouped(state, robots, selected, opens=bool(arrangement.typed))
 
     def row(place: int) -> Row:
-        robot = robots[place]
+        robot = entries[place]
+        if isinstance(robot, GroupHead):
+            return head_row(state, robot, robot in groups.folded and not arrangement.typed, troubled)
         sign = _signed(state, robot, robot.name in troubled, robot.name in silenced)
         made = _row(state, robot, sign, robot.name == selected, columns)
         return _seen_row(made) if robot.name in seen else made
 
-    rows = LateRows([robot.name for robot in robots], row)
+    rows = LateRows([one if isinstance(one, GroupHead) else one.name for one in entries], row)
     total = len(state.robots)
-    notes = arrangement.notes(len(rows))
+    notes = arrangement.notes(len(robots))
     # Filtered it is about other numbers.
     counted = [] if arrangement.typed else fleet_counts(state, width - width_of(notes))
     told = ((tr("Fleet"), StyleRole.TITLE), *counted, *notes)
-    return Table(told, rows, arrangement.no_match, head=columns.head, unfiltered=total)
+    return Table(told, rows, arrangement.no_match, head=columns.head, unfiltered=0 if groups.by else total)

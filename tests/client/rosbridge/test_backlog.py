@@ -20,7 +20,10 @@ class Read:
     def __init__(self, descriptor: int) -> None:
         self.bytes_read, self.descriptor = 0, descriptor
         self.factory = SimpleNamespace(fed_at=0.0)
-        self.counter = SimpleNamespace(overtaken=0)
+        self.poses = {"/pose": "robot", "/other/pose": "other"}
+        topics = {"/pose": "robot", "/battery": "robot"}
+        named = {topic: SimpleNamespace(robot=robot) for topic, robot in topics.items()}
+        self.counter = SimpleNamespace(overtaken=0, topics=named)
 
     def progress(self) -> tuple[int, int]:
         return self.bytes_read, self.descriptor
@@ -69,9 +72,27 @@ def test_the_oldest_byte_that_is_not_read_gives_the_age(line: Line) -> None:
 
 
 async def test_frames_pass_at_once_while_nothing_waits(line: Line) -> None:
-    line.put("/pose", b"1")
-    line.put("/pose", b"2")
+    line.put("/battery", b"1")
+    line.put("/battery", b"2")
     assert line.taken == [b"1", b"2"] and line.read.counter.overtaken == 0
+
+
+async def test_of_poses_that_are_read_together_only_the_newest_is_taken(line: Line) -> None:
+    for topic, payload in (("/pose", b"1"), ("/other/pose", b"2"), ("/pose", b"3")):
+        line.put(topic, payload)
+    assert line.taken == []
+    await asyncio.sleep(0)
+    assert line.taken == [b"3", b"2"] and line.read.counter.overtaken == 1
+    line.put("/pose", b"4")
+    await asyncio.sleep(0)
+    assert line.taken[2:] == [b"4"], "it was not read together with the others"
+
+
+async def test_a_pose_keeps_its_place_before_another_report_of_its_robot(line: Line) -> None:
+    for topic, payload in (("/pose", b"1"), ("/battery", b"2"), ("/pose", b"3"), ("/battery", b"4")):
+        line.put(topic, payload)
+    await asyncio.sleep(0)
+    assert line.taken == [b"1", b"2", b"3", b"4"] and line.read.counter.overtaken == 0
 
 
 async def test_behind_only_the_newest_of_each_topic_is_taken_the_longest_waiting_first(
@@ -95,5 +116,5 @@ async def test_a_batch_that_takes_long_is_gathered_and_dropped_with_the_link(lin
     line.put("/pose", b"1", at=LONGEST_PIECE)
     assert line.taken == []
     line.backlog.clear()
-    line.put("/pose", b"2")
+    line.put("/battery", b"2")
     assert line.taken == [b"2"] and line.backlog.age(9.0) == 0.0

@@ -2,6 +2,7 @@
 
 import pytest
 
+from fleet_tui.screens.tables import newest
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.widgets import pace
 from tests.support.console_pilot import console
@@ -21,3 +22,18 @@ async def test_the_fleet_is_the_same_table_until_it_is_due_or_asked_for(
         assert sorted_ is not first
         now += 0.3
         assert main.newest.tables()[0] is not sorted_
+
+
+async def test_the_map_of_a_crowd_is_shown_at_a_pace_and_at_once_for_another_robot(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with console(config_of(server.url, 2)) as it:
+        main, now = it.app.main, 1e9
+        assert main.newest.is_floor_due() and main.newest.is_floor_due()
+        monkeypatch.setattr(newest, "CROWD", 2)
+        monkeypatch.setattr(pace, "monotonic", lambda: now)
+        assert [main.newest.is_floor_due() for _ in range(3)] == [True, False, False]
+        main.navigation.selection = main.navigation.selection.on_robot("robot_1")
+        assert [main.newest.is_floor_due() for _ in range(2)] == [True, False]
+        now += 0.3
+        assert [main.newest.is_floor_due() for _ in range(2)] == [True, False]

@@ -77,3 +77,32 @@ async def test_the_row_is_copied_as_it_reads(
         (sequence,) = written
         copied = base64.b64decode(sequence.removeprefix("\x1b]52;c;").removesuffix("\x07")).decode()
         assert "robot_1" in copied and copied.strip() == copied
+
+
+async def test_groups_fold_on_enter_and_are_no_robots(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 3, floors=2)) as it:
+        await it.until(
+            lambda state: {robot.floor for robot in state.robots.values()} >= {"floor_0", "floor_1"}
+        )
+        selected = it.app.main.navigation.robot
+        await it.press("tab", "Z")
+        await it.shows("- floor_0", "fleet")
+        assert "- floor_1" in it.pane("fleet")
+        await it.press("up")
+        await it.press("space")
+        await it.shows("a group can't be marked")
+        assert "marked" not in it.pane("fleet").splitlines()[0]
+        before = len(names(it))
+        await it.press("enter")
+        await it.shows("+ floor_0", "fleet")
+        assert names(it) and len(names(it)) < before and it.app.main.navigation.robot == selected
+        await it.press("enter")
+        await it.shows("- floor_0", "fleet")
+        await it.press("Z")
+        assert "floor_0 " not in it.pane("fleet").splitlines()[1] and names(it) == ["0", "1", "2"]
+
+
+async def test_without_groups_their_key_says_so(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("tab", "Z")
+        await it.shows("one floor and one link: nothing to group by")

@@ -80,3 +80,19 @@ async def test_a_message_over_the_limit_is_dropped_with_its_size(tmp_path: Path)
             await events.call(lambda: events.connection.publish("state", b"x"))
             await until(lambda: events.messages)
             assert events.too_large == [("map", 2000)] and events.messages == [("state", b"x", False)]
+
+
+async def test_what_is_unsubscribed_does_not_come_any_more(tmp_path: Path) -> None:
+    with mosquitto(tmp_path) as broker:
+        peer = Peer(broker.port, "out/#")
+        async with connecting(Link(broker.url)) as events:
+            await events.subscribe("in/a", "in/b")
+            await events.call(lambda: events.connection.unsubscribe(["in/a"]))
+            # What is sent later is handled later: by now the broker has let go.
+            await events.call(lambda: events.connection.publish("out/done", b""))
+            await until(lambda: peer.told)
+            peer.publish("in/a", b"1")
+            peer.publish("in/b", b"2")
+            await until(lambda: events.messages)
+            assert events.messages == [("in/b", b"2", False)]
+        peer.close()

@@ -156,3 +156,21 @@ def test_it_says_when_all_robots_are_paused() -> None:
     assert console_notes(heard, read_only=False, armed=True, standstill=0.0) == ["1 of 2 PAUSED"]
     both = reduced(one, paused[1], tick(T0))
     assert console_notes(both, read_only=False, armed=True, standstill=0.0) == ["ALL PAUSED"]
+
+
+def test_a_long_start_tells_how_far_it_is() -> None:
+    begun = events.SubscriptionsAdvanced(LINK, T0 + 1, 50, 900)
+    state = reduced(fleet(), link_up(T0), begun, tick(T0 + 1))
+    assert "subscribing: 50 of 900 topics" in line(state)
+    assert "subscribing" not in line(reduced(state, events.SubscriptionsAdvanced(LINK, T0 + 9, 900, 900)))
+
+
+def test_of_several_links_the_one_with_most_to_subscribe_is_shown() -> None:
+    config = config_of("ws://one:9090", 2)
+    robots = [config.robots[0], RobotEntry("robot_1", link="two")]
+    state = initial_state(replace(config, robots=robots, links={"two": Link("ws://two:9090")}), T0)
+    state = reduced(state, link_up(T0), events.LinkChanged("two", T0, Phase.UP))
+    advanced = [
+        events.SubscriptionsAdvanced(name, T0, 50, total) for name, total in ((LINK, 50), ("two", 90))
+    ]
+    assert "ws://two:9090 nothing received yet subscribing: 50 of 90" in line(reduced(state, *advanced))

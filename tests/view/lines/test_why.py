@@ -72,7 +72,7 @@ Last pose 20 s old. Last seen at Base.
 ▶ 1. offline 20 s  (certain)
     link up, no messages
     for 20 s
-    Check the robot: power, Wi-Fi, its nodes
+    Check the robot: power, Wi-Fi, its software
     d\u00a0Open diagnostics: links, topics, raw messages, logs"""
     )
 

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.model.geometry import MapFrame, Pose
-from fleet_tui.view.map.camera import MIN_SCALE, Camera, scale_bar
+from fleet_tui.view.map.camera import MIN_SCALE, Camera, scale_bar, seen_area
 
 sizes = st.tuples(st.integers(1, 5000), st.integers(1, 5000))
 cameras = st.builds(
@@ -120,3 +120,18 @@ def test_the_scale_bar_is_round_and_fits(camera: Camera, resolution: float, widt
     leading = metres / 10 ** math.floor(math.log10(metres) + 1e-9)
     assert round(leading, 6) in (1, 2, 5, 10)
     assert 1 <= cells <= width
+
+
+@given(cameras, st.floats(0.01, 1.0), st.floats(-3.0, 3.0))
+def test_every_cell_of_the_view_is_in_the_seen_area(camera: Camera, resolution: float, yaw: float) -> None:
+    frame = MapFrame(resolution, *camera.extent, Pose(3.0, -4.0, yaw))
+    area = seen_area(camera, frame)
+    for x, y in (
+        (0, 0),
+        (camera.width - 1, 0),
+        (0, camera.height - 1),
+        (camera.width - 1, camera.height - 1),
+    ):
+        assert area.shows(*frame.to_world(*camera.to_pixel(x, y))) or min(camera.width, camera.height) < 4
+    one, other = camera.to_pixel(0, 0), camera.to_pixel(1, 0)
+    assert area.cell == pytest.approx(math.dist(frame.to_world(*one), frame.to_world(*other)))

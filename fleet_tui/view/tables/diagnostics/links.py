@@ -1,5 +1,6 @@
 """The diagnostics of each link: state, response time, rate, losses."""
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 
 from fleet_tui.model.counters import LinkCounter
@@ -15,6 +16,8 @@ from fleet_tui.view.tables.table import Row, Run, Table
 
 Links = Sequence[tuple[LinkState, LinkCounter]]
 
+POSES = "pose", "odometry"
+"""Kinds of topics with the positions of robots."""
 LATE = 11.0
 """Seconds after which a heartbeat is overdue: sent every 5 s, it may take 5 s."""
 
@@ -65,6 +68,8 @@ def _fields(link: LinkState, counter: LinkCounter, now: float) -> Iterator[tuple
     yield "messages", ((f"{messages:.1f} /s, {size_text(size)}/s", StyleRole.TEXT), (total, StyleRole.DIM))
     at = counter.all.at
     silent = at is None or now - at > 2.0
+    if told := _rates(counter):
+        yield "rates", ((told, StyleRole.TEXT),)
     yield "last message", ((ago(at, now), StyleRole.WARN if silent else StyleRole.TEXT),)
     yield "connections", tuple(_connections(counter, now))
     yield "dropped", (_count(counter.dropped, "frames: too large, or queue full"),)
@@ -76,6 +81,15 @@ def _fields(link: LinkState, counter: LinkCounter, now: float) -> Iterator[tuple
     yield "unreadable", (_count(counter.unreadable, why),)
     errors = sum(topic.errors for topic in counter.topics.values())
     yield "bad data", (_count(errors, "messages: see Topics" if errors else "messages"),)
+
+
+def _rates(counter: LinkCounter) -> str:
+    """Return how many robots have their poses at which rate, empty if all have the same."""
+    poses = [topic for topic in counter.topics.values() if topic.kind in POSES]
+    asked = Counter(topic.asked_ms for topic in poses if topic.asked_ms)
+    if len(asked) < 2:
+        return ""
+    return "poses: " + ", ".join(f"{count} at {1000 / ms:g} Hz" for ms, count in sorted(asked.items()))
 
 
 def _state(link: LinkState, now: float) -> Run:

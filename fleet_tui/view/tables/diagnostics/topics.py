@@ -78,9 +78,9 @@ def topic_table(state: FleetState, links: Links, wanted: str, now: float) -> Tab
 
 
 def _head(names: int, bad: int) -> tuple[Run, ...]:
-    words = map(tr, ("State", "Topic", "Rate", "Last", "Bytes", "Messages"))
-    state, topic, rate, last, size, count = words
-    heads = f"{state:<17}{topic:<{names}} {rate:>8} {last:>10} {'':{bad}}{size:>9} {count:>8}"
+    words = map(tr, ("State", "Topic", "Rate", "At most", "Last", "Bytes", "Messages"))
+    state, topic, rate, most, last, size, count = words
+    heads = f"{state:<17}{topic:<{names}} {rate:>8} {most:>8} {last:>10} {'':{bad}}{size:>9} {count:>8}"
     return ((heads, StyleRole.DIM),)
 
 
@@ -95,6 +95,11 @@ def _silent_after(state: FleetState, topic: TopicCounter) -> float:
     return robot.kind.silence_of(topic.kind, usual) if robot else usual
 
 
+def asked_rate(ms: int | None) -> str:
+    """Return the highest rate that was requested, empty without a limit."""
+    return f"{1000 / ms:.1f} Hz" if ms else ""
+
+
 def _runs(state: Run, topic: TopicCounter, names: int, bad: int, now: float) -> Sequence[Run]:
     word, role = state
     rates = topic.rates(now)
@@ -105,6 +110,7 @@ def _runs(state: Run, topic: TopicCounter, names: int, bad: int, now: float) -> 
         (f"{word:<17}", role),
         (fit(_shortened(sanitize(topic.topic), names), names) + " ", StyleRole.TEXT),
         (f"{rate:>8} ", StyleRole.TEXT),
+        (f"{asked_rate(topic.asked_ms):>8} ", StyleRole.DIM),
         (f"{tr(ago(topic.at, now)):>10} ", StyleRole.WARN if role is StyleRole.WARN else StyleRole.TEXT),
         (f"{errors:>{bad - 1}} " if bad else "", StyleRole.WARN),
         (f"{size:>9} {topic.count:>8,}  ", StyleRole.DIM),

@@ -1,7 +1,7 @@
 """Links on the diagnostics screen: their state, round trips, rates and losses."""
 
 from fleet_tui.view.tables.diagnostics.links import link_table
-from tests.support.diagnostics import NOW, counter, row, seen
+from tests.support.diagnostics import NOW, POSE, counter, row, seen, text
 from tests.support.fleets import T0, fleet, link_lost, link_up, reduced
 
 
@@ -48,3 +48,11 @@ def test_before_anything_came() -> None:
     table = link_table(links, NOW)
     assert "no heartbeat reply yet" in row(table, "trip") and "never" in row(table, "last message")
     assert link_table([], NOW).rows == []
+
+
+def test_how_many_robots_have_which_rate_if_they_differ() -> None:
+    link = counter()
+    link.topics[POSE].asked_ms = link.topics["/robot_1/pose"].asked_ms = 1000
+    assert not any(" Hz" in line for line in text(link_table(seen(link)[1], NOW)))
+    link.topics[POSE].asked_ms = 100
+    assert "poses: 1 at 10 Hz, 1 at 1 Hz" in row(link_table(seen(link)[1], NOW), "rates")

@@ -39,7 +39,9 @@ def test_long_names_keep_both_ends_and_the_columns_have_heads() -> None:
     table = topic_table(state, links, "", NOW)
     assert row(table, POSE).split()[3:4] == [POSE]
     assert "/robot_0/fo…oints/_action/feedback" in row(table, "feedback")
-    assert text_of(table.head).split() == ["State", "Topic", "Rate", "Last", "Bytes", "Messages"]
+    assert text_of(table.head).split() == [
+        *("State", "Topic", "Rate", "At", "most", "Last", "Bytes", "Messages")
+    ]
 
 
 def test_bad_data_marks_its_topic_for_a_while_and_its_words_stay() -> None:
@@ -87,3 +89,13 @@ def test_a_topic_is_silent_after_its_own_time_and_never_where_it_comes_on_change
     table = topic_table(state, links, "", NOW)
     states = {name: row(table, name).split("/")[0].strip() for name in ("battery", "pose", "goals")}
     assert states == {"battery": "● live", "pose": "○ silent", "goals": "● received"}
+
+
+def test_the_rate_that_was_requested_is_beside_that_of_the_messages() -> None:
+    link = counter()
+    steady(link.topics[POSE])
+    link.topics[POSE].asked_ms, link.topics[BATTERY].asked_ms = 100, 0
+    state, links = seen(link)
+    table = topic_table(state, links, "", NOW)
+    assert row(table, POSE).split()[3:7] == ["10.0", "Hz", "10.0", "Hz"]
+    assert "Hz" not in row(table, BATTERY)

@@ -1,0 +1,27 @@
+"""The topics that rosapi lists."""
+
+import logging
+
+from fleet_tui.client.rosbridge.calls import Calls
+from fleet_tui.errors import LinkError
+
+LOG = logging.getLogger(__name__)
+
+ROSAPI_TIMEOUT = 2.0
+
+
+async def topic_types(calls: Calls) -> dict[str, str]:
+    """Return type by topic, as rosapi lists them; empty if it does not answer."""
+    try:
+        response = await calls.call("/rosapi/topics", {}, ROSAPI_TIMEOUT)
+    except LinkError as problem:
+        LOG.info("types not checked: %s", problem)
+        return {}
+    values = response.values
+    if not response.result or not isinstance(values, dict):
+        LOG.info("types not checked: %s", values)
+        return {}
+    topics, types = values.get("topics"), values.get("types")
+    if not isinstance(topics, list) or not isinstance(types, list):
+        return {}
+    return {str(topic): str(type_) for topic, type_ in zip(topics, types, strict=False)}

@@ -1,0 +1,1 @@
+"""Rates at which messages are requested, by what the operator looks at."""

@@ -1,0 +1,54 @@
+"""Of a large fleet on a broker, only the vehicles that are looked at send their frequent positions."""
+
+from pathlib import Path
+
+import pytest
+
+from fleet_tui.config.load import from_text
+from fleet_tui.rules.rates import plan
+from fleet_tui.rules.rates.attention import Attention
+from tests.support.links import linked
+from tests.support.mosquitto import mosquitto, needs_mosquitto
+from tests.support.polling import until
+from tests.support.vda_broker import SpokenFor
+from tests.support.vda_fleet import ONE, config_text
+from tests.support.vda_messages import BASE, message, position
+
+pytestmark = needs_mosquitto
+OTHER = ONE.replace('"agv"', '"agv_2"').replace("0001", "0002")
+
+
+async def test_positions_are_subscribed_while_their_vehicle_is_looked_at(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(plan, "HOLD", 0.2)
+    with mosquitto(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        text = config_text(broker.url, "watch", robots=f"{ONE}\n{OTHER}\n[rates]\nfull_up_to = 1")
+        async with linked(from_text(text)) as (link, store):
+            topics = link.counters["broker"].topics
+            states, positions = (topics[f"+/+/KIT/0001/{name}"] for name in ("state", "visualization"))
+
+            def say() -> None:
+                vehicle.peer.publish(f"{BASE}/visualization", message(agvPosition=position(1.0, 2.0)))
+                vehicle.say()
+
+            await store.until(lambda state: state.robots["agv"].connection)
+            say()
+            await store.until(lambda _: states.count)
+            assert not positions.count
+            store.attention = Attention("agv")
+
+            def is_heard() -> bool:
+                say()
+                return positions.count > 0
+
+            await until(is_heard)
+            store.attention, lead = Attention("agv_2"), states.count - positions.count
+
+            def is_left() -> bool:
+                """Tell whether states have come without the positions before them."""
+                say()
+                return states.count - positions.count > lead + 3
+
+            await until(is_left)

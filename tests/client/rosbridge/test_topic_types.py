@@ -1,0 +1,45 @@
+"""The types of topics, as rosapi lists them, or none."""
+
+import asyncio
+from typing import Any, cast
+
+import pytest
+
+from fleet_tui.adapters.ros.operations import ServiceResponse
+from fleet_tui.client.rosbridge.calls import Calls
+from fleet_tui.client.rosbridge.topic_types import topic_types
+from fleet_tui.errors import LinkError
+from fleet_tui.transports.rosbridge.connection import Connection
+
+
+class OpenConnection:
+    """A connection that takes everything."""
+
+    def send(self, _payload: bytes) -> None: ...
+
+
+class LostConnection:
+    """A connection without a link."""
+
+    def send(self, _payload: bytes) -> None:
+        raise LinkError("no link")
+
+
+@pytest.mark.parametrize(
+    "values, result, types",
+    [
+        ({"topics": ["/a", "/b"], "types": ["x/A", "x/B"]}, True, {"/a": "x/A", "/b": "x/B"}),
+        ("Service /rosapi/topics does not exist", False, {}),
+        ({"topics": "none"}, True, {}),
+    ],
+)
+async def test_what_rosapi_lists(values: Any, result: bool, types: dict[str, str]) -> None:
+    calls = Calls(cast("Connection", OpenConnection()))
+    asked = asyncio.ensure_future(topic_types(calls))
+    await asyncio.sleep(0)
+    assert calls.on_response(ServiceResponse("call:1", values, result))
+    assert await asked == types
+
+
+async def test_without_a_link_nothing_is_known() -> None:
+    assert await topic_types(Calls(cast("Connection", LostConnection()))) == {}
