@@ -187,16 +187,17 @@ def sim(
     if graph_file and not needs_graph_files(kind):
         raise click.UsageError(f"--graph-file: robots of kind {kind} publish their graph")
     serve = partial(run, robots, floors, port, rate, seed, partial(_announce, graph_file, floors))
-    serve(stop_with_stdin, fault, first, speed, ros or "", kind, _beside(kind, floors, seed, rate, speed))
+    beside = _beside(floors, seed, rate, speed) if kind == MIXED else None
+    serve(stop_with_stdin, fault, first, speed, ros or "", kind, beside)
 
 
-def _beside(kind: str, *options: Any) -> Any:
-    """Return what is served beside the bridges of a kind."""
-    if kind != MIXED:
-        return None
-    from fleet_tui.simulator.vda5050.serving import vehicles_beside
+def _beside(*options: Any) -> Any:
+    """Return the vehicles of a mixed fleet, None with a note where no broker is installed."""
+    from fleet_tui.simulator.vda5050 import broker, serving
 
-    return vehicles_beside(*options)
+    if not broker.has_broker():
+        click.echo(broker.NO_BROKER, err=True)
+    return serving.vehicles_beside(*options)
 
 
 def _on_broker(

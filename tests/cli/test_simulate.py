@@ -67,3 +67,13 @@ def test_a_graph_file_is_written_once_the_server_runs(
     options = ["--kind", "nav2", "--robots", "4", "--floors", "1", "--graph-file", str(path)]
     found = CliRunner().invoke(simulated, ["sim", *options])
     assert (found.exit_code, found.stdout) == (0, "ws://a:1\n") and path.is_file()
+
+
+def test_a_mixed_fleet_without_a_broker_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    served = list[Any]()
+    monkeypatch.setattr("fleet_tui.simulator.run.run", lambda *given: served.append(given[-1]))
+    monkeypatch.setattr("fleet_tui.simulator.vda5050.broker.has_broker", lambda: False)
+    monkeypatch.setattr("fleet_tui.simulator.vda5050.serving.has_broker", lambda: False)
+    found = CliRunner().invoke(simulated, ["sim", "--kind", "mixed"])
+    assert found.exit_code == 0 and served == [None]
+    assert "no broker for the vehicles: apt install mosquitto" in found.stderr

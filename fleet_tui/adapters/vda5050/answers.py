@@ -54,13 +54,13 @@ def _rejection(
 ) -> str:
     """Return the vehicle's text with which it rejects a command, empty if it does not."""
     for error in vehicle.errors:
-        if _concerns(error, command, id_, number):
+        if _concerns(error, command, id_, number, vehicle):
             return error_text(error)
     failed = status is not None and status.status == FAILED
     return (status.text or "action failed") if status is not None and failed else ""
 
 
-def _concerns(error: VehicleError, command: Command, id_: str, number: int) -> bool:
+def _concerns(error: VehicleError, command: Command, id_: str, number: int, vehicle: Vehicle) -> bool:
     """Tell whether an error rejects this command: it may have been there before, so only references count."""
     if error.concerns(id_):
         return True
@@ -70,7 +70,8 @@ def _concerns(error: VehicleError, command: Command, id_: str, number: int) -> b
             return "orderId" not in keys and keys.get("topic", ORDER) == ORDER
         return keys.get("topic") == INSTANT_ACTIONS
     is_cancel = isinstance(command, CancelOrder | ClearOrders)
-    return is_cancel and error.type == NO_ORDER and not keys
+    # While an order runs it is an old one: there is something to cancel.
+    return is_cancel and error.type == NO_ORDER and not keys and not is_running(vehicle)
 
 
 def error_text(error: VehicleError) -> str:

@@ -111,7 +111,9 @@ def _decoded(payload: bytes) -> Any:
     try:
         return msgspec.json.decode(payload)
     except msgspec.DecodeError:
-        return json.loads(payload)
+        found = json.loads(payload)
+        msgspec.json.encode(found)  # raises for half a surrogate pair, which no file or screen can hold
+        return found
 
 
 def _is_flag(value: object) -> bool:

@@ -86,10 +86,10 @@ class MessageReader:
         origin = MessageOrigin(robot, address.base, at, message.kept, self._owns[robot], self._memory)
         try:
             fields = Fields.of(message.payload)
-        except WireError as problem:
+            read = tuple(READERS[address.name](origin, fields))
+        except (WireError, RecursionError) as problem:  # a value may be too deep to be named or compared
             counter.failed(str(problem))
             return (events.MessageRejected(robot, f"{truncate(message.topic)}: {problem}"),)
-        read = tuple(READERS[address.name](origin, fields))
         if not fields.faults:
             return read
         text = "; ".join(fields.faults[:3])

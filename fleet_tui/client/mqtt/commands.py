@@ -3,6 +3,7 @@
 import asyncio
 import itertools
 import logging
+import random
 import time
 import uuid
 from collections.abc import Mapping
@@ -31,6 +32,8 @@ LONGEST_SILENCE = 2.5
 """Seconds without an answer of the broker after which a command may be delivered much later, or never."""
 LATE_ANSWER = 60.0
 """Seconds after its deadline for which an answer still counts."""
+FIRST_NUMBERS = 2**24
+"""Header ids begin below this: 32 bits are theirs."""
 OWN_KEPT = 1000
 """Number of ids of this console's messages that are remembered: a broker returns them."""
 
@@ -93,7 +96,9 @@ class VehicleCommands:
 
     def _publish(self, message: Publication) -> int:
         """Send a message with its header, and return the header's id. Raises LinkError."""
-        number = next(self._numbers.setdefault(message.address, itertools.count(1)))
+        # A rejection of an earlier console's first message may still be in the states: not of ours.
+        start = random.randrange(1, FIRST_NUMBERS)
+        number = next(self._numbers.setdefault(message.address, itertools.count(start)))
         stamp = datetime.now(UTC).isoformat(timespec="milliseconds").replace("+00:00", "Z")
         header = {"headerId": number, "timestamp": stamp, "version": message.type}
         self._remember(message.name)

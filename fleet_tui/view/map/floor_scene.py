@@ -88,9 +88,9 @@ def _ground(state: FleetState, floor: str, vertices: tuple[SceneVertex, ...]) ->
 
 
 def _same_map(state: FleetState, floor: str, robot_map: RobotMap) -> OccupancyGrid | None:
-    """Return the live map of another robot that has the same one."""
-    maps = (robot.maps.get(floor) for robot in state.robots.values() if robot_map.frame is not None)
-    return next((one.grid for one in maps if one and one.grid and one.frame == robot_map.frame), None)
+    """Return the live map of another robot that has the same one, or of any for a robot without one."""
+    maps = (robot.maps.get(floor) for robot in state.robots.values())
+    return next((one.grid for one in maps if one and one.grid and robot_map.frame in (None, one.frame)), None)
 
 
 def _with_map(state: FleetState, floor: Floor, robot_map: RobotMap, scene: Scene, is_mapping: bool) -> Scene:

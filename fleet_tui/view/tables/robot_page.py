@@ -10,6 +10,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.commands.follow_up import seen_end
+from fleet_tui.rules.history.activity import MOVES_WITHIN
 from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.why.place import place_text
 from fleet_tui.text.durations import age, duration
@@ -116,8 +117,10 @@ def _movement(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
         )
     if robot.standing is not None and state.is_fresh(robot, "pose"):
         still = robot.still_for
-        text = tr(f"standing for {age(still)}") if still >= STANDS_FROM else tr("moving")
-        yield named("Movement", (text, StyleRole.TEXT))
+        if still >= STANDS_FROM:
+            yield named("Movement", (tr(f"standing for {age(still)}"), StyleRole.TEXT))
+        elif state.now - robot.standing.at < MOVES_WITHIN:  # else its poses come too rarely to tell
+            yield named("Movement", (tr("moving"), StyleRole.TEXT))
 
 
 def _pose_text(state: FleetState, robot: Robot) -> str:

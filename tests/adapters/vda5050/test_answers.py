@@ -103,6 +103,8 @@ def test_a_cancellation_ends_with_the_order(command: Command) -> None:
     assert said(command, actionStates=action("FINISHED", id_="other")) is None
     none = error(type_="noOrderToCancel", text="none")
     assert said(command, errors=[none]) == (Stage.REFUSED, "noOrderToCancel: none")
+    old = said(command, errors=[none], orderId="o", nodeStates=left, actionStates=action("RUNNING"))
+    assert old == (Stage.SENT, ""), "an order runs: the error is of an earlier cancellation"
     assert (
         said(
             command,

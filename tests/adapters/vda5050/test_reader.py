@@ -64,3 +64,19 @@ def test_a_message_over_the_limit_names_the_key() -> None:
     )
     (unknown,) = site.reader.too_large("any", 1)
     assert isinstance(unknown, events.FrameRejected)
+
+
+def test_values_of_any_depth_raise_nothing() -> None:
+    site, told = VehicleSite(), set[type]()
+    for depth in range(300, 1005):
+        for text in ('{"orderId": %s%s}', '{"nodeStates": [{"nodePosition": %s%s}]}'):
+            payload = (text % ("[" * depth, "]" * depth)).encode()
+            told |= {type(one) for one in (*site.read("state", payload), *site.read("state", payload))}
+    assert events.MessageRejected in told
+
+
+def test_half_a_surrogate_pair_is_no_text() -> None:
+    site = VehicleSite()
+    (told,) = site.read("state", b'{"operatingMode": "\\ud800"}')
+    assert isinstance(told, events.MessageRejected) and "no JSON" in told.text
+    assert site.agv.vehicle is None

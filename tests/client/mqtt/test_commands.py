@@ -51,12 +51,13 @@ async def test_a_pause_is_confirmed_by_the_vehicle_and_lifted(tmp_path: Path) ->
             await seen(store, vehicle)
             waiting = asyncio.ensure_future(finished(link, store, PauseRobot("agv")))
             action = await vehicle.next("instantActions")
-            assert (action["headerId"], action["version"], action["serialNumber"]) == (1, "2.0.0", "0001")
+            assert (action["version"], action["serialNumber"]) == ("2.0.0", "0001")
+            assert action["headerId"] != 1, "an old rejection may name that"
             assert action["actions"][0]["actionType"] == "startPause"
             vehicle.say(paused=True)
             assert (await waiting).stage is Stage.CONFIRMED
             waiting = asyncio.ensure_future(finished(link, store, ResumeRobot("agv")))
-            assert (await vehicle.next("instantActions", 2))["headerId"] == 2
+            assert (await vehicle.next("instantActions", 2))["headerId"] == action["headerId"] + 1
             vehicle.say(paused=False)
             assert (await waiting).stage is Stage.CONFIRMED
             refused = await finished(link, store, ORDER)

@@ -204,3 +204,9 @@ def test_the_live_map_of_another_robot_serves_if_it_is_the_same() -> None:
     assert scene(reduced(fleet(2), *LIVE, mine), "robot_1").grid is GRID
     other = events.FrameReceived("robot_1", F0, MapFrame(0.5, 4, 2, Pose(5.0, 5.0)))
     assert scene(reduced(fleet(2), *LIVE, other), "robot_1").grid is None
+
+
+def test_a_robot_without_a_map_of_its_own_is_drawn_on_the_live_one_of_another() -> None:
+    mine = graph(1, 2, robot="robot_1")
+    shown = scene(reduced(fleet(2), *LIVE, mine), "robot_1")
+    assert shown.grid is GRID and "no map" not in shown.note

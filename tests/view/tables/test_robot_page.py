@@ -65,3 +65,11 @@ def test_the_order_and_the_commands_given_here() -> None:
     state = received(*named, *commanded(1, PauseRobot(R0), Stage.SENT, Stage.ACCEPTED, at=T0))
     assert "Base -> Store" in line(state, "Order")
     assert "pause: accepted" in line(state, "12:00:00")
+
+
+def test_movement_is_told_only_as_long_as_a_pose_shows_it() -> None:
+    went = received(pose(T0 + 0.4, 0.3))
+    assert line(went, "Movement").split()[1:] == ["moving"]
+    assert line(reduced(went, battery(T0 + 4), tick(T0 + 4)), "Movement") == ""
+    stood = reduced(went, pose(T0 + 3.4, 0.3), tick(T0 + 3.5))
+    assert line(stood, "Movement").split()[1:] == ["standing", "for", "3", "s"]
