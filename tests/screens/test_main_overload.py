@@ -15,11 +15,12 @@ LARGE = '{"op":"publish","topic":"/robot_1/cargo","msg":{"data":true}%s}' % (" "
 
 
 async def test_what_is_passed_over_is_said(server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch) -> None:
-    reads, read = threading.Event(), FrameReader.read
+    reads, is_held, read = threading.Event(), threading.Event(), FrameReader.read
     reads.set()
 
     def held(self: FrameReader, payload: bytes, is_binary: bool, at: float) -> Read:
         if len(payload) > 100_000:
+            is_held.set()
             reads.wait(30)
         return read(self, payload, is_binary, at)
 
@@ -27,7 +28,9 @@ async def test_what_is_passed_over_is_said(server: RosbridgeServer, monkeypatch:
     monkeypatch.setattr(telemetry, "MOST_WAITING", 200_000)
     async with console(config_of(server.url, 2), size=(200, 50)) as it:
         reads.clear()
-        for _ in range(5):
+        server.bridge.publish_raw("/robot_1/cargo", LARGE)
+        await it.until(lambda _: is_held.is_set())
+        for _ in range(4):
             server.bridge.publish_raw("/robot_1/cargo", LARGE)
         await it.shows("3 bad frames")
         await it.shows("bad data x3: 150,061 bytes dropped", "alarms")

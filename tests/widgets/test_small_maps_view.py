@@ -30,7 +30,7 @@ async def test_below_the_map_of_a_large_fleet_the_other_floor_is_beside_the_last
         await it.press("tab", "=")
         await it.until(lambda _: not it.app.main.panes.has_small_maps)
         await it.press("=")
-        await it.until(lambda _: it.app.main.panes.has_small_maps)
+        await it.until(lambda _: it.app.main.panes.has_small_maps and below.region.height >= 14)
         await it.pilot.click("#other-floors-below", offset=(5, 5))
         await it.shows("─ floor_1 ", "map")
         await it.shows("─ floor_0 ── robot_0 ─", "other-floors-below")
