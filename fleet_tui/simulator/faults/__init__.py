@@ -81,7 +81,7 @@ def parse_faults_of(text: str, known: Mapping[str, Faults]) -> list[tuple[str, s
         name, _, robot = part.partition(":")
         faults = known.get(robot, every) if name in every else every
         if name not in faults:
-            near = did_you_mean(name, faults)
+            near = did_you_mean(name, faults) if name != "list" else ""  # who asks for them gets them
             of_kind = " of this kind of robots" if name in FAULTS or name in every else ""
             problems.append(f"--fault {part}: unknown fault{of_kind}{near or ': ' + ', '.join(faults)}")
         elif robot and robot not in known:

@@ -31,8 +31,9 @@ def test_every_wrong_name_is_answered_with_the_nearest() -> None:
         "--fault obstcle: unknown fault, did you mean obstacle?",
         "--fault stuck:robt_1: unknown robot, did you mean robot_1?",
     ]
-    with pytest.raises(ConfigError, match="unknown fault: refuse, late, "):
-        parse_faults("zzz", NAMES)
+    for name in ("zzz", "list"):
+        with pytest.raises(ConfigError, match="unknown fault: refuse, late, "):
+            parse_faults(name, NAMES)
 
 
 def planted(name: str) -> World:
