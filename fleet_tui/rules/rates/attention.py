@@ -33,7 +33,7 @@ class SeenArea(NamedTuple):
 
 
 class Attention(NamedTuple):
-    """What the operator looks at: the selected robot, the floor on the map and the view of it, None without a
+    """The focus of the operator: the selected robot, the floor on the map and the view of it, None without a
     map."""
 
     robot: str = ""

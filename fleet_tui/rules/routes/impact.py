@@ -1,7 +1,7 @@
 """The orders whose way an edge is on, and how much longer their ways are without it."""
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from functools import lru_cache
 
 from msgspec import Struct
@@ -13,7 +13,6 @@ from fleet_tui.model.geometry import Line
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.order import Order
 from fleet_tui.model.robot import Robot, RobotMap
-from fleet_tui.rules.alarms.trouble import in_trouble
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.routes.order_draft import GraphStop, place_of, stop_at, way_between
 from fleet_tui.rules.routes.ways import AT_VERTEX
@@ -120,11 +119,12 @@ def _metres_from(at: tuple[float, float], line: Line) -> float:
     return math.dist(at, (x0 + share * (x1 - x0), y0 + share * (y1 - y0)))
 
 
-def is_in_the_way(state: FleetState, robot: Robot) -> bool:
-    """Tell whether a robot stands where it is, by an obstacle or in trouble, as others would find it."""
+def is_in_the_way(state: FleetState, robot: Robot, troubled: Collection[str]) -> bool:
+    """Tell whether a robot stands where it is, by an obstacle or as one of those `troubled`, as others would
+    find it."""
     held = robot.blocked is not None and robot.blocked.value.is_stopped
-    troubled = robot.still_for >= STANDS_FROM and robot.name in in_trouble(state)
-    return state.was_obstructed(robot) or troubled or (held and state.is_fresh(robot, "blocked"))
+    stands = robot.still_for >= STANDS_FROM and robot.name in troubled
+    return state.was_obstructed(robot) or stands or (held and state.is_fresh(robot, "blocked"))
 
 
 def cut_orders(state: FleetState, ends: Ends) -> list[CutOrder]:

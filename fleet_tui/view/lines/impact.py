@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.alarms.trouble import in_trouble
 from fleet_tui.rules.language.edges import edge_text
 from fleet_tui.rules.routes.impact import CutOrder, closed_on_way, cut_orders, edge_under, is_in_the_way
 from fleet_tui.rules.routes.order_draft import DraftRoute
@@ -38,7 +39,7 @@ def draft_text(state: FleetState, robot: Robot, route: DraftRoute) -> str:
 def why_impact(state: FleetState, robot: Robot) -> list[str]:
     """Return the orders whose way is cut by the edge that a blocked robot is on, and by closed ones, those of
     its floor first."""
-    under = edge_under(robot) if is_in_the_way(state, robot) else None
+    under = edge_under(robot) if is_in_the_way(state, robot, in_trouble(state)) else None
     edges = [(under, tr("Blocked edge"))] if under is not None else []
     closed = sorted(state.desk.closed, key=lambda edge: edge.ends[0] != robot.floor)
     edges += [

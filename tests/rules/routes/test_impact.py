@@ -63,7 +63,7 @@ def test_without_a_graph_or_a_pose_nothing_is_told() -> None:
 @pytest.mark.parametrize(("seconds", "blocks"), [(0.0, False), (40.0, True)])
 def test_a_robot_in_contact_is_in_the_way(seconds: float, blocks: bool) -> None:
     state = fleet_with(pose(T0, 14.0, 0.0), ObstacleReported(R0, T0, seconds))
-    assert is_in_the_way(state, state.robots[R0]) is blocks
+    assert is_in_the_way(state, state.robots[R0], ()) is blocks
 
 
 def test_another_way_that_is_no_longer_is_no_detour() -> None:
