@@ -1,8 +1,11 @@
 """One console with robots behind rosbridge, a vehicle on a broker and fleets of Open-RMF."""
 
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager
 from pathlib import Path
 
 from fleet_tui.config.load import from_text
+from fleet_tui.config.schema import Config
 from fleet_tui.model.commands import PauseRobot, PlaceOrder
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import at_vertices
@@ -12,7 +15,7 @@ from fleet_tui.view.tables.fleet import fleet_table
 from tests.support.console_pilot import console
 from tests.support.links import linked
 from tests.support.mosquitto import mosquitto, needs_mosquitto
-from tests.support.rmf_site import FIRST, hospital
+from tests.support.rmf_site import FIRST, Hospital, hospital
 from tests.support.vda_broker import SpokenFor
 
 pytestmark = needs_mosquitto
@@ -43,6 +46,9 @@ link = "broker"
 """
 
 
+Holds = Callable[[FleetState], bool]
+
+
 def all_online(state: FleetState) -> bool:
     return all(state.is_online(robot) and robot.battery for robot in state.robots.values())
 
@@ -51,63 +57,58 @@ def is_driven(state: FleetState) -> bool:
     return state.robots[FIRST].orders.current is not None
 
 
-async def test_each_kind_is_shown_and_commanded_in_its_own_way(tmp_path: Path) -> None:
+@asynccontextmanager
+async def three_kinds(folder: Path) -> AsyncIterator[tuple[Config, Hospital, SpokenFor, Holds]]:
+    """A site of each kind: the configuration of all, the hospital, the vehicle, and whether all are known."""
     hall = RosbridgeServer(World(1, 1, quiet=True))
     await hall.start()
     try:
-        with mosquitto(tmp_path) as broker:
+        with mosquitto(folder) as broker:
             async with hospital(robots=1, speed=1.0) as site:
-                urls = {"hall": hall.url, "hospital": site.server.url, "broker": broker.url}
                 vehicle = SpokenFor(broker)
-                async with linked(from_text(TEXT.format(**urls))) as (link, store):
 
-                    def online(state: FleetState) -> bool:
-                        vehicle.say()  # until the console listens
-                        return all_online(state) and state.robots[FIRST].knows_all_graphs()
+                def online(state: FleetState) -> bool:
+                    vehicle.say()  # until the console listens
+                    return all_online(state) and state.robots[FIRST].knows_all_graphs()
 
-                    state = await store.until(online)
-                    kinds = {name: robot.kind.name for name, robot in state.robots.items()}
-                    shown = [row.key for row in fleet_table(state, FIRST, 200).rows]
-                    link.submit(PlaceOrder(FIRST, at_vertices("Store", "Base")))
-                    await store.until(is_driven)
-                    for name in kinds:
-                        link.submit(PauseRobot(name))
-                    await store.until(lambda state: state.is_paused(state.robots[FIRST]))
-                    await store.until(lambda state: state.is_paused(state.robots["robot_0"]))
-                    await vehicle.next("instantActions")
-                    sent = [one["type"] for one in site.sent()]
+                urls = {"hall": hall.url, "hospital": site.server.url, "broker": broker.url}
+                yield from_text(TEXT.format(**urls)), site, vehicle, online
     finally:
         await hall.stop()
+
+
+async def test_each_kind_is_shown_and_commanded_in_its_own_way(tmp_path: Path) -> None:
+    async with three_kinds(tmp_path) as (config, site, vehicle, online), linked(config) as (link, store):
+        state = await store.until(online)
+        kinds = {name: robot.kind.name for name, robot in state.robots.items()}
+        shown = [row.key for row in fleet_table(state, FIRST, 200).rows]
+        link.submit(PlaceOrder(FIRST, at_vertices("Store", "Base")))
+        await store.until(is_driven)
+        for name in kinds:
+            link.submit(PauseRobot(name))
+        await store.until(lambda state: state.is_paused(state.robots[FIRST]))
+        await store.until(lambda state: state.is_paused(state.robots["robot_0"]))
+        await vehicle.next("instantActions")
+        sent = [one["type"] for one in site.sent()]
     assert sent == ["robot_task_request", "interrupt_task_request"]
     assert kinds == {"robot_0": "oh_ressources", FIRST: "rmf", "agv": "vda5050"}
     assert shown == list(kinds)
 
 
 async def test_all_kinds_are_on_one_screen_and_paused_by_one_key(tmp_path: Path) -> None:
-    hall = RosbridgeServer(World(1, 1, quiet=True))
-    await hall.start()
-    try:
-        with mosquitto(tmp_path) as broker:
-            async with hospital(robots=1, speed=1.0) as site:
-                urls = {"hall": hall.url, "hospital": site.server.url, "broker": broker.url}
-                vehicle = SpokenFor(broker)
-                async with console(from_text(TEXT.format(**urls)), (80, 24), wait=False) as it:
-
-                    def online(state: FleetState) -> bool:
-                        vehicle.say()  # until the console listens
-                        return all_online(state) and state.robots[FIRST].knows_all_graphs()
-
-                    await it.until(online)
-                    for shown in ("Fleet 3 of 3 online", "1 robot_0", "2 tiny/robot_0", "3 agv"):
-                        await it.shows(shown)
-                    await it.press("2", "colon")
-                    await it.type("tiny/robot_0 > Store")
-                    await it.press("enter")
-                    await it.until(is_driven)
-                    await it.shows("-> Store")
-                    await it.press("P", "y")
-                    await it.until(lambda state: state.is_paused(state.robots[FIRST]))
-                    await it.until(lambda state: state.is_paused(state.robots["robot_0"]))
-                    await vehicle.next("instantActions")
-    finally:
-        await hall.stop()
+    async with (
+        three_kinds(tmp_path) as (config, _, vehicle, online),
+        console(config, (80, 24), wait=False) as it,
+    ):
+        await it.until(online)
+        for shown in ("Fleet 3 of 3 online", "1 robot_0", "2 tiny/robot_0", "3 agv"):
+            await it.shows(shown)
+        await it.press("2", "colon")
+        await it.type("tiny/robot_0 > Store")
+        await it.press("enter")
+        await it.until(is_driven)
+        await it.shows("-> Store")
+        await it.press("P", "y")
+        await it.until(lambda state: state.is_paused(state.robots[FIRST]))
+        await it.until(lambda state: state.is_paused(state.robots["robot_0"]))
+        await vehicle.next("instantActions")
