@@ -112,8 +112,8 @@ class FleetApp(LeanApp, inherit_bindings=False):
         await self._start.finish()
         budget = self.output.budget
         budget.every = 1 / self._config.ui.ticks_per_second
-        tick = partial(budget.ticks.timed, self.main.tick)
-        self.set_interval(budget.every, partial(self._guard.steadily, tick))
+        tick = partial(self._guard.steadily, partial(budget.ticks.timed, self.main.tick))
+        self.set_interval(budget.every, partial(self.answer.then, self, tick))
         self.call_after_refresh(self._connect)
 
     async def _mount_rest(self) -> None:

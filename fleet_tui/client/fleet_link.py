@@ -24,6 +24,7 @@ from fleet_tui.model.request import given_now
 from fleet_tui.model.set_up.driving import HandDrive
 from fleet_tui.rules.commands.rights import right_for
 from fleet_tui.state.store import Store
+from fleet_tui.transports.loop import end_turn
 
 # request_id is an int32 on the wire: each console and each run starts anywhere in its lower half.
 ID_SPAN = 2**30
@@ -72,6 +73,7 @@ class FleetLink:
     def submit(self, command: Command) -> int:
         """Send a command now or not at all. Returns its id; its end is reported exactly once."""
         given_at = time.monotonic()
+        end_turn()
         command_id = next(self._ids)
         self.post(CommandIssued(command_id, command, given_at, time.time()))
         if reason := self._refusal(right_for(command)):

@@ -85,9 +85,9 @@ class FleetState(Struct, frozen=True, eq=False):
     def is_online(self, robot: Robot) -> bool:
         """Tell whether its last message is within the limit, and its link was not lost since."""
         link, last = self.links[robot.link], robot.last_received
-        if last is None or robot.is_gone or (link.phase is not Phase.UP and last < link.since):
+        if last is None or (link.phase is not Phase.UP and last < link.since):
             return False
-        return self.now - last <= self.patience(robot)
+        return self.now - last <= self.patience(robot) and not robot.is_gone
 
     def was_obstructed(self, robot: Robot) -> bool:
         """Tell whether its last report was a lasting contact with an obstacle."""

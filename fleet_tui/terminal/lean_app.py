@@ -10,6 +10,7 @@ from textual.driver import Driver
 from textual.screen import Screen
 from textual.worker import WorkerFailed
 
+from fleet_tui.terminal.answer import KeyAnswer
 from fleet_tui.terminal.display_driver import DisplayDriver
 from fleet_tui.terminal.key_releases import parse_releases, tell_releases
 
@@ -38,7 +39,7 @@ class LeanApp(App[None]):
     def __init__(self, ansi_color: bool = False, driver_class: type[Driver] | None = None) -> None:
         super().__init__(driver_class=driver_class, ansi_color=ansi_color)
         parse_releases()
-        self.output = DisplayDriver(self, self.LEAN)
+        self.output, self.answer = DisplayDriver(self, self.LEAN), KeyAnswer()
 
     def _handle_exception(self, error: Exception) -> None:
         # Textual ends the app.
@@ -81,6 +82,8 @@ class LeanApp(App[None]):
         # Textual passes it to the focused widget.
         if self.startup is not None and isinstance(event, events.InputEvent | events.Paste):
             await self.startup.finish()
+        if isinstance(event, events.Key | events.MouseScrollDown | events.MouseScrollUp):
+            self.answer.asked()
         await super().on_event(event)
 
     def _display(self, screen: Screen[object], renderable: RenderableType | None) -> None:
@@ -93,6 +96,7 @@ class LeanApp(App[None]):
             try:
                 if shows:
                     self.output.show(update)
+                    self.answer.shown()
             finally:
                 self.post_display_hook()
         if update is not None and shows and self.startup is not None:

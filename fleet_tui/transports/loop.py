@@ -25,6 +25,7 @@ def network_loop() -> asyncio.AbstractEventLoop:
 
 def call_now(do: Callable[[], object], within: float) -> None:
     """Call on the loop now, not after the caller's next drawing: wait for it, but only so many seconds."""
+    end_turn()
     done = threading.Event()
 
     def call() -> None:

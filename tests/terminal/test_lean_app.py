@@ -17,6 +17,7 @@ from textual.widgets import Input, OptionList, Static
 from fleet_tui.controllers.map import MapControls
 from fleet_tui.model.geometry import Line, MapFrame, Pose
 from fleet_tui.model.occupancy import FREE, OCCUPIED, build_grid
+from fleet_tui.terminal.answer import KeyAnswer
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.themes import load_themes
 from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
@@ -239,3 +240,19 @@ async def test_without_colour_not_one_colour_leaves(monkeypatch: pytest.MonkeyPa
     codes = {code for part in re.findall(r"\x1b\[([0-9;]*)m", sent) for code in part.split(";")}
     assert codes <= {"", "0", "1", "2", "3", "4", "7"}
     assert "7" in codes
+
+
+async def test_a_key_has_other_work_wait_until_its_picture_is_sent(monkeypatch: pytest.MonkeyPatch) -> None:
+    noted = list[str]()
+    for step in ("asked", "shown"):
+        monkeypatch.setattr(KeyAnswer, step, lambda _answer, step=step: noted.append(step))
+    app = Pane()
+    async with app.run_test(headless=False) as pilot:
+        app.map.show(a_scene())
+        await pilot.pause()
+        noted.clear()
+        await pilot.press("x")
+        assert noted[0] == "asked"
+        app.controls.zoom_in()
+        paint(app, app.map)
+        assert noted[-1] == "shown"

@@ -71,6 +71,12 @@ def test_data_waits_for_a_picture_until_that_ends_but_not_for_long(clock: Clock)
     assert clock.waited() == 0.0
 
 
+def test_a_command_ends_the_turn_it_would_wait_for(clock: Clock) -> None:
+    give_turn()
+    call_now(lambda: None, 10.0)
+    assert clock.waited() == 0.0
+
+
 def test_a_key_that_is_held_leaves_time_for_data(clock: Clock) -> None:
     waited = 0.0
     for _ in range(100):

@@ -1,5 +1,7 @@
 """The activity of a robot at this moment, in one word."""
 
+from collections.abc import Set
+
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.robot import Robot
@@ -14,11 +16,26 @@ OBSTRUCTIONS = frozenset({"stuck", "obstacle", "blocked", "navigation"})
 
 def activity(state: FleetState, robot: Robot) -> Activity:
     """Return what a robot does, by its reports that still hold; the first that applies."""
+    return _activity(state, robot, _blocked(state))
+
+
+def activities(state: FleetState) -> dict[str, Activity]:
+    """Return what every robot does of which that is known now: not of one whose pose is old while others
+    arrive."""
+    blocked = _blocked(state)
+    return {
+        robot.name: _activity(state, robot, blocked)
+        for robot in state.robots.values()
+        if not state.is_old(robot, "pose") or not state.is_online(robot)
+    }
+
+
+def _activity(state: FleetState, robot: Robot, blocked: Set[str]) -> Activity:
     if not state.is_online(robot):
         return Activity.OFFLINE
     if state.is_paused(robot):
         return Activity.PAUSED
-    if _is_blocked(state, robot):
+    if robot.name in blocked or state.is_obstructed(robot):
         return Activity.BLOCKED
     if state.is_fresh(robot, "pose") and robot.standing is not None and robot.still_for < MOVES_WITHIN:
         return Activity.DRIVING
@@ -27,15 +44,7 @@ def activity(state: FleetState, robot: Robot) -> Activity:
     return Activity.CHARGING if charges(state, robot) else Activity.IDLE
 
 
-def is_told(state: FleetState, robot: Robot) -> bool:
-    """Tell whether its activity is known now: not of a robot whose pose is old while others arrive."""
-    return not state.is_online(robot) or not state.is_old(robot, "pose")
-
-
-def _is_blocked(state: FleetState, robot: Robot) -> bool:
-    if state.is_obstructed(robot):
-        return True
-    return any(
-        alarm.holds and alarm.condition.source == robot.name and alarm.condition.kind in OBSTRUCTIONS
-        for alarm in state.alarms
-    )
+def _blocked(state: FleetState) -> Set[str]:
+    """Return the robots with an alarm that they can't drive on."""
+    conditions = (alarm.condition for alarm in state.alarms if alarm.holds)
+    return {condition.source for condition in conditions if condition.kind in OBSTRUCTIONS}

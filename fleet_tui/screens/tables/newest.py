@@ -26,6 +26,8 @@ class NewestRows:
         self._fleet_pace, self._crowd_pace = Pace(0.2), Pace(0.5)
         self._floor_pace = Pace(0.2)
         self._fleet: Table | None = None
+        self._arranged: object = None
+        self._has_floor = False
 
     def is_floor_due(self) -> bool:
         """Tell whether to show the newest floor: of a crowd not at every tick, unless the map has a mode, as
@@ -33,16 +35,19 @@ class NewestRows:
         screen = self._screen
         if len(screen.store.state.robots) < CROWD or screen.rest.map_pane.is_mode:
             return True
-        return self._floor_pace.is_due((screen.navigation.selection, screen.rest.map.size))
+        self._has_floor = self._floor_pace.is_due((screen.navigation.selection, screen.rest.map.size))
+        return self._has_floor
 
     def tables(self) -> list[Table]:
         """Return fleet, alarms and queue. The fleet is the same table again until it is due, or another
-        robot, size, arrangement or alarm asks for it."""
+        robot, size, arrangement or alarm asks for it; a crowd is not made in one tick with its map."""
         screen, pane = self._screen, self._screen.fleet
         arranged = pane.arrangement.typed, pane.arrangement.column, pane.arrangement.groups.by
-        is_crowd = len(screen.store.state.robots) >= CROWD
-        pace = self._crowd_pace if is_crowd else self._fleet_pace
-        if pace.is_due((screen.navigation.robot, pane.size, arranged, screen.store.state.alarms)):
+        pace = self._fleet_pace if len(screen.store.state.robots) < CROWD else self._crowd_pace
+        asked = screen.navigation.robot, pane.size, arranged, screen.store.state.alarms
+        has_floor, self._has_floor = self._has_floor, False
+        if asked != self._arranged or (not has_floor and pace.is_due()):
+            self._arranged = asked
             self._fleet = None  # until it is made: after a fault it is due again
         fleet = self._fleet or self.of(pane)
         return [fleet, self.of(screen.alarms), self.of(screen.queue)]

@@ -7,7 +7,7 @@ from collections.abc import Hashable, Mapping, Sequence
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.link import Phase
-from fleet_tui.rules.history.activity import activity, is_told
+from fleet_tui.rules.history.activity import activities
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import fit
@@ -44,10 +44,10 @@ class RecentActivity:
         self._at = state.now
         self._parts.append(
             {
-                robot.name: activity(state, robot)
-                for robot in state.robots.values()
+                name: activity
+                for name, activity in activities(state).items()
+                for robot in [state.robots[name]]
                 if robot.last_received is not None and state.links[robot.link].phase is Phase.UP
-                if is_told(state, robot)
             }
         )
 

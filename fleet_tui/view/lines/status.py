@@ -31,13 +31,12 @@ def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: f
     seconds old."""
     able = [robot for robot in state.robots.values() if robot.kind.can(PAUSE)]
     # Of a robot that is not heard nobody knows whether it stands.
-    online = [robot for robot in able if state.is_online(robot)]
-    stopped = [robot for robot in online if state.is_paused(robot)]
+    stopped = [robot for robot in able if state.is_paused(robot) and state.is_online(robot)]
     paused = (
         tr(f"ALL {PAUSED}") if len(stopped) == len(able) else tr(f"{len(stopped)} of {len(able)} {PAUSED}")
     )
     notes = {
-        paused: len(stopped) >= SEVERAL or (bool(stopped) and len(stopped) == len(online)),
+        paused: len(stopped) >= min(SEVERAL, max(1, sum(map(state.is_online, able)))),
         tr("read-only"): read_only,
         tr("not armed"): not armed,
         tr(behind_text(state)): state.behind >= BEHIND,

@@ -4,7 +4,7 @@ from collections import Counter
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity
-from fleet_tui.rules.history.activity import activity, is_told
+from fleet_tui.rules.history.activity import activities
 from fleet_tui.text.language import tr
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, width_of
@@ -25,10 +25,10 @@ BESIDE = len("─ Fleet    -  of  ─")
 
 def fleet_counts(state: FleetState, width: int) -> list[Run]:
     """Return how many robots are online and, as far as `width` cells of the title allow, what they do."""
-    robots = state.robots.values()
+    robots = state.robots
     # Without a queue nobody knows whether a standing robot is idle.
-    done = [(activity(state, one), one.queue is not None) for one in robots if is_told(state, one)]
-    found = Counter(one for one, is_listed in done if is_listed or one is not Activity.IDLE)
+    done = ((robots[name].queue is not None, one) for name, one in activities(state).items())
+    found = Counter(one for is_listed, one in done if is_listed or one is not Activity.IDLE)
     online = len(robots) - found[Activity.OFFLINE]
     runs: list[Run] = [(tr(f" {online} of {len(robots)} online"), StyleRole.DIM)]
     left = width - BESIDE - 3 * len(str(len(robots)))

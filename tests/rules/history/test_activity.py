@@ -1,8 +1,11 @@
 """The activity of a simulated robot, in one word."""
 
+from msgspec.structs import replace
+
 from fleet_tui.model.commands import PauseRobot
+from fleet_tui.model.fleet import with_robot
 from fleet_tui.model.history.facts import Activity
-from fleet_tui.rules.history.activity import activity
+from fleet_tui.rules.history.activity import activities, activity
 from tests.support.fleets import R0
 from tests.support.planted_fleet import Planted
 from tests.support.situations import behind_another, driving
@@ -50,3 +53,19 @@ def test_silence_is_offline() -> None:
     planted = driving()
     planted.deaf = True
     assert does(planted.run(10)) is Activity.OFFLINE
+
+
+def test_the_activities_of_all_are_those_of_each() -> None:
+    for planted in (driving(), driving(then="stuck:robot_0").run(70), behind_another().run(10)):
+        state = planted.state
+        assert activities(state) == {robot.name: activity(state, robot) for robot in state.robots.values()}
+
+
+def test_nothing_is_told_of_a_robot_whose_pose_is_old_while_others_arrive() -> None:
+    planted = driving()
+    robot = planted.robot
+    assert robot.pose is not None
+    late = replace(robot, pose=replace(robot.pose, at=planted.state.now - 60.0))
+    assert R0 not in activities(with_robot(planted.state, late))
+    silent = replace(late, last_received=planted.state.now - 60.0)
+    assert activities(with_robot(planted.state, silent))[R0] is Activity.OFFLINE

@@ -37,3 +37,23 @@ async def test_the_map_of_a_crowd_is_shown_at_a_pace_and_at_once_for_another_rob
         assert [main.newest.is_floor_due() for _ in range(2)] == [True, False]
         now += 0.3
         assert [main.newest.is_floor_due() for _ in range(2)] == [True, False]
+
+
+async def test_the_rows_of_a_crowd_are_not_made_in_one_tick_with_its_map(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with console(config_of(server.url, 2)) as it:
+        main, now = it.app.main, 1e9
+        monkeypatch.setattr(newest, "CROWD", 2)
+        monkeypatch.setattr(pace, "monotonic", lambda: now)
+        assert main.newest.is_floor_due()
+        first = main.newest.tables()[0]
+        now += 1.0
+        assert main.newest.is_floor_due()
+        assert main.newest.tables()[0] is first
+        assert not main.newest.is_floor_due()
+        assert main.newest.tables()[0] is not first
+        now += 1.0
+        assert main.newest.is_floor_due()
+        main.fleet.arrangement.column = "battery"
+        assert main.newest.tables()[0] is not first, "at once when asked for"
