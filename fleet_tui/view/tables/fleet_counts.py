@@ -32,13 +32,14 @@ def fleet_counts(state: FleetState, width: int) -> list[Run]:
     done = [(activity(state, one), one.queue is not None) for one in robots if is_told(state, one)]
     found = Counter(one for one, is_listed in done if is_listed or one is not Activity.IDLE)
     offline, left = found[Activity.OFFLINE], width - BESIDE - 3 * len(str(len(robots)))
-    online: Run = (tr(f" {len(robots) - offline} of {len(robots)} online"), StyleRole.DIM)
+    online = len(robots) - offline
+    present: Run = (tr(f" {online} of {len(robots)} online"), StyleRole.DIM)
     counts = [(f"{found[one]} {tr(one.value)}", role) for one, role in COUNTED.items() if found[one]]
     odd = [one for one in counts if one[1] is StyleRole.WARN]
-    if not odd or width_of(_listed([online], ": ", odd)) <= left:
-        return _fitting([online], ": ", counts, left)
+    if not odd or width_of(_listed([present], ": ", odd)) <= left:
+        return _fitting([present], ": ", counts, left)
     away = [(f"{offline} {tr(Activity.OFFLINE.value)}", StyleRole.DIM)] if offline else []
-    return _fitting([], " ", [*away, *odd], left) or [online]
+    return _fitting([], " ", [*away, *odd], left) or [present]
 
 
 def _listed(runs: Sequence[Run], first: str, counts: Sequence[Run]) -> list[Run]:

@@ -61,7 +61,7 @@ def _links(state: FleetState) -> Iterator[Event]:
 def _connected(state: FleetState) -> Iterator[Event]:
     for link in state.links.values():
         if link.phase is Phase.UP:
-            yield _since(state, link), link.name, partial(_returned, "connected")
+            yield _since(state, link), link.name, partial(_returned, tr("connected"))
 
 
 def _since(state: FleetState, link: LinkState) -> float:
