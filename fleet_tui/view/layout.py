@@ -22,9 +22,9 @@ WIDE_SHARE, LEAST_TABLES, WIDE_TABLES = 0.6, 77, 92
 tables with all their columns, which a large screen has beside its map."""
 USUAL_SHAPE = 0.4
 """Lines of a floor per cell of its width, until one is known."""
-WHOLE_PAGES, LEAST_COLUMN = (9, 7), 60
-"""Lines that the robot's page keeps beside small maps, if need be fewer, and cells of its column from which
-there are some."""
+WHOLE_PAGES, LEAST_COLUMN, STEP = (9, 7), 60, 4
+"""Lines that the robot's page keeps beside small maps, if need be fewer, cells of its column from which there
+are some, and lines by which they grow."""
 
 LEAST_SHARED = 90
 """Cells of a map from which the last events leave half of their lines to small maps, or to activities."""
@@ -63,8 +63,8 @@ def below_page(lines: int, page: int, width: int) -> int:
     and `width` cells (0 for none). In steps: they rarely change while other panes grow."""
     if width < LEAST_COLUMN:
         return 0
-    sizes = (lines // 2, lines // 3, lines // 4, lines // 5)
-    fitting = (size for kept in WHOLE_PAGES for size in sizes if size >= LEAST_MAP and page - size >= kept)
+    sizes = (*range(lines // 2, LEAST_MAP, -STEP), LEAST_MAP)
+    fitting = (size for kept in WHOLE_PAGES for size in sizes if page - size >= kept)
     return next(fitting, 0)
 
 

@@ -101,10 +101,14 @@ class Panes(Container):
         return self.small_maps.display or (self.maps_below.display and self._below.display)
 
     @property
-    def cells_beside_map(self) -> int:
-        """Return the cells of the tables on a screen where a robot's page fits in their place, else 0."""
+    def space_beside_map(self) -> tuple[int, int]:
+        """Return the cells of the tables on a screen where a robot's page fits in their place, and the lines
+        above the small maps; else, and without these, 0."""
         is_large = self.screen.has_class("-wide") and self.size.height >= PAGE_BESIDE and not self._alone
-        return self.fleet.outer_size.width if is_large else 0
+        if not is_large:
+            return 0, 0
+        above = self.size.height - self._small_lines if self.small_maps.display else 0
+        return self.fleet.outer_size.width, above
 
     @property
     def views(self) -> list[RowsPane]:

@@ -76,10 +76,11 @@ def test_a_small_fleet_leaves_lines_to_the_robots_page() -> None:
 
 def test_small_maps_have_what_the_robots_page_can_spare() -> None:
     assert below_page(57, 44, 80) == 28
-    assert below_page(57, 35, 80) == 19 and below_page(57, 23, 80) == 14
-    assert below_page(57, 20, 80) == 11, "30 robots beside a whole page"
-    assert below_page(57, 18, 80) == 11, "fewer values"
-    assert below_page(57, 17, 80) == 0, "the page is not cut"
+    assert below_page(57, 36, 80) == 24 and below_page(57, 35, 80) == 24, "no blank below the page"
+    assert below_page(57, 24, 80) == 12
+    assert below_page(57, 20, 80) == 9, "30 robots beside a whole page"
+    assert below_page(57, 16, 80) == 9, "fewer values"
+    assert below_page(57, 15, 80) == 0, "the page is not cut"
     assert below_page(37, 25, 48) == 0, "a column too narrow for a floor"
 
 
