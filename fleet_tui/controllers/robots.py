@@ -67,35 +67,27 @@ class RobotRequests:
 
     def menu(self, robot: str) -> None:
         """List the actions for a robot."""
-        known = self._store.state.robots[robot]
-        may = not self._dispatch.permissions.refusal(Right.DISPATCH)
+        fault = self._store.state.robots[robot].last_fault
+        self._open_menu(f"{robot}: {sanitize(fault)}" if fault else robot, list(self._entries(robot)))
 
-        def can(verb: str) -> bool:
-            return may and known.kind.can(verb)
-
-        fault = known.last_fault
+    def _entries(self, robot: str) -> Iterator[Entry]:
+        known, do = self._store.state.robots[robot], self._dispatch.do
         asked = (
             (tr("Order"), kind.ORDER, self._orders.start),
-            (tr("Pause"), kind.PAUSE, partial(self._dispatch.do, Request((PauseRobot(robot),)))),
-            (tr("Resume"), kind.RESUME, partial(self._dispatch.do, Request((ResumeRobot(robot),)))),
-            (tr("Clear all orders"), kind.CLEAR, partial(self._dispatch.do, Request((ClearOrders(robot),)))),
+            (tr("Pause"), kind.PAUSE, partial(do, Request((PauseRobot(robot),)))),
+            (tr("Resume"), kind.RESUME, partial(do, Request((ResumeRobot(robot),)))),
+            (tr("Clear all orders"), kind.CLEAR, partial(do, Request((ClearOrders(robot),)))),
         )
-        self._open_menu(
-            f"{robot}: {sanitize(fault)}" if fault else robot,
-            [
-                *(
-                    (self._with_key(text, verb), partial(self._for, robot, do))
-                    for text, verb, do in asked
-                    if can(verb)
-                ),
-                ("Show on the map", partial(self._navigation.find_robot, robot)),
-                (
-                    self._with_key(tr("Explain why it is not moving"), "why"),
-                    partial(self._for, robot, self._why),
-                ),
-                *self._alarms(robot),
-            ],
+        if not self._dispatch.permissions.refusal(Right.DISPATCH):
+            for text, verb, action in asked:
+                if known.kind.can(verb):
+                    yield self._with_key(text, verb), partial(self._for, robot, action)
+        yield "Show on the map", partial(self._navigation.find_robot, robot)
+        yield (
+            self._with_key(tr("Explain why it is not moving"), "why"),
+            partial(self._for, robot, self._why),
         )
+        yield from self._alarms(robot)
 
     def _with_key(self, text: str, id_: str) -> str:
         """Return an entry with the key that chooses it, as it does outside of the menu."""
