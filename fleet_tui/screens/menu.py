@@ -5,6 +5,7 @@ from typing import ClassVar
 
 from textual.app import ComposeResult
 from textual.binding import BindingType
+from textual.content import Content
 from textual.events import Key
 from textual.widgets import OptionList, Static
 
@@ -25,6 +26,7 @@ class Menu(Dialog):
 
     def compose(self) -> ComposeResult:
         """Compose the title above the entries."""
+        self.border_title = Content(tr("Actions"))
         yield Static(id="menu-title", markup=False)
         yield OptionList(markup=False)
 
