@@ -39,9 +39,11 @@ class Wanted(NamedTuple):
 
 
 def beside_map(lines: int, wanted: Wanted) -> tuple[int, int, int, int]:
-    """Share out the column beside the map: fleet, alarms, queue, the robot's page (0 for none)."""
-    alarms = _share(wanted.alarms + 1, lines // 3)
-    queue = _share(wanted.queue + 1, lines // 4)
+    """Share out the column beside the map: fleet, alarms, queue, the robot's page (0 for none). Below each is
+    a blank line, unless robots need it."""
+    blank = int(sum(wanted) + len(wanted) <= lines)
+    alarms = _share(wanted.alarms + blank, lines // 3, LEAST_LIST - 1 + blank)
+    queue = _share(wanted.queue + blank, lines // 4, LEAST_LIST - 1 + blank)
     fleet = max(LEAST_FLEET, min(wanted.fleet + 1, lines - alarms - queue))
     left = max(0, lines - fleet - alarms - queue)
     page = left if left >= LEAST_PAGE else 0
@@ -121,5 +123,5 @@ def simple_alone(lines: int) -> tuple[int, int]:
     return max(1, lines - LEAST_LIST), LEAST_LIST
 
 
-def _share(wanted: int, most: int) -> int:
-    return max(LEAST_LIST, min(wanted, most))
+def _share(wanted: int, most: int, least: int = LEAST_LIST) -> int:
+    return max(least, min(wanted, most))
