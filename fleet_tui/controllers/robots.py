@@ -1,6 +1,6 @@
 """Requests to robots beside orders: pause and resume, and the menu of a robot."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 
 from fleet_tui.controllers.dispatch import Dispatch
@@ -9,11 +9,13 @@ from fleet_tui.controllers.notices import Notices
 from fleet_tui.controllers.ordering.orders import OrderRequests
 from fleet_tui.controllers.tables.marked import MarkedCommands
 from fleet_tui.controllers.typed import Entry, OpenMenu
+from fleet_tui.keys.key import key_name
 from fleet_tui.model import kind
 from fleet_tui.model.commands import ClearOrders, PauseRobot, ResumeRobot
 from fleet_tui.model.problem import Right
 from fleet_tui.model.request import Request
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 
 
@@ -32,7 +34,9 @@ class RobotRequests:
         why: Callable[[], None],
         alarm_menu: Callable[[str, str], None],
         marked: MarkedCommands,
+        keys: Mapping[str, tuple[str, ...]],
     ) -> None:
+        self._keys = keys
         self._store, self._dispatch, self._notices = store, dispatch, notices
         self._navigation = navigation
         self._orders, self._open_menu, self._why = orders, open_menu, why
@@ -63,32 +67,31 @@ class RobotRequests:
 
     def menu(self, robot: str) -> None:
         """List the actions for a robot."""
-        known = self._store.state.robots[robot]
-        may = not self._dispatch.permissions.refusal(Right.DISPATCH)
+        fault = self._store.state.robots[robot].last_fault
+        self._open_menu(f"{robot}: {sanitize(fault)}" if fault else robot, list(self._entries(robot)))
 
-        def can(verb: str) -> bool:
-            return may and known.kind.can(verb)
-
-        fault = known.last_fault
+    def _entries(self, robot: str) -> Iterator[Entry]:
+        known, do = self._store.state.robots[robot], self._dispatch.do
         asked = (
-            ("Order", kind.ORDER, self._orders.start),
-            ("Pause", kind.PAUSE, partial(self._dispatch.do, Request((PauseRobot(robot),)))),
-            ("Resume", kind.RESUME, partial(self._dispatch.do, Request((ResumeRobot(robot),)))),
-            ("Clear all orders", kind.CLEAR, partial(self._dispatch.do, Request((ClearOrders(robot),)))),
+            (tr("Order"), kind.ORDER, self._orders.start),
+            (tr("Pause"), kind.PAUSE, partial(do, Request((PauseRobot(robot),)))),
+            (tr("Resume"), kind.RESUME, partial(do, Request((ResumeRobot(robot),)))),
+            (tr("Clear all orders"), kind.CLEAR, partial(do, Request((ClearOrders(robot),)))),
         )
-        self._open_menu(
-            f"{robot}: {sanitize(fault)}" if fault else robot,
-            [
-                *(
-                    (text, partial(self._for, robot, do))
-                    for text, verb, do in asked
-                    if may and known.kind.can(verb)
-                ),
-                ("Show on the map", partial(self._navigation.find_robot, robot)),
-                ("Explain why it is not moving", partial(self._for, robot, self._why)),
-                *self._alarms(robot),
-            ],
+        if not self._dispatch.permissions.refusal(Right.DISPATCH):
+            for text, verb, action in asked:
+                if known.kind.can(verb):
+                    yield self._with_key(text, verb), partial(self._for, robot, action)
+        yield "Show on the map", partial(self._navigation.find_robot, robot)
+        yield (
+            self._with_key(tr("Explain why it is not moving"), "why"),
+            partial(self._for, robot, self._why),
         )
+        yield from self._alarms(robot)
+
+    def _with_key(self, text: str, id_: str) -> str:
+        """Return an entry with the key that chooses it, as it does outside of the menu."""
+        return text + "".join(f" ({key_name(key)})" for key in self._keys[id_][:1])
 
     def _alarms(self, robot: str) -> Iterator[Entry]:
         for alarm in self._store.state.alarms:

@@ -7,6 +7,7 @@ from textual import on
 from textual.app import ComposeResult
 from textual.binding import BindingType
 from textual.containers import Horizontal
+from textual.content import Content
 from textual.widgets import Button, Static
 
 from fleet_tui.screens.overlay import Dialog, MouseButton
@@ -25,6 +26,7 @@ class Confirm(Dialog, can_focus=True):
 
     def compose(self) -> ComposeResult:
         """Compose the question above its two answers."""
+        self.border_title = Content(tr("Question"))
         yield Static(id="question", markup=False)
         with Horizontal():
             yield MouseButton(tr("y  Yes"), id="yes", compact=True)

@@ -57,6 +57,7 @@ class Help(Overlay):
             "pageup": partial(self._text.scroll_pages, -1),
             "pagedown": partial(self._text.scroll_pages, 1),
         }
+        self.border_title = Content(tr("Help"))
         yield Field(
             keys,
             id="search",

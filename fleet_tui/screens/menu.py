@@ -5,6 +5,8 @@ from typing import ClassVar
 
 from textual.app import ComposeResult
 from textual.binding import BindingType
+from textual.content import Content
+from textual.events import Key
 from textual.widgets import OptionList, Static
 
 from fleet_tui.controllers.typed import Entry
@@ -13,7 +15,7 @@ from fleet_tui.text.language import tr
 
 
 class Menu(Dialog):
-    """A short list; Enter runs the marked entry, its number any entry."""
+    """A short list; Enter runs the marked entry, its number or the key at its end any entry."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         ("escape,q", "close", "Close"),
@@ -24,6 +26,7 @@ class Menu(Dialog):
 
     def compose(self) -> ComposeResult:
         """Compose the title above the entries."""
+        self.border_title = Content(tr("Actions"))
         yield Static(id="menu-title", markup=False)
         yield OptionList(markup=False)
 
@@ -48,6 +51,15 @@ class Menu(Dialog):
         if self.is_open and number <= len(self._entries):
             self.action_close()
             self._entries[number - 1][1]()
+
+    def on_key(self, event: Key) -> None:
+        """Run the entry with this key at its end, in brackets; the keys of menus themselves come first."""
+        if event.key in self._bindings.key_to_bindings or not event.character:
+            return
+        texts = [text for text, _ in self._entries]
+        for number in (n for n, text in enumerate(texts, 1) if text.endswith(f"({event.character})")):
+            event.stop()
+            self.action_choose(number)
 
     def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
         """Run it."""

@@ -5,6 +5,7 @@ from functools import partial
 
 from textual import on
 from textual.app import ComposeResult
+from textual.content import Content
 from textual.widgets import Input
 
 from fleet_tui.controllers.offers import Offer
@@ -39,6 +40,7 @@ class Palette(Overlay):
             "down": partial(self._matches.step, 1),
             "ctrl+p": self.action_close,
         }
+        self.border_title = Content(tr("Command"))
         yield Field(keys, id="request", placeholder=tr("action, robot, place or order: robot_0 Base > Store"))
         yield self._matches
 

@@ -144,7 +144,7 @@ class Rest:
         )
         answering = screen.store, screen.backend, screen.notices, screen.navigation, screen.alarms
         self.robots = RobotRequests(
-            *parts, self.orders, opens, why, lambda *one: self.alarms.menu(*one), marked
+            *parts, self.orders, opens, why, lambda *one: self.alarms.menu(*one), marked, settings.keys
         )
         shown_by = settings.keys, settings.clock, lambda: screen.alarm_cleared_at
         self.alarms = AlarmResponses(*answering, opens, why, self.robots.menu, *shown_by)

@@ -22,9 +22,9 @@ WIDE_SHARE, LEAST_TABLES, WIDE_TABLES = 0.6, 77, 92
 tables with all their columns, which a large screen has beside its map."""
 USUAL_SHAPE = 0.4
 """Lines of a floor per cell of its width, until one is known."""
-WHOLE_PAGES, LEAST_COLUMN = (9, 7), 60
-"""Lines that the robot's page keeps beside small maps, if need be fewer, and cells of its column from which
-there are some."""
+WHOLE_PAGES, LEAST_COLUMN, STEP = (9, 7), 60, 4
+"""Lines that the robot's page keeps beside small maps, if need be fewer, cells of its column from which there
+are some, and lines by which they grow."""
 
 LEAST_SHARED = 90
 """Cells of a map from which the last events leave half of their lines to small maps, or to activities."""
@@ -39,9 +39,11 @@ class Wanted(NamedTuple):
 
 
 def beside_map(lines: int, wanted: Wanted) -> tuple[int, int, int, int]:
-    """Share out the column beside the map: fleet, alarms, queue, the robot's page (0 for none)."""
-    alarms = _share(wanted.alarms + 1, lines // 3)
-    queue = _share(wanted.queue + 1, lines // 4)
+    """Share out the column beside the map: fleet, alarms, queue, the robot's page (0 for none). Below each is
+    a blank line, unless robots need it."""
+    blank = int(sum(wanted) + len(wanted) <= lines)
+    alarms = _share(wanted.alarms + blank, lines // 3, LEAST_LIST - 1 + blank)
+    queue = _share(wanted.queue + blank, lines // 4, LEAST_LIST - 1 + blank)
     fleet = max(LEAST_FLEET, min(wanted.fleet + 1, lines - alarms - queue))
     left = max(0, lines - fleet - alarms - queue)
     page = left if left >= LEAST_PAGE else 0
@@ -63,8 +65,8 @@ def below_page(lines: int, page: int, width: int) -> int:
     and `width` cells (0 for none). In steps: they rarely change while other panes grow."""
     if width < LEAST_COLUMN:
         return 0
-    sizes = (lines // 2, lines // 3, lines // 4, lines // 5)
-    fitting = (size for kept in WHOLE_PAGES for size in sizes if size >= LEAST_MAP and page - size >= kept)
+    sizes = (*range(lines // 2, LEAST_MAP, -STEP), LEAST_MAP)
+    fitting = (size for kept in WHOLE_PAGES for size in sizes if page - size >= kept)
     return next(fitting, 0)
 
 
@@ -121,5 +123,5 @@ def simple_alone(lines: int) -> tuple[int, int]:
     return max(1, lines - LEAST_LIST), LEAST_LIST
 
 
-def _share(wanted: int, most: int) -> int:
-    return max(LEAST_LIST, min(wanted, most))
+def _share(wanted: int, most: int, least: int = LEAST_LIST) -> int:
+    return max(least, min(wanted, most))

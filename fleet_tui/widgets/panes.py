@@ -101,10 +101,12 @@ class Panes(Container):
         return self.small_maps.display or (self.maps_below.display and self._below.display)
 
     @property
-    def cells_beside_map(self) -> int:
-        """Return the cells of the tables on a screen where a robot's page fits in their place, else 0."""
-        is_large = self.screen.has_class("-wide") and self.size.height >= PAGE_BESIDE and not self._alone
-        return self.fleet.outer_size.width if is_large else 0
+    def space_beside_map(self) -> tuple[int, int]:
+        """Return the cells of the tables where a robot's page fits in their place, and its lines above small
+        maps; else, and without these, 0."""
+        if not self.screen.has_class("-wide") or self.size.height < PAGE_BESIDE or self._alone:
+            return 0, 0
+        return self.fleet.outer_size.width, self.small_maps.display * (self.size.height - self._small_lines)
 
     @property
     def views(self) -> list[RowsPane]:
@@ -214,8 +216,7 @@ class Panes(Container):
 
     def _share_aside(self, lines: int, page: int) -> None:
         """Give small maps half of the last events' lines, or lines that the robot's page can spare."""
-        has_some, column = bool(self.small_maps.children), self.page.size.width
-        fleet = self._wanted[0].fleet
+        has_some, column, fleet = bool(self.small_maps.children), self.page.size.width, self._wanted[0].fleet
         is_below = has_some and is_beside_events(self._left, self.floor.size.width, lines, fleet, column)
         self.maps_below.display = is_below
         self.activity.rows.display = not is_below and self.floor.size.width >= LEAST_SHARED
@@ -243,8 +244,7 @@ class Panes(Container):
             return beside_map(lines, wanted)
         if is_simple:
             return below_buttons(lines, wanted)
-        is_beside = is_better_beside(self.size.width, lines, wanted, self._shape)
-        if not is_beside:
+        if not is_better_beside(self.size.width, lines, wanted, self._shape):
             return below_map(lines, wanted, covered)
         # What is as wide as the screen is below all panes.
         return beside_map(lines - covered if covered > 1 else lines, wanted)

@@ -2,6 +2,7 @@
 
 from fleet_tui.controllers.ordering.orders import OrderRequests
 from fleet_tui.controllers.robots import RobotRequests
+from fleet_tui.keys import KEYS
 from fleet_tui.model.commands import PauseRobot, ResumeRobot
 from fleet_tui.model.events import CommandPathChanged, PausedReported
 from fleet_tui.model.fleet import FleetState
@@ -34,6 +35,7 @@ def requests(
             lambda: asked.append(desk.navigation.robot),
             lambda source, kind: asked.append(f"{kind} of {source}"),
             desk.marked,
+            {key.id: key.keys for key in KEYS},
         ),
     )
 
@@ -78,8 +80,8 @@ def test_the_menu_has_what_the_robot_accepts() -> None:
     robots.menu("robot_0")
     robots.menu("robot_1")
     full, mute = desk.menus
-    assert full.texts[:4] == ["Order", "Pause", "Resume", "Clear all orders"]
-    assert mute.texts == ["Show on the map", "Explain why it is not moving"]
+    assert full.texts[:4] == ["Order (o)", "Pause (p)", "Resume (r)", "Clear all orders (X)"]
+    assert mute.texts == ["Show on the map", "Explain why it is not moving (w)"]
     mute.choose("Explain")
     assert asked == ["robot_1"], "the robot of the menu is the selected one then"
 
@@ -96,7 +98,7 @@ def test_the_newest_fault_stands_above_the_menu() -> None:
 def test_who_may_only_view_has_a_menu_without_commands_and_can_not_pause() -> None:
     desk, _, robots = requests(ready(), Permissions(right=Right.VIEW))
     robots.menu(R0)
-    assert desk.menus[0].texts[:2] == ["Show on the map", "Explain why it is not moving"]
+    assert desk.menus[0].texts[:2] == ["Show on the map", "Explain why it is not moving (w)"]
     robots.pause()
     assert desk.notices.text == "not allowed: dispatch"
     robots.pause_all()

@@ -48,3 +48,18 @@ async def test_two_enters_in_a_menu_do_it_once(server: RosbridgeServer) -> None:
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
         await it.pilot.pause()
         assert sent(server) == [("Pause", {})]
+
+
+async def test_the_keys_of_entries_choose_them_for_the_robot_of_the_menu(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2)) as it:
+        it.app.main.fleet.focus()
+        await it.press("down", "enter")
+        await it.shows("Explain why it is not moving (w)")
+        await it.press("w")
+        await it.shows("Why: robot_1")
+        await it.hides("Explain why it is not moving (w)")
+        await it.press("escape", "enter", "z")
+        await it.shows("Pause (p)")
+        await it.press("p")
+        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
+        assert [record.command.robot for record in it.store.state.commands] == ["robot_1"]

@@ -33,3 +33,16 @@ async def test_a_dialog_over_a_list_gives_it_back_and_over_nothing_the_map(serve
         rest.confirm.ask(lambda: "Really?", lambda: None)
         await it.press("n")
         assert not rest.programs.is_open and rest.map.has_focus
+
+
+@pytest.mark.parametrize(
+    ("key", "title"), [(":", "Command"), ("?", "Help"), ("enter", "Actions"), ("R", "Question")]
+)
+async def test_every_overlay_has_its_title_in_its_border(
+    server: RosbridgeServer, key: str, title: str
+) -> None:
+    async with console(config_of(server.url, 2)) as it:
+        server.world.robots["robot_1"].paused = True
+        await it.until(lambda state: state.is_paused(state.robots["robot_1"]))
+        await it.press(key)
+        await it.shows(f"╭─ {title} ─")

@@ -129,7 +129,8 @@ def no_link(state: FleetState, link: LinkState, _active: ActiveConditions) -> Co
     if link.phase is Phase.UP or state.now - link.since <= state.limits.link_after:
         return None
     text = f"no link: {link.reason}" if link.reason else "no link"
-    return Condition(link.name, "link", Priority.HIGH, text, "link restored" if link.was_up else "connected")
+    over = "link restored" if link.was_up else f"connected after {age(state.now - link.since)}"
+    return Condition(link.name, "link", Priority.HIGH, text, over)
 
 
 def dead_commands(state: FleetState, link: LinkState, active: ActiveConditions) -> Condition | None:

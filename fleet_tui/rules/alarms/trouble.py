@@ -17,6 +17,12 @@ def waits(state: FleetState, robot: Robot) -> bool:
     return stands and state.is_fresh(robot, "pose")
 
 
+def may_need_person(state: FleetState, robot: Robot) -> bool:
+    """Tell whether a robot waits with an order, or is in a mode, such as MANUAL, in which it takes none."""
+    by_hand = robot.vehicle is not None and not robot.vehicle.value.takes_orders
+    return waits(state, robot) or (by_hand and state.is_fresh(robot, "vehicle"))
+
+
 def in_trouble(state: FleetState) -> frozenset[str]:
     """Return the names of the robots with an alarm that is neither over nor shelved. Its off-delay keeps
     their rows where they are."""
@@ -64,7 +70,8 @@ def by_urgency(state: FleetState) -> list[str]:
 def next_in_trouble(state: FleetState, after: str, marked: object = None) -> str:
     """Return the robot of the marked alarm. If `after` has it, or it is no robot's, return the next one in
     the order of the alarms pane and around its end, of those that need a person while there are some; if none
-    is in trouble, one that waits or is blocked, whose alarm is shelved or whose pose is missing; empty if
+    is in trouble, one that waits, is blocked or takes no orders now, whose alarm is shelved or whose pose is
+    missing; empty if
     there is none."""
     troubled, known = by_urgency(state), acknowledged(state)
     of_marked = {name for one in state.alarms if one.key == marked for name in _whose(one)}
@@ -73,17 +80,14 @@ def next_in_trouble(state: FleetState, after: str, marked: object = None) -> str
     silenced = shelved(state)
     names = [name for name in troubled if name not in known] or troubled
     names = names or [
-        name
-        for name, robot in state.robots.items()
-        if name in silenced or _is_amber(state, robot) or is_missing(state, robot, "pose")
+        name for name, robot in state.robots.items() if name in silenced or _is_odd(state, robot)
     ]
     start = names.index(after) + 1 if after in names else 0
     return names[start % len(names)] if names else ""
 
 
-def _is_amber(state: FleetState, robot: Robot) -> bool:
-    """Tell whether a robot is amber on the map."""
-    return waits(state, robot) or state.is_obstructed(robot)
+def _is_odd(state: FleetState, robot: Robot) -> bool:
+    return may_need_person(state, robot) or state.is_obstructed(robot) or is_missing(state, robot, "pose")
 
 
 def _whose(alarm: Alarm) -> list[str]:

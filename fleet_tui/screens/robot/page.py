@@ -37,7 +37,7 @@ def robot_page_overlay(screen: "MainScreen", rest: "Rest") -> "RobotPage":
         lambda: rest.map.picture.options.drawing,
         screen.backend,
     )
-    return RobotPage(source, lambda robot: rest.robots.menu(robot), lambda: screen.panes.cells_beside_map)
+    return RobotPage(source, lambda robot: rest.robots.menu(robot), lambda: screen.panes.space_beside_map)
 
 
 class PageScrolling:
@@ -70,10 +70,13 @@ class RobotPage(ReturningOverlay, RobotOverlay, can_focus=True):
     ]
 
     def __init__(
-        self, source: PageSource, menu: Callable[[str], None], beside: Callable[[], int] = lambda: 0
+        self,
+        source: PageSource,
+        menu: Callable[[str], None],
+        beside: Callable[[], tuple[int, int]] = lambda: (0, 0),
     ) -> None:
         """`menu` opens that of a robot; `beside` returns the cells of the tables if the page has space there,
-        else 0: then it covers the map, too."""
+        else 0: then it covers the map, too; and the lines above small maps, 0 without them."""
         super().__init__(id="robot-page")
         self._source, self._beside = source, beside
         self._pace = Pace(READ_EVERY)
@@ -108,9 +111,13 @@ class RobotPage(ReturningOverlay, RobotOverlay, can_focus=True):
         self.look()
 
     def _place(self) -> None:
-        """Leave the map in view where the tables' place is enough."""
+        """Leave the map in view where the tables' place is enough, and the small ones if the page is no
+        longer."""
+        cells, above = self._beside()
+        is_short = above > 0 and len(self._source.lines(cells, above - 1)) < above
         self.styles.dock = "right"
-        self.styles.width = self._beside() or "100%"
+        self.styles.width = cells or "100%"
+        self.styles.height = above if is_short else "100%"
 
     def look(self) -> None:
         """Show the newest state, of another robot from the top."""
@@ -131,10 +138,10 @@ class RobotPage(ReturningOverlay, RobotOverlay, can_focus=True):
     def _read(self, name: str) -> None:
         self._source.read(name)
         if not get_current_worker().is_cancelled:
-            self.app.call_from_thread(self.look)
+            self.app.call_from_thread(self.on_resize)
 
     def on_resize(self) -> None:
-        """Fill it at its new size."""
+        """Place it anew, and fill it at its new size: also what was read changes how many lines it needs."""
         if self.is_open:
             self._place()
             self.look()

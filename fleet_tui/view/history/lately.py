@@ -19,6 +19,8 @@ FIRST, LAST = 1.25, 10.0
 """Seconds of a cell, at first and after a while: the bars have something to show from the start."""
 CELLS = 180
 """Cells that are kept."""
+WIDTHS = (8, 4, 2)
+"""Cells of a part while there are few."""
 NAMES, HEADS = 14, 2
 """Cells of a name at most, and lines of title and head."""
 
@@ -55,10 +57,16 @@ class RecentActivity:
             self._parts = deque(list(self._parts)[1::2], maxlen=CELLS)
             self.every *= 2
 
-    def of(self, robot: str, cells: int) -> list[Activity | None]:
-        """Return what a robot did in the last `cells` parts."""
-        kept = list(self._parts)[-cells:]
-        return [None] * (cells - len(kept)) + [part.get(robot) for part in kept]
+    def width_of_part(self, cells: int) -> int:
+        """Return the cells of each part in `cells`: as long as there are few parts they fill the space, too.
+        In steps, so that bars rarely grow shorter."""
+        return next((each for each in WIDTHS if each * len(self._parts) <= cells), 1)
+
+    def of(self, robot: str, cells: int, each: int = 1) -> list[Activity | None]:
+        """Return what a robot did in the last parts, `each` of so many cells, as far as `cells` allow."""
+        kept = list(self._parts)[-(cells // each) :]
+        done = [part.get(robot) for part in kept for _ in range(each)]
+        return [None] * (cells - len(done)) + done
 
 
 def activity_table(
@@ -68,11 +76,12 @@ def activity_table(
     names = [str(name) for name in robots[: max(0, lines - HEADS)]]
     start = column(names, at_most=NAMES) + 1
     cells = max(1, min(CELLS, width - start))
-    bars = {name: recent.of(name, cells) for name in names}
+    each = recent.width_of_part(cells)
+    bars = {name: recent.of(name, cells, each) for name in names}
     rows = tuple(
         Row(None, ((fit(name, start), StyleRole.DIM), *bars_of(bar, is_ascii))) for name, bar in bars.items()
     )
-    since = tr(f"{age(cells * recent.every)} ago")
+    since = tr(f"{age(cells / each * recent.every)} ago")
     head = f"{' ' * start}{since}{tr('now'):>{max(0, cells - len(since))}}"
     title = (tr("Activity"), StyleRole.TITLE), *legend_of(bars.values(), is_ascii)
     return Table(title, rows, head=((head, StyleRole.DIM),))

@@ -82,7 +82,7 @@ def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
     yield f"{address} ", StyleRole.TEXT
     if link.last_received is None:
         yield tr("nothing received yet"), StyleRole.DIM
-    else:
+    elif not is_late:  # what arrives just now is old
         silent = max(0.0, now - link.last_received)
         yield f"{duration(silent)}", StyleRole.DIM if silent < SILENT_AFTER else StyleRole.WARN
     if link.waiting_topics:

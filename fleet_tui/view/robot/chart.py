@@ -11,8 +11,8 @@ from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run
 
 MARKERS = {Drawing.BRAILLE: "braille", Drawing.HALF_BLOCK: "hd", Drawing.ASCII: "*"}
-LEAST_SPAN = 600.0
-"""Seconds of the narrowest time axis."""
+SPANS = (60.0, 120.0, 300.0, 600.0)
+"""Seconds of the narrowest time axes: a young curve fills its own, which changes rarely."""
 STEPS = tuple(60 * minutes for minutes in (1, 2, 5, 10, 15, 30, 60, 120, 180, 240, 360, 720))
 """Seconds between two marks of the time axis."""
 CELLS_OF_MARK = 9
@@ -32,7 +32,8 @@ def battery_chart(
     """Return the curve until `now` (monotonic and Unix seconds) in lines of `size` (width, height), with its
     axes; `low` is the limit in per cent, `clock` formats Unix seconds as a local time."""
     at, wall = now
-    span = at - min(samples[0].at if samples else at, at - LEAST_SPAN)
+    seen = at - samples[0].at if samples else 0.0
+    span = next((one for one in SPANS if seen <= one), seen)
     begin = at - span
     plotext.clear_figure()
     plotext.limit_size(False, False)

@@ -32,7 +32,7 @@ COLUMNS_FROM = 110
 """Cells from which all sections are in two columns."""
 BESIDE_FROM = 74
 """Cells from which the curve is beside the state."""
-BELOW_FROM = 40
+BELOW_FROM = 30
 """Lines from which it is below the state, as wide as the page."""
 BETWEEN = 1
 LOW_CURVE, HIGH_CURVE = 8, 18

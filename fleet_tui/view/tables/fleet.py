@@ -8,7 +8,7 @@ from functools import partial
 from fleet_tui.model.fleet import FleetState, is_missing, missing_text
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.alarms.trouble import acknowledged, by_urgency, shelved, waits
+from fleet_tui.rules.alarms.trouble import acknowledged, by_urgency, may_need_person, shelved, waits
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.history.activity import MOVES_WITHIN
 from fleet_tui.rules.why.robot import charges
@@ -22,7 +22,7 @@ from fleet_tui.view.tables.fleet_columns import Columns, floor_text
 from fleet_tui.view.tables.fleet_counts import fleet_counts
 from fleet_tui.view.tables.groups import GroupHead, head_row
 from fleet_tui.view.tables.missions import FOREIGN, destinations, mission, whose_mission
-from fleet_tui.view.tables.news import failed_command, news, shortened_news
+from fleet_tui.view.tables.news import failed_command, is_late, news, shortened_news
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, width_of
 
@@ -39,8 +39,9 @@ SEEN_FROM = 2.0
 def _signed(state: FleetState, robot: Robot, troubled: bool, shelved: bool) -> Run:
     """Return the sign at the start of a row: offline, in trouble, with its trouble shelved, or all well."""
     if not state.is_online(robot):
-        is_expected = robot.last_received is None and not troubled  # it may be switched off for today
-        return "○ ", StyleRole.DIM if is_expected else StyleRole.ALARM
+        if robot.last_received is None and not troubled:  # it may be switched off for today
+            return "○ ", StyleRole.DIM
+        return "○ ", StyleRole.WARN if is_late(state, robot) else StyleRole.ALARM
     if troubled:
         return "▲ ", StyleRole.ALARM
     return ("◇ ", StyleRole.WARN) if shelved else ("● ", StyleRole.GOOD)
@@ -212,7 +213,7 @@ def _battery_order(robot: Robot) -> float:
 
 def _calm(state: FleetState, troubled: Mapping[str, int], silenced: Collection[str], robot: Robot) -> int:
     """Return what sorts by trouble: the place among those in it, then whatever else is not as usual."""
-    is_odd = robot.name in silenced or is_missing(state, robot, "pose") or waits(state, robot)
+    is_odd = robot.name in silenced or is_missing(state, robot, "pose") or may_need_person(state, robot)
     return troubled.get(robot.name, len(troubled) if is_odd else len(troubled) + 1)
 
 
@@ -220,8 +221,8 @@ def fleet_table(
     state: FleetState, selected: str, width: int, arrangement: RowArrangement | None = None
 ) -> Table:
     """The fleet for a pane of `width` cells, as arranged: robots with an alarm first, in the order of the
-    alarms pane, then those in shelved trouble, without a pose or standing with an order, else in the order of
-    the config."""
+    alarms pane, then those in shelved trouble, without a pose, standing with an order or in a mode without
+    orders, else in the order of the config."""
     arrangement = arrangement or RowArrangement()
     silenced, seen = shelved(state), acknowledged(state)
     troubled = {name: place for place, name in enumerate(by_urgency(state))}

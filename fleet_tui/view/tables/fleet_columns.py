@@ -8,7 +8,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.marks import marks_of
 from fleet_tui.text.language import tr
-from fleet_tui.text.sanitize import fit
+from fleet_tui.text.sanitize import cell_width, fit
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, column
 
@@ -106,7 +106,9 @@ class Columns(NamedTuple):
             (tr("Order"), self.order),
         )
         shown = "".join(fit(name, width) for name, width in names if width)
-        return ((shown + (tr("State") if self.order else tr("State, order")), StyleRole.DIM),)
+        both = tr("State, order")
+        is_own = bool(self.order) or cell_width(both) > self.state
+        return ((shown + (tr("State") if is_own else both), StyleRole.DIM),)
 
 
 def shortened(floors: Collection[str]) -> Mapping[str, str]:

@@ -1,6 +1,7 @@
 """The counts in the title of the fleet pane: the robots online, and what they do."""
 
 from collections import Counter
+from collections.abc import Sequence
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity
@@ -24,18 +25,29 @@ BESIDE = len("─ Fleet    -  of  ─")
 
 
 def fleet_counts(state: FleetState, width: int) -> list[Run]:
-    """Return how many robots are online and, as far as `width` cells of the title allow, what they do."""
+    """Return how many robots are online and, as far as `width` cells of the title allow, what they do. Where
+    what is odd would be dropped, it is there in the place of those online."""
     robots = state.robots
     # Without a queue nobody knows whether a standing robot is idle.
     done = ((robots[name].queue is not None, one) for name, one in activities(state).items())
     found = Counter(one for is_listed, one in done if is_listed or one is not Activity.IDLE)
-    online = len(robots) - found[Activity.OFFLINE]
-    runs: list[Run] = [(tr(f" {online} of {len(robots)} online"), StyleRole.DIM)]
-    left = width - BESIDE - 3 * len(str(len(robots)))
+    offline, left = found[Activity.OFFLINE], width - BESIDE - 3 * len(str(len(robots)))
+    online = len(robots) - offline
+    present: Run = (tr(f" {online} of {len(robots)} online"), StyleRole.DIM)
     counts = [(f"{found[one]} {tr(one.value)}", role) for one, role in COUNTED.items() if found[one]]
-    for place, (text, role) in enumerate(counts):
-        more: list[Run] = [(", " if place else ": ", StyleRole.DIM), (text, role)]
-        if width_of([*runs, *more]) > left:
-            break
-        runs += more
-    return runs
+    odd = [one for one in counts if one[1] is StyleRole.WARN]
+    if not odd or width_of(_listed([present], ": ", odd)) <= left:
+        return _fitting([present], ": ", counts, left)
+    away = [(f"{offline} {tr(Activity.OFFLINE.value)}", StyleRole.DIM)] if offline else []
+    return _fitting([], " ", [*away, *odd], left) or [present]
+
+
+def _listed(runs: Sequence[Run], first: str, counts: Sequence[Run]) -> list[Run]:
+    more = [part for count in counts for part in ((", ", StyleRole.DIM), count)]
+    return [*runs, *([(first, StyleRole.DIM), *more[1:]] if counts else [])]
+
+
+def _fitting(runs: Sequence[Run], first: str, counts: Sequence[Run], left: int) -> list[Run]:
+    """Return the runs with as many of the counts, from the first, as there are cells left for."""
+    listed = (_listed(runs, first, counts[:most]) for most in range(len(counts), 0, -1))
+    return next((one for one in listed if width_of(one) <= left), list(runs))

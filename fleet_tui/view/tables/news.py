@@ -13,6 +13,7 @@ from fleet_tui.rules.alarms.vehicles import priority_of, sorted_errors
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
+from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
@@ -46,12 +47,20 @@ def failed_command(state: FleetState, robot: Robot) -> Iterator[Run]:
             yield tr(sanitize(alarm.text)), StyleRole.ALARM
 
 
+def is_late(state: FleetState, robot: Robot) -> bool:
+    """Tell whether its bridge explains the silence of a robot, and is what needs a person."""
+    is_behind = is_overloaded(state.links[robot.link]) and not robot.is_gone
+    return is_behind and robot.name not in in_trouble(state)
+
+
 def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     """Return the news of a robot, the most urgent first."""
     online = state.is_online(robot)
     if robot.last_received is None:
         role = StyleRole.ALARM if robot.name in in_trouble(state) else StyleRole.DIM
         yield tr(offline_text(state, robot)), role
+    elif not online and is_late(state, robot):
+        yield tr(f"silent {age(state.now - robot.last_received)}"), StyleRole.WARN
     elif not online:
         yield tr(offline_text(state, robot)), StyleRole.ALARM
     contact = robot.obstacle if state.was_obstructed(robot) else None

@@ -18,7 +18,7 @@ from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.view.lines.commands import TROUBLE, command_text, stage_text
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.missions import destinations, whose_mission
+from fleet_tui.view.tables.missions import destinations, mission, whose_mission
 from fleet_tui.view.tables.table import Row, Run, Table, column
 
 Event = tuple[float, str, Callable[[], tuple[Run, ...]]]
@@ -61,7 +61,7 @@ def _links(state: FleetState) -> Iterator[Event]:
 def _connected(state: FleetState) -> Iterator[Event]:
     for link in state.links.values():
         if link.phase is Phase.UP:
-            yield _since(state, link), link.name, partial(_returned, "connected")
+            yield _since(state, link), link.name, partial(_returned, tr("connected"))
 
 
 def _since(state: FleetState, link: LinkState) -> float:
@@ -137,7 +137,7 @@ def _order(state: FleetState, robot: Robot, gone: GoneOrder, is_narrow: bool) ->
 def _what(state: FleetState, robot: Robot, order: Order, happened: str, is_narrow: bool) -> str:
     """Return what happened to an order; in a narrow pane, where the end is cut, that is first."""
     if is_narrow:
-        return f"{happened} {destinations(robot, order) or whose_mission(state, robot, order)}"
+        return f"{happened} {destinations(robot, order) or mission(robot, order)}"
     return f"{whose_mission(state, robot, order)}: {happened}"
 
 

@@ -73,7 +73,7 @@ def value_rows(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Ru
     is_narrow = width <= NAME + VALUE + AGE
     cells = VALUE - 2 if is_narrow else VALUE
     texts: dict[str, tuple[str, Reading[Any] | None]] = {
-        "pose": (_pose_text(state, robot), robot.pose),
+        "pose": (_pose_text(state, robot, is_narrow), robot.pose),
         "battery": (_percent(robot.battery), robot.battery),
         "cargo": (_yes_or_no(robot.cargo), robot.cargo),
         "obstacle": (_contact(robot.obstacle), robot.obstacle),
@@ -123,12 +123,14 @@ def _movement(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
             yield named("Movement", (tr("moving"), StyleRole.TEXT))
 
 
-def _pose_text(state: FleetState, robot: Robot) -> str:
+def _pose_text(state: FleetState, robot: Robot, is_narrow: bool) -> str:
+    """Return a pose, in few cells without the floor that the place tells."""
     if robot.pose is None:
         return ""
     pose = robot.pose.value
     degrees = f"{math.degrees(pose.yaw):.0f}°" if math.isfinite(pose.yaw) else tr("no heading")
-    return f"{pose.x:.1f}, {pose.y:.1f} m, {degrees}, {floor_text(state, robot)}"
+    floor = "" if is_narrow and place_text(robot) else f", {floor_text(state, robot)}"
+    return f"{pose.x:.1f}, {pose.y:.1f} m, {degrees}{floor}"
 
 
 def _percent(reading: Reading[float] | None) -> str:

@@ -7,6 +7,7 @@ from fleet_tui.rules.alarms.trouble import (
     acknowledged,
     by_urgency,
     in_trouble,
+    may_need_person,
     next_in_trouble,
     shelved,
     trouble_elsewhere,
@@ -25,6 +26,8 @@ from tests.support.fleets import (
     reduced,
     tick,
 )
+from tests.support.vda_fleet import AGV, VehicleSite
+from tests.support.vda_messages import state
 
 F1 = F0.replace("0", "1")
 
@@ -110,3 +113,13 @@ def test_the_acknowledged_alarm_of_a_link_counts_for_its_robots() -> None:
     lost = reduced(low(), link_lost(T0 + 1), tick(T0 + 9))
     assert acknowledged(lost) == frozenset()
     assert acknowledged(reduced(lost, AlarmAcknowledged())) == {R0, "robot_1"}
+
+
+def test_a_vehicle_in_a_mode_without_orders_may_need_a_person() -> None:
+    site = VehicleSite()
+    site.read("state", state())
+    assert not may_need_person(site.state, site.state.robots[AGV])
+    assert next_in_trouble(site.state, "") == ""
+    site.read("state", state(operatingMode="MANUAL"))
+    assert may_need_person(site.state, site.state.robots[AGV])
+    assert next_in_trouble(site.state, "") == AGV

@@ -51,6 +51,15 @@ def test_nothing_is_known_before_an_earlier_time_nor_behind_a_lost_link() -> Non
 
 def test_a_pane_has_as_many_robots_as_lines_and_says_since_when() -> None:
     table = activity_table(watched(FIRST, 2 * FIRST), [R0, "robot_1"], 3, 20, is_ascii=False)
-    assert [text_of(row.runs) for row in table.rows] == ["robot_0           ▆▁"]
+    assert [text_of(row.runs) for row in table.rows] == ["robot_0     ▆▆▆▆▁▁▁▁"]
     assert text_of(table.title) == "Activity  ▆ driving  ▁ idle"
-    assert text_of(table.head) == "        15 s ago now"
+    assert text_of(table.head) == "        4 s ago  now"
+
+
+def test_bars_fill_their_cells_while_there_are_few_parts() -> None:
+    found = {}
+    for count in (1, 2, 3, 7, 12, 13):
+        recent = watched(*(n * FIRST for n in range(count)))
+        each = recent.width_of_part(12)
+        found[count] = each, sum(part is not None for part in recent.of(R0, 12, each))
+    assert found == {1: (8, 8), 2: (4, 8), 3: (4, 12), 7: (1, 7), 12: (1, 12), 13: (1, 12)}

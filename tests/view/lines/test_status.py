@@ -174,3 +174,11 @@ def test_of_several_links_the_one_with_most_to_subscribe_is_shown() -> None:
         events.SubscriptionsAdvanced(name, T0, 50, total) for name, total in ((LINK, 50), ("two", 90))
     ]
     assert "ws://two:9090 nothing received yet subscribing: 50 of 90" in line(reduced(state, *advanced))
+
+
+def test_no_young_age_is_beside_the_address_of_a_late_bridge() -> None:
+    state = reduced(fleet(), link_up(T0), tick(T0 + 1))
+    link = replace(state.links[LINK], last_received=T0 + 1)
+    assert line(replace(state, links={LINK: link})).endswith("ws://site:9090 0.0 s")
+    late = replace(state, links={LINK: replace(link, late=9.0)})
+    assert line(late).endswith("● 9.0 s late: bridge overloaded ws://site:9090 ")

@@ -36,6 +36,14 @@ def test_heads_begin_where_their_columns_do(width: int) -> None:
     assert "State" in head
 
 
+def test_the_last_head_is_whole_or_shorter() -> None:
+    state = reduced(fleet(), link_up(T0), pose(T0), battery(T0))
+    free = Columns.of(state, 40).state
+    for spare, head in ((12, "State, order"), (11, "State")):
+        shown = text_of(fleet_table(state, R0, 40 - free + spare).head)
+        assert shown.endswith(f" {head}")
+
+
 def test_floors_keep_their_short_names_when_all_robots_are_on_one() -> None:
     state = reduced(fleet(2, 2), link_up(T0), pose(T0))
     assert Columns.of(state, 47).floors["floor_0"] == "0"

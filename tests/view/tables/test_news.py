@@ -1,6 +1,7 @@
 """The news of a robot: each as urgent as it is, and whole or as a sign."""
 
 import pytest
+from msgspec.structs import replace
 
 from fleet_tui.model import events
 from fleet_tui.model.commands import PauseRobot, Stage
@@ -9,7 +10,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.news import news, shortened_news
 from fleet_tui.view.tables.table import Run
-from tests.support.fleets import R0, T0, battery, commanded, fleet, link_up, pose, queue, reduced, tick
+from tests.support.fleets import LINK, R0, T0, battery, commanded, fleet, link_up, pose, queue, reduced, tick
 
 BLOCKED = events.ObstacleReported(R0, T0 + 1, 31.0)
 
@@ -72,3 +73,11 @@ def test_the_cause_of_a_failure_stays_and_its_order_goes() -> None:
 def test_a_pause_alone_stays_a_word() -> None:
     alone = [("paused (elsewhere)", StyleRole.WARN), (" ", StyleRole.TEXT)]
     assert shortened_news(alone, 3)[0][0] == "paused"
+
+
+def test_a_robot_behind_a_late_bridge_is_silent_and_not_offline() -> None:
+    state = reduced(received(), tick(T0 + 60))
+    assert ("offline 59 s", StyleRole.ALARM) in found(state)
+    link = replace(state.links[LINK], late=9.0)
+    assert found(replace(state, links={LINK: link}, alarms=())) == [("silent 59 s", StyleRole.WARN)]
+    assert ("offline 59 s", StyleRole.ALARM) in found(replace(state, links={LINK: link})), "it has an alarm"

@@ -24,6 +24,8 @@ from tests.support.fleets import (
     text_of,
     tick,
 )
+from tests.support.vda_fleet import VehicleSite
+from tests.support.vda_messages import node, state
 
 
 def clock(wall: float) -> str:
@@ -47,6 +49,15 @@ def test_a_narrow_pane_has_what_happened_first_and_times_without_seconds() -> No
     state = reduced(DRIVEN, tick(T0 + 2))
     (row,) = recent_table(state, lambda _wall: "12:04:31", 9, width=38).rows
     assert " ".join(text_of(row.runs).split()) == f"12:04 {R0} lost -> Store"
+
+
+def test_a_narrow_pane_does_not_tell_who_gave_an_order_without_a_start() -> None:
+    site = VehicleSite()
+    site.read("state", state())
+    site.read("state", state(orderId="theirs", nodeStates=[node("a", 2)], driving=True))
+    for width, told in ((38, "started -> a?"), (80, "-> a? (elsewhere): started")):
+        rows = recent_table(site.state, clock, 9, width).rows
+        assert any(text_of(row.runs).rstrip().endswith(told) for row in rows), [text_of(r.runs) for r in rows]
 
 
 def test_a_failure_that_is_an_alarm_is_told_once() -> None:

@@ -49,6 +49,17 @@ def test_its_alarm_and_what_to_do_are_on_it_and_the_place_by_name() -> None:
     assert line(low, "Place").split()[1:] == ["at", "Base"]
 
 
+def test_in_few_cells_the_floor_is_told_once_and_ages_are_in_their_column() -> None:
+    state = received(graph(1, 2), labels({1: "Base"}))
+    rows = [text_of(row.runs) for row in robot_page(state, R0, 42, str).rows]
+    told = next(row for row in rows if row.startswith("Pose"))
+    assert "floor_0" not in told and told.rstrip().endswith(" 0 s")
+    assert told.index(" 0 s") == next(row for row in rows if row.startswith("Battery")).index(" 0 s")
+    assert "floor_0" in line(state, "Pose") and "floor_0" in text_of(
+        robot_page(received(), R0, 42, str).rows[0].runs
+    ), "without a label it is nowhere else"
+
+
 def test_a_jump_of_its_pose_is_told_with_its_age() -> None:
     assert line(received(), "Jumped") == ""
     jumped = received(pose(T0 + 0.2, 30.0, 40.0))
