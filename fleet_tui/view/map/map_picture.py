@@ -64,8 +64,7 @@ class MapPicture:
         head = caption_row(self._caption(scene, camera, focused))
         shown = scene.floor, camera, self.options
         if self._arrangement_of != shown:
-            # Numbers stay on their sides in every view.
-            self._arrangement, self._arrangement_of = Arrangement(self._arrangement.sides), shown
+            self._arrangement, self._arrangement_of = Arrangement(), shown
         behind = self._still(scene, camera)
         body = picture(behind, scene, camera, self.options, self._arrangement, self.mode.layers)
         return Cells(np.vstack((head.codes, body.codes)), np.vstack((head.roles, body.roles)))
