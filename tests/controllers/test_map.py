@@ -95,7 +95,10 @@ async def test_to_follow_a_robot_that_is_not_here_says_when_it_begins() -> None:
         view.show(SCENE)
         controls.follow()
         assert len(said) == 1
-        assert "follow on" in app.rows()[0]
+        assert "follow on, all in view" in app.rows()[0]
+        for _ in range(4):
+            controls.zoom_in()
+        assert "follow on" in app.rows()[0] and "all in view" not in app.rows()[0]
 
 
 async def test_the_closer_the_view_the_smaller_the_area_and_the_cells() -> None:

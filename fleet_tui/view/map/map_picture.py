@@ -17,7 +17,7 @@ from fleet_tui.view.map.placing.labels import Backdrop
 from fleet_tui.view.map.robots import Arrangement
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.view.map.trails import Trails
-from fleet_tui.view.map.viewport import Point, Viewport, pick, pointed
+from fleet_tui.view.map.viewport import Point, Viewport, pick, pointed, shows_all
 
 CAPTION_ROWS = 1
 
@@ -108,6 +108,7 @@ class MapPicture:
             hint=self.hint,
             elsewhere=", ".join(filter(None, (_trouble_out_of_view(scene, camera), scene.elsewhere))),
             pixel=self._pixel(scene),
+            whole=shows_all(scene, camera),
         )
 
     def _pixel(self, scene: Scene) -> str:
