@@ -30,7 +30,9 @@ class Notices:
         """Since when the text is shown, which a key may end; the first one is for a newcomer."""
         self.key_at = 0.0
         """The time of the last key of the console (monotonic seconds, of the state)."""
-        self._said: set[str] = set()
+        self.is_hint = False
+        """The newest text only helps: it is quiet, and the next key ends it."""
+        self._hinted: set[str] = set()
 
     @property
     def text(self) -> str:
@@ -42,15 +44,16 @@ class Notices:
         self.note(text, stays)
         self._refresh()
 
-    def say_once(self, text: str) -> None:
-        """Show a text that is news only the first time."""
-        if text not in self._said:
-            self._said.add(text)
+    def hint(self, topic: str, text: str) -> None:
+        """Show a text that helps with a topic, once in a session and until the next key."""
+        if topic not in self._hinted:
+            self._hinted.add(topic)
             self.say(text)
+            self.is_hint = True
 
     def note(self, text: str, stays: bool = False) -> None:
         """Show a text with the next tick; if it `stays`, until there is a newer one."""
-        self._text, self.at = text, newest(self._store.state)
+        self._text, self.at, self.is_hint = text, newest(self._store.state), False
         self._until = math.inf if stays else self._clock() + SHOWN
         self._since = math.inf if stays else self._clock()
 
@@ -58,7 +61,7 @@ class Notices:
         """Remember the time of a key: what it leaves behind was read, and a text that had time for that
         ends."""
         self.key_at = newest(self._store.state)
-        if self._clock() - self._since >= READ:
+        if self.is_hint or self._clock() - self._since >= READ:
             self._text = ""
 
     def clear(self) -> None:

@@ -148,11 +148,8 @@ def _choose_robot(screen: "MainScreen", number: int) -> None:
     names = tuple(screen.store.state.robots)
     screen.navigation.choose_robot(number)
     if number <= len(names) and marks_of(names)[number - 1] != str(number):
-        screen.notices.say_once(
-            sanitize(
-                f"key {number} is {names[number - 1]}: keys count from 1, in the order of the configuration"
-            )
-        )
+        said = f"key {number} is {names[number - 1]}: keys count from 1, in the order of the configuration"
+        screen.notices.hint("select", sanitize(said))
 
 
 def _next_trouble(screen: "MainScreen") -> None:

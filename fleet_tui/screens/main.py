@@ -138,8 +138,8 @@ class MainScreen(Screen[None]):
         page, recent = partial(robot_page, state, clock=clock), partial(recent_table, state, clock)
         self.panes.show(state, self.newest.tables(), robot, page, recent, covered)
         self.status.show(*self.session.headline(whole, robot, self.status.size.width))
-        said = self.notices
-        self.message.show(message_line(whole, said.text, said.at, self.message.size.width, said.key_at))
+        said, width = self.notices, self.message.size.width
+        self.message.show(message_line(whole, said.text, said.at, width, said.key_at, said.is_hint))
         self._show_hints(state, robot)
         self.settings.announce(whole)
 

@@ -34,11 +34,11 @@ async def test_zoom_pan_and_fit() -> None:
 async def test_zoom_about_the_robot_keeps_it_in_its_cell() -> None:
     async with Pane().run_test(size=(100, 30)) as pilot:
         app, _ = await started(pilot)
-        place = next((y, row.index("1→")) for y, row in enumerate(app.rows()) if "1→" in row)
+        place = next((y, row.index("→1")) for y, row in enumerate(app.rows()) if "→1" in row)
         app.controls.zoom_about()
         assert "zoom robot" in app.rows()[0]
         app.controls.zoom_in()
-        row, column = next((y, row.index("1→")) for y, row in enumerate(app.rows()) if "1→" in row)
+        row, column = next((y, row.index("→1")) for y, row in enumerate(app.rows()) if "→1" in row)
         assert abs(row - place[0]) <= 1
         assert abs(column - place[1]) <= 1
 
@@ -53,7 +53,7 @@ async def test_follow_keeps_the_robot_in_view_and_a_pan_lets_it_go() -> None:
         alone = replace(SCENE, robots=SCENE.robots[:1])
         for step in range(40):
             view.show(moved(alone, 1.0 + step * 0.45, 5.0))
-            assert any("1→" in row or "→1" in row for row in app.rows())
+            assert any("→1" in row for row in app.rows())
         app.controls.pan(-1, 0)
         assert "follow" not in app.rows()[0]
 
@@ -75,9 +75,9 @@ async def test_a_robot_that_is_selected_comes_into_view_and_one_in_view_moves_no
         for _ in range(6):
             app.controls.zoom_in()
         view.show(moved(SCENE, 19.0, 9.0))
-        assert not any("1→" in row or "→1" in row for row in app.rows())
+        assert not any("→1" in row for row in app.rows())
         app.controls.reveal()
-        assert any("1→" in row or "→1" in row for row in app.rows())
+        assert any("→1" in row for row in app.rows())
         before = app.rows()
         app.controls.reveal()
         assert app.rows() == before
@@ -95,7 +95,10 @@ async def test_to_follow_a_robot_that_is_not_here_says_when_it_begins() -> None:
         view.show(SCENE)
         controls.follow()
         assert len(said) == 1
-        assert "follow on" in app.rows()[0]
+        assert "follow on, all in view" in app.rows()[0]
+        for _ in range(4):
+            controls.zoom_in()
+        assert "follow on" in app.rows()[0] and "all in view" not in app.rows()[0]
 
 
 async def test_the_closer_the_view_the_smaller_the_area_and_the_cells() -> None:

@@ -67,3 +67,16 @@ def test_a_key_ends_a_text_that_was_read_and_no_newer_one_nor_the_first() -> Non
     now[0] += READ
     notices.key_pressed()
     assert notices.text == "link not opened"
+
+
+def test_a_hint_is_given_once_for_its_topic_and_the_next_key_ends_it() -> None:
+    notices = Notices(Store(fleet()), lambda: None)
+    notices.hint("robot keys", "key 2 is robot_1")
+    assert (notices.text, notices.is_hint) == ("key 2 is robot_1", True)
+    notices.key_pressed()
+    assert notices.text == ""
+    notices.hint("robot keys", "key 3 is robot_2")
+    assert notices.text == ""
+    notices.hint("other", "other")
+    notices.say("no order here")
+    assert (notices.text, notices.is_hint) == ("no order here", False)

@@ -151,6 +151,8 @@ async def test_a_digit_counts_the_configuration_and_says_whom_it_means(server: R
         await it.press("2")
         await it.shows("key 2 is robot_1: keys count from 1")
         assert it.app.main.navigation.robot == "robot_1"
+        await it.press("1")
+        assert "keys count from 1" not in it.text and it.app.main.navigation.robot == "robot_0"
 
 
 async def test_enter_on_free_ground_tells_the_key_of_the_next_place(server: RosbridgeServer) -> None:

@@ -22,7 +22,7 @@ async def test_shows_floor_scale_map_graph_and_robots() -> None:
         assert "follow" not in rows[0]
         assert "zoom" not in rows[0]
         text = "\n".join(rows)
-        for part in ("Base", "Store", "1→", "2→", "▛", "·"):
+        for part in ("Base", "Store", "→1", "→2", "▛", "·"):
             assert part in text
         assert all(len(row) == 100 for row in rows)
 

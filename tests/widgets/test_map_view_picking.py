@@ -54,7 +54,7 @@ async def started() -> AsyncIterator[tuple[Pilot[None], Pane, MapView]]:
 async def test_clicks_pick_and_drags_pan() -> None:
     async with started() as (pilot, app, view):
         rows = app.rows()
-        robot = next((row.index("2→"), y) for y, row in enumerate(rows) if "2→" in row)
+        robot = next((row.index("→2"), y) for y, row in enumerate(rows) if "→2" in row)
         vertex = next((row.index("o Base"), y) for y, row in enumerate(rows) if "o Base" in row)
         await pilot.click(MapView, offset=robot)
         await pilot.click(MapView, offset=vertex)

@@ -18,6 +18,7 @@ from fleet_tui.view.map.glyphs import robot_glyph
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop, picture
 from fleet_tui.view.map.placing.crowds import LEAST
+from fleet_tui.view.map.robots import FEW
 from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import SIGNS
@@ -34,7 +35,7 @@ _CAMERA = Camera(_WIDTH / 2, _HEIGHT / 2, 1.0, CELLS, 1, (_WIDTH, _HEIGHT))
 _AT = (1.0, 2.0)  # in the first cell
 _WAY: tuple[Line, ...] = ((1.0, 2.0, _WIDTH - 1.0, 2.0),)
 _ROBOT = SceneRobot("robot_4", 4, Pose(*_AT))
-_NEIGHBOUR = SceneRobot("robot_5", 5, Pose(*_AT, math.pi / 2))
+_ELSEWHERE = SceneRobot("robot_5", 5, Pose(-1.0, -1.0))
 
 
 def _ground(kind: int) -> Classes:
@@ -58,7 +59,7 @@ def _robots(*robots: SceneRobot) -> Scene:
 
 _ROBOTS = (
     (_robots(_ROBOT), "a robot: its heading and number"),
-    (_robots(_ROBOT, _NEIGHBOUR), "robots side by side, of different headings"),
+    (_robots(_ROBOT, *[_ELSEWHERE] * FEW), "a robot on a crowded floor: its number alone"),
     (_robots(*[_ROBOT] * LEAST), "robots near each other in a crowd: how many"),
     (_robots(_ROBOT._replace(selected=True)), "the selected robot"),
     (_robots(_ROBOT._replace(cargo=True)), "with cargo on board"),

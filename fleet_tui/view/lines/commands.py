@@ -140,9 +140,17 @@ def _batch_runs(state: FleetState, batch: Sequence[commands.CommandRecord]) -> P
     return (tr(what), StyleRole.TEXT), (f": {tr(detail)}", role)
 
 
-def message_line(state: FleetState, said: str, said_at: float, width: int, key_at: float = -math.inf) -> Part:
+def message_line(
+    state: FleetState,
+    said: str,
+    said_at: float,
+    width: int,
+    key_at: float = -math.inf,
+    is_hint: bool = False,
+) -> Part:
     """Return the newest message to the operator: the console's notice, the state of the last commands. `said`
-    is empty once it is over, `said_at` remains; `key_at` is the time of the last key."""
+    is empty once it is over, `said_at` remains; `key_at` is the time of the last key; `is_hint`: the notice
+    only helps."""
     # Failures first, the newest leading: they must not be cut at the right end.
     found = sorted(_parts(state, said_at, key_at), key=lambda part: (part[0], -part[1]))
     parts, briefs = [part[2] for part in found], [part[3] for part in found]
@@ -150,7 +158,7 @@ def message_line(state: FleetState, said: str, said_at: float, width: int, key_a
         parts.append(returned)
         briefs.append(returned)
     if said and _is_news(state, said_at):
-        notice = ((tr(said), StyleRole.WARN),)
+        notice = ((tr(said), StyleRole.DIM if is_hint else StyleRole.WARN),)
         parts.insert(0, notice)
         briefs.insert(0, notice)
     runs = _in_line(parts)

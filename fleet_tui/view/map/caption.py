@@ -22,7 +22,7 @@ _BANNER = 34  # cells of a banner that are worth more than the floor
 class Caption:
     """The content of the first row. `waits`: the note only says what has not arrived yet; `banner` is that of
     the map's mode, `pixel` the map's cell under its cursor; `hint` names the key of the legend, `elsewhere`
-    robots in trouble out of view and on other floors."""
+    robots in trouble out of view and on other floors; `whole`: all of the floor is in view."""
 
     floor: str
     note: str
@@ -37,6 +37,7 @@ class Caption:
     hint: str = ""
     elsewhere: str = ""
     pixel: str = ""
+    whole: bool = False
 
 
 @lru_cache(maxsize=8)
@@ -74,12 +75,18 @@ def _pieces(facts: Caption) -> list[Piece]:
     return [
         *pieces,
         *([(facts.pixel, StyleRole.TEXT)] if facts.pixel else []),
-        *([(tr("follow on"), StyleRole.TEXT)] if facts.follow else []),
+        *_following(facts),
         (_bar(facts), StyleRole.DIM),
         *_turn(facts),
         *([(tr("zoom robot"), StyleRole.DIM)] if facts.zoom_robot else []),
         *([(tr(f"{facts.hint} legend"), StyleRole.DIM)] if facts.hint else []),
     ]
+
+
+def _following(facts: Caption) -> list[Piece]:
+    """Return that the view follows a robot, and why it does not move."""
+    text = tr("follow on, all in view") if facts.whole else tr("follow on")
+    return [(text, StyleRole.TEXT)] if facts.follow else []
 
 
 def _turn(facts: Caption) -> list[Piece]:

@@ -17,7 +17,7 @@ from fleet_tui.view.map.placing.labels import Backdrop
 from fleet_tui.view.map.robots import Arrangement
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.view.map.trails import Trails
-from fleet_tui.view.map.viewport import Point, Viewport, pick, pointed
+from fleet_tui.view.map.viewport import Point, Viewport, pick, pointed, shows_all
 
 CAPTION_ROWS = 1
 
@@ -64,8 +64,7 @@ class MapPicture:
         head = caption_row(self._caption(scene, camera, focused))
         shown = scene.floor, camera, self.options
         if self._arrangement_of != shown:
-            # Numbers stay on their sides in every view.
-            self._arrangement, self._arrangement_of = Arrangement(self._arrangement.sides), shown
+            self._arrangement, self._arrangement_of = Arrangement(), shown
         behind = self._still(scene, camera)
         body = picture(behind, scene, camera, self.options, self._arrangement, self.mode.layers)
         return Cells(np.vstack((head.codes, body.codes)), np.vstack((head.roles, body.roles)))
@@ -109,6 +108,7 @@ class MapPicture:
             hint=self.hint,
             elsewhere=", ".join(filter(None, (_trouble_out_of_view(scene, camera), scene.elsewhere))),
             pixel=self._pixel(scene),
+            whole=shows_all(scene, camera),
         )
 
     def _pixel(self, scene: Scene) -> str:

@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
-from fleet_tui.view.map.glyphs import is_special
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 
 Points = NDArray[np.float64]
@@ -16,10 +15,6 @@ Indices = NDArray[np.intp]
 Place = tuple[int, int]
 """A cell (x, y) of the view."""
 Rows = TypeVar("Rows", bound=tuple[object, ...])
-
-CROWDED = 45
-"""Cells of the view for each robot in it below which the numbers of robots without anything special cover
-no labels."""
 
 
 class Same(Generic[Rows]):
@@ -55,13 +50,6 @@ def _calm(robot: SceneRobot) -> int:
     if robot.alarmed:
         return 0
     return 2 if robot.online and not (robot.obstacle or robot.acknowledged) else 1
-
-
-def quiet_places(sharing: dict[Place, list[SceneRobot]], camera: Camera) -> set[Place]:
-    """Return the cells of robots without anything special, if there are many for the view."""
-    if sum(map(len, sharing.values())) * CROWDED <= camera.width * camera.height:
-        return set()
-    return {at for at, robots in sharing.items() if not any(map(is_special, robots))}
 
 
 def seen_vertices(scene: Scene, camera: Camera) -> list[tuple[SceneVertex, Place]]:

@@ -29,10 +29,9 @@ class _Fitted(NamedTuple):
 
     def over_more_of(self, scene: Scene, exact: Camera) -> Camera:
         """Return this camera while it shows the whole floor large enough, else one with room for more."""
-        held, area = self.camera.reframed(self.frame, scene.frame), _area(scene)
-        left, top, right, bottom = area
-        is_whole = _shows(held, (left, top)) and _shows(held, (right, bottom))
-        if is_whole and held.scale * LEAST_USED <= exact.scale:
+        held = self.camera.reframed(self.frame, scene.frame)
+        left, top, right, bottom = _area(scene)
+        if shows_all(scene, held) and held.scale * LEAST_USED <= exact.scale:
             return held
         across, down = (right - left) * ROOM, (bottom - top) * ROOM
         roomy = left - across, top - down, right + across, bottom + down
@@ -211,6 +210,11 @@ def pointed(scene: Scene, camera: Camera, cursor: Point | None) -> str | None:
         return None
     at = camera.to_cell(*scene.frame.to_pixel(*cursor))
     return next((vertex.id for vertex, place in seen_vertices(scene, camera) if place == at), None)
+
+
+def shows_all(scene: Scene, camera: Camera) -> bool:
+    """Tell whether all of the floor that is worth seeing is in view: then the view follows nobody."""
+    return _shows(camera, _area(scene)[:2]) and _shows(camera, _area(scene)[2:])
 
 
 def _picked_pixel(scene: Scene) -> tuple[float, float] | None:

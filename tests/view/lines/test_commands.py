@@ -75,6 +75,8 @@ def pause(id_: int, at: float, *stages: Stage, robot: str = R0, detail: str = ""
 def test_the_newest_word_is_shown_and_commands_given_together_stand_together() -> None:
     assert message_line(fleet(), "", 0.0, WIDE) == ()
     assert text_of(message_line(fleet(), "no order here", T0, WIDE)) == " no order here"
+    assert message_line(fleet(), "no order here", T0, WIDE)[1][1] is StyleRole.WARN
+    assert message_line(fleet(), "a hint", T0, WIDE, is_hint=True)[1][1] is StyleRole.DIM
     together = [pause(2 + n, T0 + 10, Stage.NOT_SENT, robot=f"robot_{n}") for n in range(2)]
     bad = pause(4, T0 + 10, Stage.SENT, Stage.REFUSED, robot="robot_2", detail="no")
     state = reduced(fleet(3), *together[0], *together[1], *bad, tick(T0 + 10))

@@ -24,11 +24,12 @@ def row(
     banner: str = "",
     pixel: str = "",
     floor: str = "hall",
+    whole: bool = False,
 ) -> str:
     frame = MapFrame(0.05, 400, 200, Pose(0.0, 0.0, yaw))
     camera = Camera.fit((400, 200), width, 20)
     facts = Caption(floor, note, frame, camera, drawing, follow, zoom_robot, False)
-    cells = caption_row(replace(facts, elsewhere=elsewhere, banner=banner, pixel=pixel))
+    cells = caption_row(replace(facts, elsewhere=elsewhere, banner=banner, pixel=pixel, whole=whole))
     return "".join(chr(code) for code in cells.codes[0] if code)
 
 
@@ -37,6 +38,11 @@ def test_it_tells_the_floor_the_scale_and_what_is_switched_on() -> None:
     for words in (" hall ", " m ├", "follow on", "zoom robot"):
         assert words in text
     assert not [words for words in ("follow", "zoom") if words in row()]
+
+
+def test_it_tells_why_a_view_that_follows_does_not_move() -> None:
+    assert " floor_0 ── follow on, all in view " in row(37, follow=True, whole=True, floor="floor_0")
+    assert "in view" not in row(follow=True) and "in view" not in row(whole=True)
 
 
 def test_trouble_on_another_floor_comes_before_the_scale() -> None:

@@ -126,7 +126,7 @@ def test_vertices_labels_and_robots_lie_above_the_mission() -> None:
         SCENE, vertices=vertices, robots=(robot,), mission=Mission((), (), ACROSS[0]), edges=ACROSS
     )
     cells = drawn(scene, MapOptions(edges=True))
-    for part in ("Base", "Store", "1→", "o"):
+    for part in ("Base", "Store", "→1", "o"):
         assert part in cells.text()
     x, y = CAMERA.to_cell(*FRAME.to_pixel(6.0, 5.0))
     assert StyleRole.MISSION not in cells.roles[y, :x]
@@ -220,7 +220,7 @@ def test_a_robot_beside_its_edge_is_led_back_to_it() -> None:
 def test_a_way_to_nowhere_breaks_nothing(far: float) -> None:
     scene = replace(SCENE, mission=Mission(((2.0, 2.0, far, 5.0),), (), (2.0, 2.0, 5.0, far)))
     robot = SceneRobot("r", 1, Pose(2.0, 2.0), selected=True)
-    assert "1→" in drawn(replace(scene, robots=(robot,))).text()
+    assert "→1" in drawn(replace(scene, robots=(robot,))).text()
 
 
 @given(st.floats(1.0, 9.0), st.floats(2.0, 18.0))

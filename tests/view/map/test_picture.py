@@ -82,7 +82,7 @@ def test_the_arrow_points_where_the_robot_heads(eighth: int) -> None:
 def test_a_turned_map_turns_the_arrows() -> None:
     frame = MapFrame(0.05, 240, 152, Pose(0, 0, math.pi / 2))
     robot = SceneRobot("r", 1, Pose(-2, 3, math.pi / 2))
-    assert "1→" in drawn(Scene("f", frame, robots=(robot,))).text()
+    assert "→1" in drawn(Scene("f", frame, robots=(robot,))).text()
 
 
 def test_states_are_words_and_glyphs_not_only_colours() -> None:

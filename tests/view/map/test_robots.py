@@ -10,11 +10,12 @@ from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop, picture
-from fleet_tui.view.map.robots import Arrangement
+from fleet_tui.view.map.robots import FEW, Arrangement
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.view.roles import StyleRole
 
 CAMERA = Camera.fit((400, 200), 120, 40)
+SMALL = Camera.fit((400, 200), 30, 10)
 CELL = CAMERA.scale * 2 * 0.05
 """Metres."""
 EMPTY = Scene("f", MapFrame(0.05, 400, 200))
@@ -36,31 +37,51 @@ def robot(number: int, cell: float, obstacle: bool = False) -> SceneRobot:
     return SceneRobot(f"r{number}", number, Pose(10.05 + cell * CELL, 5.0), obstacle=obstacle)
 
 
-def test_the_number_is_left_of_the_arrow_and_right_where_another_robot_is_there() -> None:
-    assert "1→ " in drawn((robot(1, 0),))
-    assert " 1→ →2 " in drawn((robot(1, 0), robot(2, 2)))
+def test_each_robot_is_a_chip_of_its_own_its_arrow_before_its_number() -> None:
+    assert " →1 " in drawn((robot(1, 0),))
+    assert " →1  →2 " in drawn((robot(1, 0), robot(2, 4)))
+    assert " →2 →1 " in drawn((robot(1, 0), robot(2, -3)))
+    for cell in range(3):
+        text = drawn((robot(1, 0), robot(2, cell)))
+        assert "→1" in text and "→2" in text and "," not in text
 
 
-def test_robots_side_by_side_are_one_chip_with_an_arrow_only_where_all_have_it() -> None:
-    one, other = robot(1, 0), robot(2, 1)
-    assert " 1,2→ " in drawn((one, other))
-    turned, loaded = other._replace(pose=Pose(10.05 + CELL, 5.0, 3.14)), other._replace(cargo=True)
-    for different, own in ((turned, "←"), (loaded, "▶")):
-        assert " 1,2• " in drawn((one, different)), "nobody sees whose arrow it is"
-        assert f" 1,2{own} " in drawn((one, different._replace(selected=True))), "the selected one's"
+def test_a_chip_keeps_its_place_at_the_robot_while_that_drives() -> None:
+    before = Arrangement()
+    for cell in range(-9, 10):
+        row = next(row for row in drawn((robot(1, cell),), before).split("\n") if "1" in row)
+        assert row.index("→1") == 60 + cell
 
 
-def test_numbers_together_have_no_arrows_of_different_headings() -> None:
-    crowd = robot(1, 0), robot(2, 2), robot(3, 4)
-    assert " 1,2→ → →3 " in drawn(crowd)
-    other = crowd[1]._replace(pose=Pose(10.05 + 2 * CELL, 5.0, 3.14))
-    assert " 1,2• • →3 " in drawn((crowd[0], other, crowd[2]))
+def many(*others: SceneRobot, camera: Camera = SMALL) -> str:
+    """Robots on a floor that is small for them, most of them out of the view."""
+    away = SceneRobot("away", 99, Pose(-5.0, -5.0))
+    return drawn((*others, *[away] * FEW), camera=camera)
 
 
-def test_robots_in_one_cell_are_listed_or_counted() -> None:
-    assert " 1,2→ " in drawn((robot(1, 0), robot(2, 0)))
-    assert " 2,1,3!→ " in drawn((robot(1, 0), robot(2, 0), robot(3, 0, obstacle=True)))
-    assert "3→ 1+2→ →5" in drawn((robot(3, -5), robot(1, 0), robot(2, 0), robot(4, 0), robot(5, 2)))
+def test_on_a_crowded_floor_only_robots_with_something_special_have_an_arrow() -> None:
+    one, other = robot(1, 0), robot(2, 9)
+    assert "→" not in many(one, other) and {"1", "2"} <= set(many(one, other))
+    chosen, stuck = one._replace(selected=True), one._replace(alarmed=True)
+    for special in (chosen, stuck, one._replace(obstacle=True), one._replace(paused=True)):
+        assert many(special, other).count("→") == 1
+    assert "→1" in drawn((one, other), camera=SMALL), "few robots"
+    assert "→1" in many(one, other, camera=CAMERA), "space for all"
+
+
+def test_on_a_crowded_floor_many_in_one_cell_are_counted_but_none_with_something_special() -> None:
+    calm = tuple(robot(number, 0) for number in range(1, 6))
+    assert "×5" in many(*calm)
+    text = many(calm[0]._replace(selected=True), calm[1]._replace(alarmed=True), *calm[2:])
+    assert "→1" in text and "→2!" in text and "×3" in text
+    assert "×" not in many(*calm[:2])
+    assert "×" not in drawn(calm), "where there is space each has its number"
+
+
+def test_robots_in_one_cell_have_each_a_number_the_one_in_trouble_nearest() -> None:
+    rows = drawn((robot(1, 0), robot(2, 0), robot(3, 0, obstacle=True))).split("\n")
+    assert all(any(chip in row for row in rows) for chip in ("→1", "→2", "→3!"))
+    assert next(row for row in rows if "→3!" in row).index("→3!") == 60
 
 
 def test_an_acknowledged_alarm_is_marked_without_red_alone_and_in_a_crowd() -> None:
@@ -76,17 +97,16 @@ def test_an_acknowledged_alarm_is_marked_without_red_alone_and_in_a_crowd() -> N
 
 def test_an_alarm_that_waits_comes_before_one_that_is_acknowledged() -> None:
     seen, new = robot(1, 0)._replace(acknowledged=True), robot(2, 0)._replace(alarmed=True)
-    assert "1!,2!→" in drawn((seen, new)), "the first one's number is at the arrow"
+    rows = drawn((seen, new)).split("\n")
+    assert next(row for row in rows if "→2!" in row).index("→2!") == 60, "it is over its own cell"
 
 
-def test_ages_are_told_of_a_robot_alone_but_not_among_several() -> None:
-    one, other = (robot(number, 0)._replace(online=False, age=13.0) for number in (8, 10))
-    assert "8 (13 s)" in drawn((one,))
-    text = drawn((one, other))
-    assert "10○,8○→" in text and "(13 s)" not in text
+def test_the_age_of_a_pose_is_told_where_there_is_space() -> None:
+    one = robot(8, 0)._replace(online=False, age=13.0)
+    assert "→8 (13 s)" in drawn((one,))
     narrow = replace(CAMERA, width=80)
-    assert "8○→" in drawn((one,), camera=narrow)
-    assert "8 (13 s)" in drawn((one._replace(selected=True),), camera=narrow)
+    assert "→8○" in drawn((one,), camera=narrow)
+    assert "→8 (13 s)" in drawn((one._replace(selected=True),), camera=narrow)
 
 
 def test_a_robot_without_space_beside_its_arrow_has_its_number_in_place_of_it() -> None:
@@ -95,57 +115,31 @@ def test_a_robot_without_space_beside_its_arrow_has_its_number_in_place_of_it() 
     assert drawn((one._replace(mark="17"),), camera=Camera.fit((400, 200), 1, 1)).strip() == "→"
 
 
-def test_the_number_of_a_robot_between_others_is_with_a_neighbours_in_the_sequence_of_the_arrows() -> None:
-    robots = robot(1, 0), robot(2, 2), robot(3, 4)
-    text = drawn(robots)
-    assert " 1,2→ → →3 " in text
-    # The chip reaches from the numbers to the last arrow that they are of.
-    scene = replace(EMPTY, robots=robots)
-    roles = picture(backdrop(scene, CAMERA, MapOptions()), scene, CAMERA, MapOptions()).roles
-    (y,) = (n for n, line in enumerate(text.split("\n")) if "1,2→ → →3" in line)
-    x = text.split("\n")[y].index("1,2→ → →3")
-    assert roles[y, x + 4] == StyleRole.ROBOT and roles[y, x + 6] != StyleRole.ROBOT
-
-
-def test_the_selected_robot_in_a_crowd_has_its_number_above_it() -> None:
-    crowd = tuple(robot(number, 2 * number - 12) for number in range(1, 12))
+def test_the_selected_robot_has_its_chip_over_its_own_cell_whoever_is_there() -> None:
+    crowd = tuple(robot(number, number - 6) for number in range(1, 12))
     selected = crowd[5]._replace(selected=True)
     rows = drawn((*crowd[:5], selected, *crowd[6:])).split("\n")
-    row = next(n for n, text in enumerate(rows) if "→ → →" in text)
-    assert "6" in rows[row - 1] and rows[row][rows[row - 1].index("6")] == "→"
+    assert next(row for row in rows if "→6" in row).index("→6") == 60
 
 
 def test_the_age_of_an_old_pose_covers_no_label() -> None:
     old = robot(1, 0)._replace(online=False, age=18.0)
-    assert "1 (18 s)→" in drawn((old,))
+    assert "→1 (18 s)" in drawn((old,))
     labelled = replace(
         EMPTY,
         robots=(old,),
         vertices=tuple(SceneVertex(str(n), 10.05 + n * 4 * CELL, 5.0, label="Receive") for n in (-1, 1)),
     )
     text = picture(backdrop(labelled, CAMERA, MapOptions()), labelled, CAMERA, MapOptions()).text()
-    row = next(row for row in text.split("\n") if "→" in row)
-    assert row.count("Receive") == 2
-    assert "1→" in row or "→1" in row
+    assert text.count("Receive") == 2
+    assert "→1○" in text
 
 
-def test_a_number_stays_on_its_side_while_there_is_space() -> None:
+def test_robots_that_drive_past_each_other_keep_their_numbers_apart_and_the_arrow_first() -> None:
     before = Arrangement()
-    assert "→2" in drawn((robot(1, 0), robot(2, 2)), before)
-    assert "→2" in drawn((robot(2, 2),), before)
-    assert "2→" in drawn((robot(2, 2),))
-
-
-def test_numbers_stay_on_their_sides_while_robots_drive_past_each_other() -> None:
-    before = Arrangement()
-    rows = [drawn((robot(1, 0), robot(2, column)), before).split() for column in range(-4, 5)]
-    apart, close, together = ["2→", "1→"], ["2→1→"], ["1,2→"]
-    assert rows[:3] == [apart, apart, close] and rows[3:6] == [together] * 3
-    assert rows[6:] == [["1→2→"], ["1→", "2→"], ["1→", "2→"]]
-
-
-def test_the_robot_in_trouble_has_its_number_before_the_others() -> None:
-    assert "3→ 1,4!→ →5" in drawn((robot(3, -6), robot(1, 0), robot(4, 0, obstacle=True), robot(5, 2)))
+    for column in range(-8, 9):
+        words = drawn((robot(1, 0), robot(2, column)), before).split()
+        assert sorted(words) == ["→1", "→2"]
 
 
 @given(st.lists(st.tuples(st.floats(9.0, 11.0), st.floats(4.5, 5.5)), min_size=2, max_size=9))
@@ -156,27 +150,18 @@ def test_two_numbers_never_read_as_one(at: list[tuple[float, float]]) -> None:
     assert {len(word) for word in words} <= {3}
 
 
-def test_among_many_robots_only_those_with_something_special_cover_a_label_to_have_an_arrow() -> None:
-    many = tuple(robot(n, 4 * n - 28) for n in range(1, 15))
-    label = SceneVertex("1", many[4].pose.x - 5 * CELL, 5.0, label="Wardrobes")
-    low = replace(CAMERA, height=4)
-
-    def arrows(*robots: SceneRobot, vertices: tuple[SceneVertex, ...] = (label,)) -> int:
-        scene = replace(EMPTY, robots=robots, vertices=vertices)
-        text = picture(backdrop(scene, low, MapOptions()), scene, low, MapOptions()).text()
-        assert re.findall(r"\d+", text) == [str(one.number) for one in many]
-        return text.count("→")
-
-    assert arrows(*many, vertices=()) == len(many)
-    assert arrows(*many) < len(many)
-    assert arrows(*(one._replace(waits=True) for one in many)) == len(many)
-
-
 def test_a_robot_that_may_need_a_person_soon_is_amber_and_an_alarm_is_told_where_there_is_space() -> None:
     assert StyleRole.ROBOT_WARN in roles(robot(1, 0)._replace(waits=True))
     assert StyleRole.ROBOT_WARN in roles(robot(1, 0, obstacle=True))
     assert StyleRole.ROBOT_WARN in roles(robot(1, 0)._replace(acknowledged=True))
     stuck = robot(7, 0)._replace(alarmed=True, said="stuck 61 s")
-    assert "7! stuck 61 s→" in drawn((stuck,))
-    assert "8,7! stuck 61 s→" in drawn((stuck, robot(8, 0)))
+    assert "→7! stuck 61 s" in drawn((stuck,))
     assert "stuck" not in drawn((stuck,), camera=replace(CAMERA, width=80))
+
+
+def test_robots_piled_up_in_one_cell_are_counted_and_none_of_them_is_lost() -> None:
+    piled = tuple(robot(n, 0) for n in range(1, 8))
+    assert "×7" in drawn(piled)
+    shown = drawn((*piled[:6], piled[6]._replace(obstacle=True)))
+    assert "×6" in shown and "7!" in shown
+    assert "×" not in drawn(piled[:4])

@@ -14,7 +14,7 @@ CROWD, LEAST = 25, 30
 """Cells of the view for each robot in it below which robots are a crowd, and robots from which they are."""
 BLOCK = 6, 2
 """Cells and lines of a block of the view, whose robots are one chip: few chips are wider."""
-_COUNT = "×x"
+COUNT = "×x"
 """The sign of a count; the second in ASCII."""
 
 Seen = Sequence[tuple[SceneRobot, Place]]
@@ -70,7 +70,7 @@ def crowd_chips(occupancy: CellOccupancy, seen: Seen, turned: float, plain: bool
 
 def _sign(robots: list[SceneRobot], turned: float, plain: bool) -> str:
     is_counted = len(robots) > 1 and not is_special(robots[0])
-    return _COUNT[plain] if is_counted else robot_glyph(robots[0], turned, plain)
+    return COUNT[plain] if is_counted else robot_glyph(robots[0], turned, plain)
 
 
 def _runs(robots: list[SceneRobot], turned: float, plain: bool) -> list[tuple[str, StyleRole]]:

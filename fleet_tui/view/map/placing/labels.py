@@ -46,7 +46,7 @@ def move_aside(cells: Cells, behind: Backdrop, occupancy: CellOccupancy, aside: 
     `aside`: the first cells of the labels that gave way, now by before. They stay there until they would be
     covered again.
     """
-    for label in behind.labels:
+    for label in sorted(behind.labels, key=lambda label: not label.is_target):
         size = cell_width(label.text)
         moved = aside.pop(label.at, None)
         if moved is None and not occupancy.is_taken(*label.at, size):

@@ -9,11 +9,9 @@ from numpy.typing import NDArray
 from fleet_tui.text.sanitize import cell_width
 from fleet_tui.view.map.cells import Roles
 from fleet_tui.view.map.places import Place
-from fleet_tui.view.roles import WALLS, StyleRole
+from fleet_tui.view.roles import LABELS, WALLS, StyleRole
 
 _MARGIN = 40  # cells between two rows of the bit mask, always taken to separate them
-_OFF_FLOOR = np.zeros(len(StyleRole), np.bool_)
-_OFF_FLOOR[[StyleRole.UNKNOWN, *WALLS]] = True
 _HELD = np.zeros(len(StyleRole), np.bool_)
 _HELD[StyleRole.VERTEX : StyleRole.TARGET + 1] = True  # vertices and labels
 
@@ -25,6 +23,14 @@ _WALLS = (*WALLS, StyleRole.MISSION_THROUGH, StyleRole.MISSION_NEXT_THROUGH)
 _WEIGHTS = bytes(
     _WALL if role in _WALLS else 4 if role == StyleRole.EDGE else role > StyleRole.UNKNOWN
     for role in range(256)
+)
+_STAYS, _TOUCHES = 3, 2
+"""Costs of a chip: by how much another place must be better, and at a label."""
+_END = 16
+"""The cost of a cell that is to be kept clear."""
+# A chip may hide ground and lines; it rather keeps off walls, and names move aside from it.
+_HIDDEN = bytes(
+    4 if role == StyleRole.UNKNOWN else 2 if role in _WALLS else int(role in LABELS) for role in range(256)
 )
 
 
@@ -38,10 +44,9 @@ class CellOccupancy:
     def __init__(self, width: int, height: int, below: Roles | None = None) -> None:
         self.width, self._height = width, height
         self._stride = width + _MARGIN
-        self._taken = _margins(width, height)
-        self._numbers = 0
+        self._taken = self._outside = _margins(width, height)
         self._texts = 0 if below is None else _bits(_HELD[below], around=False)
-        self._beyond = 0 if below is None else _bits(_OFF_FLOOR[below], around=False)
+        self._hidden = bytearray() if below is None else bytearray(below.tobytes().translate(_HIDDEN))
 
     def _bit(self, x: int, y: int) -> int:
         """Return the number of a cell's bit."""
@@ -52,6 +57,10 @@ class CellOccupancy:
         start, end = max(x, 0), min(x + cells, self.width)
         if 0 <= y < self._height and start < end:
             self._taken |= (1 << end - start) - 1 << self._bit(start, y)
+
+    def keep_clear(self, x: int, y: int) -> None:
+        """Keep chips off a cell of the view, if there is other space near their robots."""
+        self._hidden[y * self.width + x] = _END
 
     def free(self, x: int, y: int, cells: int) -> bool:
         """Tell whether they are all in the view and neither taken nor to be spared."""
@@ -67,80 +76,46 @@ class CellOccupancy:
         """Tell whether one of these cells, all in the view, is occupied."""
         return bool(self._taken >> self._bit(x, y) & (1 << cells) - 1)
 
-    def number_side(self, x: int, y: int, arrow: int, cells: int, before: int, spares: bool = False) -> int:
-        """Occupy the cells for a number of `cells` cells beside an arrow of `arrow` cells at (x, y).
+    def chip_shift(
+        self, x: int, y: int, cells: int, before: Place | None, spares: bool = False
+    ) -> Place | None:
+        """Occupy the place for a robot's chip of `cells` cells, and return its first cell as seen from the
+        robot's at (x, y): cells right, rows down. None without space. One that `spares` others
+        stays in its robot's row and covers no label.
 
-        Return its side: -1 left, 1 right, 0 if it fits on neither. Beside it is only its arrow: two numbers
-        never read as one. On the floor it stays on the side that it had `before`, if need be beside the arrow
-        of a robot that drives past; else it covers a label only if both sides do, none at all if it `spares`
-        them."""
-        if before and not spares and self._fits(x, y, arrow, cells, before, self._numbers):
-            start = _start(x, arrow, cells, before)
-            if not self._is_beyond(start, y, cells) and not self._touches(start, y, cells, before):
-                self._take_number(start, y, cells)
-                return before
-        sides = [side for side in (-1, 1) if self._fits(x, y, arrow, cells, side, self._taken)]
-        if not sides:
-            return 0
-        # Touching a label it reads as a part of that.
-        sides.sort(key=lambda side: self._touches(_start(x, arrow, cells, side), y, cells, side))
-        spared = [side for side in sides if self.free(_start(x, arrow, cells, side), y, cells)]
-        if spares and not spared:
-            return 0
-        # A number beyond the floor's edge reads as one of nothing, and one on a wall breaks it: rather than
-        # that a label moves.
-        on_floor = [side for side in sides if not self._is_beyond(_start(x, arrow, cells, side), y, cells)]
-        best = [side for side in on_floor if side in spared] or (on_floor if not spares else spared)
-        best = best or spared or sides
-        stays = before in best and not self._touches(_start(x, arrow, cells, before), y, cells, before)
-        side = before if stays else best[0]
-        self._take_number(_start(x, arrow, cells, side), y, cells)
-        return side
+        Of the free places near the robot it is the one that hides least; it stays at the shift `before`
+        unless another is much better. A chip keeps a cell's distance from those in its row."""
+        shifts = _shifts(cells)
+        best: Place | None = None
+        least = sys.maxsize
+        if before in shifts and (cost := self._chip_cost(x, y, before, cells, spares)) is not None:
+            best, least = before, cost + shifts[before] - _STAYS
+        for shift, further in shifts.items():
+            if least <= further:
+                break
+            cost = self._chip_cost(x, y, shift, cells, spares)
+            if cost is not None and cost + further < least:
+                best, least = shift, cost + further
+        if best is not None:
+            self.take(x + best[0], y + best[1], cells)
+        return best
 
-    def number_over(self, x: int, y: int, cells: int) -> int | None:
-        """Occupy the cells for a number of `cells` cells in place of an arrow at (x, y), with nothing beside
-        it, rather over no label. Return the first one, None without space."""
-        own = 1 << self._bit(x, y)
-        for kept_clear in (self._texts, 0):
-            for start in dict.fromkeys((x - cells + 1, x)):
-                left, right = max(start - 1, 0), min(start + cells + 1, self.width)
-                if start < 0 or start + cells > self.width:
-                    continue
-                around = ((1 << right - left) - 1 << self._bit(left, y)) & ~own
-                if not self._taken & around and not kept_clear >> self._bit(start, y) & (1 << cells) - 1:
-                    self._take_number(start, y, cells)
-                    return start
-        return None
-
-    def extends(self, x: int, y: int, cells: int, side: int) -> bool:
-        """Occupy cells of a row that continue to a `side`, if they and the next one are free and in view."""
-        if not 0 <= y < self._height or not self._fits(
-            x if side > 0 else x + cells, y, 0, cells, side, self._taken
-        ):
-            return False
-        self._take_number(x, y, cells)
-        return True
-
-    def _take_number(self, x: int, y: int, cells: int) -> None:
-        self.take(x, y, cells)
-        self._numbers |= (1 << cells) - 1 << self._bit(x, y)
-
-    def _touches(self, x: int, y: int, cells: int, side: int) -> bool:
-        """Tell whether the next cell on a side is one to be spared."""
-        beyond = x - 1 if side < 0 else x + cells
-        return 0 <= beyond < self.width and bool(self._texts >> self._bit(beyond, y) & 1)
-
-    def _is_beyond(self, x: int, y: int, cells: int) -> bool:
-        return bool(self._beyond >> self._bit(x, y) & (1 << cells) - 1)
-
-    def _fits(self, x: int, y: int, arrow: int, cells: int, side: int, kept_clear: int) -> bool:
-        """Tell whether a number has free cells, and the next one is none of those `kept_clear`."""
-        start = _start(x, arrow, cells, side)
-        if start < 0 or start + cells > self.width:
-            return False
-        beyond = start - 1 if side < 0 else start + cells
-        held = self._taken >> self._bit(start, y) & (1 << cells) - 1
-        return not held and (not 0 <= beyond < self.width or not kept_clear >> self._bit(beyond, y) & 1)
+    def _chip_cost(self, x: int, y: int, shift: Place, cells: int, spares: bool) -> int | None:
+        """Return what a chip hides, None if it has no space."""
+        start, row = x + shift[0], y + shift[1]
+        if not (0 <= row < self._height and start >= 0 and start + cells <= self.width):
+            return None
+        left, right = max(start - 1, 0), min(start + cells + 1, self.width)
+        bit, around = self._bit(left, row), (1 << right - left) - 1
+        if self._taken >> bit & around:
+            return None
+        texts = self._texts >> bit & around
+        if spares and (texts or shift[1]):
+            return None
+        first = row * self.width + start
+        hidden = sum(self._hidden[first : first + cells])
+        own = (1 << cells) - 1 << start - left
+        return hidden + _TOUCHES if texts & ~own else hidden
 
     def label_spot(
         self, x: int, y: int, text: str, roles: Roles, covers_walls: bool = False, in_row: bool = True
@@ -179,11 +154,6 @@ class CellOccupancy:
         return not held & (1 << end - start) - 1
 
 
-def _start(x: int, arrow: int, cells: int, side: int) -> int:
-    """Return the first cell of a number beside its arrow."""
-    return x - cells if side < 0 else x + arrow
-
-
 def _bits(cells: NDArray[np.bool_], around: bool) -> int:
     """The cells of a view, and their margins, as a CellOccupancy stores them."""
     height, width = cells.shape
@@ -208,3 +178,16 @@ def _spots(cells: int, in_row: bool) -> tuple[tuple[int, int, int], ...]:
     corners = [(right, -1), (right, 1), (left, -1), (left, 1)]
     far = [(column, row) for column in (0, end, middle, -1, end + 1) for row in (-2, 2)]
     return tuple((*at, cost) for cost, places in enumerate((beside, shifted, corners, far)) for at in places)
+
+
+@lru_cache(maxsize=128)
+def _shifts(cells: int) -> dict[Place, int]:
+    """Return the places for a chip of so many cells, as seen from its robot, with their costs, the best
+    first: over its cell, beside it, in the next rows."""
+    over = {(-right, 0): right for right in range(cells)}
+    beside = {(right, 0): 4 + right for right in (1, 2)} | {
+        (1 - cells - left, 0): 4 + left for left in (1, 2)
+    }
+    ends = (0, 0), (1 - cells, 0), (1, 1), (-cells, 1)
+    rows = {(right, down): 8 * abs(down) + away for down in (-1, 1, -2, 2) for right, away in ends}
+    return dict(sorted((over | beside | rows).items(), key=lambda one: one[1]))

@@ -26,49 +26,60 @@ def taken_cells(occupancy: CellOccupancy) -> set[tuple[int, int]]:
     return {(x, y) for y in range(HEIGHT) for x in range(WIDTH) if not occupancy.free(x, y, 1)}
 
 
-@given(taken_places, places, st.integers(1, 2), st.integers(1, 4), st.sampled_from((-1, 0, 1)))
-def test_a_number_is_beside_its_arrow_and_touches_nothing_else(
-    others: set[tuple[int, int]], at: tuple[int, int], arrow: int, cells: int, before: int
+@given(taken_places, places, st.integers(1, 5), st.none() | st.tuples(st.integers(-5, 2), st.integers(-2, 2)))
+def test_a_chip_is_at_its_robot_in_the_view_and_touches_no_other(
+    others: set[tuple[int, int]], at: tuple[int, int], cells: int, before: tuple[int, int] | None
 ) -> None:
     occupancy, (x, y) = CellOccupancy(WIDTH, HEIGHT), at
-    own = {(x + n, y) for n in range(arrow)} & {(n, y) for n in range(WIDTH)}
-    for place in others | own:
+    for place in others:
         occupancy.take(*place, 1)
     blocked = taken_cells(occupancy)
-    side = occupancy.number_side(x, y, arrow, cells, before)
-
-    def number(which: int) -> set[tuple[int, int]]:
-        start = x - cells if which < 0 else x + arrow
-        return {(start + n, y) for n in range(cells)}
-
-    def fits(which: int, distance: int = 1) -> bool:
-        cells_of_it = number(which)
-        beyond = (min(cells_of_it)[0] - distance if which < 0 else max(cells_of_it)[0] + distance, y)
-        inside = all(0 <= column < WIDTH for column, _ in cells_of_it)
-        return inside and not (cells_of_it | {beyond}) & blocked
-
-    stays = before != 0 and fits(before, 0)
-    assert bool(side) == (stays or fits(-1) or fits(1))
-    if side:
-        assert stays or fits(side)
-        assert taken_cells(occupancy) == blocked | number(side)
-    if stays:
-        assert side == before, "beside the arrow of another robot, if need be"
+    shift = occupancy.chip_shift(x, y, cells, before)
+    fits = [
+        right
+        for right in range(1 - cells, 1)
+        if 0 <= x + right <= WIDTH - cells and not {(x + right + n, y) for n in range(-1, cells + 1)} & others
+    ]
+    assert shift is not None or not fits
+    if shift is None:
+        assert taken_cells(occupancy) == blocked
+        return
+    start, row = x + shift[0], y + shift[1]
+    assert taken_cells(occupancy) == blocked | {(start + n, row) for n in range(cells)}
+    assert not {(start + n, row) for n in range(-1, cells + 1)} & others
+    assert start - 2 <= x <= start + cells + 1 and abs(row - y) <= 2
+    if fits and before is None:
+        assert shift == (max(fits), 0), "its first cell is the robot's, if it has space there"
 
 
-@given(taken_places, places)
-def test_a_number_covers_a_label_only_where_both_sides_do(
-    texts: set[tuple[int, int]], at: tuple[int, int]
+@given(places, st.integers(1, 4), st.integers(-3, 0))
+def test_a_chip_stays_as_it_is_at_its_robot_while_that_drives(
+    at: tuple[int, int], cells: int, right: int
 ) -> None:
-    below = np.full((HEIGHT, WIDTH), StyleRole.FLOOR, np.uint8)
-    for x, y in texts:
-        below[y, x] = StyleRole.LABEL
-    occupancy, (x, y) = CellOccupancy(WIDTH, HEIGHT, below), at
-    occupancy.take(x, y, 1)
-    free = [occupancy.free(start, y, 2) for start in (x - 2, x + 1)]
-    side = occupancy.number_side(x, y, 1, 2, 0)
-    assert side
-    assert free[side > 0] or not any(free)
+    is_free = 0 <= at[0] + right <= WIDTH - cells and right > -cells
+    shift = CellOccupancy(WIDTH, HEIGHT).chip_shift(*at, cells, (right, 0))
+    assert not is_free or shift == (right, 0)
+
+
+def test_a_chip_keeps_off_walls_names_and_most_of_all_the_orders_ends() -> None:
+    roles = ground()
+    roles[:, 11:13] = StyleRole.WALL
+    assert CellOccupancy(WIDTH, HEIGHT, roles).chip_shift(10, 4, 3, None) == (-2, 0)
+    roles[:, 9] = StyleRole.WALL
+    assert CellOccupancy(WIDTH, HEIGHT, roles).chip_shift(10, 4, 3, (-1, 0)) == (-1, 0), "it stays"
+    roles = ground()
+    roles[4, 12:16] = StyleRole.LABEL
+    assert CellOccupancy(WIDTH, HEIGHT, roles).chip_shift(10, 4, 3, None) == (-2, 0), "nor beside one"
+    occupancy = CellOccupancy(WIDTH, HEIGHT, ground())
+    occupancy.keep_clear(10, 4)
+    assert occupancy.chip_shift(10, 4, 3, None) == (1, 0)
+
+
+def test_a_long_chip_covers_no_name() -> None:
+    roles = ground()
+    roles[2:7, 10:14] = StyleRole.LABEL
+    assert CellOccupancy(WIDTH, HEIGHT, roles).chip_shift(11, 4, 10, None, spares=True) is None
+    assert CellOccupancy(WIDTH, HEIGHT, roles).chip_shift(11, 4, 10, None) is not None
 
 
 def test_a_label_at_the_rim_ends_above_its_vertex_not_beside_the_neighbours() -> None:
@@ -112,16 +123,6 @@ def test_a_label_in_another_aisle_would_be_read_as_of_another_vertex() -> None:
     assert CellOccupancy(WIDTH, HEIGHT).label_spot(10, 4, "Base", roles) is None
     roles[3, 10] = StyleRole.FLOOR
     assert CellOccupancy(WIDTH, HEIGHT).label_spot(10, 4, "Base", roles) == (10, 2), "nothing between"
-
-
-def test_a_number_is_on_the_side_without_a_wall() -> None:
-    roles = ground()
-    roles[:, 9] = StyleRole.WALL
-    for before in (-1, 0, 1):
-        assert CellOccupancy(WIDTH, HEIGHT, roles).number_side(10, 4, 1, 2, before) == 1, "not on the wall"
-    roles[:, 12] = StyleRole.WALL
-    for before in (-1, 1):
-        assert CellOccupancy(WIDTH, HEIGHT, roles).number_side(10, 4, 1, 2, before) == before, "it stays"
 
 
 FRAME = MapFrame(0.05, 400, 200)
@@ -192,7 +193,7 @@ def test_a_robot_at_a_station_leaves_the_stations_name_readable() -> None:
         assert "Dock" in text
         assert "1" in text
         alone = replace(scene, robots=robots[:1])
-        assert "1→ Dock" in picture(backdrop(alone, camera, MapOptions()), alone, camera, MapOptions()).text()
+        assert "→1 Dock" in picture(backdrop(alone, camera, MapOptions()), alone, camera, MapOptions()).text()
 
 
 @settings(deadline=None)
@@ -207,19 +208,3 @@ def test_the_ends_of_an_order_have_a_label_and_move_no_other_that_leaves_them_ro
         assert end in names(ordered, camera)
     if end in before:
         assert names(ordered, camera) == before
-
-
-@given(taken_places, places, st.integers(1, 3))
-def test_a_number_in_place_of_an_arrow_touches_nothing(
-    taken: set[tuple[int, int]], at: tuple[int, int], cells: int
-) -> None:
-    occupancy = CellOccupancy(WIDTH, HEIGHT)
-    for x, y in taken | {at}:
-        occupancy.take(x, y, 1)
-    start = occupancy.number_over(*at, cells)
-    x, y = at
-    spots = {s: {(n, y) for n in range(s - 1, s + cells + 1)} - {at} for s in (x - cells + 1, x)}
-    fitting = [s for s, near in spots.items() if not near & taken and s >= 0 and s + cells <= WIDTH]
-    assert (start in fitting) if fitting else start is None
-    if start is not None:
-        assert not any(occupancy.free(n, y, 1) for n in range(start, start + cells))
