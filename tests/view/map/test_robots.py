@@ -145,7 +145,7 @@ def test_robots_that_drive_past_each_other_keep_their_numbers_apart_and_the_arro
 @given(st.lists(st.tuples(st.floats(9.0, 11.0), st.floats(4.5, 5.5)), min_size=2, max_size=9))
 def test_two_numbers_never_read_as_one(at: list[tuple[float, float]]) -> None:
     robots = tuple(SceneRobot(f"r{n}", n, Pose(*place), mark=str(100 + n)) for n, place in enumerate(at))
-    counted = re.sub(r"\+\d+", " ", drawn(robots))
+    counted = re.sub(r"×\d+", " ", drawn(robots))
     words = "".join(letter if letter.isdigit() else " " for letter in counted).split()
     assert {len(word) for word in words} <= {3}
 
