@@ -44,12 +44,13 @@ class Notices:
         self.note(text, stays)
         self._refresh()
 
-    def hint(self, topic: str, text: str) -> None:
-        """Show a text that helps with a topic, once in a session and until the next key."""
+    def hint(self, text: str, topic: str = "") -> None:
+        """Show a text that only helps, until the next key; on a `topic` once in a session."""
         if topic not in self._hinted:
-            self._hinted.add(topic)
-            self.say(text)
+            self._hinted |= {topic} - {""}
+            self.note(text)
             self.is_hint = True
+            self._refresh()
 
     def note(self, text: str, stays: bool = False) -> None:
         """Show a text with the next tick; if it `stays`, until there is a newer one."""

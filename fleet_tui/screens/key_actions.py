@@ -149,7 +149,7 @@ def _choose_robot(screen: "MainScreen", number: int) -> None:
     screen.navigation.choose_robot(number)
     if number <= len(names) and marks_of(names)[number - 1] != str(number):
         said = f"key {number} is {names[number - 1]}: keys count from 1, in the order of the configuration"
-        screen.notices.hint("select", sanitize(said))
+        screen.notices.hint(sanitize(said), "digits")
 
 
 def _next_trouble(screen: "MainScreen") -> None:
@@ -160,7 +160,10 @@ def _next_trouble(screen: "MainScreen") -> None:
     else:
         # Those of links: their robots have none of their own.
         others = [f"{one.condition.source} {one.text}" for one in state.alarms if one.holds]
-        screen.notices.say(sanitize(others[0]) if others else "no robot has an alarm, all have a pose")
+        if others:
+            screen.notices.say(sanitize(others[0]))
+        else:
+            screen.notices.hint("no robot has an alarm, all have a pose")
 
 
 def _place_actions(rest: "Rest") -> PlaceActions:

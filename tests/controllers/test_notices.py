@@ -71,11 +71,11 @@ def test_a_key_ends_a_text_that_was_read_and_no_newer_one_nor_the_first() -> Non
 
 def test_a_hint_is_given_once_for_its_topic_and_the_next_key_ends_it() -> None:
     notices = Notices(Store(fleet()), lambda: None)
-    notices.hint("robot keys", "key 2 is robot_1")
+    notices.hint("key 2 is robot_1", "robot keys")
     assert (notices.text, notices.is_hint) == ("key 2 is robot_1", True)
     notices.key_pressed()
     assert notices.text == ""
-    notices.hint("robot keys", "key 3 is robot_2")
+    notices.hint("key 3 is robot_2", "robot keys")
     assert notices.text == ""
     notices.hint("other", "other")
     notices.say("no order here")

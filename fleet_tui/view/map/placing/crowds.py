@@ -1,6 +1,7 @@
 """The chips of a crowd: neighbours as one, with their count and the worst state among them."""
 
 from collections.abc import Sequence
+from itertools import chain
 from typing import NamedTuple
 
 from fleet_tui.view.map.camera import Camera
@@ -55,8 +56,11 @@ def crowd_chips(occupancy: CellOccupancy, seen: Seen, turned: float, plain: bool
         cells = sum(len(text) for text, _ in runs)
         left = x // BLOCK[0] * BLOCK[0]
         starts = x, x - cells + 1, min(left, occupancy.width - cells), left + BLOCK[0] - cells
-        free = ((start, line) for line in (y, y + 1, y - 1) for start in starts)
-        start, line = next((at for at in free if occupancy.has_room(*at, cells)), (x, y))
+        places = [(start, line) for line in (y, y + 1, y - 1) for start in starts]
+        # Rather with a cell to the next chip: "0×59" would read as one.
+        apart = (at for at in places if occupancy.has_room(at[0] - 1, at[1], cells + 2))
+        free = chain(apart, (at for at in places if occupancy.has_room(*at, cells)))
+        start, line = next(free, (x, y))
         if not occupancy.has_room(start, line, cells):
             if occupancy.is_taken(x, y, 1):
                 continue  # below a more urgent one
