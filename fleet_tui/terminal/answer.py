@@ -39,5 +39,7 @@ class KeyAnswer:
 def _alone(tick: Callable[[], None]) -> None:
     """Call a tick while messages wait: a key that comes now waits for both."""
     give_turn()
-    tick()
-    end_turn()
+    try:
+        tick()
+    finally:
+        end_turn()

@@ -149,7 +149,7 @@ def test_paused_by_us_until_it_moves() -> None:
     assert state.is_paused(robot(state)) and robot(state).paused_by_us
     braking = reduced(state, pose(T0 + 1, 5.3, 5.0), pose(T0 + 2, 5.4, 5.0))
     assert braking.is_paused(robot(braking))
-    driving = reduced(braking, pose(T0 + 3, 5.6, 5.0))
+    driving = reduced(braking, pose(T0 + 3, 5.9, 5.0))
     assert not driving.is_paused(robot(driving))
 
 

@@ -19,7 +19,7 @@ class VehiclePacing:
         self._frequent = {feed.robot: feed.address for feed in feeds if feed.fast}
         self._plan = RatePlan(
             config.rates.changes_per_s,
-            lambda _, before, after: int(self._is_frequent(before) != self._is_frequent(after)),
+            lambda _, before, after: int(before.unseen != after.unseen),
         )
 
     def begin(self, now: float) -> None:
@@ -28,18 +28,15 @@ class VehiclePacing:
 
     def is_wanted(self, feed: Feed) -> bool:
         """Tell whether to subscribe to a topic."""
-        return not feed.fast or self._is_frequent(self._plan.asked.get(feed.robot, FULL))
+        return not feed.fast or not self._plan.asked.get(feed.robot, FULL).unseen
 
     def due(self, now: float) -> Mapping[str, bool]:
         """Return the topics to subscribe to (True) or to leave by now."""
         return {
-            self._frequent[robot]: self._is_frequent(self._plan.asked[robot])
+            self._frequent[robot]: not self._plan.asked[robot].unseen
             for robot, before in self._plan.due(self._wanted(), now)
-            if self._is_frequent(before) != self._is_frequent(self._plan.asked[robot])
+            if before.unseen != self._plan.asked[robot].unseen
         }
 
     def _wanted(self) -> Mapping[str, Intervals]:
         return intervals(self._store.state, self._frequent, self._store.attention, self._rates)
-
-    def _is_frequent(self, asked: Intervals) -> bool:
-        return asked == FULL or asked.pose < self._rates.pose_ms

@@ -28,6 +28,7 @@ class Pacing:
         """`adapters` by robot."""
         self._rates, self._adapters, self._store = config.rates, adapters, store
         self._usual_silence = config.alarms.offline_after
+        self._confirmed_within = config.alarms.not_confirmed_after
         self._paced: dict[str, list[Feed]] = {}
         for feed in filter(is_paced, feeds):
             self._paced.setdefault(feed.robot, []).append(feed)
@@ -67,8 +68,9 @@ class Pacing:
         ]
 
     def _interval(self, feed: Feed, asked: Intervals) -> int:
-        """Return an interval that leaves time to notice that messages have ceased."""
+        """Return an interval that leaves time to notice that messages have ceased, and the effect of a
+        command."""
         kind, usual = self._adapters[feed.robot].kind, self._usual_silence
-        silence = min(kind.silence_of(feed.key, usual), kind.offline_after or usual)
+        silence = min(kind.silence_of(feed.key, usual), kind.offline_after or usual, self._confirmed_within)
         wanted = asked.pose if feed.fast else asked.status
         return max(feed.rate_ms, int(min(wanted, silence * 1000 * SHARE)))

@@ -9,6 +9,8 @@ from fleet_tui.rules.commands.local_queue import orders_of, waiting
 
 STANDS_AFTER = 1.0
 """Seconds without movement after which a robot counts as standing, and within which it counted as moving."""
+SELDOM = 2.0
+"""Seconds between the poses of robots that nobody looks at, at most by the usual configuration."""
 
 FOREIGN_STOPPED = "stopped, also another client's goal, not resumable from here"
 """Detail of a pause that cancelled another client's goal."""
@@ -23,8 +25,12 @@ WAITS = frozenset({Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
 
 
 def is_moving(robot: Robot, now: float) -> bool:
-    """Tell whether its poses showed it moving within the last STANDS_AFTER seconds."""
-    return robot.standing is not None and now - robot.standing.at < STANDS_AFTER
+    """Tell whether its poses showed it moving within the last STANDS_AFTER seconds, or if they come seldom,
+    its newest one did."""
+    if robot.standing is None:
+        return False
+    still = now - robot.standing.at
+    return still < STANDS_AFTER or (robot.still_for < STANDS_AFTER and still < STANDS_AFTER + SELDOM)
 
 
 def own_pause_text(state: FleetState, robot: Robot) -> str:

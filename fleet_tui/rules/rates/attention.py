@@ -43,7 +43,8 @@ class Attention(NamedTuple):
 
 class Intervals(NamedTuple):
     """Milliseconds between two poses of a robot, and between two messages of its other regular topics; 0:
-    as often as `[ui]` says."""
+    as often as `[ui]` says. `unseen` is 1 for a robot that nobody looks at."""
 
     pose: int = 0
     status: int = 0
+    unseen: int = 0

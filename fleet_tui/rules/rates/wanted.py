@@ -2,6 +2,7 @@
 
 from collections.abc import Collection, Iterable, Mapping
 
+from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.trouble import by_urgency
@@ -27,8 +28,9 @@ def is_large(state: FleetState, rates: Rates) -> bool:
 
 def watched_robots(state: FleetState, attention: Attention) -> list[str]:
     """Return the robots that always have the full rate, the most urgent first: the selected one, those with a
-    command under way, and the most urgent ones with an alarm."""
-    commanded = [one.command.robot for one in state.commands if not one.is_decided]
+    command under way, and the most urgent ones with an alarm. An order that waits here is about none yet."""
+    under_way = (one for one in state.commands if not (one.is_decided or one.stage is Stage.WAITING))
+    commanded = [one.command.robot for one in under_way]
     alarmed = by_urgency(state)[:MOST_ALARMED]
     return list(dict.fromkeys([attention.robot, *reversed(commanded), *alarmed]))
 
@@ -57,16 +59,17 @@ def is_in_view(robot: Robot, attention: Attention) -> bool:
 def intervals(
     state: FleetState, robots: Iterable[str], attention: Attention, rates: Rates
 ) -> Mapping[str, Intervals]:
-    """Return the intervals that the messages of these robots should have: without an operator, as in a
-    recording or for metrics, everything counts."""
+    """Return the intervals that the messages of these robots should have, the most watched first: without an
+    operator, as in a recording or for metrics, everything counts."""
     if not is_large(state, rates) or not attention.robot:
         return dict.fromkeys(robots, FULL)
-    watched, shown = frozenset(watched_robots(state, attention)), rates.pose_ms
+    watched, shown = {name: n for n, name in enumerate(watched_robots(state, attention))}, rates.pose_ms
     if attention.view is not None:
         seen = sum(is_in_view(robot, attention) for robot in state.robots.values())
         by_zoom = shown_interval(attention.view.cell, rates.pose_ms)
         shown = max(by_zoom, crowd_interval(seen, rates.pose_ms))
-    return {name: _intervals(state.robots[name], watched, attention, shown, rates) for name in robots}
+    ordered = sorted(robots, key=lambda name: watched.get(name, len(watched)))
+    return {name: _intervals(state.robots[name], watched, attention, shown, rates) for name in ordered}
 
 
 def _intervals(
@@ -74,8 +77,9 @@ def _intervals(
 ) -> Intervals:
     if robot.name in watched:
         return FULL
-    is_shown = shown < rates.pose_ms and is_in_view(robot, attention)
-    return Intervals(shown if is_shown else rates.pose_ms, rates.status_ms)
+    if is_in_view(robot, attention):
+        return Intervals(shown, rates.status_ms)
+    return Intervals(rates.pose_ms, rates.status_ms, unseen=1)
 
 
 def by_attention(state: FleetState, attention: Attention) -> Mapping[str, int]:

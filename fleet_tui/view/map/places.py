@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
+from fleet_tui.view.map.glyphs import is_special
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 
 Points = NDArray[np.float64]
@@ -39,7 +40,7 @@ def _points(vertices: Same[tuple[SceneVertex, ...]]) -> Points:
 
 def seen_robots(scene: Scene, camera: Camera) -> list[tuple[SceneRobot, Place]]:
     """Return the robots in the view with their cells: the selected one, those with an alarm that waits, those
-    in other trouble, the others, each by number."""
+    in other trouble, in a special state, the others, each by number."""
     robots = sorted(scene.robots, key=lambda one: (not one.selected, _calm(one), one.number))
     points = np.array([(robot.pose.x, robot.pose.y) for robot in robots], np.float64).reshape(-1, 2)
     indices, places = _seen(scene.frame, camera, points)
@@ -49,7 +50,9 @@ def seen_robots(scene: Scene, camera: Camera) -> list[tuple[SceneRobot, Place]]:
 def _calm(robot: SceneRobot) -> int:
     if robot.alarmed:
         return 0
-    return 2 if robot.online and not (robot.obstacle or robot.acknowledged) else 1
+    if robot.obstacle or robot.acknowledged or not robot.online:
+        return 1
+    return 2 if is_special(robot) else 3
 
 
 def seen_vertices(scene: Scene, camera: Camera) -> list[tuple[SceneVertex, Place]]:

@@ -9,7 +9,7 @@ from fleet_tui.model.commands import (
     ResumeRobot,
     Stage,
 )
-from fleet_tui.model.events import PausedReported
+from fleet_tui.model.events import PausedReported, PoseReported, TimePassed
 from tests.support.fleets import (
     R0,
     T0,
@@ -96,3 +96,24 @@ def test_the_end_of_a_pause_does_not_read_as_if_it_were_paused(command: Command,
     asked = up(PausedReported(R0, T0, not says), *commanded(1, command, SENT, ACCEPTED))
     end = only(reduced(asked, PausedReported(R0, T0 + 1, says), tick(T0 + PATIENCE)))
     assert end.is_decided and "paused" not in end.detail
+
+
+@pytest.mark.parametrize("seconds", [0.1, 0.2, 0.5, 1.0, 1.2, 2.0])
+@pytest.mark.parametrize("phase", [n / 10 for n in range(10)])
+def test_a_driving_robot_whose_poses_come_seldom_is_seen_to_stop(seconds: float, phase: float) -> None:
+    speed, given = 1.2, T0 + (10 + phase) * seconds
+    times = [T0 + n * seconds for n in range(int(8 / seconds) + 12)]
+    poses = [pose(at, speed * (min(at, given) - T0)) for at in times]
+    ticks = [tick(given + n / 10) for n in range(int(PATIENCE * 10))]
+    facts: list[PoseReported | TimePassed] = sorted([*poses, *ticks], key=lambda one: one.at)
+    driven = [one for one in facts if one.at < given]
+    state = up(*driven, *commanded(1, PauseRobot(R0), SENT, ACCEPTED, at=given))
+    paused = reduced(state, *facts[len(driven) :])
+    assert only(paused).stage is Stage.CONFIRMED
+    assert paused.robots[R0].paused_by_us
+
+
+def test_a_robot_that_drives_on_despite_our_pause_is_not_paused() -> None:
+    state = up(pose(T0 - 1), pose(T0, 1.0), *commanded(1, PauseRobot(R0), SENT, ACCEPTED))
+    assert reduced(state, pose(T0 + 1, 2.0)).robots[R0].paused_by_us
+    assert not reduced(state, pose(T0 + 1, 2.0), pose(T0 + 2, 3.0)).robots[R0].paused_by_us

@@ -24,7 +24,7 @@ from fleet_tui.rules.rates.wanted import (
 from tests.support.fleets import F0, R0, T0, battery, commanded, fleet, link_up, pose, reduced, tick
 
 RATES = Rates(full_up_to=3)
-SELDOM = Intervals(RATES.pose_ms, RATES.status_ms)
+SELDOM = Intervals(RATES.pose_ms, RATES.status_ms, unseen=1)
 F1 = F0.replace("0", "1")
 WHOLE = SeenArea(-100.0, -100.0, 100.0, 100.0, 0.4)
 
