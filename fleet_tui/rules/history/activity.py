@@ -1,6 +1,6 @@
 """The activity of a robot at this moment, in one word."""
 
-from collections.abc import Set
+from collections.abc import Iterable, Set
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity
@@ -19,13 +19,13 @@ def activity(state: FleetState, robot: Robot) -> Activity:
     return _activity(state, robot, _blocked(state))
 
 
-def activities(state: FleetState) -> dict[str, Activity]:
-    """Return what every robot does of which that is known now: not of one whose pose is old while others
-    arrive."""
+def activities(state: FleetState, robots: Iterable[Robot]) -> dict[str, Activity]:
+    """Return what each of these robots does of which that is known now: not of one whose pose is old while
+    others arrive."""
     blocked = _blocked(state)
     return {
         robot.name: _activity(state, robot, blocked)
-        for robot in state.robots.values()
+        for robot in robots
         if not state.is_old(robot, "pose") or not state.is_online(robot)
     }
 

@@ -47,7 +47,7 @@ class RecentActivity:
         self._parts.append(
             {
                 name: activity
-                for name, activity in activities(state).items()
+                for name, activity in activities(state, state.robots.values()).items()
                 for robot in [state.robots[name]]
                 if robot.last_received is not None and state.links[robot.link].phase is Phase.UP
             }

@@ -4,6 +4,7 @@ import math
 import re
 from collections.abc import Collection, Mapping
 from functools import partial
+from operator import attrgetter
 
 from fleet_tui.model.fleet import FleetState, is_missing, missing_text
 from fleet_tui.model.order import natural
@@ -28,6 +29,7 @@ from fleet_tui.view.tables.table import LateRows, Row, Run, Table, width_of
 
 CARGO, IDLE, CHARGING = "▪", "idle", "charging"
 CALM = (IDLE, CHARGING)
+_name = attrgetter("name")
 STILL_FROM, STILL_INSTEAD = 5.0, 15.0
 """Seconds from which a robot stands still, and from which that is told in place of its order."""
 WHOLE_ROUTES = 26
@@ -191,7 +193,7 @@ def _order_text(state: FleetState, robot: Robot) -> str:
 
 def _values(state: FleetState) -> tuple[Value[Robot], ...]:
     return (
-        Value("robot", lambda robot: robot.name, lambda robot: natural(robot.name)),
+        Value("robot", _name, lambda robot: natural(robot.name)),
         Value("floor", partial(floor_text, state), lambda robot: natural(floor_text(state, robot))),
         Value("battery", lambda robot: battery_run(state, robot)[0].strip(), _battery_order, is_apart=True),
         Value("order", partial(_order_text, state), lambda robot: not robot.orders.current),
@@ -227,8 +229,7 @@ def fleet_table(
     silenced, seen = shelved(state), acknowledged(state)
     troubled = {name: place for place, name in enumerate(by_urgency(state))}
     calm = partial(_calm, state, troubled, silenced)
-    everyone = state.robots.values()
-    robots = arrangement.arranged(everyone, _values(state), lambda robot: robot.name, state.now, calm)
+    robots = arrangement.arranged(state.robots.values(), _values(state), _name, state.now, calm)
     columns, groups = Columns.of(state, width), arrangement.groups
     entries = groups.grouped(state, robots, selected, opens=bool(arrangement.typed))
 
@@ -241,9 +242,9 @@ def fleet_table(
         return _seen_row(made) if robot.name in seen else made
 
     rows = LateRows([one if isinstance(one, GroupHead) else one.name for one in entries], row)
-    total = len(state.robots)
     notes = arrangement.notes(len(robots))
     # Filtered it is about other numbers.
     counted = [] if arrangement.typed else fleet_counts(state, width - width_of(notes))
     told = ((tr("Fleet"), StyleRole.TITLE), *counted, *notes)
-    return Table(told, rows, arrangement.no_match, head=columns.head, unfiltered=0 if groups.by else total)
+    unfiltered = 0 if groups.by else len(state.robots)
+    return Table(told, rows, arrangement.no_match, (), columns.head, unfiltered, bool(groups.by))

@@ -29,7 +29,7 @@ def fleet_counts(state: FleetState, width: int) -> list[Run]:
     what is odd would be dropped, it is there in the place of those online."""
     robots = state.robots
     # Without a queue nobody knows whether a standing robot is idle.
-    done = ((robots[name].queue is not None, one) for name, one in activities(state).items())
+    done = ((robots[name].queue is not None, one) for name, one in activities(state, robots.values()).items())
     found = Counter(one for is_listed, one in done if is_listed or one is not Activity.IDLE)
     offline, left = found[Activity.OFFLINE], width - BESIDE - 3 * len(str(len(robots)))
     online = len(robots) - offline

@@ -1,10 +1,13 @@
 """The fleet's rows in groups by floor or by link, each of which can be folded."""
 
+from collections import Counter
 from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import NamedTuple
 
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.history.activity import activities
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
@@ -74,7 +77,8 @@ def _names(state: FleetState, by: str) -> Sequence[str]:
 
 
 def head_row(state: FleetState, head: GroupHead, is_folded: bool, troubled: Collection[str]) -> Row:
-    """Return the head of a group: how many robots are in it, in trouble and offline."""
+    """Return the head of a group: how many robots are in it, in trouble and offline, and if they are folded
+    also how many are blocked or paused."""
     members = [robot for robot in state.robots.values() if BY[head.by](state, robot) == head.name]
     count = len(members)
     alarmed = sum(robot.name in troubled for robot in members)
@@ -88,4 +92,8 @@ def head_row(state: FleetState, head: GroupHead, is_folded: bool, troubled: Coll
         runs.append((tr(f" {alarmed} with alarm{'s' * (alarmed != 1)}"), StyleRole.ALARM))
     if offline:
         runs.append((tr(f" {offline} offline"), StyleRole.WARN))
+    done = Counter(activities(state, members).values()) if is_folded else Counter()
+    for one in (Activity.BLOCKED, Activity.PAUSED):
+        if done[one]:
+            runs.append((f" {done[one]} {tr(one.value)}", StyleRole.WARN))
     return Row(head, tuple(runs))

@@ -114,6 +114,8 @@ class Listing:
             title.insert(1, (tr(f" {len(self.marks)} marked"), StyleRole.KEY))
         if len(self._table.rows) > rows and self.cursor is not None and not self._table.title_buttons:
             seen = tr(f"{self._top + 1}-{self._top + rows} of {len(self._table.rows)}")
+            if self._table.has_groups:  # else the heads would read as robots
+                seen = tr(f"rows {seen}")
             title.append((f"  {seen}", StyleRole.DIM))
         rule = StyleRole.ACCENT if focused else StyleRole.RULE
         runs = [("─ ", rule), *title, (" ", rule)]

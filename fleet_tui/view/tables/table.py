@@ -48,7 +48,7 @@ class LateRows(Sequence[Row]):
 
 class Table(Struct, frozen=True):
     """A pane at one moment. `head` names the columns; `empty` is shown if there are no rows; `unfiltered` is
-    the number of rows without a filter, whose lines it keeps."""
+    the number of rows without a filter, whose lines it keeps; `has_groups`: some rows are heads of groups."""
 
     title: tuple[Run, ...]
     rows: Sequence[Row]
@@ -56,6 +56,7 @@ class Table(Struct, frozen=True):
     title_buttons: tuple[Button, ...] = ()
     head: tuple[Run, ...] = ()
     unfiltered: int = 0
+    has_groups: bool = False
 
     @property
     def lines(self) -> int:

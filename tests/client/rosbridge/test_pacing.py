@@ -101,6 +101,14 @@ async def test_no_rate_is_so_slow_that_a_robot_looks_offline(server: RosbridgeSe
         assert asked(server, "/robot_2/pose") == [int(2000 * SHARE)]
 
 
+async def test_no_rate_is_so_slow_that_a_command_looks_without_effect(server: RosbridgeServer) -> None:
+    config = replace(large(server), alarms=Alarms(not_confirmed_after=1.5))
+    async with linked(config) as (_, store):
+        store.attention = Attention("robot_0")
+        await store.until(ready)
+        assert asked(server, "/robot_1/pose") == [int(1500 * SHARE)]
+
+
 async def test_a_large_start_goes_by_attention_and_tells_how_far_it_is(
     server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
 ) -> None:

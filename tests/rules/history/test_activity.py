@@ -3,7 +3,7 @@
 from msgspec.structs import replace
 
 from fleet_tui.model.commands import PauseRobot
-from fleet_tui.model.fleet import with_robot
+from fleet_tui.model.fleet import FleetState, with_robot
 from fleet_tui.model.history.facts import Activity
 from fleet_tui.rules.history.activity import activities, activity
 from tests.support.fleets import R0
@@ -58,7 +58,13 @@ def test_silence_is_offline() -> None:
 def test_the_activities_of_all_are_those_of_each() -> None:
     for planted in (driving(), driving(then="stuck:robot_0").run(70), behind_another().run(10)):
         state = planted.state
-        assert activities(state) == {robot.name: activity(state, robot) for robot in state.robots.values()}
+        assert activities(state, state.robots.values()) == {
+            robot.name: activity(state, robot) for robot in state.robots.values()
+        }
+
+
+def told(state: FleetState) -> dict[str, Activity]:
+    return activities(state, state.robots.values())
 
 
 def test_nothing_is_told_of_a_robot_whose_pose_is_old_while_others_arrive() -> None:
@@ -66,6 +72,6 @@ def test_nothing_is_told_of_a_robot_whose_pose_is_old_while_others_arrive() -> N
     robot = planted.robot
     assert robot.pose is not None
     late = replace(robot, pose=replace(robot.pose, at=planted.state.now - 60.0))
-    assert R0 not in activities(with_robot(planted.state, late))
+    assert R0 not in told(with_robot(planted.state, late))
     silent = replace(late, last_received=planted.state.now - 60.0)
-    assert activities(with_robot(planted.state, silent))[R0] is Activity.OFFLINE
+    assert told(with_robot(planted.state, silent))[R0] is Activity.OFFLINE

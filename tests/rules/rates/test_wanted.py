@@ -21,7 +21,19 @@ from fleet_tui.rules.rates.wanted import (
     intervals,
     shown_interval,
 )
-from tests.support.fleets import F0, R0, T0, battery, commanded, fleet, link_up, pose, reduced, tick
+from tests.support.fleets import (
+    F0,
+    R0,
+    T0,
+    battery,
+    commanded,
+    fleet,
+    link_up,
+    place_order,
+    pose,
+    reduced,
+    tick,
+)
 
 RATES = Rates(full_up_to=3)
 SELDOM = Intervals(RATES.pose_ms, RATES.status_ms, unseen=1)
@@ -67,6 +79,21 @@ def test_a_command_under_way_makes_its_robot_come_fully() -> None:
     assert rates(state, Attention(R0, F0))["robot_5"] == FULL
     ended = placed(*commanded(1, PauseRobot("robot_5"), Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED))
     assert rates(ended, Attention(R0, F0))["robot_5"] == SELDOM
+
+
+def test_an_order_that_waits_here_is_about_no_robot_yet() -> None:
+    waits = commanded(1, place_order("robot_5", 1, 2), Stage.WAITING)
+    assert rates(placed(*waits), Attention(R0, F0))["robot_5"] == SELDOM
+
+
+def test_the_selected_robot_is_the_first_of_those_whose_rate_changes() -> None:
+    many = [one for n in (1, 2, 3, 4) for one in commanded(n, PauseRobot(f"robot_{n}"), Stage.SENT)]
+    assert next(iter(rates(placed(*many), Attention("robot_5", F0)))) == "robot_5"
+
+
+def test_in_a_crowd_that_comes_seldom_who_is_in_view_is_still_seen() -> None:
+    found = rates(placed(), Attention(R0, F0, WHOLE._replace(cell=9.0)))
+    assert found["robot_2"] == SELDOM._replace(unseen=0) and found["robot_1"] == SELDOM
 
 
 def test_a_robot_with_an_alarm_comes_fully_until_that_is_shelved() -> None:

@@ -98,7 +98,7 @@ def test_paused_by_its_own_word_or_by_ours() -> None:
     assert "by us" not in row(received(events.PausedReported(R0, T0 + 1, True)))
     ours = commanded(1, PauseRobot(R0), Stage.SENT, Stage.ACCEPTED)
     assert "paused (by us)" in text_of(fleet_table(received(*ours), R0, 120).rows[0].runs)
-    assert "paused" not in row(received(*ours, pose(T0 + 1, 9.0)))
+    assert "paused" not in row(received(*ours, pose(T0 + 1, 8.0), pose(T0 + 2, 9.0)))
     assert "paused" not in row(received(*ours, events.PausedReported(R0, T0 + 1, False)))
 
 

@@ -2,10 +2,12 @@
 
 from msgspec.structs import replace
 
+from fleet_tui.model.events import PausedReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.tables.arrangement import RowArrangement
 from fleet_tui.view.tables.fleet import fleet_table
-from fleet_tui.view.tables.groups import GroupHead, RowGroups
+from fleet_tui.view.tables.groups import GroupHead, RowGroups, head_row
+from fleet_tui.view.tables.listing import Listing
 from tests.support.fleets import F0, R0, T0, battery, fleet, link_up, pose, reduced, text_of, tick
 
 F1 = F0.replace("0", "1")
@@ -43,6 +45,23 @@ def test_a_folded_group_keeps_its_counts_and_the_selected_robot() -> None:
     assert text_of(table.rows[2].runs) == "+ floor_1 2 robots 1 with alarm"
     assert keys(arranged(FIRST), "robot_1") == [FIRST, SECOND, "robot_3", "robot_1"]
     assert table.lines < fleet_table(placed(), R0, 80, arranged()).lines
+
+
+def test_a_folded_head_tells_who_is_paused_among_its_robots() -> None:
+    state = reduced(placed(), PausedReported("robot_2", T0, True))
+    assert " 1 paused" in text_of(head_row(state, FIRST, True, ()).runs)
+    assert "paused" not in text_of(head_row(state, FIRST, False, ()).runs), "there the rows tell it"
+
+
+def test_heads_are_counted_as_rows_not_as_robots() -> None:
+    arrangement, listing = RowArrangement(), Listing()
+    state = placed()
+    arrangement.groups.next(state)
+    listing.cursor = next(iter(state.robots))
+    listing.show(fleet_table(state, listing.cursor, 60, arrangement))
+    title = text_of(listing.lines(60, 4, False)[0])
+    total = len(state.robots) + 2
+    assert f"rows 1-3 of {total}" in title
 
 
 def test_a_filter_finds_robots_in_folded_groups_too() -> None:
