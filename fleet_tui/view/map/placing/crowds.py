@@ -1,7 +1,6 @@
 """The chips of a crowd: neighbours as one, with their count and the worst state among them."""
 
-from collections.abc import Sequence
-from itertools import chain
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from fleet_tui.view.map.camera import Camera
@@ -48,19 +47,15 @@ def clusters(seen: Seen) -> list[Cluster]:
 
 
 def crowd_chips(occupancy: CellOccupancy, seen: Seen, turned: float, plain: bool) -> list[Chip]:
-    """Return a chip for each cluster: over its first robot's cell, if need be elsewhere in its block or in
-    the next line; without space only a sign. `turned`: radians by which the map's picture is turned."""
+    """Return a chip for each cluster: over its first robot's cell, if need be elsewhere in its block or up
+    to two lines off; without space only a sign. `turned`: radians by which the map's picture is turned."""
     chips: list[Chip] = []
     for (x, y), robots in clusters(seen):
         runs = _runs(robots, turned, plain)
         cells = sum(len(text) for text, _ in runs)
         left = x // BLOCK[0] * BLOCK[0]
         starts = x, x - cells + 1, min(left, occupancy.width - cells), left + BLOCK[0] - cells
-        places = [(start, line) for line in (y, y + 1, y - 1) for start in starts]
-        # Rather with a cell to the next chip: "0×59" would read as one.
-        apart = (at for at in places if occupancy.has_room(at[0] - 1, at[1], cells + 2))
-        free = chain(apart, (at for at in places if occupancy.has_room(*at, cells)))
-        start, line = next(free, (x, y))
+        start, line = next(_free(occupancy, starts, y, cells), (x, y))
         if not occupancy.has_room(start, line, cells):
             if occupancy.is_taken(x, y, 1):
                 continue  # below a more urgent one
@@ -70,6 +65,15 @@ def crowd_chips(occupancy: CellOccupancy, seen: Seen, turned: float, plain: bool
             chips.append((start, line, text, role))
             start += len(text)
     return chips
+
+
+def _free(occupancy: CellOccupancy, starts: Iterable[int], y: int, cells: int) -> Iterator[Place]:
+    """Yield the places with space in line y and near it, in the nearer lines rather with a cell to the next
+    chip: "0×59" would read as one."""
+    near = [(start, line) for line in (y, y + 1, y - 1) for start in starts]
+    yield from (at for at in near if occupancy.has_room(at[0] - 1, at[1], cells + 2))
+    far = [(start, line) for line in (y + 2, y - 2) for start in starts]
+    yield from (at for at in (*near, *far) if occupancy.has_room(*at, cells))
 
 
 def _sign(robots: list[SceneRobot], turned: float, plain: bool) -> str:

@@ -1,5 +1,6 @@
 """A crowd: chips that count neighbours, and no state that another one hides."""
 
+import random
 import re
 from typing import Any
 
@@ -90,3 +91,14 @@ def text(*robots: SceneRobot, drawing: Drawing = Drawing.BRAILLE, camera: Camera
 
 def counts(*robots: SceneRobot, drawing: Drawing = Drawing.BRAILLE) -> list[str]:
     return re.findall(r"[×x]\d+", text(*robots, drawing=drawing))
+
+
+def test_among_hundreds_the_paused_ones_keep_their_chips() -> None:
+    rng = random.Random(3)
+    robots = [
+        SceneRobot(f"r{n}", n, Pose(rng.uniform(0.1, 19.9), rng.uniform(0.1, 9.9)), paused=n % 12 == 0)
+        for n in range(400, 900)
+    ]
+    groups = clusters(seen_robots(Scene("f", FRAME, robots=tuple(robots)), CAMERA))
+    paused = sum(one.robots[0].paused for one in groups)
+    assert paused > 20 and text(*robots).count("‖") >= 0.95 * paused
