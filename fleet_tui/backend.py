@@ -1,7 +1,7 @@
 """The backend of the console: a live fleet or a recording of one. Typing it costs no import."""
 
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
@@ -45,8 +45,8 @@ class Backend(Protocol):
     def open(self) -> None:
         """Start to feed the store. May take long: called in a thread of its own."""
 
-    def submit(self, command: Command) -> str:
-        """Send a command now or not at all. Returns the reason that it can't be tried."""
+    def submit(self, *commands: Command) -> str:
+        """Send the commands of a request now or not at all. Returns the reason that none can be tried."""
 
     def post(self, event: Event) -> str:
         """Apply an event from outside the link. Returns the reason that it is rejected."""
@@ -68,8 +68,8 @@ class OpenLinks(Protocol):
     def counters(self) -> "Mapping[str, LinkCounter]":
         """Return the counters of each link. They change all the time."""
 
-    def submit(self, command: Command) -> object:
-        """Send a command now or not at all."""
+    def submit_all(self, commands: Sequence[Command]) -> object:
+        """Send the commands of a request now or not at all."""
 
     def drive(self, robot: str) -> HandDrive:
         """Begin to drive a robot by hand. Raises CommandError."""
@@ -147,11 +147,11 @@ class LiveBackend:
         """Return the counters of each link, empty before they are open."""
         return self.links.counters if self.links is not None else {}
 
-    def submit(self, command: Command) -> str:
-        """Send a command now, or return the reason not to."""
+    def submit(self, *commands: Command) -> str:
+        """Send the commands of a request now, or return the reason not to."""
         if self.links is None:
             return "not sent: console starting"
-        self.links.submit(command)
+        self.links.submit_all(commands)
         return ""
 
     def drive(self, robot: str) -> HandDrive:

@@ -1,6 +1,6 @@
 """A live backend while its links are being opened: nothing is sent, nothing that is wanted gets lost."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import pytest
 
@@ -22,8 +22,8 @@ class CalledLinks:
         self.calls: list[object] = []
         self.counters: Mapping[str, LinkCounter] = {}
 
-    def submit(self, command: Command) -> None:
-        self.calls.append(command)
+    def submit_all(self, commands: Sequence[Command]) -> None:
+        self.calls += commands
 
     def drive(self, robot: str) -> StubDrive:
         self.calls.append(robot)

@@ -1,7 +1,7 @@
 """Audit records: the difference between two states, in the words of the log."""
 
 import dataclasses
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass
 from datetime import datetime
 from typing import Any, assert_never
@@ -53,19 +53,25 @@ def command_records(
     """Return each step that a command made. `wall` converts monotonic to Unix time."""
     if before.commands is after.commands:
         return
-    known = {record.id: len(record.steps) for record in before.commands}
+    # Of a thousand commands one has changed: the others are only compared.
+    same = set(map(id, before.commands)) & set(map(id, after.commands))
+    known = {record.id: record for record in before.commands if id(record) not in same}
+    decided = set[int]()
     for record in after.commands:
-        for step in record.steps[known.get(record.id, 0) :]:
+        if id(record) in same:
+            continue
+        old = known.get(record.id)
+        for step in record.steps[len(old.steps) if old else 0 :]:
             yield _of_step(origin, after, record, step, wall(step.at))
-    yield from _summaries(origin, before, after, wall)
+        if record.is_decided and old and not old.is_decided:
+            decided.add(record.id)
+    yield from _summaries(origin, after, decided, wall)
 
 
 def _summaries(
-    origin: Origin, before: FleetState, after: FleetState, wall: Callable[[float], float]
+    origin: Origin, after: FleetState, decided: Collection[int], wall: Callable[[float], float]
 ) -> Iterator[AuditRecord]:
     """Summarise a request to many robots, once all of it is decided."""
-    was_open = {record.id for record in before.commands if not record.is_decided}
-    decided = {record.id for record in after.commands if record.is_decided and record.id in was_open}
     for batch in pauses(after.commands) if decided else ():
         if all(record.is_decided for record in batch) and any(record.id in decided for record in batch):
             yield _summary(origin, after, batch, wall(max(record.at for record in batch)))

@@ -1,9 +1,10 @@
 """All links of a configuration as one: commands go to the robot's own link."""
 
 import itertools
+import logging
 import secrets
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import partial
 
 from fleet_tui.client.links import link_of
@@ -24,10 +25,14 @@ from fleet_tui.model.request import given_now
 from fleet_tui.model.set_up.driving import HandDrive
 from fleet_tui.rules.commands.rights import right_for
 from fleet_tui.state.store import Store
-from fleet_tui.transports.loop import end_turn
+from fleet_tui.transports.loop import call_now
+
+LOG = logging.getLogger(__name__)
 
 # request_id is an int32 on the wire: each console and each run starts anywhere in its lower half.
 ID_SPAN = 2**30
+HANDOVER = 0.005
+"""Maximum seconds to wait for the network thread to take a request."""
 
 
 class FleetLink:
@@ -72,17 +77,37 @@ class FleetLink:
 
     def submit(self, command: Command) -> int:
         """Send a command now or not at all. Returns its id; its end is reported exactly once."""
-        given_at = time.monotonic()
-        end_turn()
-        command_id = next(self._ids)
-        self.post(CommandIssued(command_id, command, given_at, time.time()))
+        return self.submit_all([command])[0]
+
+    def submit_all(self, commands: Sequence[Command]) -> list[int]:
+        """Send the commands of one request, each as `submit` does: given at one moment, and in the audit log
+        before the first is sent. Returns their ids."""
+        given = [(next(self._ids), command) for command in commands]
+        call_now(partial(self._give, given, time.monotonic(), time.time()), HANDOVER)
+        return [command_id for command_id, _ in given]
+
+    def _give(self, given: Sequence[tuple[int, Command]], at: float, wall: float) -> None:
+        """Record a request, then send it. On the loop."""
+        began = time.monotonic()
+        with self._store.together():
+            for command_id, command in given:
+                self._writer.apply(CommandIssued(command_id, command, at, wall))
+        with self._store.together():
+            for command_id, command in given:
+                try:
+                    # The time that its own request takes makes no command too old.
+                    self._submit_now(command_id, command, at + time.monotonic() - began)
+                except Exception:
+                    # One that fails must not keep the others from their robots.
+                    LOG.exception("command %d", command_id)
+
+    def _submit_now(self, command_id: int, command: Command, given_at: float) -> None:
         if reason := self._refusal(right_for(command)):
-            self.post(CommandAdvanced(command_id, Stage.NOT_SENT, given_at, reason))
+            self._writer.apply(CommandAdvanced(command_id, Stage.NOT_SENT, given_at, reason))
         elif self._store.state.robots[command.robot].kind.keeps_goals:
-            self._writer.loop.call_soon_threadsafe(self._queue_or_send, command_id, command, given_at)
+            self._queue_or_send(command_id, command, given_at)
         else:
-            self._links[self._store.state.robots[command.robot].link].submit(command_id, command, given_at)
-        return command_id
+            self._send(command_id, command, given_at)
 
     def _refusal(self, needed: Right) -> str:
         """Return the reason to send nothing that needs a right: the last gate, whatever asked for it."""

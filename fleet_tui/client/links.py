@@ -25,11 +25,8 @@ class RobotLink(Protocol):
     def open(self) -> None:
         """Connect, and stay connected."""
 
-    def submit(self, command_id: int, command: Command, given_at: float) -> None:
-        """Send a command; its progress reaches the store as CommandAdvanced."""
-
     def submit_now(self, command_id: int, command: Command, given_at: float) -> None:
-        """Send a command, on the loop."""
+        """Send a command, on the loop; its progress reaches the store as CommandAdvanced."""
 
     def resend(self, command: Command) -> None:
         """Send a command once more, on the loop: only the first attempt is reported."""

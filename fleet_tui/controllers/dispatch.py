@@ -150,8 +150,7 @@ class Dispatch:
         return self.objection(request) or self._send(request, sent, prepare)
 
     def _refusal(self) -> str:
-        """Return the reason to send nothing now. Checked last, for each command: the checks let pauses
-        pass."""
+        """Return the reason to send nothing now. Checked last: the checks let pauses pass."""
         if self._backend.refusal or self.permissions.armed:
             return self._backend.refusal
         return "not sent: this console is not armed: use Arm in the palette (:)"
@@ -159,9 +158,7 @@ class Dispatch:
     def _send(self, request: Request, sent: Callable[[], None], prepare: Prepare | None) -> str:
         if prepare is not None and (problem := self._refusal() or prepare()):
             return problem
-        problem = ""
-        for command in request.commands:
-            problem = self._refusal() or self._backend.submit(command) or problem
+        problem = self._refusal() or self._backend.submit(*request.commands)
         now = time.monotonic()
         recent = {given: at for given, at in self.given.items() if now - at < SAME_WITHIN}
         self.given = {**recent, request.commands: now}
@@ -175,8 +172,8 @@ class Dispatch:
             return [Problem("read-only", refusal)]
         if found := problems(self._store.state, request, self.permissions):
             return found
-        unsent = [reason for command in request.commands if (reason := self._backend.submit(command))]
-        return [Problem("no link", reason) for reason in unsent]
+        unsent = self._backend.submit(*request.commands)
+        return [Problem("no link", unsent)] if unsent else []
 
     def post(self, event: Event) -> None:
         """Apply an operator's change of this console's own queue, or show the reason not to."""

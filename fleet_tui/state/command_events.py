@@ -1,5 +1,7 @@
 """Events of commands: the effect of each on the state."""
 
+from collections.abc import Iterator, Sequence
+from itertools import islice
 from typing import assert_never
 
 from msgspec.structs import replace
@@ -147,9 +149,19 @@ def issue_command(state: FleetState, event: events.CommandIssued) -> FleetState:
     # Open commands, and orders in a queue, stay, however many there are.
     surplus = len(commands) - COMMANDS_KEPT
     if surplus > 0:
-        old = [one.id for one in commands if one.is_decided and not _is_in_queue(state, one)][:surplus]
-        commands = tuple(one for one in commands if one.id not in old)
+        old = set(islice(_droppable(state, commands), surplus))
+        commands = tuple(one for one in commands if one.id not in old) if old else commands
     return replace(state, commands=commands)
+
+
+def _droppable(state: FleetState, commands: Sequence[CommandRecord]) -> Iterator[int]:
+    """Return the ids of decided commands, the oldest first. A request to many robots stays whole until the
+    last one is decided: its summary counts them all."""
+    begun = {one.issued_at for one in commands if not one.is_decided}
+    for one in commands:
+        is_part = isinstance(one.command, PauseRobot | ResumeRobot) and one.issued_at in begun
+        if one.is_decided and not is_part and not _is_in_queue(state, one):
+            yield one.id
 
 
 def change_queue(state: FleetState, event: navigation_events.QueueChange) -> FleetState:

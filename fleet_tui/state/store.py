@@ -1,6 +1,7 @@
 """The store: the newest state, for every reader."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
@@ -20,6 +21,7 @@ class Store:
     def __init__(self, state: FleetState) -> None:
         self.state = state
         self.watchers: list[Watcher] = []
+        self._is_together = False
         self.streams = Streams()
         self.attention = Attention()
         """What the operator looks at: links request its messages first, and more often."""
@@ -27,6 +29,20 @@ class Store:
     def apply(self, event: Event) -> None:
         """Apply one event."""
         before, self.state = self.state, reducer.apply(self.state, event)
+        if not self._is_together:
+            self._tell(before)
+
+    @contextmanager
+    def together(self) -> Iterator[None]:
+        """Call the watchers once for all events that are applied in this block, after the last."""
+        before, self._is_together = self.state, True
+        try:
+            yield
+        finally:
+            self._is_together = False
+            self._tell(before)
+
+    def _tell(self, before: FleetState) -> None:
         after = self.state
         same = before.commands is after.commands and before.alarms is after.alarms
         if not same or before.desk is not after.desk:

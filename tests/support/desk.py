@@ -75,8 +75,8 @@ class CollectingBackend:
         self.drives.append(StubDrive())
         return self.drives[-1]
 
-    def submit(self, command: Command) -> str:
-        self.submitted.append(command)
+    def submit(self, *commands: Command) -> str:
+        self.submitted += commands
         return ""
 
     def post(self, event: Event) -> str:

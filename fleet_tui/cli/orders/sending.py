@@ -126,7 +126,7 @@ class Sending:
         if wrong:
             yield from self._hold_back(request.commands, wrong)
         elif len({command.robot for command in request.commands}) > 1:
-            yield from self.await_ends([self.link.submit(command) for command in request.commands])
+            yield from self.await_ends(self.link.submit_all(request.commands))
         else:
             yield from self._one_after_the_other(request.commands)
 
@@ -190,7 +190,7 @@ class Sending:
         until = time.monotonic() + min(LINK_WITHIN, self.left)
         while waiting:
             now = self._reached(waiting, until - time.monotonic())
-            ids += [self.link.submit(PauseRobot(name)) for name in now]
+            ids += self.link.submit_all([PauseRobot(name) for name in now])
             waiting = [name for name in waiting if name not in now]
         yield from self.await_ends(ids)
 

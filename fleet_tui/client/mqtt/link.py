@@ -10,10 +10,6 @@ from fleet_tui.errors import CommandError
 from fleet_tui.model.commands import Command
 from fleet_tui.model.kind import DRIVE
 from fleet_tui.model.set_up.driving import HandDrive
-from fleet_tui.transports.loop import call_now
-
-HANDOVER = 0.005
-"""Maximum seconds to wait for the network thread to take a command."""
 
 
 class BrokerLink:
@@ -29,12 +25,8 @@ class BrokerLink:
         """Connect, and stay connected."""
         self._writer.loop.call_soon_threadsafe(self._telemetry.connection.connect)
 
-    def submit(self, command_id: int, command: Command, given_at: float) -> None:
-        """Send a command; its progress reaches the store as CommandAdvanced."""
-        call_now(lambda: self.submit_now(command_id, command, given_at), HANDOVER)
-
     def submit_now(self, command_id: int, command: Command, given_at: float) -> None:
-        """Send a command, on the loop."""
+        """Send a command, on the loop; its progress reaches the store as CommandAdvanced."""
         self._telemetry.commands.submit(command_id, command, given_at)
 
     def resend(self, command: Command) -> None:

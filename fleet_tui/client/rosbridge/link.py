@@ -13,10 +13,6 @@ from fleet_tui.errors import CommandError
 from fleet_tui.model.commands import Command
 from fleet_tui.model.kind import DRIVE
 from fleet_tui.rules.driving.speed import Caps
-from fleet_tui.transports.loop import call_now
-
-# Maximum seconds to wait for the network thread to take a command.
-HANDOVER = 0.005
 
 
 class BridgeLink:
@@ -38,12 +34,8 @@ class BridgeLink:
         self._writer.loop.call_soon_threadsafe(self._commands.connection.connect)
         self._writer.loop.call_soon_threadsafe(self._telemetry.connection.connect)
 
-    def submit(self, command_id: int, command: Command, given_at: float) -> None:
-        """Send a command; its progress reaches the store as CommandAdvanced."""
-        call_now(lambda: self._commands.submit(command_id, command, given_at), HANDOVER)
-
     def submit_now(self, command_id: int, command: Command, given_at: float) -> None:
-        """Send a command, on the loop."""
+        """Send a command, on the loop; its progress reaches the store as CommandAdvanced."""
         self._commands.submit(command_id, command, given_at)
 
     def resend(self, command: Command) -> None:

@@ -30,7 +30,7 @@ class ReplayBackend:
         """Start to play."""
         self._player.start(self._store)
 
-    def submit(self, _command: Command) -> str:
+    def submit(self, *_commands: Command) -> str:
         """Send nothing."""
         return self.refusal
 

@@ -1,6 +1,6 @@
 """From a request to outcomes: what holds it back, what goes first, and what a failure leaves unsent."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import cast
 
 import pytest
@@ -46,6 +46,9 @@ class InstantLink:
         for stage in next(self._ends):
             self.store.apply(CommandAdvanced(id_, stage, T0 + 1))
         return id_
+
+    def submit_all(self, commands: Sequence[Command]) -> list[int]:
+        return [self.submit(command) for command in commands]
 
 
 def sending(

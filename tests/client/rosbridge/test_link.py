@@ -40,7 +40,7 @@ async def test_a_command_goes_its_own_way_and_its_progress_is_told(server: Rosbr
         await store.until(lambda state: state.robots["robot_0"].pose)
         now = time.monotonic()
         store.apply(CommandIssued(7, PauseRobot("robot_0"), now, time.time()))
-        link.submit(7, PauseRobot("robot_0"), now)
+        link._writer.loop.call_soon_threadsafe(link.submit_now, 7, PauseRobot("robot_0"), now)
         state = await store.until(lambda state: state.commands[0].stage is Stage.ACCEPTED)
         assert [step.stage for step in state.commands[0].steps] == [Stage.CHECKED, Stage.SENT, Stage.ACCEPTED]
         advanced = len(store.told(CommandAdvanced))
