@@ -10,7 +10,7 @@ from fleet_tui.view.map.glyphs import is_special, robot_glyph, robot_number, rob
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.places import Place, seen_robots
 from fleet_tui.view.map.placing.crowds import COUNT, crowd_chips, is_crowd
-from fleet_tui.view.map.placing.labels import Backdrop, move_aside
+from fleet_tui.view.map.placing.labels import Backdrop, LabelPlaces, move_aside
 from fleet_tui.view.map.placing.occupancy import CellOccupancy, ChipSize
 from fleet_tui.view.map.scene import Scene, SceneRobot
 from fleet_tui.view.roles import StyleRole
@@ -36,14 +36,13 @@ class Arrangement:
 
     shifts: dict[int, Place] = field(default_factory=dict)
     """Cells right of each robot's cell and rows below it at which its chip begins, by the robot's number."""
-    aside: dict[Place, Place] = field(default_factory=dict)
-    """First cells of the labels that gave way to robots, by those of their usual places."""
+    labels: LabelPlaces = field(default_factory=LabelPlaces)
 
 
 def draw_robots(
     cells: Cells, behind: Backdrop, scene: Scene, camera: Camera, look: MapOptions, before: Arrangement
 ) -> None:
-    """Draw every robot as a chip; labels of the picture `behind` give way. `before` keeps places: they stay
+    """Draw every robot as a chip over the labels of the picture `behind`. `before` keeps places: they stay
     while there is space."""
     occupancy = CellOccupancy(camera.width, camera.height, cells.roles)
     seen = seen_robots(scene, camera)
@@ -54,7 +53,7 @@ def draw_robots(
             if label.is_target:
                 occupancy.keep_clear(*label.vertex)
         chips = _chips(occupancy, seen, scene, look, before.shifts, is_dense(scene, camera))
-    move_aside(cells, behind, occupancy, before.aside)
+    move_aside(cells, behind, occupancy, before.labels, scene.at)
     cells.write_all(chips)
 
 
