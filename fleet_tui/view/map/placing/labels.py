@@ -12,7 +12,7 @@ from fleet_tui.view.map.placing.occupancy import CellOccupancy
 from fleet_tui.view.roles import StyleRole
 
 PASSING = 3.0
-"""Seconds for which a label below a robot is only left out: one that moves is worse than one away for a moment."""
+"""Seconds for which a label below a robot is only left out: that is calmer than one that moves."""
 
 
 class Label(NamedTuple):
