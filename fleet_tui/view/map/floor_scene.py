@@ -87,6 +87,12 @@ def _ground(state: FleetState, floor: str, vertices: tuple[SceneVertex, ...]) ->
     return MapFrame(EMPTY_RESOLUTION, *pixels, Pose(left, low))
 
 
+def _frame_of_others(state: FleetState, floor: str) -> MapFrame | None:
+    """Return the first robot's frame of a floor, None if no robot has one."""
+    maps = (robot.maps.get(floor) for robot in state.robots.values())
+    return next((one.frame for one in maps if one is not None and one.frame is not None), None)
+
+
 def _same_map(state: FleetState, floor: str, robot_map: RobotMap) -> OccupancyGrid | None:
     """Return the live map of another robot that has the same one, or of any for a robot without one."""
     maps = (robot.maps.get(floor) for robot in state.robots.values())
@@ -95,7 +101,7 @@ def _same_map(state: FleetState, floor: str, robot_map: RobotMap) -> OccupancyGr
 
 def _with_map(state: FleetState, floor: Floor, robot_map: RobotMap, scene: Scene, is_mapping: bool) -> Scene:
     """Return the floor's configured file first, then the live map, then another robot's, then empty ground
-    with a note on the missing map."""
+    with a note on the missing map. A robot whose map_metadata is missing is drawn with that of others."""
     grid, frame = floor.grid, robot_map.frame
     if is_mapping and (robot_map.grid or floor.live) is not None:
         grid = None  # the map that grows, not the file
@@ -104,7 +110,7 @@ def _with_map(state: FleetState, floor: Floor, robot_map: RobotMap, scene: Scene
         if frame is not None and not _same_size(frame, grid.frame):
             note = tr("map_metadata differs from the map file")
         return replace(scene, grid=grid, frame=grid.frame, note=note)
-    if grid is not None and frame is not None:
+    if grid is not None and (frame := frame or _frame_of_others(state, floor.name)) is not None:
         if (frame.width, frame.height) == (grid.frame.width, grid.frame.height):
             return replace(scene, grid=grid, frame=frame)
         image, size = grid.frame, f"{frame.width} x {frame.height}"
