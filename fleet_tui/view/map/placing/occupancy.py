@@ -29,9 +29,16 @@ _STAYS, _TOUCHES = 3, 2
 """Costs of a chip: by how much another place must be better, and at a label."""
 _END = 16
 """The cost of a cell that is to be kept clear."""
-# A chip may hide ground and lines; it rather keeps off walls, and names move aside from it.
-_HIDDEN = bytes(
-    4 if role == StyleRole.UNKNOWN else 2 if role in _WALLS else int(role in LABELS) for role in range(256)
+_BEYOND = (StyleRole.UNKNOWN, StyleRole.WALL_BEYOND, StyleRole.LABEL_BEYOND, StyleRole.TARGET_BEYOND)
+_OUTSIDE = 6
+"""The cost of a cell outside the building: a chip there says that its robot is outside, too."""
+# A chip may hide ground and lines; it rather keeps off walls, and names give way to it.
+_HIDDEN = np.array(
+    [
+        _OUTSIDE if role in _BEYOND else 2 if role in _WALLS else int(role in LABELS)
+        for role in range(len(StyleRole))
+    ],
+    np.uint8,
 )
 
 
@@ -61,7 +68,7 @@ class CellOccupancy:
         self._stride = width + _MARGIN
         self._taken = self._outside = _margins(width, height)
         self._texts = 0 if below is None else _bits(_HELD[below], around=False)
-        self._hidden = bytearray() if below is None else bytearray(below.tobytes().translate(_HIDDEN))
+        self._hidden = bytearray() if below is None else bytearray(_hidden(below).tobytes())
 
     def _bit(self, x: int, y: int) -> int:
         """Return the number of a cell's bit."""
@@ -167,6 +174,19 @@ class CellOccupancy:
         # As `free`, without its call: this is asked a dozen times for each label.
         held = (self._taken | self._texts) >> y * self._stride + _MARGIN + start
         return not held & (1 << end - start) - 1
+
+
+def _hidden(below: Roles) -> NDArray[np.uint8]:
+    """Return what a chip would hide in each cell."""
+    costs = _HIDDEN[below]
+    outside, outer = costs == _OUTSIDE, costs == _HIDDEN[StyleRole.WALL]
+    beside = np.zeros_like(outside)
+    beside[1:] |= outside[:-1]
+    beside[:-1] |= outside[1:]
+    beside[:, 1:] |= outside[:, :-1]
+    beside[:, :-1] |= outside[:, 1:]
+    costs[outer & beside] = _OUTSIDE - 1
+    return costs
 
 
 def _bits(cells: NDArray[np.bool_], around: bool) -> int:

@@ -79,6 +79,19 @@ def test_a_chip_keeps_off_walls_names_and_most_of_all_the_orders_ends() -> None:
     assert occupancy.chip_shift(10, 4, ChipSize(3, 3), None) == (1, 0)
 
 
+def test_a_chip_grows_toward_the_inside_of_a_building_and_leaves_its_row_that_way() -> None:
+    roles = ground()
+    roles[:, :5], roles[:, 5] = StyleRole.UNKNOWN, StyleRole.WALL
+    roles[:2], roles[2] = StyleRole.UNKNOWN, StyleRole.WALL
+    for before in (None, (-1, 0), (-2, 0)):
+        assert CellOccupancy(WIDTH, HEIGHT, roles).chip_shift(6, 4, ChipSize(3, 3), before) == (0, 0)
+    roles[4] = StyleRole.WALL
+    occupancy = CellOccupancy(WIDTH, HEIGHT, roles)
+    occupancy.take(0, 3, WIDTH)
+    shift = occupancy.chip_shift(12, 3, ChipSize(3, 3), None)
+    assert shift is not None and shift[1] == 1, "over the rack, not over the outer wall"
+
+
 def test_a_long_chip_covers_no_name() -> None:
     roles = ground()
     roles[2:7, 10:14] = StyleRole.LABEL
