@@ -72,6 +72,12 @@ class MapControls:
                 self._say("the map follows the robot wherever its position is known")
         self._view.draw()
 
+    def stop_following(self) -> None:
+        """Let the view be brought elsewhere, and say so if it followed a robot."""
+        if self._picture.viewport.follow:
+            self._picture.viewport.follow = False
+            self._say("follow off")
+
     def centre(self, at: tuple[float, float] | None = None) -> None:
         """Centre once, on a place in metres of the shown floor, or on the selected robot."""
         if self._picture.scene is not None:

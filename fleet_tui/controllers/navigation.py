@@ -18,6 +18,9 @@ class MapCamera(Protocol):
     def reveal(self) -> None:
         """Centre on the selected robot if it is out of view."""
 
+    def stop_following(self) -> None:
+        """Stop following the selected robot."""
+
     def centre(self, at: tuple[float, float] | None = None) -> None:
         """Centre on a place in metres of the shown floor, or on the selected robot."""
 
@@ -91,11 +94,14 @@ class Navigation:
         self._camera().centre()
 
     def find_floor(self, floor: str) -> None:
-        """Show a floor."""
+        """Show a floor; a view that follows would leave another one at once."""
+        if floor != self.floor:
+            self._camera().stop_following()
         self.selection = replace(self.selection, floor=floor, chosen=True)
         self._refresh()
 
     def find_vertex(self, floor: str, x: float, y: float) -> None:
         """Bring the map to a place of a floor."""
         self.find_floor(floor)
+        self._camera().stop_following()
         self._camera().centre((x, y))

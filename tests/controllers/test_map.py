@@ -101,6 +101,17 @@ async def test_to_follow_a_robot_that_is_not_here_says_when_it_begins() -> None:
         assert "follow on" in app.rows()[0] and "all in view" not in app.rows()[0]
 
 
+async def test_to_look_elsewhere_while_following_says_that_it_ends() -> None:
+    said = list[str]()
+    async with Pane().run_test(size=(100, 30)) as pilot:
+        _, view = await started(pilot)
+        controls = MapControls(view, said.append)
+        controls.stop_following()
+        controls.follow()
+        controls.stop_following()
+        assert said == ["follow off"] and not view.picture.viewport.follow
+
+
 async def test_the_closer_the_view_the_smaller_the_area_and_the_cells() -> None:
     async with Pane().run_test(size=(100, 30)) as pilot:
         app, _ = await started(pilot)

@@ -44,6 +44,18 @@ def test_a_vertex_is_found_with_its_floor() -> None:
     assert (it.navigation.floor, it.camera.centred) == ("floor_1", [(3.0, 4.0)])
 
 
+def test_a_chosen_floor_or_place_ends_following_and_the_floor_that_is_shown_does_not() -> None:
+    it = desk()
+    it.camera.follows = True
+    it.navigation.find_floor("floor_0")
+    assert it.camera.follows
+    it.navigation.step_floor(1)
+    assert not it.camera.follows
+    it.camera.follows = True
+    it.navigation.find_vertex("floor_1", 3.0, 4.0)
+    assert not it.camera.follows
+
+
 def test_what_is_looked_at_is_beside_the_state() -> None:
     it = desk()
     it.camera.area = SeenArea(0.0, 0.0, 9.0, 9.0, 0.5)

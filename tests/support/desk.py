@@ -112,10 +112,14 @@ class Camera:
     def __init__(self) -> None:
         self.centred = list[tuple[float, float] | None]()
         self.revealed = 0
+        self.follows = False
         self.area: SeenArea | None = None
 
     def reveal(self) -> None:
         self.revealed += 1
+
+    def stop_following(self) -> None:
+        self.follows = False
 
     def centre(self, at: tuple[float, float] | None = None) -> None:
         self.centred.append(at)

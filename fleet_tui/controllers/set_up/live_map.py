@@ -8,7 +8,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
 from fleet_tui.rules.commands.set_up.mode import mapping_text
 from fleet_tui.state.reducer import LIVE_MAPS_KEPT
-from fleet_tui.view.map.floor_scene import map_owner
+from fleet_tui.view.map.floor_scene import live_map, map_owner
 from fleet_tui.view.selection import Selection
 
 PATIENCE = 5.0
@@ -26,10 +26,14 @@ class LiveMap:
         self._subscribed: tuple[str, str] | None = None
         self._asked: dict[str, float] = {}
         """Other floors, by the time when their turn ends."""
+        self._asked_for = ""
 
     def show(self, state: FleetState, selection: Selection, others: bool) -> None:
         """Subscribe to the map of the shown floor, unless a file has it. With `others`, each other floor
-        without a map is asked once, after the shown one has come."""
+        without a map is asked once for each selected robot, after the shown one has come: what is kept of the
+        others is dropped when more robots have been looked at."""
+        if self._asked_for != selection.robot:
+            self._asked, self._asked_for = {}, selection.robot
         wanted = self._of(state, selection)
         if wanted is None:
             return
@@ -62,8 +66,8 @@ class LiveMap:
 
 def _is_missing(state: FleetState, selection: Selection) -> bool:
     known, owner = state.floors[selection.floor], map_owner(state, selection)
-    own = owner.maps[selection.floor].grid if owner is not None else None
-    return (known.grid or known.live or own) is None
+    kept = live_map(state, known, owner.maps[selection.floor]) if owner is not None else None
+    return (known.grid or kept) is None
 
 
 def _is_up(state: FleetState, robot: str) -> bool:

@@ -78,8 +78,7 @@ def _ground(state: FleetState, floor: str, vertices: tuple[SceneVertex, ...]) ->
             if robot.pose is not None and robot.floor == floor:
                 x, y = robot.pose.value.x // BLOCK * BLOCK, robot.pose.value.y // BLOCK * BLOCK
                 points += [(x, y), (x + BLOCK, y + BLOCK)]
-    points = [(x, y) for x, y in points if abs(x) < FAR and abs(y) < FAR]
-    points = points or [(0.0, 0.0), (BLOCK, BLOCK)]
+    points = [(x, y) for x, y in points if abs(x) < FAR and abs(y) < FAR] or [(0.0, 0.0), (BLOCK, BLOCK)]
     left, low = min(x for x, _ in points) - MARGIN, min(y for _, y in points) - MARGIN
     width = max(x for x, _ in points) + MARGIN - left
     height = max(y for _, y in points) + MARGIN - low
@@ -87,15 +86,22 @@ def _ground(state: FleetState, floor: str, vertices: tuple[SceneVertex, ...]) ->
     return MapFrame(EMPTY_RESOLUTION, *pixels, Pose(left, low))
 
 
-def _same_map(state: FleetState, floor: str, robot_map: RobotMap) -> OccupancyGrid | None:
-    """Return the live map of another robot that has the same one, or of any for a robot without one."""
+def _frame_of_others(state: FleetState, floor: str) -> MapFrame | None:
+    """Return the first robot's frame of a floor, None if no robot has one."""
     maps = (robot.maps.get(floor) for robot in state.robots.values())
-    return next((one.grid for one in maps if one and one.grid and robot_map.frame in (None, one.frame)), None)
+    return next((one.frame for one in maps if one is not None and one.frame is not None), None)
+
+
+def live_map(state: FleetState, floor: Floor, robot_map: RobotMap) -> OccupancyGrid | None:
+    """Return a robot's live map of a floor, else the floor's, else another robot's of the same frame."""
+    maps = (robot.maps.get(floor.name) for robot in state.robots.values())
+    same = (one.grid for one in maps if one and one.grid and robot_map.frame in (None, one.frame))
+    return robot_map.grid or floor.live or next(same, None)
 
 
 def _with_map(state: FleetState, floor: Floor, robot_map: RobotMap, scene: Scene, is_mapping: bool) -> Scene:
     """Return the floor's configured file first, then the live map, then another robot's, then empty ground
-    with a note on the missing map."""
+    with a note on the missing map. A robot whose map_metadata is missing is drawn with that of others."""
     grid, frame = floor.grid, robot_map.frame
     if is_mapping and (robot_map.grid or floor.live) is not None:
         grid = None  # the map that grows, not the file
@@ -104,7 +110,7 @@ def _with_map(state: FleetState, floor: Floor, robot_map: RobotMap, scene: Scene
         if frame is not None and not _same_size(frame, grid.frame):
             note = tr("map_metadata differs from the map file")
         return replace(scene, grid=grid, frame=grid.frame, note=note)
-    if grid is not None and frame is not None:
+    if grid is not None and (frame := frame or _frame_of_others(state, floor.name)) is not None:
         if (frame.width, frame.height) == (grid.frame.width, grid.frame.height):
             return replace(scene, grid=grid, frame=frame)
         image, size = grid.frame, f"{frame.width} x {frame.height}"
@@ -113,7 +119,7 @@ def _with_map(state: FleetState, floor: Floor, robot_map: RobotMap, scene: Scene
         return replace(scene, note=tr(floor.problem))
     if grid is not None:
         return replace(scene, note=tr("map image waiting for map_metadata"))
-    live = robot_map.grid or floor.live or _same_map(state, floor.name, robot_map)
+    live = live_map(state, floor, robot_map)
     if live is not None:
         return replace(scene, grid=live, frame=live.frame)
     missing = tr("no map yet") if robot_map.graph is not None else tr("no map and no graph yet")

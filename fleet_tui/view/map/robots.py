@@ -10,8 +10,8 @@ from fleet_tui.view.map.glyphs import is_special, robot_glyph, robot_number, rob
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.places import Place, seen_robots
 from fleet_tui.view.map.placing.crowds import COUNT, crowd_chips, is_crowd
-from fleet_tui.view.map.placing.labels import Backdrop, move_aside
-from fleet_tui.view.map.placing.occupancy import CellOccupancy
+from fleet_tui.view.map.placing.labels import Backdrop, LabelPlaces, move_aside
+from fleet_tui.view.map.placing.occupancy import CellOccupancy, ChipSize
 from fleet_tui.view.map.scene import Scene, SceneRobot
 from fleet_tui.view.roles import StyleRole
 
@@ -22,9 +22,10 @@ FEW, DENSE = 10, 50
 those with something special have."""
 TOGETHER, PILED = 3, 6
 """Robots without anything special in one cell from which such a floor has their count, and any floor."""
-SHORT = 7
-"""Cells of the longest chip that may cover a label."""
+SAID = 24, 12
+"""Cells to which an alarm's text is cut where there is no space for all of it."""
 Runs = list[tuple[str, StyleRole]]
+Text = tuple[ChipSize, Runs]
 Chips = list[tuple[int, int, str, StyleRole]]
 """Arrows and numbers: x, y, text, role."""
 
@@ -35,14 +36,13 @@ class Arrangement:
 
     shifts: dict[int, Place] = field(default_factory=dict)
     """Cells right of each robot's cell and rows below it at which its chip begins, by the robot's number."""
-    aside: dict[Place, Place] = field(default_factory=dict)
-    """First cells of the labels that gave way to robots, by those of their usual places."""
+    labels: LabelPlaces = field(default_factory=LabelPlaces)
 
 
 def draw_robots(
     cells: Cells, behind: Backdrop, scene: Scene, camera: Camera, look: MapOptions, before: Arrangement
 ) -> None:
-    """Draw every robot as a chip; labels of the picture `behind` give way. `before` keeps places: they stay
+    """Draw every robot as a chip over the labels of the picture `behind`. `before` keeps places: they stay
     while there is space."""
     occupancy = CellOccupancy(camera.width, camera.height, cells.roles)
     seen = seen_robots(scene, camera)
@@ -53,7 +53,7 @@ def draw_robots(
             if label.is_target:
                 occupancy.keep_clear(*label.vertex)
         chips = _chips(occupancy, seen, scene, look, before.shifts, is_dense(scene, camera))
-    move_aside(cells, behind, occupancy, before.aside)
+    move_aside(cells, behind, occupancy, before.labels, scene.at)
     cells.write_all(chips)
 
 
@@ -76,16 +76,21 @@ def _chips(
     space a little off it, never beside another one: two numbers would read as one."""
     chips: Chips = []
     together = _together(seen, TOGETHER if dense else PILED)
-    for robot, (x, y) in seen:
-        arrow = robot_glyph(robot, scene.frame.origin.yaw, look.plain), robot_roles(robot)[0]
-        texts = _texts(robot, arrow, look.plain, occupancy.width >= LARGE)
-        if not is_special(robot) and (others := together.get((x, y))):
+    for robot, at in seen:
+        (arrow_role, role), tag = robot_roles(robot), robot_tag(robot, look.plain, has_age=False)
+        arrow = robot_glyph(robot, scene.frame.origin.yaw, look.plain), arrow_role
+        least = tag, role
+        if not is_special(robot) and (others := together.get(at)):
             if others[0] is not robot:
                 continue
-            texts = iter([[(f"{COUNT[look.plain]}{len(others)}", StyleRole.ROBOT)]])
+            least = f"{COUNT[look.plain]}{len(others)}", StyleRole.ROBOT
+            texts = iter([_text(least)])
         elif dense and not is_special(robot):
-            texts = iter([[(robot_number(robot), arrow[1])]])
-        chips += _placed(occupancy, robot, (x, y), texts, shifts) or _sign(occupancy, (x, y), arrow)
+            texts = iter([_text((tag, arrow_role))])
+        else:
+            texts = _texts(robot, arrow, look.plain, occupancy.width >= LARGE)
+        near = _placed(occupancy, robot, at, texts, shifts) or _sign(occupancy, at, arrow)
+        chips += near or _placed(occupancy, robot, at, iter([_text(least)]), shifts, far=True)
     return chips
 
 
@@ -99,13 +104,17 @@ def _together(seen: Sequence[tuple[SceneRobot, Place]], many: int) -> dict[Place
 
 
 def _placed(
-    occupancy: CellOccupancy, robot: SceneRobot, at: Place, texts: Iterator[Runs], shifts: dict[int, Place]
+    occupancy: CellOccupancy,
+    robot: SceneRobot,
+    at: Place,
+    texts: Iterator[Text],
+    shifts: dict[int, Place],
+    far: bool = False,
 ) -> Chips:
-    """Return the chip with the first of the texts that has space, empty if none has."""
-    for runs in texts:
-        size = sum(len(text) for text, _ in runs)
-        # A long text is also in a table: it covers no label.
-        shift = occupancy.chip_shift(*at, size, shifts.get(robot.number), spares=size > SHORT)
+    """Return the chip with the first of the texts that has space, empty if none has; `far`: away from its
+    robot, which nothing else would show."""
+    for size, runs in texts:
+        shift = occupancy.chip_shift(*at, size, shifts.get(robot.number), far)
         if shift is not None:
             shifts[robot.number] = shift
             return _in_row(at[0] + shift[0], at[1] + shift[1], runs)
@@ -120,17 +129,38 @@ def _sign(occupancy: CellOccupancy, at: Place, arrow: tuple[str, StyleRole]) -> 
     return [(*at, arrow[0][:1], arrow[1])]
 
 
-def _texts(robot: SceneRobot, arrow: tuple[str, StyleRole], plain: bool, is_large: bool) -> Iterator[Runs]:
+def _texts(robot: SceneRobot, arrow: tuple[str, StyleRole], plain: bool, is_large: bool) -> Iterator[Text]:
     """Yield the texts of a robot's chip, each with its role, the most telling first."""
-    number, role = robot_number(robot), robot_roles(robot)[1]
+    tag, role = robot_tag(robot, plain, has_age=False), robot_roles(robot)[1]
     is_told = is_large and robot.alarmed and robot.online and robot.said
     if is_told and robot.said.isascii() and robot.said.isprintable():  # each letter takes one cell
-        yield [arrow, (f"{robot_tag(robot, plain)} {robot.said}", role)]
+        for said in _cuts(robot.said, plain):
+            yield _text(arrow, (tag, role), right=(f" {said}", role))
+            yield _text(arrow, (tag, role), left=(f"{said} ", role))
     if not robot.online and (is_large or robot.selected):
-        yield [arrow, (robot_tag(robot, plain), role)]
-    yield [arrow, (robot_tag(robot, plain, has_age=False), role)]
-    yield [arrow, (number, role)]
-    yield [(number, arrow[1])]
+        number, age = robot_tag(robot, plain).split(" ", 1)
+        yield _text(arrow, (number, role), right=(f" {age}", role))
+    yield _text(arrow, (tag, role))
+    yield _text(arrow, (robot_number(robot), role))
+    yield _text((robot_number(robot), arrow[1]))
+
+
+def _cuts(said: str, plain: bool) -> Iterator[str]:
+    """Yield an alarm's text, and its beginning in ever fewer cells."""
+    yield said
+    end = "." if plain else "…"
+    yield from (said[: cells - 1].rstrip() + end for cells in SAID if len(said) > cells)
+
+
+def _text(
+    *head: tuple[str, StyleRole],
+    left: tuple[str, StyleRole] | None = None,
+    right: tuple[str, StyleRole] | None = None,
+) -> Text:
+    """Return the runs of a chip with their size: those that stand at the robot, and a text beside them."""
+    runs = [run for run in (left, *head, right) if run is not None]
+    cells, of_head = (sum(len(text) for text, _ in part) for part in (runs, head))
+    return ChipSize(cells, of_head, left is not None), runs
 
 
 def _in_row(x: int, y: int, runs: Runs) -> Chips:

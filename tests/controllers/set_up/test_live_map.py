@@ -14,9 +14,9 @@ SHOWN = Selection(R0, "floor_0")
 GRID = grid_from_ros(MapFrame(1.0, 2, 1), b"\0d")
 
 
-def site(floors: int = 3) -> FleetState:
+def site(floors: int = 3, robots: int = 1) -> FleetState:
     frames = (events.FrameReceived(R0, f"floor_{n}", GRID.frame) for n in range(floors))
-    return reduced(fleet(1, floors), link_up(1.0), *frames)
+    return reduced(fleet(robots, floors), link_up(1.0), *frames)
 
 
 def seen(state: FleetState, floor: int) -> FleetState:
@@ -51,6 +51,17 @@ def test_the_shown_floor_comes_first_then_each_other_once_then_the_shown_one_aga
     state = later(state, PATIENCE)
     assert bridge.after(state)[3:] == ["floor_0"], "the third has none"
     assert bridge.after(later(state, 60))[3:] == ["floor_0"], "and is not asked for again"
+
+
+def test_a_map_that_was_dropped_is_asked_for_again_once_another_robot_is_selected() -> None:
+    state = seen(reduced(site(2, 2), events.FrameReceived("robot_1", "floor_1", GRID.frame)), 0)
+    bridge, other = Bridge(), Selection("robot_1", "floor_0")
+    kept = seen(state, 1)
+    assert bridge.after(kept) == ["floor_0"]
+    assert bridge.after(kept, shown=other) == ["floor_0"] * 2, "it is drawn with the one of robot_0"
+    assert bridge.after(later(state, 60), shown=other)[2:] == ["floor_1"]
+    assert bridge.after(later(state, 120), shown=other)[3:] == ["floor_0"]
+    assert bridge.after(later(state, 180), shown=SHOWN)[4:] == ["floor_1"]
 
 
 def test_without_small_maps_and_while_mapping_only_the_shown_floor_is_subscribed_to() -> None:

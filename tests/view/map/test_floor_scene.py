@@ -74,6 +74,15 @@ def test_a_plain_image_is_tied_by_map_metadata() -> None:
     assert wrong.grid is None and "3 x 2 px, map_metadata 4 x 2" in wrong.note
 
 
+def test_the_map_stays_when_a_robot_without_map_metadata_is_selected() -> None:
+    file = image(4, 2)
+    loaded = events.FloorMapLoaded(F0, file, tied=False)
+    state = reduced(fleet(2), pose(T0), loaded, LIVE[0])
+    for robot in (R0, "robot_1"):
+        found = scene(state, robot=robot)
+        assert found.grid is file and found.frame == FRAME
+
+
 def test_a_map_that_could_not_be_read_says_why() -> None:
     found = scene(reduced(fleet(), pose(T0), events.FloorMapLoaded(F0, None, "map a.png: no image a.png")))
     assert found.note == "map a.png: no image a.png"

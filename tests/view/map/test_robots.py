@@ -10,6 +10,7 @@ from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop, picture
+from fleet_tui.view.map.places import seen_robots
 from fleet_tui.view.map.robots import FEW, Arrangement
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.view.roles import StyleRole
@@ -165,3 +166,47 @@ def test_robots_piled_up_in_one_cell_are_counted_and_none_of_them_is_lost() -> N
     shown = drawn((*piled[:6], piled[6]._replace(obstacle=True)))
     assert "×6" in shown and "7!" in shown
     assert "×" not in drawn(piled[:4])
+
+
+some_states = st.builds(
+    SceneRobot,
+    *(st.just(""), st.just(1), st.just(Pose(0.0, 0.0))),
+    age=st.just(18.0),
+    said=st.just("order -> Archive failed (a stop was missed)"),
+    **dict.fromkeys(("online", "alarmed", "obstacle", "selected", "paused", "jumped"), st.booleans()),
+)
+some_robots = st.lists(
+    st.tuples(st.floats(-1.0, 21.0), st.floats(3.0, 6.0), some_states), min_size=1, max_size=25
+)
+names_of_places = st.lists(st.tuples(st.floats(0.0, 20.0), st.floats(3.0, 6.0)), max_size=12)
+
+
+@given(some_robots, names_of_places, st.sampled_from([60, 100, 160]))
+def test_an_arrow_and_its_number_stand_at_their_robot_whatever_text_is_beside_them(
+    at: list[tuple[float, float, SceneRobot]], places: list[tuple[float, float]], width: int
+) -> None:
+    robots = tuple(
+        robot._replace(name=f"r{n}", number=n, pose=Pose(x, y), mark=str(100 + n))
+        for n, (x, y, robot) in enumerate(at)
+    )
+    vertices = tuple(SceneVertex(str(n), *place, label="Receiving") for n, place in enumerate(places))
+    scene, camera = replace(EMPTY, robots=robots, vertices=vertices), Camera.fit((400, 200), width, 30)
+    cells = picture(backdrop(scene, camera, MapOptions()), scene, camera, MapOptions())
+    rows = cells.text().split("\n")
+    for robot, (x, y) in seen_robots(scene, camera):
+        for row, text in enumerate(rows):
+            start, chip = text.find(robot.mark), text.partition(robot.mark)[2].split(" ")[0]
+            is_near = start - 3 <= x <= start + len(robot.mark + chip) + 1 and abs(row - y) <= 1
+            is_last_resort = abs(row - y) == 2 and cells.roles[y, x] >= StyleRole.ROBOT
+            assert start < 0 or is_near or is_last_resort
+
+
+def test_an_alarms_text_is_on_the_other_side_or_cut_where_the_view_ends() -> None:
+    said = "order -> Archive failed (a stop was missed)"
+    cut = "→5! order -> Archive failed…"
+    for cells, width, text, chip in ((30, 120, said, f"{said} →5!"), (0, 90, f"{said}, then stopped", cut)):
+        stuck, narrow = robot(5, cells)._replace(alarmed=True, said=text), replace(CAMERA, width=width)
+        rows = drawn((stuck,), camera=narrow).split("\n")
+        row = next(row for row in rows if "5!" in row)
+        assert row.strip() == chip
+        assert row.index("→5!") == width // 2 + cells

@@ -1,6 +1,6 @@
 """Labels: whole and without overlap, or not at all; they give way to robots."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
@@ -10,6 +10,9 @@ from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.places import Place
 from fleet_tui.view.map.placing.occupancy import CellOccupancy
 from fleet_tui.view.roles import StyleRole
+
+PASSING = 3.0
+"""Seconds for which a label below a robot is only left out: that is calmer than one that moves."""
 
 
 class Label(NamedTuple):
@@ -40,32 +43,54 @@ class Backdrop(Cells):
     labels: tuple[Label, ...]
 
 
-def move_aside(cells: Cells, behind: Backdrop, occupancy: CellOccupancy, aside: dict[Place, Place]) -> None:
-    """Move labels from below occupied cells, or leave them out: half a name reads as another one.
+@dataclass
+class LabelPlaces:
+    """Places kept from picture to picture, by the first cells of the labels' usual places."""
 
-    `aside`: the first cells of the labels that gave way, now by before. They stay there until they would be
-    covered again.
-    """
+    aside: dict[Place, Place] = field(default_factory=dict)
+    """First cells of the labels that gave way to robots. They stay there until they are covered again."""
+    covered: dict[Place, float] = field(default_factory=dict)
+    """The second since which a robot is over a label."""
+    begun: bool = False
+    """Some picture was drawn with these places."""
+
+
+def move_aside(
+    cells: Cells, behind: Backdrop, occupancy: CellOccupancy, places: LabelPlaces, now: float
+) -> None:
+    """Leave out the labels below occupied cells while robots pass, half a name reads as another one; those
+    below robots that stay move, in the first picture at once. `now`: its second."""
     for label in sorted(behind.labels, key=lambda label: not label.is_target):
-        size = cell_width(label.text)
-        moved = aside.pop(label.at, None)
-        if moved is None and not occupancy.is_taken(*label.at, size):
+        usual, size = label.at, cell_width(label.text)
+        at: Place | None = places.aside.get(usual, usual)
+        if at == usual and not occupancy.is_taken(*usual, size):
+            places.covered.pop(usual, None)
             continue
-        _erase(cells, behind, label.at, size)
-        if moved is not None and occupancy.free(*moved, size):
-            occupancy.take(*moved, size)
-        elif moved is not None and not occupancy.is_taken(*label.at, size):
-            moved = label.at
+        _erase(cells, behind, usual, size)
+        if at is not None and at != usual and occupancy.free(*at, size):
+            places.covered.pop(usual, None)
+            occupancy.take(*at, size)
+        elif places.begun and 0 <= now - places.covered.setdefault(usual, now) < PASSING:
+            at = None
         else:
-            # Robots come along the row of their way: above and below it is quieter.
-            moved = occupancy.label_spot(
-                *label.vertex, label.text, behind.bare.roles, label.covers_walls, in_row=False
-            )
-        if moved is None:
-            continue
-        draw_label(cells, label._replace(at=moved))
-        if moved != label.at:
-            aside[label.at] = moved
+            at = _moved(label, behind, occupancy, places)
+        if at is not None:
+            draw_label(cells, label._replace(at=at))
+    places.begun = True
+
+
+def _moved(label: Label, behind: Backdrop, occupancy: CellOccupancy, places: LabelPlaces) -> Place | None:
+    """Return and note a label's new place: its usual one, else another at its vertex, if one is free."""
+    usual = label.at
+    places.covered.pop(usual, None)
+    places.aside.pop(usual, None)
+    if not occupancy.is_taken(*usual, cell_width(label.text)):
+        return usual
+    # Robots come along the row of their way: above and below it is quieter.
+    at = occupancy.label_spot(*label.vertex, label.text, behind.bare.roles, label.covers_walls, in_row=False)
+    if at is not None:
+        places.aside[usual] = at
+    return at
 
 
 def _erase(cells: Cells, behind: Backdrop, at: Place, size: int) -> None:

@@ -2,6 +2,7 @@
 
 import sys
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,10 +29,31 @@ _STAYS, _TOUCHES = 3, 2
 """Costs of a chip: by how much another place must be better, and at a label."""
 _END = 16
 """The cost of a cell that is to be kept clear."""
-# A chip may hide ground and lines; it rather keeps off walls, and names move aside from it.
-_HIDDEN = bytes(
-    4 if role == StyleRole.UNKNOWN else 2 if role in _WALLS else int(role in LABELS) for role in range(256)
+_BEYOND = (StyleRole.UNKNOWN, StyleRole.WALL_BEYOND, StyleRole.LABEL_BEYOND, StyleRole.TARGET_BEYOND)
+_OUTSIDE = 6
+"""The cost of a cell outside the building: a chip there says that its robot is outside, too."""
+# A chip may hide ground and lines; it rather keeps off walls, and names give way to it.
+_HIDDEN = np.array(
+    [
+        _OUTSIDE if role in _BEYOND else 2 if role in _WALLS else int(role in LABELS)
+        for role in range(len(StyleRole))
+    ],
+    np.uint8,
 )
+
+
+class ChipSize(NamedTuple):
+    """The size of a chip: its cells, and of them those of its arrow and number, which stand at the robot; a
+    text is right of these or, if it `is_left`, left of them."""
+
+    cells: int
+    head: int
+    is_left: bool = False
+
+    @property
+    def has_text(self) -> bool:
+        """Tell whether a text is beside the number."""
+        return self.cells > self.head
 
 
 class CellOccupancy:
@@ -46,7 +68,7 @@ class CellOccupancy:
         self._stride = width + _MARGIN
         self._taken = self._outside = _margins(width, height)
         self._texts = 0 if below is None else _bits(_HELD[below], around=False)
-        self._hidden = bytearray() if below is None else bytearray(below.tobytes().translate(_HIDDEN))
+        self._hidden = bytearray() if below is None else bytearray(_hidden(below).tobytes())
 
     def _bit(self, x: int, y: int) -> int:
         """Return the number of a cell's bit."""
@@ -77,32 +99,32 @@ class CellOccupancy:
         return bool(self._taken >> self._bit(x, y) & (1 << cells) - 1)
 
     def chip_shift(
-        self, x: int, y: int, cells: int, before: Place | None, spares: bool = False
+        self, x: int, y: int, chip: ChipSize, before: Place | None, far: bool = False
     ) -> Place | None:
-        """Occupy the place for a robot's chip of `cells` cells, and return its first cell as seen from the
-        robot's at (x, y): cells right, rows down. None without space. One that `spares` others
-        stays in its robot's row and covers no label.
+        """Occupy the place for a chip of the robot at (x, y), and return its first cell as seen from the
+        robot's: cells right, rows down. None without space. One with a text stays in its robot's row and
+        covers no label; `far`: two rows off its robot.
 
         Of the free places near the robot it is the one that hides least; it stays at the shift `before`
         unless another is much better. A chip keeps a cell's distance from those in its row."""
-        shifts = _shifts(cells)
+        shifts = _shifts(chip, far)
         best: Place | None = None
         least = sys.maxsize
-        if before in shifts and (cost := self._chip_cost(x, y, before, cells, spares)) is not None:
+        if before in shifts and (cost := self._chip_cost(x, y, before, chip)) is not None:
             best, least = before, cost + shifts[before] - _STAYS
         for shift, further in shifts.items():
             if least <= further:
                 break
-            cost = self._chip_cost(x, y, shift, cells, spares)
+            cost = self._chip_cost(x, y, shift, chip)
             if cost is not None and cost + further < least:
                 best, least = shift, cost + further
         if best is not None:
-            self.take(x + best[0], y + best[1], cells)
+            self.take(x + best[0], y + best[1], chip.cells)
         return best
 
-    def _chip_cost(self, x: int, y: int, shift: Place, cells: int, spares: bool) -> int | None:
+    def _chip_cost(self, x: int, y: int, shift: Place, chip: ChipSize) -> int | None:
         """Return what a chip hides, None if it has no space."""
-        start, row = x + shift[0], y + shift[1]
+        start, row, cells = x + shift[0], y + shift[1], chip.cells
         if not (0 <= row < self._height and start >= 0 and start + cells <= self.width):
             return None
         left, right = max(start - 1, 0), min(start + cells + 1, self.width)
@@ -110,7 +132,7 @@ class CellOccupancy:
         if self._taken >> bit & around:
             return None
         texts = self._texts >> bit & around
-        if spares and (texts or shift[1]):
+        if chip.has_text and texts:
             return None
         first = row * self.width + start
         hidden = sum(self._hidden[first : first + cells])
@@ -154,6 +176,19 @@ class CellOccupancy:
         return not held & (1 << end - start) - 1
 
 
+def _hidden(below: Roles) -> NDArray[np.uint8]:
+    """Return what a chip would hide in each cell."""
+    costs = _HIDDEN[below]
+    outside, outer = costs == _OUTSIDE, costs == _HIDDEN[StyleRole.WALL]
+    beside = np.zeros_like(outside)
+    beside[1:] |= outside[:-1]
+    beside[:-1] |= outside[1:]
+    beside[:, 1:] |= outside[:, :-1]
+    beside[:, :-1] |= outside[:, 1:]
+    costs[outer & beside] = _OUTSIDE - 1
+    return costs
+
+
 def _bits(cells: NDArray[np.bool_], around: bool) -> int:
     """The cells of a view, and their margins, as a CellOccupancy stores them."""
     height, width = cells.shape
@@ -180,14 +215,20 @@ def _spots(cells: int, in_row: bool) -> tuple[tuple[int, int, int], ...]:
     return tuple((*at, cost) for cost, places in enumerate((beside, shifted, corners, far)) for at in places)
 
 
-@lru_cache(maxsize=128)
-def _shifts(cells: int) -> dict[Place, int]:
-    """Return the places for a chip of so many cells, as seen from its robot, with their costs, the best
-    first: over its cell, beside it, in the next rows."""
-    over = {(-right, 0): right for right in range(cells)}
+@lru_cache(maxsize=512)
+def _shifts(chip: ChipSize, far: bool) -> dict[Place, int]:
+    """Return the places for a chip, as seen from its robot, with their costs, the best first: its arrow or
+    number over the robot's cell, beside it, in the next rows; with a text only over it."""
+    cells = chip.cells
+    first = cells - chip.head if chip.is_left else 0
+    over = {(-first - right, 0): right for right in range(chip.head)}
+    if chip.has_text:
+        return over
+    ends = (0, 0), (1 - cells, 0), (1, 1), (-cells, 1)
+    if far:
+        return {(right, down): away for right, away in ends for down in (-2, 2)}
     beside = {(right, 0): 4 + right for right in (1, 2)} | {
         (1 - cells - left, 0): 4 + left for left in (1, 2)
     }
-    ends = (0, 0), (1 - cells, 0), (1, 1), (-cells, 1)
-    rows = {(right, down): 8 * abs(down) + away for down in (-1, 1, -2, 2) for right, away in ends}
+    rows = {(right, down): 8 + away for down in (-1, 1) for right, away in ends}
     return dict(sorted((over | beside | rows).items(), key=lambda one: one[1]))

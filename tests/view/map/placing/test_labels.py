@@ -2,7 +2,6 @@
 without hopping."""
 
 from dataclasses import replace
-from itertools import pairwise
 
 from hypothesis import given
 from hypothesis import strategies as st
@@ -12,6 +11,7 @@ from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop, picture
+from fleet_tui.view.map.placing.labels import PASSING
 from fleet_tui.view.map.robots import Arrangement
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 
@@ -25,10 +25,10 @@ LOOK = MapOptions()
 BEHIND = backdrop(SCENE, CAMERA, LOOK)
 
 
-def drawn(cells: float, rows: float = 0.0, before: Arrangement | None = None) -> Cells:
+def drawn(cells: float, rows: float = 0.0, before: Arrangement | None = None, at: float = 0.0) -> Cells:
     """A robot so many cells right of the vertex and rows below it."""
     pose = Pose(10.05 + cells * CELL, 5.0 - rows * 2 * CELL)
-    return picture(BEHIND, replace(SCENE, robots=(SceneRobot("r", 7, pose),)), CAMERA, LOOK, before)
+    return picture(BEHIND, replace(SCENE, robots=(SceneRobot("r", 7, pose),), at=at), CAMERA, LOOK, before)
 
 
 def place(cells: Cells) -> tuple[int, int] | None:
@@ -51,22 +51,41 @@ def test_a_label_is_whole_wherever_a_robot_is_or_not_there_at_all(cells: float, 
     assert text.count(NAME) == 1 or not set(NAME) & set(text)
 
 
-def test_it_gives_way_to_a_robot_that_drives_through_it_and_stays_where_it_is_then() -> None:
+def test_it_is_away_while_a_robot_passes_and_at_its_place_again_then() -> None:
     before = Arrangement()
-    places = [place(drawn(10 - step / 4, before=before)) for step in range(80)]
-    assert None not in places
-    moves = [now for then, now in pairwise(places) if then != now]
-    assert len(moves) == 1
-    assert place(drawn(-10)) == place(BEHIND) == places[0]
+    places = [place(drawn(10 - step / 2, before=before, at=step / 10)) for step in range(40)]
+    usual = place(BEHIND)
+    assert places[0] == places[-1] == usual and set(places) == {usual, None}
+
+
+def test_it_gives_way_to_a_robot_that_stays_and_stays_where_it_is_then() -> None:
+    before = Arrangement()
+    places = [place(drawn(max(10 - step, 4), before=before, at=step)) for step in range(20)]
+    usual = place(BEHIND)
+    aside = places[-1]
+    assert aside not in {usual, None} and places == [
+        *[usual] * places.count(usual),
+        *[None] * round(PASSING),
+        *[aside] * places.count(aside),
+    ]
+    assert place(drawn(-10, before=before, at=20.0)) == aside
+    assert place(drawn(4)) == aside, "the first picture waits for nobody"
 
 
 def test_it_comes_back_when_its_new_place_is_needed() -> None:
     before = Arrangement()
     drawn(5, before=before)
-    (aside,) = before.aside.values()
+    (aside,) = before.labels.aside.values()
     y, x = place(BEHIND) or (0, 0)
-    moved = place(drawn(aside[0] - x + 3, aside[1] - y, before))
-    assert moved == (y, x) and not before.aside
+    moved = [place(drawn(aside[0] - x + 3, aside[1] - y, before, at)) for at in (1.0, 1.0 + PASSING)]
+    assert moved == [None, (y, x)] and not before.labels.aside
+
+
+def test_a_replay_that_goes_back_leaves_no_label_out_for_long() -> None:
+    before = Arrangement()
+    drawn(10, before=before, at=100.0)
+    assert place(drawn(5, before=before, at=100.0)) is None
+    assert place(drawn(5, before=before, at=50.0)) is not None
 
 
 def test_two_labels_of_one_cell_do_not_change_places() -> None:

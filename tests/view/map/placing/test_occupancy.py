@@ -11,7 +11,7 @@ from fleet_tui.model.graph import Role
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop, picture
-from fleet_tui.view.map.placing.occupancy import CellOccupancy
+from fleet_tui.view.map.placing.occupancy import CellOccupancy, ChipSize
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.view.roles import StyleRole
 
@@ -26,7 +26,7 @@ def taken_cells(occupancy: CellOccupancy) -> set[tuple[int, int]]:
     return {(x, y) for y in range(HEIGHT) for x in range(WIDTH) if not occupancy.free(x, y, 1)}
 
 
-@given(taken_places, places, st.integers(1, 5), st.none() | st.tuples(st.integers(-5, 2), st.integers(-2, 2)))
+@given(taken_places, places, st.integers(1, 5), st.none() | st.tuples(st.integers(-5, 2), st.integers(-1, 1)))
 def test_a_chip_is_at_its_robot_in_the_view_and_touches_no_other(
     others: set[tuple[int, int]], at: tuple[int, int], cells: int, before: tuple[int, int] | None
 ) -> None:
@@ -34,7 +34,7 @@ def test_a_chip_is_at_its_robot_in_the_view_and_touches_no_other(
     for place in others:
         occupancy.take(*place, 1)
     blocked = taken_cells(occupancy)
-    shift = occupancy.chip_shift(x, y, cells, before)
+    shift = occupancy.chip_shift(x, y, ChipSize(cells, cells), before)
     fits = [
         right
         for right in range(1 - cells, 1)
@@ -47,7 +47,7 @@ def test_a_chip_is_at_its_robot_in_the_view_and_touches_no_other(
     start, row = x + shift[0], y + shift[1]
     assert taken_cells(occupancy) == blocked | {(start + n, row) for n in range(cells)}
     assert not {(start + n, row) for n in range(-1, cells + 1)} & others
-    assert start - 2 <= x <= start + cells + 1 and abs(row - y) <= 2
+    assert start - 2 <= x <= start + cells + 1 and abs(row - y) <= 1
     if fits and before is None:
         assert shift == (max(fits), 0), "its first cell is the robot's, if it has space there"
 
@@ -57,29 +57,46 @@ def test_a_chip_stays_as_it_is_at_its_robot_while_that_drives(
     at: tuple[int, int], cells: int, right: int
 ) -> None:
     is_free = 0 <= at[0] + right <= WIDTH - cells and right > -cells
-    shift = CellOccupancy(WIDTH, HEIGHT).chip_shift(*at, cells, (right, 0))
+    shift = CellOccupancy(WIDTH, HEIGHT).chip_shift(*at, ChipSize(cells, cells), (right, 0))
     assert not is_free or shift == (right, 0)
 
 
 def test_a_chip_keeps_off_walls_names_and_most_of_all_the_orders_ends() -> None:
     roles = ground()
     roles[:, 11:13] = StyleRole.WALL
-    assert CellOccupancy(WIDTH, HEIGHT, roles).chip_shift(10, 4, 3, None) == (-2, 0)
+    assert CellOccupancy(WIDTH, HEIGHT, roles).chip_shift(10, 4, ChipSize(3, 3), None) == (-2, 0)
     roles[:, 9] = StyleRole.WALL
-    assert CellOccupancy(WIDTH, HEIGHT, roles).chip_shift(10, 4, 3, (-1, 0)) == (-1, 0), "it stays"
+    assert CellOccupancy(WIDTH, HEIGHT, roles).chip_shift(10, 4, ChipSize(3, 3), (-1, 0)) == (-1, 0), (
+        "it stays"
+    )
     roles = ground()
     roles[4, 12:16] = StyleRole.LABEL
-    assert CellOccupancy(WIDTH, HEIGHT, roles).chip_shift(10, 4, 3, None) == (-2, 0), "nor beside one"
+    assert CellOccupancy(WIDTH, HEIGHT, roles).chip_shift(10, 4, ChipSize(3, 3), None) == (-2, 0), (
+        "nor beside one"
+    )
     occupancy = CellOccupancy(WIDTH, HEIGHT, ground())
     occupancy.keep_clear(10, 4)
-    assert occupancy.chip_shift(10, 4, 3, None) == (1, 0)
+    assert occupancy.chip_shift(10, 4, ChipSize(3, 3), None) == (1, 0)
+
+
+def test_a_chip_grows_toward_the_inside_of_a_building_and_leaves_its_row_that_way() -> None:
+    roles = ground()
+    roles[:, :5], roles[:, 5] = StyleRole.UNKNOWN, StyleRole.WALL
+    roles[:2], roles[2] = StyleRole.UNKNOWN, StyleRole.WALL
+    for before in (None, (-1, 0), (-2, 0)):
+        assert CellOccupancy(WIDTH, HEIGHT, roles).chip_shift(6, 4, ChipSize(3, 3), before) == (0, 0)
+    roles[4] = StyleRole.WALL
+    occupancy = CellOccupancy(WIDTH, HEIGHT, roles)
+    occupancy.take(0, 3, WIDTH)
+    shift = occupancy.chip_shift(12, 3, ChipSize(3, 3), None)
+    assert shift is not None and shift[1] == 1, "over the rack, not over the outer wall"
 
 
 def test_a_long_chip_covers_no_name() -> None:
     roles = ground()
     roles[2:7, 10:14] = StyleRole.LABEL
-    assert CellOccupancy(WIDTH, HEIGHT, roles).chip_shift(11, 4, 10, None, spares=True) is None
-    assert CellOccupancy(WIDTH, HEIGHT, roles).chip_shift(11, 4, 10, None) is not None
+    assert CellOccupancy(WIDTH, HEIGHT, roles).chip_shift(11, 4, ChipSize(10, 3), None) is None
+    assert CellOccupancy(WIDTH, HEIGHT, roles).chip_shift(11, 4, ChipSize(3, 3), None) is not None
 
 
 def test_a_label_at_the_rim_ends_above_its_vertex_not_beside_the_neighbours() -> None:
