@@ -105,14 +105,14 @@ def test_paused_by_its_own_word_or_by_ours() -> None:
 @pytest.mark.parametrize(
     ("percent", "text", "role"),
     [
-        (100.0, "100 %", StyleRole.GOOD),
-        (50.0, " 50 %", StyleRole.GOOD),
+        (100.0, "100 %", StyleRole.TEXT),
         (20.0, " 20 %", StyleRole.TEXT),
-        (19.9, " 19 %", StyleRole.ALARM),
+        (19.9, " 19 %", StyleRole.WARN),
+        (9.9, "  9 %", StyleRole.ALARM),
         (0.4, "  0 %", StyleRole.ALARM),
     ],
 )
-def test_a_battery_below_twenty_is_red_and_reads_below_twenty(
+def test_a_battery_below_twenty_is_amber_below_ten_red_and_reads_below(
     percent: float, text: str, role: StyleRole
 ) -> None:
     state = received(battery(T0 + 1, percent))
