@@ -59,22 +59,22 @@ class Robot(Struct, frozen=True, eq=False):
     telemetry; `floor` is the one named by the frame of its pose; `paused_at` is its pose when it accepted our
     own pause; `standing` is the pose it has not left, and since when; `place` is coarser: its place of last
     progress, and since when; `jumps` are the metres of recent impossible jumps of its pose, each with its
-    time; `relocated` is the last jump that its localisation made, in words; `fault_at` is the time of its
-    last bad data; `says_paused`: it has a topic for that, received or not; `traces` are the orders in its
-    queue by id, `gone` those that left it, newest last; `pause_lost_at` is when a restart ended our own
-    pause; `goals` are those that its action servers list, by action; `odometry` is its newest pose by its
-    wheels, of `odometry_at`, `located` its last localised pose on the map, `anchor` the origin of its wheel
-    frame on the map; `variance` that of its position in square metres; `own_floor` the floor it reports;
-    `held` is the reason that this console sends it no waiting order, empty while it does, and `released_at`
-    when the operator last released them; `named` is a goal that this console named and that is not listed
-    yet; `target` the last reported target of a goal it had just begun; `unmeasured` are values that it
-    reports as not measured; `located_at`: the time of `located`; `mode` is the mode that it reports,
-    `mapping_by_us` that this console switched mapping on; `counts_percent`: its battery was seen to count to
-    100; `size` is its length and width in metres, None if not configured; `laser` is the pose of its laser on
-    it, None if unknown, `laser_flipped` that it hangs upside down, `base_frame` the frame of the robot
-    itself, empty for a usual one; `vehicle` is its last state, `connection` that to its broker, `factsheet`
-    its properties by name, `master` the last sign of another master control that commands it; `member` are
-    the reports of its fleet adapter."""
+    time; `relocated` is the last jump that its localisation made, in words; `pace` its usual speed in m/s
+    while it drives; `fault_at` is the time of its last bad data; `says_paused`: it has a topic for that,
+    received or not; `traces` are the orders in its queue by id, `gone` those that left it, newest last;
+    `pause_lost_at` is when a restart ended our own pause; `goals` are those that its action servers list, by
+    action; `odometry` is its newest pose by its wheels, of `odometry_at`, `located` its last localised pose
+    on the map, `anchor` the origin of its wheel frame on the map; `variance` that of its position in square
+    metres; `own_floor` the floor it reports; `held` is the reason that this console sends it no waiting
+    order, empty while it does, and `released_at` when the operator last released them; `named` is a goal that
+    this console named and that is not listed yet; `target` the last reported target of a goal it had just
+    begun; `unmeasured` are values that it reports as not measured; `located_at`: the time of `located`;
+    `mode` is the mode that it reports, `mapping_by_us` that this console switched mapping on;
+    `counts_percent`: its battery was seen to count to 100; `size` is its length and width in metres, None if
+    not configured; `laser` is the pose of its laser on it, None if unknown, `laser_flipped` that it hangs
+    upside down, `base_frame` the frame of the robot itself, empty for a usual one; `vehicle` is its last
+    state, `connection` that to its broker, `factsheet` its properties by name, `master` the last sign of
+    another master control that commands it; `member` are the reports of its fleet adapter."""
 
     name: str
     number: int
@@ -85,6 +85,7 @@ class Robot(Struct, frozen=True, eq=False):
     place: Reading[Pose] | None = None
     jumps: tuple[Reading[float], ...] = ()
     relocated: Reading[str] | None = None
+    pace: float | None = None
     frame_id: str = ""
     floor: str | None = None
     battery: Reading[float] | None = None

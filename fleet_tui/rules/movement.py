@@ -10,6 +10,9 @@ STILL_WITHIN, STILL_YAW = 0.05, 0.1
 PLACE_WITHIN = 0.2
 # Metres along x or y, and metres per second, above which a robot did not drive: its localisation jumped.
 JUMP_DISTANCE, JUMP_SPEED = 1.0, 5.0
+# Seconds between two poses above which they tell no speed, those over which it is smoothed, and the metres
+# per second above which a robot drives.
+PACE_WITHIN, PACE_OVER, CRAWLS = 2.0, 10.0, 0.1
 JUMPS_WITHIN = 10.0
 """Seconds for which a jump of a robot's pose counts."""
 
@@ -32,6 +35,17 @@ def jump(one: Pose, other: Pose, seconds: float) -> float | None:
         return None
     metres = _metres(one, other)
     return metres if metres > JUMP_SPEED * abs(seconds) else None
+
+
+def pace(before: float | None, one: Pose, other: Pose, seconds: float) -> float | None:
+    """Return the usual speed of a robot in m/s after one more step; while it stands or jumps `before`, None
+    if it never drove."""
+    if not 0.0 < seconds <= PACE_WITHIN:
+        return before
+    speed = _metres(one, other) / seconds
+    if not CRAWLS < speed < JUMP_SPEED:
+        return before
+    return speed if before is None else before + (speed - before) * min(1.0, seconds / PACE_OVER)
 
 
 def _metres(one: Pose, other: Pose) -> float:

@@ -163,7 +163,7 @@ def _next_trouble(screen: "MainScreen") -> None:
         if others:
             screen.notices.say(sanitize(others[0]))
         else:
-            screen.notices.hint("no robot has an alarm, all have a pose")
+            screen.notices.hint("no robot has an alarm or may need a person")
 
 
 def _place_actions(rest: "Rest") -> PlaceActions:

@@ -13,6 +13,7 @@ from fleet_tui.model.order_life import trace_movement, trace_queue
 from fleet_tui.model.robot import Reading, Robot, RobotMap, StampClock, with_fault
 from fleet_tui.rules.localisation.jumps import pose_jump
 from fleet_tui.rules.movement import JUMPS_WITHIN, jump, moved, progressed
+from fleet_tui.rules.movement import pace as new_pace
 from fleet_tui.text.limits import LONGEST_NAME, MOST_ORDERS, truncate
 
 # A robot whose clock runs slower than ours by this share must not age into "offline" over days.
@@ -63,6 +64,13 @@ def relocation(robot: Robot, pose: Pose, frame_id: str, at: float) -> Reading[st
     return Reading(text, at) if text else robot.relocated
 
 
+def _pace(robot: Robot, pose: Pose, frame_id: str, at: float) -> float | None:
+    last = robot.pose
+    if last is None or frame_id != robot.frame_id:
+        return robot.pace
+    return new_pace(robot.pace, last.value, pose, at - last.at)
+
+
 def _drives_on(robot: Robot, pose: Pose) -> bool:
     """Tell whether it moves despite our pause. If the pause is only that this console holds back the next
     goal, it lasts however the robot is moved."""
@@ -99,6 +107,7 @@ def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
         place=_place(robot, pose, frame_id),
         jumps=_jumps(robot, event.pose, frame_id, true_at),
         relocated=relocation(robot, event.pose, frame_id, true_at),
+        pace=_pace(robot, event.pose, frame_id, true_at),
         frame_id=frame_id,
         clock=clock,
         last_received=max(robot.last_received if robot.last_received is not None else true_at, true_at),

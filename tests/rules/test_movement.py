@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.model.geometry import Pose
-from fleet_tui.rules.movement import jump, moved, progressed
+from fleet_tui.rules.movement import jump, moved, pace, progressed
 
 POSES = st.builds(Pose, st.floats(-50, 50), st.floats(-50, 50), st.floats(-10, 10))
 
@@ -38,3 +38,13 @@ def test_a_jump_is_farther_than_any_robot_drives(x: float, seconds: float, metre
 def test_there_and_back_are_the_same(one: Pose, other: Pose, seconds: float) -> None:
     assert moved(one, other) is moved(other, one) and not moved(one, one)
     assert jump(one, other, seconds) == jump(other, one, seconds)
+
+
+def test_the_pace_is_that_of_driving_and_neither_of_standing_nor_of_a_jump() -> None:
+    here = Pose(0.0, 0.0, 0.0)
+    assert pace(None, here, here, 0.1) is None
+    assert pace(None, here, Pose(0.1, 0.0, 0.0), 0.1) == 1.0
+    assert pace(1.0, here, Pose(9.0, 0.0, 0.0), 0.1) == 1.0
+    assert pace(1.0, here, Pose(2.0, 0.0, 0.0), 60.0) == 1.0
+    smoothed = pace(1.0, here, Pose(0.2, 0.0, 0.0), 0.1)
+    assert smoothed is not None and 1.0 < smoothed < 1.1

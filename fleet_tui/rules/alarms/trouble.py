@@ -6,6 +6,8 @@ from fleet_tui.model.alarm import Alarm, AlarmStage
 from fleet_tui.model.fleet import FleetState, is_missing
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.newest import own_pause
+from fleet_tui.rules.localisation.jumps import recent_jumps
 
 LONG_STILL = 30.0
 """Seconds of standing with an order that are worth a look: longer than loading takes."""
@@ -18,9 +20,12 @@ def waits(state: FleetState, robot: Robot) -> bool:
 
 
 def may_need_person(state: FleetState, robot: Robot) -> bool:
-    """Tell whether a robot waits with an order, or is in a mode, such as MANUAL, in which it takes none."""
+    """Tell whether a robot waits with an order, is in a mode, such as MANUAL, in which it takes none, or has
+    a pose that jumps."""
     by_hand = robot.vehicle is not None and not robot.vehicle.value.takes_orders
-    return waits(state, robot) or (by_hand and state.is_fresh(robot, "vehicle"))
+    by_hand = by_hand and state.is_fresh(robot, "vehicle")
+    is_lost = state.is_fresh(robot, "pose") and bool(recent_jumps(robot, state.now))
+    return waits(state, robot) or by_hand or is_lost
 
 
 def in_trouble(state: FleetState) -> frozenset[str]:
@@ -69,25 +74,28 @@ def by_urgency(state: FleetState) -> list[str]:
 
 def next_in_trouble(state: FleetState, after: str, marked: object = None) -> str:
     """Return the robot of the marked alarm. If `after` has it, or it is no robot's, return the next one in
-    the order of the alarms pane and around its end, of those that need a person while there are some; if none
-    is in trouble, one that waits, is blocked or takes no orders now, whose alarm is shelved or whose pose is
-    missing; empty if
-    there is none."""
-    troubled, known = by_urgency(state), acknowledged(state)
-    of_marked = {name for one in state.alarms if one.key == marked for name in _whose(one)}
-    if of_marked and after not in of_marked and (found := [name for name in troubled if name in of_marked]):
-        return found[0]
-    silenced = shelved(state)
-    names = [name for name in troubled if name not in known] or troubled
-    names = names or [
-        name for name, robot in state.robots.items() if name in silenced or _is_odd(state, robot)
+    the order of the alarms pane, of those that need a person while there are some; after them those without
+    an alarm that may need one; then around. Empty if there is none."""
+    troubled, known, silenced = by_urgency(state), acknowledged(state), shelved(state)
+    odd = [
+        name
+        for name, robot in state.robots.items()
+        if name not in troubled and (name in silenced or _is_odd(state, robot))
     ]
+    of_marked = {name for one in state.alarms if one.key == marked for name in _whose(one)}
+    # After one without an alarm, the marked alarm is the one that it came from.
+    goes_on = after in of_marked or after in odd
+    if not goes_on and (found := [name for name in troubled if name in of_marked]):
+        return found[0]
+    names = [*([name for name in troubled if name not in known] or troubled), *odd]
     start = names.index(after) + 1 if after in names else 0
     return names[start % len(names)] if names else ""
 
 
 def _is_odd(state: FleetState, robot: Robot) -> bool:
-    return may_need_person(state, robot) or state.is_obstructed(robot) or is_missing(state, robot, "pose")
+    is_held = state.is_paused(robot) and own_pause(state, robot) is None
+    is_held = is_held or state.is_obstructed(robot) or is_missing(state, robot, "pose")
+    return is_held or may_need_person(state, robot)
 
 
 def _whose(alarm: Alarm) -> list[str]:

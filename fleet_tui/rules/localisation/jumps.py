@@ -3,11 +3,22 @@
 import math
 
 from fleet_tui.model.geometry import Pose
+from fleet_tui.model.robot import Reading, Robot
+from fleet_tui.rules.movement import JUMPS_WITHIN
 
 JUMP, JUMP_TURN = 0.5, math.radians(30.0)
 """Metres and radians beyond what speed explains."""
 FASTEST, FASTEST_TURN = 3.0, math.radians(180.0)
 """Metres and radians a second that no robot here exceeds."""
+JUMPS = 2
+"""This many jumps within JUMPS_WITHIN seconds are more than corrections."""
+
+
+def recent_jumps(robot: Robot, now: float) -> tuple[Reading[float], ...]:
+    """Return the jumps of a robot's pose in the last JUMPS_WITHIN seconds, none if they may be corrections:
+    its pose then means nothing, and is no movement. `now` is monotonic."""
+    recent = tuple(jump for jump in robot.jumps if now - jump.at < JUMPS_WITHIN)
+    return recent if len(recent) >= JUMPS else ()
 
 
 def pose_jump(before: Pose, after: Pose, seconds: float) -> str:

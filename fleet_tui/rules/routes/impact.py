@@ -13,6 +13,7 @@ from fleet_tui.model.geometry import Line
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.order import Order
 from fleet_tui.model.robot import Robot, RobotMap
+from fleet_tui.rules.alarms.conditions import obstacle_lasts
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.routes.order_draft import GraphStop, place_of, stop_at, way_between
 from fleet_tui.rules.routes.ways import AT_VERTEX
@@ -24,7 +25,8 @@ IN_REACH = 1.0
 """Metres within which the map's cursor is on an edge."""
 STANDS_FROM = 5.0
 """Seconds without movement from which a robot in trouble is in the way."""
-
+SUSPECT_FOR = 30.0
+"""Seconds after a jump of its pose for which a robot may be elsewhere."""
 
 FACING = math.pi / 4
 """Radians from a robot's heading within which it faces an edge."""
@@ -120,11 +122,13 @@ def _metres_from(at: tuple[float, float], line: Line) -> float:
 
 
 def is_in_the_way(state: FleetState, robot: Robot, troubled: Collection[str]) -> bool:
-    """Tell whether a robot stands where it is, by an obstacle or as one of those `troubled`, as others would
-    find it."""
+    """Tell whether a robot stands where it is, by an obstacle that is an alarm or as one of those `troubled`,
+    as others would find it: not where its pose has just jumped to."""
+    if robot.relocated is not None and state.now - robot.relocated.at < SUSPECT_FOR:
+        return False
     held = robot.blocked is not None and robot.blocked.value.is_stopped
     stands = robot.still_for >= STANDS_FROM and robot.name in troubled
-    return state.was_obstructed(robot) or stands or (held and state.is_fresh(robot, "blocked"))
+    return obstacle_lasts(state, robot) or stands or (held and state.is_fresh(robot, "blocked"))
 
 
 def cut_orders(state: FleetState, ends: Ends) -> list[CutOrder]:

@@ -1,10 +1,13 @@
 """An order while it is typed: its way, its length, a guess of its time."""
 
+import math
+import statistics
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 
 from msgspec import Struct
 
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Line
 from fleet_tui.model.order import Order
 from fleet_tui.model.robot import Robot
@@ -13,7 +16,7 @@ from fleet_tui.rules.routes.ways import Spot, routes_of
 from fleet_tui.text.durations import age
 
 SPEED = 0.5
-"""Metres per second of the guess, a usual speed of indoor robots."""
+"""Metres per second of the guess while no robot was seen to drive, a usual speed of indoor robots."""
 
 GraphStop = tuple[str, tuple[Spot, ...]]
 """A floor, and the vertices of it that count as one place."""
@@ -32,13 +35,15 @@ class Draft(Struct, frozen=True):
 class DraftRoute(Struct, frozen=True):
     """The lines of a draft's way by floor, and its length in metres, None if some of it has no way;
     `approach`: the metres to its start from the robot, or from the end of its last open order, 0 if it starts
-    there or that way is unknown; `before`: its open orders, that are driven first."""
+    there or that way is unknown; `before`: its open orders, that are driven first; `pace`: the speed in m/s
+    that was seen, None if none was."""
 
     lines: Mapping[str, tuple[Line, ...]]
     metres: float | None
     by_lift: bool = False
     approach: float = 0.0
     before: int = 0
+    pace: float | None = None
 
     @property
     def text(self) -> str:
@@ -47,17 +52,31 @@ class DraftRoute(Struct, frozen=True):
             return "no way on the graph"
         lift = ", by lift" if self.by_lift else ""
         to_start = f"{self.approach:.0f} m to the start, then " if self.approach >= 1.0 else ""
-        seconds = (self.metres + self.approach) / SPEED
-        after = f", after {self.before} order{'s' * (self.before > 1)}" if self.before else ""
-        return f"{to_start}{self.metres:.0f} m{lift}, about {age(seconds)} at {SPEED} m/s{after}"
+        after = f", plus {self.before} order{'s' * (self.before > 1)} before" if self.before else ""
+        takes = _rounded_up((self.metres + self.approach) / (self.pace or SPEED))
+        if self.pace is None:
+            return f"{to_start}{self.metres:.0f} m{lift}, about {takes} at an assumed {SPEED} m/s{after}"
+        return f"{to_start}{self.metres:.0f} m{lift}, about {takes} at {self.pace:.1f} m/s{after}"
+
+
+def _rounded_up(seconds: float) -> str:
+    """Return the text of a guess: 170 s are 3 min."""
+    return age(seconds if seconds < 120.0 else math.ceil(seconds / 60.0) * 60.0)
+
+
+def pace_of(state: FleetState, robot: Robot) -> float | None:
+    """Return the speed in m/s at which a robot drives, else the fleet's median; None before any drove."""
+    paces = [one.pace for one in state.robots.values() if one.pace is not None]
+    return robot.pace or (statistics.median(paces) if paces else None)
 
 
 Drafted = tuple[Draft, DraftRoute | None]
 """A draft, and its way if it has one."""
 
 
-def draft_route(robot: Robot, draft: Draft) -> DraftRoute | None:
-    """Return the way along the graphs from place to place, None before there are two."""
+def draft_route(robot: Robot, draft: Draft, pace: float | None = None) -> DraftRoute | None:
+    """Return the way along the graphs from place to place, None before there are two. `pace`: the robot's
+    speed in m/s, None if none was seen."""
     here, places = place_of(robot), [(place.floor, ((place.vertex, 0.0),)) for place in draft.places]
     orders = () if draft.starts_here else robot.orders.open
     stops: list[GraphStop] = [*here, *places] if draft.starts_here else [*places]
@@ -66,7 +85,7 @@ def draft_route(robot: Robot, draft: Draft) -> DraftRoute | None:
     before = _end(robot, orders[-1]) if orders else here
     approach = 0.0 if draft.starts_here else way_between(robot, [*before, stops[0]])[1] or 0.0
     lines, metres = way_between(robot, stops)
-    return DraftRoute(lines, metres, len({floor for floor, _ in stops}) > 1, approach, len(orders))
+    return DraftRoute(lines, metres, len({floor for floor, _ in stops}) > 1, approach, len(orders), pace)
 
 
 def way_between(

@@ -40,8 +40,8 @@ class Complaint(Struct, frozen=True):
 
 
 def complaints(state: FleetState, robot: Robot, counter: LinkCounter | None) -> list[Complaint]:
-    """Return the worst complaints of a robot, the errors first, then the newest. `counter` is that of its
-    link, None before there is one."""
+    """Return the worst complaints of a robot, the errors first, then the lines of its log that began last.
+    `counter` is that of its link, None before there is one."""
     if counter is None:
         return []
     name = re.compile(rf"(?<!\w){re.escape(robot.name)}(?!\w)[ :/]*")
@@ -50,8 +50,11 @@ def complaints(state: FleetState, robot: Robot, counter: LinkCounter | None) -> 
     parts = counter.health.values()
     fresh = [part for part in parts if state.now - part.at < DIAGNOSED_WITHIN]
     recent = [line for line in snapshot(counter.log) if state.now - line.at < LOGGED_WITHIN]
-    found = {one.text: one for one in (*_logged(state, recent, name), *_diagnosed(fresh, name))}
-    return sorted(found.values(), key=lambda one: (not one.is_error, -one.at))[:SHOWN]
+    logged, diagnosed = [*_logged(state, recent, name)], [*_diagnosed(fresh, name)]
+    found = {one.text: one for one in (*logged, *diagnosed)}
+    # What is repeated must not change places each time.
+    began = {one.text: one.at for one in reversed(logged)}
+    return sorted(found.values(), key=lambda one: (not one.is_error, -began.get(one.text, 0.0)))[:SHOWN]
 
 
 def _logged(state: FleetState, lines: Iterable[LogLine], name: re.Pattern[str]) -> Iterator[Complaint]:

@@ -12,6 +12,7 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.follow_up import seen_end
 from fleet_tui.rules.commands.local_queue import waiting
 from fleet_tui.rules.commands.newest import last_command
 from fleet_tui.rules.why.reason import RECENT, Reason, Strength, mission, name_of, stationary_since
@@ -20,6 +21,7 @@ from fleet_tui.text.details import detail_text
 from fleet_tui.text.durations import age
 
 REJECTED = "Check that its navigation is active: `fleet-tui doctor` asks it"
+CHECK_DELIVERY = "Check where the robot and its load are, correct its pose if it is wrong, order again"
 LOOK = "Go and look at it: wheels, emergency stop, manual mode"
 
 
@@ -35,7 +37,7 @@ def command(state: FleetState, robot: Robot) -> Reason | None:
     evidence = record.detail or f"issued {age(state.now - record.issued_at)} ago"
     strength = Strength.LIKELY if robot.orders.open else Strength.CERTAIN
     keys = (verb,) if failed else ()
-    remedy = LOOK if record.stage is Stage.FAILED else ""
+    remedy = {Stage.FAILED: LOOK, Stage.LOST: CHECK_DELIVERY}.get(record.stage, "")
     if robot.kind.keeps_goals and record.stage is Stage.REFUSED:
         remedy = REJECTED
     return Reason(
@@ -49,17 +51,17 @@ def command(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def failed_order(state: FleetState, robot: Robot) -> Reason | None:
-    """Report that the last order failed, whoever gave it, and none came since."""
+    """Report that the last order failed or was lost, whoever gave it, and none came since."""
     last = robot.gone[-1] if robot.gone else None
-    if (
-        last is None
-        or last.stage is not Stage.FAILED
-        or robot.orders.open
-        or command(state, robot) is not None
-    ):
+    if last is None or robot.orders.open or command(state, robot) is not None:
+        return None
+    if seen_end(state, robot.name, last) not in (Stage.FAILED, Stage.LOST):
         return None
     evidence = f"{mission(robot, last.order)}{detail_text(last.reason)}"
-    return Reason("last order failed", evidence, since=last.at, keys=("order",), remedy=LOOK)
+    name, remedy = "last order failed", LOOK
+    if last.stage is Stage.LOST:
+        name, remedy = "last order lost", CHECK_DELIVERY
+    return Reason(name, evidence, since=last.at, keys=("order",), remedy=remedy)
 
 
 def cargo(state: FleetState, robot: Robot) -> Reason | None:

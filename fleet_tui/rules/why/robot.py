@@ -9,13 +9,11 @@ from fleet_tui.rules.battery.charging import charger_of
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import STANDS_AFTER, own_pause_text
 from fleet_tui.rules.lag import is_overloaded
+from fleet_tui.rules.localisation.jumps import recent_jumps
 from fleet_tui.rules.movement import JUMPS_WITHIN
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, name_of, stationary_since
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.units import ago
-
-JUMPS = 2
-"""This many jumps within JUMPS_WITHIN seconds are more than corrections."""
 
 OFF_MAP = 2.0
 """Metres beyond the map's edge from which a pose is no place on the floor."""
@@ -147,12 +145,12 @@ def stale_pose(state: FleetState, robot: Robot) -> Reason | None:
 
 def jumps(state: FleetState, robot: Robot) -> Reason | None:
     """Report that its localisation jumps: most robots then stop, and the pose means nothing."""
-    recent = [jump for jump in robot.jumps if state.now - jump.at < JUMPS_WITHIN]
-    if len(recent) < JUMPS:
+    recent = recent_jumps(robot, state.now)
+    if not recent:
         return None
-    last = recent[-1]
-    evidence = f"{len(recent)} pose jumps in {JUMPS_WITHIN:.0f} s, the last {last.value:.1f} m"
-    return Reason("localisation jumps", evidence, Strength.LIKELY, recent[0].at, last.at, ("pose", "centre"))
+    last, name = recent[-1], f"localisation jumps: {len(recent)} in {JUMPS_WITHIN:.0f} s"
+    evidence, keys = f"the last by {last.value:.1f} m: its pose is not to be trusted", ("pose", "centre")
+    return Reason(name, evidence, since=recent[0].at, seen=last.at, keys=keys, remedy=NO_POSE)
 
 
 def off_map(state: FleetState, robot: Robot) -> Reason | None:

@@ -6,12 +6,15 @@ from textwrap import wrap
 from typing import Any
 
 from fleet_tui.model.alarm import class_of
+from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.commands.follow_up import seen_end
 from fleet_tui.rules.history.activity import MOVES_WITHIN
 from fleet_tui.rules.lag import is_overloaded
+from fleet_tui.rules.localisation.jumps import recent_jumps
+from fleet_tui.rules.why.orders import CHECK_DELIVERY
 from fleet_tui.rules.why.place import place_text
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.language import tr
@@ -115,7 +118,7 @@ def _movement(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
             (f"{sanitize(robot.relocated.value):<{VALUE}}", StyleRole.TEXT),
             (tr(f"{age(state.now - robot.relocated.at)} ago"), StyleRole.DIM),
         )
-    if robot.standing is not None and state.is_fresh(robot, "pose"):
+    if robot.standing is not None and state.is_fresh(robot, "pose") and not recent_jumps(robot, state.now):
         still = robot.still_for
         if still >= STANDS_FROM:
             yield named("Movement", (tr(f"standing for {age(still)}"), StyleRole.TEXT))
@@ -158,12 +161,12 @@ def _orders(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
 def ended_rows(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
     """Yield the last orders that left the queue, each with its end."""
     for gone in reversed(robot.gone[-LAST:]):
-        text = whose_mission(state, robot, gone.order)
-        yield named(
-            "Ended",
-            (f"{text}: {tr(seen_end(state, robot.name, gone).value)}", StyleRole.TEXT),
-            (tr(f"{age(state.now - gone.at)} ago"), StyleRole.DIM),
-        )
+        text, end = whose_mission(state, robot, gone.order), seen_end(state, robot.name, gone)
+        role = StyleRole.WARN if end in (Stage.LOST, Stage.FAILED) else StyleRole.TEXT
+        ended = tr(f"{age(state.now - gone.at)} ago"), StyleRole.DIM
+        yield named("Ended", (f"{text}: {tr(end.value)}", role), ended)
+        if end is Stage.LOST and gone is robot.gone[-1]:
+            yield named("", (tr(CHECK_DELIVERY), StyleRole.TEXT))
 
 
 def command_rows(state: FleetState, robot: Robot, clock: Callable[[float], str]) -> Iterator[tuple[Run, ...]]:

@@ -1,6 +1,7 @@
 """Robots in trouble: with an alarm that still counts, wherever they are."""
 
 from fleet_tui.model.desk.events import AlarmAcknowledged, AlarmShelved
+from fleet_tui.model.events import Event, PausedReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.alarms.trouble import (
     LONG_STILL,
@@ -123,3 +124,39 @@ def test_a_vehicle_in_a_mode_without_orders_may_need_a_person() -> None:
     site.read("state", state(operatingMode="MANUAL"))
     assert may_need_person(site.state, site.state.robots[AGV])
     assert next_in_trouble(site.state, "") == AGV
+
+
+def jumping(robot: str = R0, until: float = T0 + 4) -> list[Event]:
+    """Poses that jump by 20 m each second up to a time."""
+    return [pose(until - 4 + n, 20.0 * (n % 2), robot=robot) for n in range(5)]
+
+
+def test_a_robot_whose_pose_jumps_may_need_a_person_while_it_does() -> None:
+    state = reduced(fleet(2), link_up(T0 - 9), *jumping(), pose(T0 + 4, robot="robot_1"), tick(T0 + 4))
+    assert may_need_person(state, state.robots[R0]) and not in_trouble(state)
+    assert next_in_trouble(state, "robot_1") == R0
+    later = reduced(state, *(pose(T0 + n) for n in range(5, 20)), tick(T0 + 19))
+    assert not may_need_person(later, later.robots[R0])
+
+
+def test_after_the_alarms_come_those_that_may_need_a_person_and_then_the_alarms_again() -> None:
+    state = reduced(
+        fleet(4),
+        link_up(T0 - 9),
+        *jumping("robot_1"),
+        *jumping("robot_3"),
+        pose(T0 + 4),
+        battery(T0 + 4, 5.0, robot="robot_2"),
+        pose(T0 + 4, robot="robot_2"),
+        tick(T0 + 4),
+    )
+    marked, went = ("robot_2", "battery"), [R0]
+    for _ in range(4):
+        went.append(next_in_trouble(state, went[-1], marked))
+    assert went == [R0, "robot_2", "robot_1", "robot_3", "robot_2"]
+
+
+def test_a_pause_from_elsewhere_is_unexpected() -> None:
+    state = reduced(fleet(2), link_up(T0), pose(T0), pose(T0, robot="robot_1"), tick(T0))
+    assert next_in_trouble(state, R0) == ""
+    assert next_in_trouble(reduced(state, PausedReported("robot_1", T0, True)), R0) == "robot_1"

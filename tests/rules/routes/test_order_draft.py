@@ -7,10 +7,11 @@ from fleet_tui.model.events import GraphReceived
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.rules.language.lookup import Place
-from fleet_tui.rules.routes.order_draft import SPEED, Draft, draft_route
+from fleet_tui.rules.routes.order_draft import SPEED, Draft, DraftRoute, draft_route, pace_of
 from tests.support.fleets import F0, R0, T0, fleet, graph, pose, queue, reduced
 
 F1 = "floor_1"
+ASSUMED = f"an assumed {SPEED} m/s"
 
 
 def place(vertex: int, floor: str = F0) -> Place:
@@ -43,25 +44,25 @@ def test_the_length_is_along_the_graph_and_the_time_is_a_guess_at_a_usual_speed(
     route = draft_route(state().robots[R0], draft(place(1), place(4), place(2)))
     assert route is not None
     assert (route.metres, route.by_lift) == (5.0, False)
-    assert route.text == f"5 m, about 10 s at {SPEED} m/s"
+    assert route.text == f"5 m, about 10 s at {ASSUMED}"
     assert len(route.lines[F0]) == 5
 
 
 def test_the_way_to_its_start_is_told_and_takes_time_too() -> None:
     route = draft_route(state().robots[R0], draft(place(3), place(4)))
-    assert route is not None and route.text == f"1 m to the start, then 1 m, about 4 s at {SPEED} m/s"
+    assert route is not None and route.text == f"1 m to the start, then 1 m, about 4 s at {ASSUMED}"
     by_lift = draft_route(state().robots[R0], draft(place(12, F1), place(13, F1)))
     assert by_lift is not None and by_lift.approach >= 2.0
     unplaced = reduced(fleet(1, 2), with_lift(F0, 1, 2, 3, 4)).robots[R0]
     route = draft_route(unplaced, draft(place(3), place(4)))
-    assert route is not None and route.text == f"1 m, about 2 s at {SPEED} m/s"
+    assert route is not None and route.text == f"1 m, about 2 s at {ASSUMED}"
 
 
 def test_the_way_to_its_start_begins_where_the_last_open_order_ends() -> None:
     ordered = reduced(state(), queue(T0, (7, 1, 2, "W"), (8, 2, 4, "Q"), current=7)).robots[R0]
     route = draft_route(ordered, draft(place(2), place(3)))
     assert route is not None
-    assert route.text == f"2 m to the start, then 1 m, about 6 s at {SPEED} m/s, after 2 orders"
+    assert route.text == f"2 m to the start, then 1 m, about 6 s at {ASSUMED}, plus 2 orders before"
 
 
 def test_over_floors_it_goes_by_the_lifts() -> None:
@@ -95,3 +96,14 @@ def test_the_same_place_twice_is_no_way_at_all() -> None:
     route = draft_route(state().robots[R0], draft(place(2), place(2)))
     assert route is not None
     assert route.metres == 0.0
+
+
+def test_the_time_is_guessed_by_the_speed_at_which_the_robot_or_the_others_drove() -> None:
+    poses = [pose(T0 + n / 10, n / 10, robot="robot_1") for n in range(1, 20)]
+    drove = reduced(fleet(2), pose(T0, 0.4), *poses)
+    assert pace_of(fleet(2), fleet(2).robots[R0]) is None
+    pace = pace_of(drove, drove.robots[R0])
+    assert pace is not None and abs(pace - 1.0) < 0.01
+    route = DraftRoute({}, 55.0, approach=30.0, before=1, pace=pace)
+    assert route.text == "30 m to the start, then 55 m, about 85 s at 1.0 m/s, plus 1 order before"
+    assert "about 3 min at an assumed" in DraftRoute({}, 55.0, approach=30.0).text

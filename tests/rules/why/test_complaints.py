@@ -85,3 +85,13 @@ def test_beside_a_certain_cause_only_errors_count() -> None:
         ("motor: ERROR hot", Strength.LIKELY),
     ]
     assert "drive: WARN brakes on" not in [one.name for one in found]
+
+
+def test_what_is_repeated_keeps_its_place() -> None:
+    at = now()
+    parts = [PartDiagnosis(at, f"robot_0: {part}", ERROR, "bad") for part in ("drive", "laser")]
+    counter = counter_of(*parts, log=(LogLine(at, 40, "/robot_0/base", "slips"),))
+    before = texts(counter)
+    counter.take_health([PartDiagnosis(at + 1, "robot_0: laser", ERROR, "bad")])
+    counter.take_log(LogLine(at + 1, 40, "/robot_0/base", "slips"))
+    assert texts(counter) == before == ["base: ERROR slips", "drive: ERROR bad"]

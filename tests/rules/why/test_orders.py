@@ -8,7 +8,7 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.model.order import Order, at_vertices
 from fleet_tui.model.order_life import GoneOrder
-from fleet_tui.rules.why.orders import REJECTED
+from fleet_tui.rules.why.orders import CHECK_DELIVERY, REJECTED
 from fleet_tui.rules.why.reason import Reason
 from fleet_tui.rules.why.why import reasons
 from tests.support.fleets import (
@@ -66,4 +66,5 @@ def test_the_order_that_failed_last_is_why_a_robot_has_none() -> None:
 
     assert (after(Stage.FAILED).name, after(Stage.FAILED).since) == ("last order failed", T0)
     assert after(Stage.FAILED).evidence.endswith("(no path)")
+    assert (after(Stage.LOST).name, after(Stage.LOST).remedy) == ("last order lost", CHECK_DELIVERY)
     assert after(Stage.DONE).name == "no orders"

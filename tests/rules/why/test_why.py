@@ -23,6 +23,7 @@ from fleet_tui.model.events import (
 )
 from fleet_tui.model.kind import Kind
 from fleet_tui.rules.localisation.match import Match
+from fleet_tui.rules.why.complaints import Complaint
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.simulator.robot import SimOrder
 from tests.support.fleets import (
@@ -202,3 +203,11 @@ def test_a_scan_that_does_not_fit_comes_first_and_without_one_nothing_is_said() 
     first = reasons(state, robot, Match(0.1, 1.5, 600))[0]
     assert first.name == "not localised"
     assert first.evidence == "10 % of 600 beams fit the map, median 1.50 m"
+
+
+def test_what_a_robot_reports_about_itself_comes_after_jumps_of_its_pose() -> None:
+    planted = driving(then="jumping:robot_0").run(12)
+    own = Complaint("drive: ERROR no odometry", "diagnostics", True, planted.now)
+    found = [one.name for one in reasons(planted.state, planted.robot, complaints=[own])]
+    assert found[0].startswith("localisation jumps: 1") and found[0].endswith(" in 10 s")
+    assert found[1] == own.text

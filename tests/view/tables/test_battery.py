@@ -18,15 +18,16 @@ def shown(*facts: Event, at: float = T0) -> tuple[Run, Run]:
 @pytest.mark.parametrize(
     ("percent", "text", "bar", "role"),
     [
-        (80.0, " 80 %", "━━━━┄", StyleRole.GOOD),
+        (80.0, " 80 %", "━━━━┄", StyleRole.TEXT),
         (20.0, " 20 %", "━┄┄┄┄", StyleRole.TEXT),
-        (19.9, " 19 %", "━┄┄┄┄", StyleRole.ALARM),
+        (19.9, " 19 %", "━┄┄┄┄", StyleRole.WARN),
+        (8.0, "  8 %", "━┄┄┄┄", StyleRole.ALARM),
     ],
 )
-def test_only_a_low_battery_has_the_colour_of_alarms(
+def test_only_a_low_battery_has_a_colour_and_only_a_critical_one_that_of_alarms(
     percent: float, text: str, bar: str, role: StyleRole
 ) -> None:
-    is_low = role is StyleRole.ALARM
+    is_low = role is not StyleRole.TEXT
     assert shown(battery(T0, percent)) == ((text, role), (bar, role if is_low else StyleRole.DIM))
 
 

@@ -105,14 +105,14 @@ def test_paused_by_its_own_word_or_by_ours() -> None:
 @pytest.mark.parametrize(
     ("percent", "text", "role"),
     [
-        (100.0, "100 %", StyleRole.GOOD),
-        (50.0, " 50 %", StyleRole.GOOD),
+        (100.0, "100 %", StyleRole.TEXT),
         (20.0, " 20 %", StyleRole.TEXT),
-        (19.9, " 19 %", StyleRole.ALARM),
+        (19.9, " 19 %", StyleRole.WARN),
+        (9.9, "  9 %", StyleRole.ALARM),
         (0.4, "  0 %", StyleRole.ALARM),
     ],
 )
-def test_a_battery_below_twenty_is_red_and_reads_below_twenty(
+def test_a_battery_below_twenty_is_amber_below_ten_red_and_reads_below(
     percent: float, text: str, role: StyleRole
 ) -> None:
     state = received(battery(T0 + 1, percent))
@@ -358,3 +358,15 @@ def test_a_long_state_takes_the_cells_that_its_order_leaves() -> None:
     facts = events.PausedReported(R0, T0 + 1, True), tick(T0 + 2)
     line = text_of(fleet_table(received(*facts), R0, 72).rows[0].runs)
     assert "paused (elsewhere)" in line and len(line.rstrip()) <= 72
+
+
+def test_jumps_of_a_pose_are_no_movement() -> None:
+    order = queue(T0 + 1, (1, 1, 2, "W"), current=1)
+    jumps = [pose(T0 + n, 20.0 * (n % 2)) for n in range(5)]
+    calm = pose(T0 + 4, robot="robot_1")
+    state = reduced(fleet(2), link_up(T0 - 9), order, calm, *jumps, tick(T0 + 4))
+    table = fleet_table(state, "robot_1", WIDTH)
+    first = table.rows[0]
+    assert first.key == R0 and "pose jumps" in text_of(first.runs) and "moving" not in text_of(first.runs)
+    assert first.runs[0] == ("● ", StyleRole.WARN)
+    assert "1 driving, 1 waiting" in text_of(table.title)
