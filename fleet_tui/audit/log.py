@@ -37,6 +37,8 @@ LOG = logging.getLogger(__name__)
 WAITING, RETRY = 10_000, 1.0
 # Seconds that an event waits for its lines; for those above SLOW, in total, this many in each RETRY.
 PATIENCE, SLOW, SLOW_TOGETHER = 0.05, 0.02, 0.1
+# Seconds more for each line: a request to a thousand robots has as many.
+FOR_LINE = 0.0005
 # Seconds at the end after which an unresponsive disk is given up.
 LAST_CHANCE = 0.5
 
@@ -145,10 +147,11 @@ class Audit:
             self._slow, self._slow_since = 0.0, began
         if self._slow > SLOW_TOGETHER or self.problem:
             return
-        if not self._changed.wait_for(lambda: self._done == self._taken or self._problem, PATIENCE):
+        more = FOR_LINE * (self._taken - self._done)
+        if not self._changed.wait_for(lambda: self._done == self._taken or self._problem, PATIENCE + more):
             LOG.error("audit: not written: %s: %s", self.file.path, HANGS)
         took = time.monotonic() - began
-        self._slow += took * (took > SLOW)
+        self._slow += took * (took > SLOW + more)
 
     def _work(self) -> None:
         """Write line after line; on the log's own thread."""

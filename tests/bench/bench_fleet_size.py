@@ -13,6 +13,7 @@ import time
 from bisect import bisect_left, bisect_right
 from contextlib import ExitStack
 from dataclasses import dataclass
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
@@ -118,6 +119,28 @@ def measured(robots: int, seconds: float = SECONDS) -> Figures:
     )
 
 
+def paused(robots: int) -> float:
+    """Seconds from `P` in the console to the last robot's call, by the times in the audit log."""
+    with tempfile.TemporaryDirectory() as name, ExitStack() as stack:
+        settings = config(Path(name), bridges(stack, robots), robots)
+        terminal = Terminal([sys.executable, "-m", "fleet_tui", "--config", str(settings)], Path(name))
+        try:
+            terminal.wait_for(f"{robots} of {robots} online", 60.0)
+            time.sleep(SETTLE)
+            begun = time.time()
+            terminal.press("P")
+            terminal.wait_for("pause all: ", 30.0)
+            time.sleep(SETTLE)
+        finally:
+            terminal.close()
+        (log,) = Path(name).rglob("audit.jsonl")
+        records = [json.loads(line) for line in log.read_text().splitlines()]
+    sent = [one["time"] for one in records if one["change"] == "sent"]
+    if len(sent) != robots:
+        raise AssertionError(f"{len(sent)} of {robots} were sent a pause")
+    return datetime.fromisoformat(max(sent)).timestamp() - begun
+
+
 def started() -> list[float]:
     """Seconds from the link to a bridge that takes 20 ms for a subscription until the labels of the shown
     floor, the poses of a hundred robots on two floors, and the last subscription."""
@@ -166,6 +189,9 @@ def main() -> list[Row]:
         row("P15", what + "and all robots", poses, "s", SHOWN_WITHIN),
         row("P15", what + "last subscription", last, "s"),
     ]
+    largest = CURVE[-1]
+    what = f"in the console, {largest} robots: P -> last call on the wire"
+    found.append(row("P15", what, paused(largest), "s"))
     return found + [one for robots in CURVE for one in rows(robots, measured(robots))]
 
 

@@ -70,6 +70,29 @@ async def test_pause_and_resume_are_told_by_the_robot(server: RosbridgeServer) -
         assert not store.state.is_paused(store.state.robots["robot_0"])
 
 
+async def test_a_request_to_many_robots_is_one_and_told_before_the_first_is_sent(
+    server: RosbridgeServer,
+) -> None:
+    async with linked(config_of(server.url, 2)) as (link, store):
+        await store.until(ready)
+        seen = list[list[Stage]]()
+        store.watchers.append(lambda _, after: seen.append([one.stage for one in after.commands]))
+        ids = link.submit_all([PauseRobot(f"robot_{n}") for n in range(2)])
+        state = await store.until(lambda now: now.commands and all(one.is_decided for one in now.commands))
+    assert [record.id for record in state.commands] == ids
+    assert len({record.issued_at for record in state.commands}) == 1
+    assert seen[:2] == [[Stage.CHECKED] * 2, [Stage.SENT] * 2]
+
+
+async def test_one_that_fails_keeps_no_other_from_its_robot(server: RosbridgeServer) -> None:
+    async with linked(config_of(server.url, 1)) as (link, store):
+        await store.until(ready)
+        _, known = link.submit_all([PauseRobot("nobody"), PauseRobot("robot_0")])
+        await store.until(
+            lambda state: any(one.id == known and one.stage is Stage.CONFIRMED for one in state.commands)
+        )
+
+
 async def test_telemetry_alive_and_commands_dead_is_a_state_of_its_own(server: RosbridgeServer) -> None:
     server.bridge.services.master_alive = False
     async with linked(config_of(server.url, 1)) as (link, store):

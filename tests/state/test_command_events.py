@@ -7,6 +7,7 @@ from fleet_tui.model.commands import Command, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.batches import summary
 from fleet_tui.state.command_events import COMMANDS_KEPT
 from tests.support.fleets import (
     R0,
@@ -43,6 +44,21 @@ def test_a_command_under_way_is_kept_until_its_end_has_come() -> None:
     assert len(state.commands) == len(many)
     state = reduced(state, events.CommandAdvanced(0, Stage.NOT_SENT, T0))
     assert state.commands[0].stage is Stage.NOT_SENT
+
+
+def test_a_request_to_many_robots_is_whole_until_its_last_one_is_decided() -> None:
+    count = 2 * COMMANDS_KEPT
+    state = fleet(count)
+    for n in range(count):
+        end = [Stage.NOT_SENT] if n else []
+        state = reduced(state, *commanded(n, PauseRobot(f"robot_{n}"), *end))
+    assert len(state.commands) == count
+    state = reduced(state, *commanded(count, ResumeRobot(R0), at=T0 + 1))
+    assert len(state.commands) == count + 1, "one is open"
+    state = reduced(state, *commanded(0, PauseRobot(R0)), events.CommandAdvanced(0, Stage.NOT_SENT, T0 + 1))
+    assert summary(state, state.commands[:count])[1].startswith(f"{count} not sent")
+    state = reduced(state, *commanded(count + 1, ResumeRobot(R0), at=T0 + 2))
+    assert len(state.commands) == COMMANDS_KEPT
 
 
 def robot(state: FleetState) -> Robot:

@@ -21,6 +21,19 @@ def test_a_watcher_hears_of_commands_and_alarms_and_of_nothing_else() -> None:
     assert seen[-1][1].alarms and not seen[-1][0].alarms
 
 
+def test_what_is_applied_together_is_told_once_after_the_last() -> None:
+    store, seen = Store(fleet(2)), list[tuple[FleetState, FleetState]]()
+    store.watchers.append(lambda before, after: seen.append((before, after)))
+    before = store.state
+    with store.together():
+        for n in range(2):
+            store.apply(*commanded(n, PauseRobot(f"robot_{n}")))
+        assert not seen
+    assert seen == [(before, store.state)] and len(store.state.commands) == 2
+    store.apply(*commanded(2, PauseRobot(R0)))
+    assert len(seen) == 2, "later events are told one by one"
+
+
 def test_another_moment_is_put_in_its_place_unwatched() -> None:
     store, seen = Store(fleet()), list[FleetState]()
     store.watchers.append(lambda _before, after: seen.append(after))

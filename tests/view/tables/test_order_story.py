@@ -31,6 +31,6 @@ def test_who_gave_an_order_is_known_as_long_as_it_is_in_the_queue() -> None:
     placed = commanded(7, place_order(R0, 1, 2), Stage.SENT, Stage.ACCEPTED, at=T0 + 1)
     state = reduced(STATE, *placed, queue(T0 + 2, (6, 1, 2, "Q")), tick(T0 + 2.1))
     for n in range(300):
-        state = reduced(state, *commanded(100 + n, PauseRobot(R0), Stage.NOT_SENT))
+        state = reduced(state, *commanded(100 + n, PauseRobot(R0), Stage.NOT_SENT, at=T0 + 3 + n))
     assert len(state.commands) == 200
     assert origin(state, R0, listed(6, 1, 2, "Q"), at).startswith("sent here")
