@@ -67,8 +67,8 @@ class SmallMaps:
         across, down = width // columns, height // rows
         for place, scene in enumerate(self._scenes[: columns * rows]):
             x, y = place % columns * across, place // columns * down
-            # Between two of them is a gap.
-            part = self._cells_of(scene, across - (columns > 1), down)
+            # Between two of them is a gap; at the screen's edge a name would seem to be cut.
+            part = self._cells_of(scene, across - 1, down)
             if part is not None:
                 inside = slice(y, y + part.codes.shape[0]), slice(x, x + part.codes.shape[1])
                 whole.codes[inside], whole.roles[inside] = part.codes, part.roles

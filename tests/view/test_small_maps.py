@@ -45,6 +45,7 @@ def test_a_caption_names_the_floor_and_its_robots_and_nothing_of_elsewhere() -> 
     rows = shown(60, 12, ALONE)
     assert rows[0].startswith("─ floor_0 ── robot_0 ── ")
     assert "robot_9" not in rows[0] and "no map" not in rows[0]
+    assert all(row[-1] == " " for row in rows), "a name at the screen's edge would seem to be cut"
     assert "→1" in "\n".join(rows) and len(rows) == 12 and {len(row) for row in rows} == {60}
     assert shown(60, 12, replace(SCENE, robots=()))[0].startswith("─ floor_0 ── no robot ─")
     assert shown(24, 9, SCENE)[0].startswith("─ floor_0 ── 2 robots ─")

@@ -8,13 +8,17 @@ import numpy as np
 
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.grid import OccupancyGrid
+from fleet_tui.model.occupancy import OCCUPIED
 from fleet_tui.view.map.camera import Area
+from fleet_tui.view.map.places import pixels
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 
 MARGIN = 0.5
 """Metres around the known ground."""
 STEP = 5.0
 """Metres by which a robot outside it extends the area: a fitted view should rarely change."""
+SIZE = 1.0, 1.0
+"""Length and width in metres of a robot that tells none."""
 _FINE = 1024  # cells of a level that are searched at most, per side
 
 
@@ -32,6 +36,26 @@ def worth_seeing(scene: Scene, robots: Iterable[SceneRobot]) -> Area | None:
             right, bottom = max(right, (column // step + 1) * step), max(bottom, (row // step + 1) * step)
             area = left, top, right, bottom
     return area
+
+
+def with_misplaced(scene: Scene, robots: tuple[SceneRobot, ...]) -> tuple[SceneRobot, ...]:
+    """Return the robots, those marked that cannot be where they say: inside a wall, or off the map by more
+    than their size."""
+    if scene.grid is None:
+        return robots
+    walls, frame = scene.grid.levels[0], scene.frame
+    points = np.array([(robot.pose.x, robot.pose.y) for robot in robots], np.float64).reshape(-1, 2)
+    found = list(robots)
+    for n, (column, row) in enumerate(pixels(frame, points).tolist()):
+        if _is_on(frame, column, row):
+            is_misplaced = walls[int(row), int(column)] == OCCUPIED
+        else:
+            margin = max(robots[n].size or SIZE) / frame.resolution
+            away = max(-column, column - frame.width, -row, row - frame.height)
+            is_misplaced = away > margin
+        if is_misplaced:
+            found[n] = robots[n]._replace(misplaced=True)
+    return tuple(found)
 
 
 def _is_on(frame: MapFrame, column: float, row: float) -> bool:

@@ -26,7 +26,7 @@ from fleet_tui.rules.marks import marks_of
 from fleet_tui.rules.routes.order_draft import Drafted
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
-from fleet_tui.view.map.area import worth_seeing
+from fleet_tui.view.map.area import with_misplaced, worth_seeing
 from fleet_tui.view.map.mission import blocked_edges, edge_lines, mission, targets
 from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
 from fleet_tui.view.selection import Selection
@@ -238,7 +238,7 @@ def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None
     return replace(
         scene,
         area=worth_seeing(scene, placed),
-        robots=placed,
+        robots=with_misplaced(scene, placed),
         target_vertices=vertices_of_way,
         picked=vertices_of_way[-1] if drafted is not None and vertices_of_way else "",
         mission=way,

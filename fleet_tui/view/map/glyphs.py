@@ -38,7 +38,7 @@ def robot_tag(robot: SceneRobot, plain: bool, has_age: bool = True) -> str:
         tag += "!"
     if robot.paused:
         tag += "=" if plain else "‖"
-    if robot.jumped:
+    if robot.jumped or robot.misplaced:
         tag += "?"
     if robot.other_map:
         tag += "~" if plain else "≈"
@@ -51,7 +51,7 @@ def robot_tag(robot: SceneRobot, plain: bool, has_age: bool = True) -> str:
 def is_special(robot: SceneRobot) -> bool:
     """Tell whether a robot is the selected one, or in a state that its tag shows."""
     states = robot.obstacle, robot.alarmed, robot.acknowledged, robot.waits, robot.paused, robot.jumped
-    return robot.selected or not robot.online or robot.other_map or any(states)
+    return robot.selected or not robot.online or robot.other_map or robot.misplaced or any(states)
 
 
 def robot_roles(robot: SceneRobot) -> tuple[StyleRole, StyleRole]:

@@ -6,11 +6,12 @@ from dataclasses import replace
 import numpy as np
 
 from fleet_tui.text.language import tr
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.caption import Caption, caption_row
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.layers import MapOptions
-from fleet_tui.view.map.modes.mode import MapMode, ViewMode
+from fleet_tui.view.map.modes.mode import CursorMode, MapMode, ViewMode
 from fleet_tui.view.map.picture import backdrop, picture
 from fleet_tui.view.map.places import seen_robots
 from fleet_tui.view.map.placing.labels import Backdrop
@@ -104,12 +105,19 @@ class MapPicture:
             zoom_robot=self.viewport.zoom_robot,
             focused=focused,
             waits=scene.waits if scene.note else True,
-            banner=self.mode.banner(scene.floor),
+            banner=self._banner(scene, camera),
             hint=self.hint,
             elsewhere=", ".join(filter(None, (_trouble_out_of_view(scene, camera), scene.elsewhere))),
             pixel=self._pixel(scene),
             whole=shows_all(scene, camera),
         )
+
+    def _banner(self, scene: Scene, camera: Camera) -> str:
+        """Return the mode's text, after the name of the place on which a plain cursor stands."""
+        text = self.mode.banner(scene.floor)
+        under = pointed(scene, camera, self.mode.cursor) if isinstance(self.mode, CursorMode) else None
+        name = next((vertex.label for vertex in scene.vertices if vertex.id == under), "")
+        return f"{sanitize(name)}, {text}" if name else text
 
     def _pixel(self, scene: Scene) -> str:
         """Return the map's cell under the mode's cursor, as `map show --part` counts, empty for none."""

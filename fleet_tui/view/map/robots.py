@@ -77,20 +77,22 @@ def _chips(
     chips: Chips = []
     together = _together(seen, TOGETHER if dense else PILED)
     for robot, at in seen:
-        (arrow_role, role), tag = robot_roles(robot), robot_tag(robot, look.plain, has_age=False)
+        arrow_role, role = robot_roles(robot)
         arrow = robot_glyph(robot, scene.frame.origin.yaw, look.plain), arrow_role
-        least = tag, role
+        only: tuple[str, StyleRole] | None = None
         if not is_special(robot) and (others := together.get(at)):
             if others[0] is not robot:
                 continue
-            least = f"{COUNT[look.plain]}{len(others)}", StyleRole.ROBOT
-            texts = iter([_text(least)])
+            only = f"{COUNT[look.plain]}{len(others)}", StyleRole.ROBOT
         elif dense and not is_special(robot):
-            texts = iter([_text((tag, arrow_role))])
-        else:
-            texts = _texts(robot, arrow, look.plain, occupancy.width >= LARGE)
-        near = _placed(occupancy, robot, at, texts, shifts) or _sign(occupancy, at, arrow)
-        chips += near or _placed(occupancy, robot, at, iter([_text(least)]), shifts, far=True)
+            only = robot_number(robot), arrow_role
+        is_large = occupancy.width >= LARGE
+        texts = iter([_text(only)]) if only else _texts(robot, arrow, look.plain, is_large)
+        chip = _placed(occupancy, robot, at, texts, shifts) or _sign(occupancy, at, arrow)
+        if not chip:
+            least = _text(only or (robot_tag(robot, look.plain, has_age=False), role))
+            chip = _placed(occupancy, robot, at, iter([least]), shifts, far=True)
+        chips += chip
     return chips
 
 
@@ -140,7 +142,8 @@ def _texts(robot: SceneRobot, arrow: tuple[str, StyleRole], plain: bool, is_larg
     if not robot.online and (is_large or robot.selected):
         number, age = robot_tag(robot, plain).split(" ", 1)
         yield _text(arrow, (number, role), right=(f" {age}", role))
-    yield _text(arrow, (tag, role))
+    cells = len(arrow[0]) + len(tag)
+    yield ChipSize(cells, cells), [arrow, (tag, role)]  # of most robots: without the sums of `_text`
     yield _text(arrow, (robot_number(robot), role))
     yield _text((robot_number(robot), arrow[1]))
 

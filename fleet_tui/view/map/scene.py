@@ -28,7 +28,8 @@ class SceneRobot(NamedTuple):
     """A robot at its last known pose. number: 1 = first of the config; mark: its number on the map if that is
     another; age: seconds since its last message; size: length and width in metres, None if unknown; alarmed:
     an alarm of it waits for an acknowledgement; acknowledged: it has alarms, and none waits; jumped: its
-    localisation has just moved it; waits: it has stood with an order for long; said: its most urgent alarm.
+    localisation has just moved it; misplaced: its pose is inside a wall or off the map; waits: it has stood
+    with an order for long; said: its most urgent alarm.
 
     A tuple, because a hundred of them are made ten times a second: it takes a third of the time."""
 
@@ -49,6 +50,7 @@ class SceneRobot(NamedTuple):
     jumped: bool = False
     waits: bool = False
     said: str = ""
+    misplaced: bool = False
 
     @property
     def is_odd(self) -> bool:

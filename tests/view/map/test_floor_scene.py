@@ -12,6 +12,7 @@ from fleet_tui.model.graph import Role, RouteGraph, Vertex
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.occupancy import build_grid, grid_from_ros
 from fleet_tui.view.map.floor_scene import JUMP_MARKED, floor_scene, map_owner
+from fleet_tui.view.map.glyphs import robot_tag
 from fleet_tui.view.map.scene import Scene, SceneRobot
 from fleet_tui.view.selection import Selection
 from tests.support.fleets import F0, R0, T0, battery, fleet, graph, labels, pose, queue, reduced, tick
@@ -81,6 +82,24 @@ def test_the_map_stays_when_a_robot_without_map_metadata_is_selected() -> None:
     for robot in (R0, "robot_1"):
         found = scene(state, robot=robot)
         assert found.grid is file and found.frame == FRAME
+
+
+def test_a_robot_inside_a_wall_or_off_the_map_by_more_than_its_size_is_marked() -> None:
+    frame = MapFrame(0.5, 4, 2)
+    grid = grid_from_ros(frame, bytes([0, 100, 0, 255, *bytes(4)]))
+    for x, y, is_misplaced in (
+        (0.2, 0.2, False),
+        (0.7, 0.2, True),
+        (0.7, 0.7, False),
+        (1.7, 0.2, False),
+        (2.5, 0.2, False),
+        (3.2, 0.2, True),
+        (0.2, -1.5, True),
+        (math.nan, 0.2, False),
+    ):
+        state = reduced(fleet(), pose(T0, x, y), events.FloorMapLoaded(F0, grid))
+        assert placed(state, R0).misplaced == is_misplaced, (x, y)
+        assert ("?" in robot_tag(placed(state, R0), plain=True)) == is_misplaced
 
 
 def test_a_map_that_could_not_be_read_says_why() -> None:

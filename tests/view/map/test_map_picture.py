@@ -28,6 +28,15 @@ def test_without_a_scene_or_space_there_is_no_picture() -> None:
     assert picture.cells(0, 30, True) is None and picture.cells(100, CAPTION_ROWS, True) is None
 
 
+def test_a_cursor_on_a_place_says_its_name() -> None:
+    picture = shown()
+    place = SCENE.vertices[0]
+    picture.mode = CursorMode((place.x, place.y))
+    assert f"{place.label}, x {place.x:.1f} y {place.y:.1f} m" in caption(picture)
+    picture.mode = CursorMode((place.x + 3.0, place.y + 3.0))
+    assert place.label not in caption(picture) and f"x {place.x + 3:.1f}" in caption(picture)
+
+
 def test_the_backdrop_is_kept_until_something_in_it_changes() -> None:
     picture = shown()
     kept = picture._backdrop

@@ -13,6 +13,8 @@ from fleet_tui.view.roles import StyleRole
 
 PASSING = 3.0
 """Seconds for which a label below a robot is only left out: that is calmer than one that moves."""
+VACANT = 10.0
+"""Seconds without a robot after which a label goes back to its usual place."""
 
 
 class Label(NamedTuple):
@@ -48,9 +50,10 @@ class LabelPlaces:
     """Places kept from picture to picture, by the first cells of the labels' usual places."""
 
     aside: dict[Place, Place] = field(default_factory=dict)
-    """First cells of the labels that gave way to robots. They stay there until they are covered again."""
-    covered: dict[Place, float] = field(default_factory=dict)
-    """The second since which a robot is over a label."""
+    """First cells of the labels that gave way to robots. They stay there until they are covered again, or
+    their usual place has been free for a while."""
+    since: dict[Place, float] = field(default_factory=dict)
+    """The second since which a robot is over a label, or none over the usual place of one that gave way."""
     begun: bool = False
     """Some picture was drawn with these places."""
 
@@ -61,36 +64,47 @@ def move_aside(
     """Leave out the labels below occupied cells while robots pass, half a name reads as another one; those
     below robots that stay move, in the first picture at once. `now`: its second."""
     for label in sorted(behind.labels, key=lambda label: not label.is_target):
-        usual, size = label.at, cell_width(label.text)
-        at: Place | None = places.aside.get(usual, usual)
-        if at == usual and not occupancy.is_taken(*usual, size):
-            places.covered.pop(usual, None)
-            continue
-        _erase(cells, behind, usual, size)
-        if at is not None and at != usual and occupancy.free(*at, size):
-            places.covered.pop(usual, None)
-            occupancy.take(*at, size)
-        elif places.begun and 0 <= now - places.covered.setdefault(usual, now) < PASSING:
-            at = None
-        else:
-            at = _moved(label, behind, occupancy, places)
-        if at is not None:
-            draw_label(cells, label._replace(at=at))
+        at = _place(label, behind, occupancy, places, now)
+        if at != label.at:
+            _erase(cells, behind, label.at, cell_width(label.text))
+            if at is not None:
+                draw_label(cells, label._replace(at=at))
     places.begun = True
+
+
+def _place(
+    label: Label, behind: Backdrop, occupancy: CellOccupancy, places: LabelPlaces, now: float
+) -> Place | None:
+    """Return and occupy a label's place now, None for none."""
+    usual, size = label.at, cell_width(label.text)
+    at = places.aside.get(usual, usual)
+    is_free = not occupancy.is_taken(*usual, size)
+    stands = is_free if at == usual else occupancy.free(*at, size)
+    if stands and (at == usual or not is_free):
+        places.since.pop(usual, None)
+    else:
+        waited = now - places.since.setdefault(usual, now)
+        if not places.begun or not 0 <= waited < (VACANT if stands else PASSING):
+            return _moved(label, behind, occupancy, places)
+    if stands and at != usual:
+        occupancy.take(*at, size)
+    return at if stands else None
 
 
 def _moved(label: Label, behind: Backdrop, occupancy: CellOccupancy, places: LabelPlaces) -> Place | None:
     """Return and note a label's new place: its usual one, else another at its vertex, if one is free."""
     usual = label.at
-    places.covered.pop(usual, None)
+    places.since.pop(usual, None)
     places.aside.pop(usual, None)
     if not occupancy.is_taken(*usual, cell_width(label.text)):
         return usual
-    # Robots come along the row of their way: above and below it is quieter.
-    at = occupancy.label_spot(*label.vertex, label.text, behind.bare.roles, label.covers_walls, in_row=False)
-    if at is not None:
-        places.aside[usual] = at
-    return at
+    # Robots come along the row of their way: above and below it is quieter; any place rather than walls.
+    for in_row, covers_walls in ((False, False), (True, False), (False, label.covers_walls)):
+        at = occupancy.label_spot(*label.vertex, label.text, behind.bare.roles, covers_walls, in_row)
+        if at is not None:
+            places.aside[usual] = at
+            return at
+    return None
 
 
 def _erase(cells: Cells, behind: Backdrop, at: Place, size: int) -> None:

@@ -132,7 +132,7 @@ class CellOccupancy:
         if self._taken >> bit & around:
             return None
         texts = self._texts >> bit & around
-        if chip.has_text and texts:
+        if texts and chip.has_text:
             return None
         first = row * self.width + start
         hidden = sum(self._hidden[first : first + cells])

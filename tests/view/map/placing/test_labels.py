@@ -11,7 +11,7 @@ from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop, picture
-from fleet_tui.view.map.placing.labels import PASSING
+from fleet_tui.view.map.placing.labels import PASSING, VACANT
 from fleet_tui.view.map.robots import Arrangement
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 
@@ -69,6 +69,8 @@ def test_it_gives_way_to_a_robot_that_stays_and_stays_where_it_is_then() -> None
         *[aside] * places.count(aside),
     ]
     assert place(drawn(-10, before=before, at=20.0)) == aside
+    back = [place(drawn(-10, before=before, at=21.0 + second)) for second in range(round(VACANT))]
+    assert back == [aside] * (len(back) - 1) + [usual] and not before.labels.aside
     assert place(drawn(4)) == aside, "the first picture waits for nobody"
 
 
