@@ -42,9 +42,10 @@ def _paused(state: FleetState, robot: Robot) -> str:
 
 
 def failed_command(state: FleetState, robot: Robot) -> Iterator[Run]:
-    """Return the alarm of a command that failed, if there is one."""
+    """Return the alarms of a command and of an order that failed, as far as there are any."""
+    keys = (robot.name, "command"), (robot.name, "order")
     for alarm in state.alarms:
-        if alarm.key == (robot.name, "command") and alarm.holds and alarm.stage is not AlarmStage.SHELVED:
+        if alarm.key in keys and alarm.holds and alarm.stage is not AlarmStage.SHELVED:
             yield tr(sanitize(alarm.text)), StyleRole.ALARM
 
 
