@@ -39,7 +39,8 @@ class Complaint(Struct, frozen=True):
         )
         if "battery" in self.text.casefold():
             remedy = CLASSES["battery"].action
-        return Reason(self.text, evidence, strength, seen=self.at, keys=("diagnostics",), remedy=remedy)
+        page, keys = "health" if self.source == "diagnostics" else "log", ("diagnostics",)
+        return Reason(self.text, evidence, strength, seen=self.at, keys=keys, remedy=remedy, page=page)
 
 
 def complaints(state: FleetState, robot: Robot, counter: LinkCounter | None) -> list[Complaint]:
