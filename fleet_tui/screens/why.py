@@ -14,7 +14,9 @@ from fleet_tui.backend import Backend
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.localisation.match import Match
-from fleet_tui.rules.why.complaints import complaints
+from fleet_tui.rules.why.complaints import Complaint, complaints
+from fleet_tui.rules.why.reason import Reason
+from fleet_tui.rules.why.why import reasons
 from fleet_tui.screens.robot.overlay import RobotOverlay, robot_bindings
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
@@ -66,6 +68,8 @@ class Why(RobotOverlay):
         self._cut: tuple[str, list[str]] = ("", [])
         """A robot, and the lines on the orders whose ways are cut."""
         self._searched, self._is_searching = ("", 0.0), False
+        self.cause: Reason | None = None
+        """The first reason, while one goes on from here to another screen."""
 
     def compose(self) -> ComposeResult:
         """Compose only text."""
@@ -84,12 +88,22 @@ class Why(RobotOverlay):
         text, robot = self.query_one("#reasons", Static), state.robots[name]
         self._search_ways(state, robot)
         cut = self._cut[1] if self._cut[0] == name else []
-        reported = complaints(state, robot, self._backend.counters.get(robot.link))
-        found = why_lines(state, robot, self._keys, self._match(), cut, reported)
+        found = why_lines(state, robot, self._keys, self._match(), cut, self._complaints(state, robot))
         lines = _wrapped(found, text.size.width)
         if lines != self._shown:
             self._shown = lines
             text.update("\n".join(lines))
+
+    def _complaints(self, state: FleetState, robot: Robot) -> list[Complaint]:
+        return complaints(state, robot, self._backend.counters.get(robot.link))
+
+    async def action_help_it(self, id_: str) -> None:
+        """Run the key's usual action, about the first reason."""
+        state, name = self._looked_at()
+        robot = state.robots[name]
+        self.cause = reasons(state, robot, self._match(), self._complaints(state, robot))[0]
+        await super().action_help_it(id_)
+        self.cause = None
 
     def _search_ways(self, state: FleetState, robot: Robot) -> None:
         """Search the ways of all orders again, if it is time: not on the loop, they may be many."""

@@ -3,6 +3,7 @@
 import msgspec
 import pytest
 
+from fleet_tui.rules.why.reason import Reason
 from fleet_tui.screens.confirm import Confirm
 from fleet_tui.screens.ordering.form import OrderForm
 from fleet_tui.screens.why import Why
@@ -153,3 +154,20 @@ async def test_errors_of_its_own_diagnostics_are_received_while_it_is_open(serve
             await it.shows("drive: ERROR no odometry")
             await it.press("escape")
             await it.until(lambda _: not server.bridge.subscribers("/diagnostics"))
+
+
+async def test_diagnostics_open_where_the_first_cause_is(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2, 2)) as it:
+        it.app.backend.submit(place_order("robot_1", CONSUMIDORES, BASE))
+        await it.until(lambda state: state.robots["robot_1"].orders.current is not None)
+        plant(server, "stuck:robot_1")
+        await it.press("2", "w")
+        await it.shows("1. drive: ERROR wheels turn")
+        await it.shows("2. drive: ERROR no odometry")
+        await it.press("d")
+        await it.shows("Robot log")
+        it.app.main.rest.diagnostics.show("robot_1", Reason("no odometry", "", page="health"))
+        await it.shows("Robot diagnostics")
+        await it.shows("▸✗ ERROR", "diagnostics-rows")
+        marked = next(line for line in it.pane("diagnostics-rows").splitlines() if "▸" in line)
+        assert "robot_1" in marked

@@ -33,10 +33,14 @@ class Complaint(Struct, frozen=True):
     def reason(self) -> Reason:
         """Return it as a reason to stand still."""
         strength = Strength.LIKELY if self.is_error else Strength.POSSIBLE
-        evidence, remedy = f"in the robot's own {self.source}", LOOK if self.is_error else ""
+        evidence, remedy = (
+            f"in the robot's own {self.source}",
+            LOOK if self.is_error and self.source == "diagnostics" else "",
+        )
         if "battery" in self.text.casefold():
             remedy = CLASSES["battery"].action
-        return Reason(self.text, evidence, strength, seen=self.at, keys=("diagnostics",), remedy=remedy)
+        page, keys = "health" if self.source == "diagnostics" else "log", ("diagnostics",)
+        return Reason(self.text, evidence, strength, seen=self.at, keys=keys, remedy=remedy, page=page)
 
 
 def complaints(state: FleetState, robot: Robot, counter: LinkCounter | None) -> list[Complaint]:

@@ -12,6 +12,7 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.commands.follow_up import seen_end
 from fleet_tui.rules.commands.local_queue import waiting
 from fleet_tui.rules.commands.newest import last_command
@@ -37,7 +38,7 @@ def command(state: FleetState, robot: Robot) -> Reason | None:
     evidence = record.detail or f"issued {age(state.now - record.issued_at)} ago"
     strength = Strength.LIKELY if robot.orders.open else Strength.CERTAIN
     keys = (verb,) if failed else ()
-    remedy = {Stage.FAILED: LOOK, Stage.LOST: CHECK_DELIVERY}.get(record.stage, "")
+    remedy = {Stage.FAILED: CLASSES["command"].action, Stage.LOST: CHECK_DELIVERY}.get(record.stage, "")
     if robot.kind.keeps_goals and record.stage is Stage.REFUSED:
         remedy = REJECTED
     return Reason(
@@ -58,7 +59,7 @@ def failed_order(state: FleetState, robot: Robot) -> Reason | None:
     if seen_end(state, robot.name, last) not in (Stage.FAILED, Stage.LOST):
         return None
     evidence = f"{mission(robot, last.order)}{detail_text(last.reason)}"
-    name, remedy = "last order failed", LOOK
+    name, remedy = "last order failed", CLASSES["command"].action
     if last.stage is Stage.LOST:
         name, remedy = "last order lost", CHECK_DELIVERY
     return Reason(name, evidence, since=last.at, keys=("order",), remedy=remedy)

@@ -30,7 +30,7 @@ class Strength(IntEnum):
 class Reason(Struct, frozen=True):
     """`name` is the reason, `evidence` the reports that show it. Monotonic seconds, None if unknown: `since`
     it holds, `seen` when it was last reported. `keys` are the ids of the keys that help; `remedy` is
-    what a person can do on site."""
+    what a person can do on site, `page` the page of diagnostics that shows more, empty for the link's."""
 
     name: str
     evidence: str
@@ -39,6 +39,7 @@ class Reason(Struct, frozen=True):
     seen: float | None = None
     keys: tuple[str, ...] = ()
     remedy: str = ""
+    page: str = ""
 
 
 Rule = Callable[[FleetState, Robot], Reason | None]

@@ -74,9 +74,11 @@ def silent_robot(state: FleetState, robot: Robot) -> Reason | None:
     if robot.last_received is None:
         what = "message" if robot.connection is None else "state"
         evidence = f"link up, no {what} received"
-        return Reason(offline_text(state, robot), evidence, strength, keys=DIAGNOSE, remedy=remedy)
+        return Reason(
+            offline_text(state, robot), evidence, strength, keys=DIAGNOSE, remedy=remedy, page="topics"
+        )
     name, since = f"offline {age(state.now - robot.last_received)}", robot.last_received
-    return Reason(name, "link up, no messages", strength, since, keys=DIAGNOSE, remedy=remedy)
+    return Reason(name, "link up, no messages", strength, since, keys=DIAGNOSE, remedy=remedy, page="topics")
 
 
 def paused(state: FleetState, robot: Robot) -> Reason | None:
@@ -134,13 +136,13 @@ def stale_pose(state: FleetState, robot: Robot) -> Reason | None:
     if robot.pose is None:
         topic = robot.kind.pose_topic.replace("{robot}", robot.name)
         evidence = f"other reports received, no pose{topic and f' on {topic}'}: position unknown"
-        return Reason("no pose", evidence, keys=DIAGNOSE, remedy=NO_POSE)
+        return Reason("no pose", evidence, keys=DIAGNOSE, remedy=NO_POSE, page="topics")
     name, clock = f"pose {age(state.now - robot.pose.at)} old", robot.clock
     silence = robot.kind.silence_of("pose", state.limits.offline_after) + state.behind
     if clock is not None and state.now - clock.at <= silence:
         return Reason(name, "poses arrive late: their time stamps lag", seen=robot.pose.at)
     evidence = "other reports arrive: the robot may have moved since"
-    return Reason(name, evidence, since=robot.pose.at, keys=DIAGNOSE, remedy=NO_POSE)
+    return Reason(name, evidence, since=robot.pose.at, keys=DIAGNOSE, remedy=NO_POSE, page="topics")
 
 
 def jumps(state: FleetState, robot: Robot) -> Reason | None:

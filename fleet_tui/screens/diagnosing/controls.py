@@ -23,15 +23,20 @@ class DiagnosticsControls:
         self._came_from_topics = False
         self._robot = ""
 
-    def begin(self, robot: str) -> None:
-        """Show the page that was open last; a topic of `robot` is marked if another one was looked at."""
+    def begin(self, robot: str, page: Page | None = None) -> None:
+        """Show a page, by default the one that was open last; a topic of `robot` is marked if another one was
+        looked at, on a given page its worst part, too."""
+        self._pages.robot = robot
         if robot != self._robot:
             self._robot, self._pages.topic = robot, self._pages.first_topic(robot)
             self._cursors[Page.TOPICS] = self._pages.topic
             if self.current is Page.TOPICS:
                 self._view.rows.listing.cursor = self._pages.topic
         self._pages.begin_log(robot)
-        self.page(self.current)
+        self.page(self.current if page is None else page)
+        if page is Page.HEALTH:
+            self._view.rows.listing.cursor = self._pages.first_part(robot)
+            self._view.look()
 
     def page(self, number: int) -> None:
         """Show a page, with its last cursor position."""

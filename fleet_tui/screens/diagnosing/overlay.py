@@ -9,6 +9,7 @@ from textual.timer import Timer
 from textual.widgets import Input
 
 from fleet_tui.keys import DIAGNOSTICS, PAGES, Pane, by_id
+from fleet_tui.rules.why.reason import Reason
 from fleet_tui.screens.diagnosing.controls import DiagnosticsControls
 from fleet_tui.screens.diagnosing.pages import BESIDE, FILTERED, Page, Pages
 from fleet_tui.screens.tables.paged_overlay import PagedOverlay
@@ -40,10 +41,11 @@ class Diagnostics(PagedOverlay):
         text = tr("filter text; Enter keeps it, Esc clears it")
         super().__init__("diagnostics", self._controls.choose, text)
 
-    def show(self, robot: str) -> None:
-        """Open, first on the link page; `robot` is the one whose topic is marked first."""
+    def show(self, robot: str, cause: Reason | None = None) -> None:
+        """Open, first on the link page; `robot` is the one whose topic is marked first. For a `cause` open
+        the page that shows more of it."""
         self.open(self.rows)
-        self._controls.begin(robot)
+        self._controls.begin(robot, None if cause is None else Page[(cause.page or "link").upper()])
         self._tick()
         if self._timer is None:
             self._timer = self.set_interval(EVERY, self._tick)

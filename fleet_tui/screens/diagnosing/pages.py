@@ -1,5 +1,6 @@
 """Pages of the diagnostics screen, live or frozen."""
 
+import re
 import threading
 import time
 from collections.abc import Callable, Hashable
@@ -47,9 +48,9 @@ FILTERED = (Page.TOPICS, Page.LOG, Page.HEALTH, Page.CONSOLE)
 
 
 class Pages:
-    """`topic` is the link and the topic of the messages, `least` the minimum level of the robots' log,
-    `wanted` the filter text of a page, `opened` and `opened_lines` the parts and log lines that are shown
-    whole, `width` the cells of a row."""
+    """`topic` is the link and the topic of the messages, `robot` the selected robot, `least` the minimum
+    level of the robots' log, `wanted` the filter text of a page, `opened` and `opened_lines` the parts and
+    log lines that are shown whole, `width` the cells of a row."""
 
     def __init__(
         self,
@@ -59,6 +60,7 @@ class Pages:
     ) -> None:
         self._state, self._backend, self._clock = state, backend, clock
         self.topic: tuple[str, str] | None = None
+        self.robot = ""
         self.shows_bad = False
         self.least = Severity.INFO
         self.wanted: dict[Page, str] = {}
@@ -81,6 +83,12 @@ class Pages:
         found = [(link.name, one) for link, counter in self.links() for one in counter.topics.values()]
         return next(((link, one.topic) for link, one in found if one.robot == robot), None)
 
+    def first_part(self, robot: str) -> Hashable:
+        """Return the row of the worst part of a robot's own diagnostics, None without one."""
+        name = re.compile(rf"(?<!\w){re.escape(robot)}(?!\w)")
+        keys = health_table(self.links(), (), "", self._state().now).keys
+        return next((key for key in keys if isinstance(key, tuple) and name.search(key[1])), None)
+
     def begin_log(self, robot: str) -> None:
         """Filter the log by a robot of several if that is in trouble, unless there is a filter."""
         state = self._state()
@@ -102,7 +110,7 @@ class Pages:
             case Page.LINK:
                 return link_table(links, state.now)
             case Page.TOPICS:
-                return topic_table(state, links, wanted, state.now)
+                return topic_table(state, links, wanted, state.now, self.robot)
             case Page.RAW:
                 return self._raw_table(state)
             case Page.LOG:

@@ -13,9 +13,9 @@ from fleet_tui.view.tables.table import Run, width_of
 COUNTED = {
     Activity.BLOCKED: StyleRole.WARN,  # red is an alarm: most contacts pass
     Activity.PAUSED: StyleRole.WARN,
+    Activity.WAITING: StyleRole.DIM,
     Activity.DRIVING: StyleRole.DIM,
     Activity.LOADING: StyleRole.DIM,
-    Activity.WAITING: StyleRole.DIM,
     Activity.IDLE: StyleRole.DIM,
     Activity.CHARGING: StyleRole.DIM,
 }

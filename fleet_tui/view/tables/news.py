@@ -42,9 +42,10 @@ def _paused(state: FleetState, robot: Robot) -> str:
 
 
 def failed_command(state: FleetState, robot: Robot) -> Iterator[Run]:
-    """Return the alarm of a command that failed, if there is one."""
+    """Return the alarms of a command and of an order that failed, as far as there are any."""
+    keys = (robot.name, "command"), (robot.name, "order")
     for alarm in state.alarms:
-        if alarm.key == (robot.name, "command") and alarm.holds and alarm.stage is not AlarmStage.SHELVED:
+        if alarm.key in keys and alarm.holds and alarm.stage is not AlarmStage.SHELVED:
             yield tr(sanitize(alarm.text)), StyleRole.ALARM
 
 
@@ -54,6 +55,15 @@ def is_late(state: FleetState, robot: Robot) -> bool:
     return is_behind and robot.name not in in_trouble(state)
 
 
+def _late(state: FleetState, robot: Robot, received: float) -> str:
+    """Return the age of what is known of a robot behind a late bridge: that of its pose, as on the map, if
+    something newer came since."""
+    if robot.pose is not None and received - robot.pose.at >= 1.0:
+        name = "pose"
+        return tr(f"{tr(name)} {age(state.now - robot.pose.at)} old")
+    return tr(f"silent {age(state.now - received)}")
+
+
 def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     """Return the news of a robot, the most urgent first."""
     online = state.is_online(robot)
@@ -61,7 +71,7 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
         role = StyleRole.ALARM if robot.name in in_trouble(state) else StyleRole.DIM
         yield tr(offline_text(state, robot)), role
     elif not online and is_late(state, robot):
-        yield tr(f"silent {age(state.now - robot.last_received)}"), StyleRole.WARN
+        yield _late(state, robot, robot.last_received), StyleRole.WARN
     elif not online:
         yield tr(offline_text(state, robot)), StyleRole.ALARM
     contact = robot.obstacle if state.was_obstructed(robot) else None

@@ -1,8 +1,10 @@
 """The fleet pane says a word exactly while it is true."""
 
 import pytest
+from msgspec.structs import replace
 
 from fleet_tui.model import events
+from fleet_tui.model.alarm import Alarm, Condition, Priority
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.desk import events as desk_events
 from fleet_tui.model.fleet import FleetState
@@ -369,4 +371,12 @@ def test_jumps_of_a_pose_are_no_movement() -> None:
     first = table.rows[0]
     assert first.key == R0 and "pose jumps" in text_of(first.runs) and "moving" not in text_of(first.runs)
     assert first.runs[0] == ("● ", StyleRole.WARN)
-    assert "1 driving, 1 waiting" in text_of(table.title)
+    assert "1 waiting, 1 driving" in text_of(table.title)
+
+
+def test_a_robot_whose_order_failed_is_not_called_idle() -> None:
+    text = "order 1 -> 2 failed (a stop was missed)"
+    alarm = Alarm(Condition(R0, "order", Priority.MEDIUM, text, text), 0.0, 0.0, T0)
+    state = replace(received(), alarms=(alarm,))
+    assert "order 1 -> 2 failed" in row(state) and "idle" not in row(state)
+    assert role_of(state, "failed") is StyleRole.ALARM

@@ -81,3 +81,7 @@ def test_a_robot_behind_a_late_bridge_is_silent_and_not_offline() -> None:
     link = replace(state.links[LINK], late=9.0)
     assert found(replace(state, links={LINK: link}, alarms=())) == [("silent 59 s", StyleRole.WARN)]
     assert ("offline 59 s", StyleRole.ALARM) in found(replace(state, links={LINK: link})), "it has an alarm"
+    newer = replace(state.robots[R0], last_received=T0 + 18)
+    assert found(replace(state, links={LINK: link}, alarms=(), robots={R0: newer})) == [
+        ("pose 59 s old", StyleRole.WARN)
+    ]

@@ -55,7 +55,7 @@ def link_table(links: Links, now: float) -> Table:
 
 def _fields(link: LinkState, counter: LinkCounter, now: float) -> Iterator[tuple[str, tuple[Run, ...]]]:
     yield "state", (_state(link, now),)
-    yield "commands", (_commands(link),)
+    yield "commands", (_commands(link, counter.round_trips.at, now),)
     yield "round trip", tuple(_round_trip(counter, now))
     took = counter.round_trips.took
     if len(took) > 1:
@@ -103,7 +103,10 @@ def _state(link: LinkState, now: float) -> Run:
     return f"○ no link for {lasted}{why}, {trying}", StyleRole.ALARM
 
 
-def _commands(link: LinkState) -> Run:
+def _commands(link: LinkState, replied_at: float | None, now: float) -> Run:
+    """Return whether commands get through: not without a reply to the heartbeats for a while."""
+    if link.command_path is CommandPath.ALIVE and replied_at is not None and now - replied_at > LATE:
+        return f"▲ replies late {age(now - replied_at)}", StyleRole.WARN
     match link.command_path:
         case CommandPath.ALIVE:
             return "● ok", StyleRole.GOOD

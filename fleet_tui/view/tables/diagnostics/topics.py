@@ -44,9 +44,11 @@ def topic_state(link: LinkState, topic: TopicCounter, now: float, silent_after: 
     )
 
 
-def entries(state: FleetState, links: Links, wanted: str) -> list[Entry]:
-    """Return the topics that contain `wanted`, robot by robot in the order of the config, then the others."""
-    places: Mapping[str, int] = {robot: n for n, robot in enumerate(state.robots)}
+def entries(state: FleetState, links: Links, wanted: str, selected: str = "") -> list[Entry]:
+    """Return the topics that contain `wanted`, those of the selected robot, then robot by robot in the order
+    of the config, then the others."""
+    first = {name: -1 for name in state.robots if name == selected}
+    places: Mapping[str, int] = {robot: n for n, robot in enumerate(state.robots)} | first
     found = [
         (link, topic)
         for link, counter in links
@@ -56,11 +58,12 @@ def entries(state: FleetState, links: Links, wanted: str) -> list[Entry]:
     return sorted(found, key=lambda one: places.get(one[1].robot, len(places)))
 
 
-def topic_table(state: FleetState, links: Links, wanted: str, now: float) -> Table:
-    """Return a row for each, those with problems first; its key is link and topic."""
+def topic_table(state: FleetState, links: Links, wanted: str, now: float, selected: str = "") -> Table:
+    """Return a row for each, those with problems first, then those of the selected robot; its key is link and
+    topic."""
     looked = [
         (topic_state(link, topic, now, _silent_after(state, topic)), (link, topic))
-        for link, topic in entries(state, links, wanted)
+        for link, topic in entries(state, links, wanted, selected)
     ]
     looked.sort(key=lambda one: _FIRST.get(one[0][1], len(_FIRST)))
     states, found = [one for one, _ in looked], [entry for _, entry in looked]

@@ -1,8 +1,10 @@
 """Links on the diagnostics screen: their state, round trips, rates and losses."""
 
+from fleet_tui.model.events import CommandPathChanged
+from fleet_tui.model.link import CommandPath
 from fleet_tui.view.tables.diagnostics.links import link_table
 from tests.support.diagnostics import NOW, POSE, counter, row, seen, text
-from tests.support.fleets import T0, fleet, link_lost, link_up, reduced
+from tests.support.fleets import LINK, T0, fleet, link_lost, link_up, reduced
 
 
 def test_a_link_that_is_well() -> None:
@@ -56,3 +58,12 @@ def test_how_many_robots_have_which_rate_if_they_differ() -> None:
     assert not any(" Hz" in line for line in text(link_table(seen(link)[1], NOW)))
     link.topics[POSE].asked_ms = 100
     assert "poses: 1 at 10 Hz, 1 at 1 Hz" in row(link_table(seen(link)[1], NOW), "rates")
+
+
+def test_commands_are_not_well_while_the_reply_to_a_heartbeat_is_overdue() -> None:
+    link = counter()
+    link.round_trips.take(0.001, NOW - 1.0)
+    state = reduced(fleet(2), link_up(T0), CommandPathChanged(LINK, CommandPath.ALIVE, "", True))
+    assert "● ok" in row(link_table(seen(link, state)[1], NOW), "commands")
+    link.round_trips.take(0.001, NOW - 40.0)
+    assert "▲ replies late 40 s" in row(link_table(seen(link, state)[1], NOW), "commands")

@@ -99,3 +99,9 @@ def test_the_rate_that_was_requested_is_beside_that_of_the_messages() -> None:
     table = topic_table(state, links, "", NOW)
     assert row(table, POSE).split()[3:7] == ["10.0", "Hz", "10.0", "Hz"]
     assert "Hz" not in row(table, BATTERY)
+
+
+def test_the_topics_of_the_selected_robot_come_first() -> None:
+    state, links = seen(counter())
+    keys = topic_table(state, links, "pose", NOW, "robot_1").keys
+    assert [key[1] for key in keys if isinstance(key, tuple)] == ["/robot_1/pose", POSE]
