@@ -38,18 +38,15 @@ class MapControls:
             mode.move(self._picture.viewport, scene, dx * times, dy * times)
             self.enter(mode)
 
-    def zoom_in(self) -> None:
-        """Zoom in, about the robot or the centre."""
-        self._zoom(ZOOM_STEP)
-
-    def zoom_out(self) -> None:
-        """Zoom out."""
-        self._zoom(1 / ZOOM_STEP)
-
-    def _zoom(self, factor: float) -> None:
+    def zoom_in(self, factor: float = ZOOM_STEP) -> None:
+        """Zoom in, with a factor below 1 out, about the robot or the centre."""
         if self._picture.scene is not None:
             self._picture.viewport.zoom(self._picture.scene, factor)
             self._view.draw()
+
+    def zoom_out(self) -> None:
+        """Zoom out."""
+        self.zoom_in(1 / ZOOM_STEP)
 
     def fit(self) -> None:
         """Show the whole floor."""
