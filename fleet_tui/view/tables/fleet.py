@@ -4,7 +4,6 @@ import math
 import re
 from collections.abc import Collection, Mapping
 from functools import partial
-from operator import attrgetter
 
 from fleet_tui.model.fleet import FleetState, is_missing, missing_text
 from fleet_tui.model.order import natural
@@ -30,7 +29,6 @@ from fleet_tui.view.tables.table import LateRows, Row, Run, Table, width_of
 
 CARGO, IDLE, CHARGING = "▪", "idle", "charging"
 CALM = (IDLE, CHARGING)
-_name = attrgetter("name")
 STILL_FROM, STILL_INSTEAD = 5.0, 15.0
 """Seconds from which a robot stands still, and from which that is told in place of its order."""
 WHOLE_ROUTES = 26
@@ -194,7 +192,7 @@ def _order_text(state: FleetState, robot: Robot) -> str:
 
 def _values(state: FleetState) -> tuple[Value[Robot], ...]:
     return (
-        Value("robot", _name, lambda robot: natural(robot.name)),
+        Value("robot", lambda robot: robot.name, lambda robot: natural(robot.name)),
         Value("floor", partial(floor_text, state), lambda robot: natural(floor_text(state, robot))),
         Value("battery", lambda robot: battery_run(state, robot)[0].strip(), _battery_order, is_apart=True),
         Value("order", partial(_order_text, state), lambda robot: not robot.orders.current),
@@ -230,7 +228,8 @@ def fleet_table(
     silenced, seen = shelved(state), acknowledged(state)
     troubled = {name: place for place, name in enumerate(by_urgency(state))}
     calm = partial(_calm, state, troubled, silenced)
-    robots = arrangement.arranged(state.robots.values(), _values(state), _name, state.now, calm)
+    everyone, name = state.robots.values(), lambda one: one.name
+    robots = arrangement.arranged(everyone, _values(state), name, state.now, calm)
     columns, groups = Columns.of(state, width), arrangement.groups
     entries = groups.grouped(state, robots, selected, opens=bool(arrangement.typed))
 
