@@ -7,7 +7,7 @@ from fleet_tui.model.fleet import FleetState, is_missing
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.newest import own_pause
-from fleet_tui.rules.localisation.jumps import recent_jumps
+from fleet_tui.rules.localisation.jumps import is_lost
 
 LONG_STILL = 30.0
 """Seconds of standing with an order that are worth a look: longer than loading takes."""
@@ -24,8 +24,8 @@ def may_need_person(state: FleetState, robot: Robot) -> bool:
     a pose that jumps."""
     by_hand = robot.vehicle is not None and not robot.vehicle.value.takes_orders
     by_hand = by_hand and state.is_fresh(robot, "vehicle")
-    is_lost = state.is_fresh(robot, "pose") and bool(recent_jumps(robot, state.now))
-    return waits(state, robot) or by_hand or is_lost
+    jumps = state.is_fresh(robot, "pose") and is_lost(robot, state.now)
+    return waits(state, robot) or by_hand or jumps
 
 
 def in_trouble(state: FleetState) -> frozenset[str]:

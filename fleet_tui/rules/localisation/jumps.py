@@ -1,6 +1,7 @@
 """Jumps of a pose that no drive explains: localisation found the robot elsewhere."""
 
 import math
+from itertools import pairwise
 
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.robot import Reading, Robot
@@ -10,6 +11,8 @@ JUMP, JUMP_TURN = 0.5, math.radians(30.0)
 """Metres and radians beyond what speed explains."""
 FASTEST, FASTEST_TURN = 3.0, math.radians(180.0)
 """Metres and radians a second that no robot here exceeds."""
+APART, STEPS = 0.35, 4
+"""Seconds from which two jumps are apart, and jumps in a row, each for itself, from which they are steps."""
 JUMPS = 2
 """This many jumps within JUMPS_WITHIN seconds are more than corrections."""
 
@@ -19,6 +22,14 @@ def recent_jumps(robot: Robot, now: float) -> tuple[Reading[float], ...]:
     its pose then means nothing, and is no movement. `now` is monotonic."""
     recent = tuple(jump for jump in robot.jumps if now - jump.at < JUMPS_WITHIN)
     return recent if len(recent) >= JUMPS else ()
+
+
+def is_lost(robot: Robot, now: float) -> bool:
+    """Tell whether a robot's pose jumps now and then, and so is no movement. Where every pose is a step no
+    robot makes, it drives in a simulator's faster time."""
+    times = [jump.at for jump in recent_jumps(robot, now)]
+    gaps = [later - earlier >= APART for earlier, later in pairwise(times)]
+    return sum(gaps) >= JUMPS - 1 and sum(gaps) * STEPS > len(gaps)
 
 
 def pose_jump(before: Pose, after: Pose, seconds: float) -> str:

@@ -11,7 +11,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.trouble import acknowledged, by_urgency, may_need_person, shelved, waits
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.history.activity import MOVES_WITHIN
-from fleet_tui.rules.localisation.jumps import recent_jumps
+from fleet_tui.rules.localisation.jumps import is_lost
 from fleet_tui.rules.why.robot import charges
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
@@ -96,7 +96,7 @@ def _seen(state: FleetState, robot: Robot) -> str:
 
 def _movement(state: FleetState, robot: Robot) -> str:
     """Return whether a robot with an order moves, empty if nothing fresh tells."""
-    if robot.standing is None or not state.is_fresh(robot, "pose") or recent_jumps(robot, state.now):
+    if robot.standing is None or not state.is_fresh(robot, "pose") or is_lost(robot, state.now):
         return ""
     return tr(f"still {age(robot.still_for)}") if robot.still_for >= STILL_FROM else tr("moving")
 

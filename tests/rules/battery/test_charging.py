@@ -47,4 +47,4 @@ def test_a_battery_still_low_after_long_charging_is_an_alarm() -> None:
 def test_the_row_of_a_charging_robot_is_calm() -> None:
     calm, troubled = (fleet_table(standing(x), R0, 60).rows[0].runs for x in (0.0, 5.0))
     assert "charging" in text_of(calm) and StyleRole.ALARM not in {role for _, role in calm}
-    assert "idle" in text_of(troubled) and (" 12 %", StyleRole.ALARM) in troubled
+    assert "idle" in text_of(troubled) and (" 12 %", StyleRole.WARN) in troubled
