@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 
 from fleet_tui.model.alarm import Alarm, AlarmStage
+from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState, is_missing
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
@@ -95,7 +96,9 @@ def next_in_trouble(state: FleetState, after: str, marked: object = None) -> str
 def _is_odd(state: FleetState, robot: Robot) -> bool:
     is_held = state.is_paused(robot) and own_pause(state, robot) is None
     is_held = is_held or state.is_obstructed(robot) or is_missing(state, robot, "pose")
-    return is_held or may_need_person(state, robot)
+    # Where its load is somebody has to see.
+    has_lost = robot.orders.current is None and any(one.stage is Stage.LOST for one in robot.gone)
+    return is_held or has_lost or may_need_person(state, robot)
 
 
 def _whose(alarm: Alarm) -> list[str]:

@@ -100,4 +100,5 @@ def _turn(facts: Caption) -> list[Piece]:
 def _bar(facts: Caption) -> str:
     metres, cells = scale_bar(facts.camera, facts.frame, _BAR)
     left, line, right = "|-|" if facts.drawing is Drawing.ASCII else "├─┤"
-    return f"{metres} {left}{line * (cells - 2)}{right}" if cells > 2 else metres
+    # Its ends are in the middle of their cells.
+    return f"{metres} {left}{line * (cells - 1)}{right}" if cells > 1 else metres

@@ -1,8 +1,13 @@
 """Robots in trouble: with an alarm that still counts, wherever they are."""
 
+from msgspec.structs import replace
+
+from fleet_tui.model.commands import Stage
 from fleet_tui.model.desk.events import AlarmAcknowledged, AlarmShelved
 from fleet_tui.model.events import Event, PausedReported
-from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.fleet import FleetState, with_robot
+from fleet_tui.model.order import Order
+from fleet_tui.model.order_life import GoneOrder
 from fleet_tui.rules.alarms.trouble import (
     LONG_STILL,
     acknowledged,
@@ -160,3 +165,14 @@ def test_a_pause_from_elsewhere_is_unexpected() -> None:
     state = reduced(fleet(2), link_up(T0), pose(T0), pose(T0, robot="robot_1"), tick(T0))
     assert next_in_trouble(state, R0) == ""
     assert next_in_trouble(reduced(state, PausedReported("robot_1", T0, True)), R0) == "robot_1"
+
+
+def test_a_robot_that_has_just_lost_its_order_is_found_until_it_drives_another() -> None:
+    state = low()
+    assert next_in_trouble(state, R0) == ""
+    lost = GoneOrder(Order("7", (), None, "", 1), T0, Stage.LOST, "not listed any more")
+    robot = replace(state.robots["robot_1"], gone=(lost,))
+    assert next_in_trouble(with_robot(state, robot), R0) == "robot_1"
+    assert (
+        next_in_trouble(with_robot(state, replace(robot, gone=(replace(lost, stage=Stage.DONE),))), R0) == ""
+    )

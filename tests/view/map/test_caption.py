@@ -1,8 +1,10 @@
 """The map's first row: what is most important stands first, and a note is never left out."""
 
 import math
+import re
 from dataclasses import replace
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -38,6 +40,21 @@ def test_it_tells_the_floor_the_scale_and_what_is_switched_on() -> None:
     for words in (" hall ", " m ├", "follow on", "zoom robot"):
         assert words in text
     assert not [words for words in ("follow", "zoom") if words in row()]
+
+
+@pytest.mark.parametrize("width", [37, 60, 100, 140])
+def test_the_ends_of_the_scale_bar_are_as_far_apart_as_it_says(width: int) -> None:
+    for drawing, ends in ((Drawing.BRAILLE, "├┤"), (Drawing.ASCII, "||")):
+        text = row(width, drawing=drawing)
+        (metres,) = re.findall(rf"(\d+) m [{ends[0]}]", text)
+        cell = 400 * 0.05 / _columns(width)
+        assert abs((text.rindex(ends[1]) - text.index(ends[0])) * cell - int(metres)) <= cell / 2
+
+
+def _columns(width: int) -> float:
+    """Return the cells that a map of 20 m takes, fitted in so many."""
+    camera = Camera.fit((400, 200), width, 20)
+    return 400 / (2 * camera.scale)
 
 
 def test_it_tells_why_a_view_that_follows_does_not_move() -> None:
