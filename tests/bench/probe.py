@@ -71,8 +71,7 @@ def stock() -> None:
 
 
 def keys() -> None:
-    before(MapControls, "zoom_in", "handler")
-    before(MapControls, "zoom_out", "handler")
+    before(MapControls, "zoom_in", "handler")  # to zoom out is to zoom in by less than one
     writes()
 
 
