@@ -31,6 +31,7 @@ LOG = logging.getLogger(__name__)
 
 # request_id is an int32 on the wire: each console and each run starts anywhere in its lower half.
 ID_SPAN = 2**30
+FAILED = "internal error: see the log file"
 HANDOVER = 0.005
 """Maximum seconds to wait for the network thread to take a request."""
 
@@ -98,8 +99,10 @@ class FleetLink:
                     # The time that its own request takes makes no command too old.
                     self._submit_now(command_id, command, at + time.monotonic() - began)
                 except Exception:
-                    # One that fails must not keep the others from their robots.
+                    # One that fails must not keep the others from their robots. It may have left.
                     LOG.exception("command %d", command_id)
+                    for stage in (Stage.SENT, Stage.UNKNOWN):
+                        self._writer.apply(CommandAdvanced(command_id, stage, time.monotonic(), FAILED))
 
     def _submit_now(self, command_id: int, command: Command, given_at: float) -> None:
         if reason := self._refusal(right_for(command)):

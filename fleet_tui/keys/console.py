@@ -123,7 +123,7 @@ CONSOLE: tuple[Key[Actions], ...] = (
         "next_trouble",
         ("!",),
         lambda do: do.view.next_trouble(),
-        "Go to the next robot with an alarm, whatever its floor",
+        "Go to the next robot in trouble, those with an alarm first, whatever its floor",
         hint="alarm",
         eager="selects",
         helps="stays",

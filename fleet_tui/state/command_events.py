@@ -65,8 +65,7 @@ def _after_step(state: FleetState, record: CommandRecord) -> FleetState:
         case PauseRobot():
             # Until it is seen to stop, its place is that of the next pose: of many robots the last one may be
             # from metres before.
-            stands = record.stage is Stage.CONFIRMED and robot.pose is not None
-            at = robot.pose.value if stands and robot.pose else None
+            at = robot.pose.value if robot.pose and record.stage is Stage.CONFIRMED else None
             return with_robot(state, replace(robot, paused_by_us=True, paused_at=at))
         case ResumeRobot():
             released = replace(robot, paused_by_us=False, paused_at=None, held="", released_at=state.now)

@@ -9,12 +9,13 @@ class Pace:
 
     def __init__(self, every: float) -> None:
         self._every, self._at = every, -math.inf
-        self._key: object = None
+        self.key: object = None
+        """What it was made for last."""
 
     def is_due(self, key: object = None) -> bool:
         """Tell whether it is to be made now."""
         now = monotonic()
-        if key == self._key and now < self._at + self._every:
+        if key == self.key and now < self._at + self._every:
             return False
-        self._key, self._at = key, now
+        self.key, self._at = key, now
         return True

@@ -87,10 +87,12 @@ async def test_a_request_to_many_robots_is_one_and_told_before_the_first_is_sent
 async def test_one_that_fails_keeps_no_other_from_its_robot(server: RosbridgeServer) -> None:
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(ready)
-        _, known = link.submit_all([PauseRobot("nobody"), PauseRobot("robot_0")])
-        await store.until(
+        failed, known = link.submit_all([PauseRobot("nobody"), PauseRobot("robot_0")])
+        state = await store.until(
             lambda state: any(one.id == known and one.stage is Stage.CONFIRMED for one in state.commands)
         )
+        (record,) = (one for one in state.commands if one.id == failed)
+        assert (record.stage, record.detail) == (Stage.UNKNOWN, "internal error: see the log file")
 
 
 async def test_telemetry_alive_and_commands_dead_is_a_state_of_its_own(server: RosbridgeServer) -> None:

@@ -8,7 +8,7 @@ from fleet_tui.model.fleet import FleetState, is_missing
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.newest import own_pause
-from fleet_tui.rules.localisation.jumps import is_lost
+from fleet_tui.rules.localisation.jumps import is_jumping
 
 LONG_STILL = 30.0
 """Seconds of standing with an order that are worth a look: longer than loading takes."""
@@ -25,7 +25,7 @@ def may_need_person(state: FleetState, robot: Robot) -> bool:
     a pose that jumps."""
     by_hand = robot.vehicle is not None and not robot.vehicle.value.takes_orders
     by_hand = by_hand and state.is_fresh(robot, "vehicle")
-    jumps = state.is_fresh(robot, "pose") and is_lost(robot, state.now)
+    jumps = state.is_fresh(robot, "pose") and is_jumping(robot, state.now)
     return waits(state, robot) or by_hand or jumps
 
 

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Set
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.localisation.jumps import is_lost
+from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.why.orders import at_stop
 from fleet_tui.rules.why.robot import charges
 
@@ -39,7 +39,7 @@ def _activity(state: FleetState, robot: Robot, blocked: Set[str]) -> Activity:
     if robot.name in blocked or state.is_obstructed(robot):
         return Activity.BLOCKED
     drives = robot.standing is not None and robot.still_for < MOVES_WITHIN
-    if drives and state.is_fresh(robot, "pose") and not is_lost(robot, state.now):
+    if drives and state.is_fresh(robot, "pose") and not is_jumping(robot, state.now):
         return Activity.DRIVING
     if robot.orders.open:
         return Activity.LOADING if at_stop(state, robot) else Activity.WAITING

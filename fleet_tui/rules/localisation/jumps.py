@@ -24,7 +24,7 @@ def recent_jumps(robot: Robot, now: float) -> tuple[Reading[float], ...]:
     return recent if len(recent) >= JUMPS else ()
 
 
-def is_lost(robot: Robot, now: float) -> bool:
+def is_jumping(robot: Robot, now: float) -> bool:
     """Tell whether a robot's pose jumps now and then, and so is no movement. Where every pose is a step no
     robot makes, it drives in a simulator's faster time."""
     times = [jump.at for jump in recent_jumps(robot, now)]

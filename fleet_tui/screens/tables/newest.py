@@ -26,7 +26,6 @@ class NewestRows:
         self._fleet_pace, self._crowd_pace = Pace(0.2), Pace(0.5)
         self._floor_pace = Pace(0.2)
         self._fleet: Table | None = None
-        self._arranged: object = None
         self._has_floor = False
 
     def is_floor_due(self) -> bool:
@@ -46,8 +45,7 @@ class NewestRows:
         pace = self._fleet_pace if len(screen.store.state.robots) < CROWD else self._crowd_pace
         asked = screen.navigation.robot, pane.size, arranged, screen.store.state.alarms
         has_floor, self._has_floor = self._has_floor, False
-        if asked != self._arranged or (not has_floor and pace.is_due()):
-            self._arranged = asked
+        if (asked != pace.key or not has_floor) and pace.is_due(asked):
             self._fleet = None  # until it is made: after a fault it is due again
         fleet = self._fleet or self.of(pane)
         return [fleet, self.of(screen.alarms), self.of(screen.queue)]

@@ -4,6 +4,7 @@ import math
 import re
 from collections.abc import Collection, Mapping
 from functools import partial
+from operator import attrgetter
 
 from fleet_tui.model.fleet import FleetState, is_missing, missing_text
 from fleet_tui.model.order import natural
@@ -11,7 +12,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.trouble import acknowledged, by_urgency, may_need_person, shelved, waits
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.history.activity import MOVES_WITHIN
-from fleet_tui.rules.localisation.jumps import is_lost
+from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.why.robot import charges
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
@@ -96,7 +97,7 @@ def _seen(state: FleetState, robot: Robot) -> str:
 
 def _movement(state: FleetState, robot: Robot) -> str:
     """Return whether a robot with an order moves, empty if nothing fresh tells."""
-    if robot.standing is None or not state.is_fresh(robot, "pose") or is_lost(robot, state.now):
+    if robot.standing is None or not state.is_fresh(robot, "pose") or is_jumping(robot, state.now):
         return ""
     return tr(f"still {age(robot.still_for)}") if robot.still_for >= STILL_FROM else tr("moving")
 
@@ -228,8 +229,7 @@ def fleet_table(
     silenced, seen = shelved(state), acknowledged(state)
     troubled = {name: place for place, name in enumerate(by_urgency(state))}
     calm = partial(_calm, state, troubled, silenced)
-    everyone, name = state.robots.values(), lambda one: one.name
-    robots = arrangement.arranged(everyone, _values(state), name, state.now, calm)
+    robots = arrangement.arranged(state.robots.values(), _values(state), attrgetter("name"), state.now, calm)
     columns, groups = Columns.of(state, width), arrangement.groups
     entries = groups.grouped(state, robots, selected, opens=bool(arrangement.typed))
 

@@ -14,7 +14,7 @@ from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.lag import is_overloaded
-from fleet_tui.rules.localisation.jumps import is_lost
+from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
@@ -107,7 +107,7 @@ def _navigation(state: FleetState, robot: Robot) -> Iterator[Run]:
         yield tr("navigation silent"), StyleRole.ALARM
     if robot.variance is not None and robot.variance.value > LOST_ABOVE:
         yield tr("pose uncertain"), StyleRole.WARN
-    if state.is_fresh(robot, "pose") and is_lost(robot, state.now):
+    if state.is_fresh(robot, "pose") and is_jumping(robot, state.now):
         yield tr("pose jumps"), StyleRole.WARN
 
 

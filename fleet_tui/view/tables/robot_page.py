@@ -13,7 +13,7 @@ from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.commands.follow_up import seen_end
 from fleet_tui.rules.history.activity import MOVES_WITHIN
 from fleet_tui.rules.lag import is_overloaded
-from fleet_tui.rules.localisation.jumps import is_lost
+from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.why.orders import CHECK_DELIVERY
 from fleet_tui.rules.why.place import place_text
 from fleet_tui.text.durations import age, duration
@@ -118,7 +118,7 @@ def _movement(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
             (f"{sanitize(robot.relocated.value):<{VALUE}}", StyleRole.TEXT),
             (tr(f"{age(state.now - robot.relocated.at)} ago"), StyleRole.DIM),
         )
-    if robot.standing is not None and state.is_fresh(robot, "pose") and not is_lost(robot, state.now):
+    if robot.standing is not None and state.is_fresh(robot, "pose") and not is_jumping(robot, state.now):
         still = robot.still_for
         if still >= STANDS_FROM:
             yield named("Movement", (tr(f"standing for {age(still)}"), StyleRole.TEXT))

@@ -9,7 +9,7 @@ from msgspec.structs import replace
 
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.robot import Reading
-from fleet_tui.rules.localisation.jumps import is_lost, pose_jump
+from fleet_tui.rules.localisation.jumps import is_jumping, pose_jump
 from tests.support.fleets import R0, fleet
 
 HERE = Pose(1.0, 2.0, 3.0)
@@ -22,7 +22,7 @@ def test_a_drive_is_no_jump() -> None:
 
 
 @pytest.mark.parametrize(
-    ("times", "lost"),
+    ("times", "jumps"),
     [
         ([], False),
         ([1.0], False),
@@ -34,11 +34,11 @@ def test_a_drive_is_no_jump() -> None:
         ([*(n / 10 for n in range(40)), *(6.0 + n / 10 for n in range(30))], False),
     ],
 )
-def test_jumps_now_and_then_mean_that_it_is_lost_steps_at_every_pose_do_not(
-    times: list[float], lost: bool
+def test_jumps_now_and_then_mean_that_it_jumps_steps_at_every_pose_do_not(
+    times: list[float], jumps: bool
 ) -> None:
     robot = replace(fleet().robots[R0], jumps=tuple(Reading(3.0, at) for at in times))
-    assert is_lost(robot, 9.9) is lost
+    assert is_jumping(robot, 9.9) is jumps
 
 
 def test_a_jump_is_named() -> None:
