@@ -149,12 +149,12 @@ async def test_a_half_open_connection(server: RosbridgeServer) -> None:
     async with through(server) as (proxy, link, store, watch):
         watch.start()
         proxy.swallows = True
-        is_jumping = lost("server not responding")
+        is_lost = lost("server not responding")
         await watch.until(
-            lambda state: is_jumping(state) or state.now - (state.links["rosbridge"].last_received or 0) > 2.1
+            lambda state: is_lost(state) or state.now - (state.links["rosbridge"].last_received or 0) > 2.1
         )
         assert (await finished(link, store, ResumeRobot("robot_0"))).stage is Stage.NOT_SENT
-        noticed = await watch.until(is_jumping)
+        noticed = await watch.until(is_lost)
         proxy.swallows = False
         watch.start()
         healed = await watch.until(fresh())

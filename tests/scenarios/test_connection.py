@@ -11,7 +11,7 @@ from tests.support.scenario import R0, calls, ended, hasty, heard_anew, patient,
 SENT = [Stage.CHECKED, Stage.SENT]
 
 
-def is_jumping(state: FleetState) -> bool:
+def is_lost(state: FleetState) -> bool:
     return not any(link.phase.value == "up" for link in state.links.values())
 
 
