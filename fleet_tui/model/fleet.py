@@ -7,7 +7,7 @@ from msgspec.structs import replace
 
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key
 from fleet_tui.model.commands import CommandRecord
-from fleet_tui.model.desk.desk import Desk
+from fleet_tui.model.desk.desk import Desk, Ends
 from fleet_tui.model.fleets.facility import Facility
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.link import LinkState, Phase
@@ -55,11 +55,21 @@ class Floor(Struct, frozen=True, eq=False):
     live_at: float | None = None
 
 
+class BlockedEdge(Struct, frozen=True):
+    """An edge on which a robot is held up: `spans` are the parts of it that others on it have driven,
+    `passed` is True once one of them drove all of it."""
+
+    ends: Ends
+    spans: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    passed: bool = False
+
+
 class FleetState(Struct, frozen=True, eq=False):
     """Everything known at one instant. `now` is monotonic, `wall` Unix time, both of the last tick; `began`
     is the start of each condition, alarm or not yet; `behind`: seconds by which this console reads
     messages late, which count against no robot; `desk`: its people; `facilities` are the
-    lifts, doors and the like of sites, by key."""
+    lifts, doors and the like of sites, by key; `blocked` are the edges on which robots are held up, by
+    robot."""
 
     floors: Mapping[str, Floor]
     robots: Mapping[str, Robot]
@@ -73,6 +83,7 @@ class FleetState(Struct, frozen=True, eq=False):
     behind: float = 0.0
     desk: Desk = Desk()
     facilities: Mapping[str, Facility] = field(default_factory=dict)
+    blocked: Mapping[str, BlockedEdge] = field(default_factory=dict)
 
     def patience(self, robot: Robot) -> float:
         """Return the seconds of silence after which a robot counts as offline. Messages still unread by this

@@ -19,6 +19,7 @@ from fleet_tui.rules.alarms.conditions import conditions
 from fleet_tui.rules.alarms.floods import without_floods
 from fleet_tui.rules.commands.local_queue import with_held_queues
 from fleet_tui.rules.lag import with_lags
+from fleet_tui.rules.routes.blocked import with_blocked_edges
 from fleet_tui.state.command_events import (
     advance_command,
     change_queue,
@@ -58,7 +59,7 @@ def _pass_time(state: FleetState, event: events.TimePassed) -> FleetState:
     began = {one.key: state.began.get(one.key, event.at) for one in found}
     due = without_floods(state, found, held)
     alarms = advance(state.alarms, due, event.at, event.wall, state.limits.clear_after, state.limits.latched)
-    return replace(state, began=began, alarms=alarms)
+    return with_blocked_edges(replace(state, began=began, alarms=alarms))
 
 
 def _without_ended(state: FleetState) -> FleetState:

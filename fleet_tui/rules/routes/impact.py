@@ -1,7 +1,7 @@
 """The orders whose way an edge is on, and how much longer their ways are without it."""
 
 import math
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
 
 from msgspec import Struct
@@ -13,7 +13,6 @@ from fleet_tui.model.geometry import Line
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.order import Order
 from fleet_tui.model.robot import Robot, RobotMap
-from fleet_tui.rules.alarms.conditions import obstacle_lasts
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.routes.order_draft import GraphStop, place_of, stop_at, way_between
 from fleet_tui.rules.routes.ways import AT_VERTEX
@@ -23,13 +22,6 @@ MOST_GRAPHS = 64
 """Graphs that are kept without an edge."""
 IN_REACH = 1.0
 """Metres within which the map's cursor is on an edge."""
-STANDS_FROM = 5.0
-"""Seconds without movement from which a robot in trouble is in the way."""
-SUSPECT_FOR = 30.0
-"""Seconds after a jump of its pose for which a robot may be elsewhere."""
-
-FACING = math.pi / 4
-"""Radians from a robot's heading within which it faces an edge."""
 
 
 class CutOrder(Struct, frozen=True):
@@ -53,33 +45,6 @@ class CutOrder(Struct, frozen=True):
             return "no way"
         more = round(self.further)
         return f"detour +{more} m ({self.around:.0f} m)" if more > 0 else "another way, as long"
-
-
-def edge_under(robot: Robot) -> Ends | None:
-    """Return the edge that a robot is on, at a vertex the one that it faces; None if that is unknown."""
-    for floor, spots in place_of(robot):
-        at = [vertex for vertex, metres in spots if metres <= AT_VERTEX]
-        if at:
-            return _edge_ahead(robot, floor, at[0])
-        if len(spots) == 2:
-            return ends_of(floor, spots[0][0], spots[1][0])
-    return None
-
-
-def _edge_ahead(robot: Robot, floor: str, vertex: str) -> Ends | None:
-    graph = robot.maps[floor].graph
-    if graph is None or robot.pose is None:
-        return None
-    here, yaw = graph.vertices[vertex], robot.pose.value.yaw
-    turns = {}
-    for edge in graph.edges:
-        if vertex in (edge.start, edge.end):
-            other = edge.end if edge.start == vertex else edge.start
-            there = graph.vertices[other]
-            towards = math.atan2(there.y - here.y, there.x - here.x)
-            turns[other] = abs(math.remainder(towards - yaw, math.tau))
-    ahead = min(turns, key=lambda other: turns[other], default="")
-    return ends_of(floor, vertex, ahead) if ahead and turns[ahead] <= FACING else None
 
 
 def closed_edge_at(
@@ -119,16 +84,6 @@ def _metres_from(at: tuple[float, float], line: Line) -> float:
     share = ((x - x0) * (x1 - x0) + (y - y0) * (y1 - y0)) / square if square else 0.0
     share = min(1.0, max(0.0, share))
     return math.dist(at, (x0 + share * (x1 - x0), y0 + share * (y1 - y0)))
-
-
-def is_in_the_way(state: FleetState, robot: Robot, troubled: Collection[str]) -> bool:
-    """Tell whether a robot stands where it is, by an obstacle that is an alarm or as one of those `troubled`,
-    as others would find it: not where its pose has just jumped to."""
-    if robot.relocated is not None and state.now - robot.relocated.at < SUSPECT_FOR:
-        return False
-    held = robot.blocked is not None and robot.blocked.value.is_stopped
-    stands = robot.still_for >= STANDS_FROM and robot.name in troubled
-    return obstacle_lasts(state, robot) or stands or (held and state.is_fresh(robot, "blocked"))
 
 
 def cut_orders(state: FleetState, ends: Ends) -> list[CutOrder]:

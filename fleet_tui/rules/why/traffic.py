@@ -105,14 +105,14 @@ def in_the_way(state: FleetState, robot: Robot) -> InTheWay | None:
     points = [(pose.value.x, pose.value.y), *((graph.vertices[id_].x, graph.vertices[id_].y) for id_ in way)]
     found = list[InTheWay]()
     for other in state.robots.values():
-        if other is not robot and _same_frame(state, robot, other) and other.pose is not None:
+        if other is not robot and same_frame(state, robot, other) and other.pose is not None:
             at = _along(points, (other.pose.value.x, other.pose.value.y))
             if at is not None and (at[0] < NEAR or (at[1] == 0 and vertex_here(robot) is not None)):
                 found.append(InTheWay(other, at[0], way[at[1]]))
     return min(found, key=lambda one: one.ahead, default=None)
 
 
-def _same_frame(state: FleetState, one: Robot, other: Robot) -> bool:
+def same_frame(state: FleetState, one: Robot, other: Robot) -> bool:
     """Tell whether positions can be compared: both are on one floor and their maps have the same place in the
     world."""
     if other.floor is None or other.floor != one.floor or not state.is_fresh(other, "pose"):

@@ -99,7 +99,7 @@ _LINES = (
     (replace(_FLOOR, mission=Mission(following=_WAY)), "the way of its next orders"),
     (replace(_FLOOR, edges=_WAY), "an edge of the route graph"),
     (replace(_FLOOR, edges=_WAY, one_way=_WAY), "a one-way edge"),
-    (replace(_FLOOR, blocked=_WAY), "an edge on which a robot with an alarm is in the way"),
+    (replace(_FLOOR, blocked=_WAY), "an edge that may be blocked: a robot with an alarm is held up on it"),
     (replace(_FLOOR, closed=_WAY), "a closed edge"),
     (_trail(5.0), "trail of the last half minute"),
     (_trail(45.0), "trail, up to a minute old"),

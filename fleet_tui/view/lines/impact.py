@@ -4,9 +4,9 @@ from collections.abc import Iterator, Sequence
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.alarms.trouble import in_trouble
 from fleet_tui.rules.language.edges import edge_text
-from fleet_tui.rules.routes.impact import CutOrder, closed_on_way, cut_orders, edge_under, is_in_the_way
+from fleet_tui.rules.routes.blocked import blocked_edge
+from fleet_tui.rules.routes.impact import CutOrder, closed_on_way, cut_orders
 from fleet_tui.rules.routes.order_draft import DraftRoute
 from fleet_tui.rules.why.reason import mission
 from fleet_tui.text.language import tr
@@ -20,12 +20,14 @@ MOST_SHOWN, MOST_BESIDE = 8, 3
 """Orders that are listed alone, and beside reasons; the number of others follows."""
 
 
-def impact_text(cut: Sequence[CutOrder]) -> str:
-    """Return how many ways an edge cuts, and how many orders have no other."""
+def impact_text(cut: Sequence[CutOrder], may: bool = False) -> str:
+    """Return how many ways an edge cuts, or may cut, and how many orders have no other."""
     if not cut:
         return tr("cuts the way of no order")
     lost = sum(one.around is None for one in cut)
     rest = tr(f", {lost} without a detour") if lost else tr(", with a detour")
+    if may:
+        return tr(f"may cut the way of {counted(len(cut), 'order')}{rest}")
     return tr(f"cuts the way of {counted(len(cut), 'order')}{rest}")
 
 
@@ -37,22 +39,20 @@ def draft_text(state: FleetState, robot: Robot, route: DraftRoute) -> str:
 
 
 def why_impact(state: FleetState, robot: Robot) -> list[str]:
-    """Return the orders whose way is cut by the edge that a blocked robot is on, and by closed ones, those of
+    """Return the orders whose way may be cut where a robot is held up, and those of closed edges, the ones of
     its floor first."""
-    under = edge_under(robot) if is_in_the_way(state, robot, in_trouble(state)) else None
-    edges = [(under, tr("Blocked edge"))] if under is not None else []
-    closed = sorted(state.desk.closed, key=lambda edge: edge.ends[0] != robot.floor)
-    edges += [
-        (edge.ends, tr(f"Closed by {edge.by or tr('this console')}:"))
-        for edge in closed
-        if edge.ends != under
-    ]
     lines = []
-    for ends, what in edges[:MOST_EDGES]:
-        cut = [one for one in cut_orders(state, ends) if ends != under or one.robot != robot.name]
-        if ends == under and not cut:
-            continue
-        lines += ["", sanitize(f"{what} {edge_text(robot, ends)} {impact_text(cut)}")]
+    held_up = blocked_edge(state, robot.name)
+    if held_up is not None:
+        others = [one for one in cut_orders(state, held_up) if one.robot != robot.name]
+        if others:
+            edge, what = edge_text(robot, held_up), tr("Blocked edge")
+            lines += ["", sanitize(f"{what} {edge} {impact_text(others, may=True)}")]
+            lines += [f"    {line}" for line in impact_lines(state, others, MOST_BESIDE)]
+    closed = [edge for edge in state.desk.closed if edge.ends != held_up]
+    for one in sorted(closed, key=lambda edge: edge.ends[0] != robot.floor)[: MOST_EDGES - bool(lines)]:
+        cut, by = cut_orders(state, one.ends), tr(f"Closed by {one.by or tr('this console')}:")
+        lines += ["", sanitize(f"{by} {edge_text(robot, one.ends)} {impact_text(cut)}")]
         lines += [f"    {line}" for line in impact_lines(state, cut, MOST_BESIDE)]
     return lines
 

@@ -7,15 +7,12 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Line
 from fleet_tui.model.order import Order, vertices_of
 from fleet_tui.model.robot import Robot, RobotMap
-from fleet_tui.rules.alarms.trouble import in_trouble
-from fleet_tui.rules.routes.impact import edge_under, is_in_the_way
+from fleet_tui.rules.routes.blocked import blocked_edge
 from fleet_tui.rules.routes.ways import Routes, Spot, Way, routes_of
 from fleet_tui.rules.why.traffic import stops_left
 from fleet_tui.view.map.scene import Mission, SceneRobot
 
 ORDERS_SHOWN = 8
-MOST_BLOCKED = 20
-"""Robots with an alarm whose edges are looked for at every tick."""
 
 
 def floor_of(robot: Robot, vertex: str) -> str | None:
@@ -83,12 +80,9 @@ def _places(robot: Robot, floor: str, routes: Routes, vertex: str) -> tuple[Spot
 
 
 def blocked_edges(state: FleetState, robots: Iterable[SceneRobot]) -> Iterator[Ends]:
-    """Yield the edges of a floor on which robots with an alarm stand in the way of others, in a flood of
-    alarms those of the first ones."""
-    names = [one.name for one in robots if one.alarmed or one.acknowledged][:MOST_BLOCKED]
-    troubled = in_trouble(state) if names else frozenset()
-    for robot in map(state.robots.__getitem__, names):
-        edge = edge_under(robot) if is_in_the_way(state, robot, troubled) else None
+    """Yield the edges of a floor that may be blocked where robots with an alarm are held up."""
+    for robot in robots:
+        edge = blocked_edge(state, robot.name) if robot.alarmed or robot.acknowledged else None
         if edge is not None:
             yield edge
 

@@ -23,7 +23,7 @@ def test_a_blocked_robot_names_the_orders_behind_it_with_their_detours() -> None
     )
     assert why_impact(state, state.robots[R0]) == [
         "",
-        "Blocked edge Hall - Dock cuts the way of 1 order, with a detour",
+        "Blocked edge Hall - Dock may cut the way of 1 order, with a detour",
         "    robot_1 order 7, 1 -> 5: detour +6 m (36 m)",
     ]
 
