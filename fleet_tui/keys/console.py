@@ -124,7 +124,7 @@ CONSOLE: tuple[Key[Actions], ...] = (
         ("!",),
         lambda do: do.view.next_trouble(),
         "Go to the next robot in trouble, those with an alarm first, whatever its floor",
-        hint="alarm",
+        hint="look",
         eager="selects",
         helps="stays",
     ),

@@ -1,17 +1,27 @@
-"""The robots in trouble: marked and listed first, and named where their floor is not shown."""
+"""The robots in trouble, and those without an alarm that are worth a look."""
 
 from collections.abc import Iterable
+from functools import lru_cache
 
 from fleet_tui.model.alarm import Alarm, AlarmStage
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState, is_missing
+from fleet_tui.model.link import Phase
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.alarms.conditions import is_news
 from fleet_tui.rules.commands.newest import own_pause
+from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.localisation.jumps import is_jumping
 
 LONG_STILL = 30.0
 """Seconds of standing with an order that are worth a look: longer than loading takes."""
+
+
+LOST_FOR = 60.0
+"""Seconds for which an order that a robot lost is news."""
+AGING = ("pose", "battery", "queue", "cargo", "obstacle", "paused")
+"""Values that must not be old while a robot is online."""
 
 
 def waits(state: FleetState, robot: Robot) -> bool:
@@ -21,9 +31,10 @@ def waits(state: FleetState, robot: Robot) -> bool:
 
 
 def may_need_person(state: FleetState, robot: Robot) -> bool:
-    """Tell whether a robot waits with an order, is in a mode, such as MANUAL, in which it takes none, or has
-    a pose that jumps."""
-    by_hand = robot.vehicle is not None and not robot.vehicle.value.takes_orders
+    """Tell whether a robot waits with an order or for its master control, is in a mode, such as MANUAL, in
+    which it takes no order, or has a pose that jumps."""
+    vehicle = robot.vehicle.value if robot.vehicle is not None else None
+    by_hand = vehicle is not None and (vehicle.waits or not vehicle.takes_orders)
     by_hand = by_hand and state.is_fresh(robot, "vehicle")
     jumps = state.is_fresh(robot, "pose") and is_jumping(robot, state.now)
     return waits(state, robot) or by_hand or jumps
@@ -78,11 +89,8 @@ def next_in_trouble(state: FleetState, after: str, marked: object = None) -> str
     the order of the alarms pane, of those that need a person while there are some; after them those without
     an alarm that may need one; then around. Empty if there is none."""
     troubled, known, silenced = by_urgency(state), acknowledged(state), shelved(state)
-    odd = [
-        name
-        for name, robot in state.robots.items()
-        if name not in troubled and (name in silenced or _is_odd(state, robot))
-    ]
+    odd = [name for name, one in state.robots.items() if name in silenced or is_odd(state, one)]
+    odd = [name for name in odd if name not in troubled]
     of_marked = {name for one in state.alarms if one.key == marked for name in _whose(one)}
     # After one without an alarm, the marked alarm is the one that it came from.
     goes_on = after in of_marked or after in odd
@@ -93,12 +101,42 @@ def next_in_trouble(state: FleetState, after: str, marked: object = None) -> str
     return names[start % len(names)] if names else ""
 
 
-def _is_odd(state: FleetState, robot: Robot) -> bool:
+def is_odd(state: FleetState, robot: Robot) -> bool:
+    """Tell whether a robot is not as usual in a way that a person should look at, alarm or not: its row has
+    an amber sign, and `!` goes there. A pause of this console and what a late bridge explains are known."""
+    if not state.is_online(robot):
+        return _is_unexpectedly_offline(state, robot) or has_lost(state, robot)
     is_held = state.is_paused(robot) and own_pause(state, robot) is None
-    is_held = is_held or state.is_obstructed(robot) or is_missing(state, robot, "pose")
-    # Where its load is somebody has to see.
-    has_lost = robot.orders.current is None and any(one.stage is Stage.LOST for one in robot.gone)
-    return is_held or has_lost or may_need_person(state, robot)
+    is_held = is_held or state.is_obstructed(robot) or is_stopped(state, robot)
+    unknown = is_missing(state, robot, "pose") or is_news(state, robot.fault_at)
+    unknown = unknown or any(state.is_old(robot, value) for value in AGING)
+    return is_held or unknown or has_lost(state, robot) or may_need_person(state, robot)
+
+
+@lru_cache(maxsize=1)  # the top line, the alarms pane and the footer ask in the same tick
+def to_look_at(state: FleetState) -> tuple[str, ...]:
+    """Return the odd robots without an alarm, shelved or not."""
+    known = in_trouble(state) | shelved(state)
+    return tuple(name for name, robot in state.robots.items() if name not in known and is_odd(state, robot))
+
+
+def is_stopped(state: FleetState, robot: Robot) -> bool:
+    """Tell whether its collision monitor stops a robot."""
+    return robot.blocked is not None and robot.blocked.value.is_stopped and state.is_fresh(robot, "blocked")
+
+
+def has_lost(state: FleetState, robot: Robot) -> bool:
+    """Tell whether a robot without an order lost one a short while ago: somebody has to see where its load
+    is."""
+    if robot.orders.current is not None:
+        return False
+    return any(one.stage is Stage.LOST and state.now - one.at < LOST_FOR for one in robot.gone)
+
+
+def _is_unexpectedly_offline(state: FleetState, robot: Robot) -> bool:
+    link = state.links[robot.link]
+    explained = link.phase is not Phase.UP or (is_overloaded(link) and not robot.is_gone)
+    return robot.last_received is not None and not explained
 
 
 def _whose(alarm: Alarm) -> list[str]:

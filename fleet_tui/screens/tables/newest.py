@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING
 
+from fleet_tui.keys.key import key_name
 from fleet_tui.model.problem import Right
 from fleet_tui.view.tables.alarms import alarm_table
 from fleet_tui.view.tables.fleet import fleet_table
@@ -58,6 +59,7 @@ class NewestRows:
             self._fleet = fleet_table(state, robot, *arranged)
             return self._fleet
         if pane is screen.alarms:
-            return alarm_table(state, screen.settings.clock, *arranged, pane.listing.cursor)
+            key = "".join(map(key_name, screen.settings.keys["next_trouble"][:1]))
+            return alarm_table(state, screen.settings.clock, *arranged, pane.listing.cursor, key)
         may = screen.dispatch.permissions.right >= Right.DISPATCH
         return queue_table(state, robot, screen.shows_all_orders, *arranged, may, screen.settings.clock)

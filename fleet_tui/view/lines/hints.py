@@ -12,7 +12,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
 from fleet_tui.model.problem import Right
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.alarms.trouble import in_trouble
+from fleet_tui.rules.alarms.trouble import in_trouble, to_look_at
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
@@ -50,7 +50,7 @@ def unoffered_keys(offers: Callable[[Key[Any]], bool], right: Right) -> set[str]
 
 def idle_hints(state: FleetState, selected: str = "") -> set[str]:
     """Return the ids of keys that the footer need not name now, without a link those of commands, too."""
-    idle = set() if in_trouble(state) else {"next_trouble"}
+    idle = set() if in_trouble(state) or to_look_at(state) else {"next_trouble"}
     if selected and any(link.phase is not Phase.UP for link in state.links.values()):
         idle |= _unreachable(state, selected)
     if not any(map(state.is_paused, state.robots.values())):

@@ -6,6 +6,7 @@ from fleet_tui.keys.key import key_name
 from fleet_tui.model.fleet import FleetState, behind_text
 from fleet_tui.model.kind import PAUSE
 from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
+from fleet_tui.rules.alarms.trouble import to_look_at
 from fleet_tui.rules.lag import BEHIND
 from fleet_tui.rules.sites import alarms_by_site, site_of, sites_of
 from fleet_tui.text.durations import age, duration
@@ -126,6 +127,8 @@ def status_line(
     runs.append(
         (tr(f"{sign} {alarms} alarm{'s' * (alarms != 1)}") + (tr(f" ({fresh} new)") if fresh else ""), role)
     )
+    if not alarms and (odd := len(to_look_at(state))):
+        runs.append((tr(f", {odd} to look at"), StyleRole.WARN))
     runs.extend(_by_site(state, role))
     runs.append(("  ", StyleRole.TEXT))
     runs.extend((note + "  ", StyleRole.WARN) for note in notes)

@@ -1,6 +1,6 @@
 """The alarm pane: conditions that need a person, and unacknowledged alarms."""
 
-from collections.abc import Callable, Hashable, Iterable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
 from textwrap import wrap
 
 from msgspec.structs import replace
@@ -10,9 +10,10 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import natural
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.alarms.floods import is_group
-from fleet_tui.rules.alarms.trouble import urgency
+from fleet_tui.rules.alarms.trouble import to_look_at, urgency
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
+from fleet_tui.text.units import counted
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrangement import RowArrangement, Value
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
@@ -159,17 +160,38 @@ def _values(clock: Callable[[float], str]) -> tuple[Value[Alarm], ...]:
     )
 
 
+def _title(state: FleetState) -> Iterator[Run]:
+    yield tr("Alarms"), StyleRole.TITLE
+    if state.unacknowledged:
+        yield tr(f" {state.unacknowledged} new"), StyleRole.ALARM
+    if state.shelved:
+        yield tr(f" {state.shelved} shelved"), StyleRole.DIM
+    if suppressed := _suppressed(state):
+        yield tr(f" {suppressed} suppressed"), StyleRole.DIM
+
+
+def _without_alarms(state: FleetState, key: str) -> str:
+    """Return what there is in place of alarms: all is clear only if no row of the fleet needs a look."""
+    found = len(to_look_at(state))
+    if not found:
+        return tr("all clear")
+    told = tr(f"no alarms, {counted(found, 'robot')} to look at")
+    return f"{told} ({key})" if key else told
+
+
 def alarm_table(
     state: FleetState,
     clock: Callable[[float], str],
     width: int = UNBOUNDED,
     arrangement: RowArrangement | None = None,
     marked: Hashable | None = None,
+    key: str = "",
 ) -> Table:
     """Return every alarm for a pane of `width` cells, as arranged: those that hold, unacknowledged ones
     first, by priority; then those that are over; shelved ones last; oldest first. A row moves when it is
     acknowledged or shelved, and when it needs a person again. `clock` formats Unix seconds as a local
-    time. `marked` is the alarm that keys are for: of a few its advice is below them."""
+    time. `marked` is the alarm that keys are for: of a few its advice is below them; `key` goes to the next
+    robot in trouble."""
     arrangement = arrangement or RowArrangement()
     alarms = arrangement.arranged(sorted(state.alarms, key=urgency), _values(clock))
     sources = column((alarm.condition.source for alarm in alarms), 7, 14 if width >= WITH_PRIORITY else 9)
@@ -180,12 +202,5 @@ def alarm_table(
     elif 1 < len(alarms) <= FEW:
         meant = next((alarm for alarm in alarms if alarm.key == marked), alarms[0])
         rows = [*rows, *_advice(meant, width, f"{sanitize(meant.condition.source)}: ")]
-    title: list[Run] = [(tr("Alarms"), StyleRole.TITLE)]
-    if state.unacknowledged:
-        title.append((tr(f" {state.unacknowledged} new"), StyleRole.ALARM))
-    if state.shelved:
-        title.append((tr(f" {state.shelved} shelved"), StyleRole.DIM))
-    if suppressed := _suppressed(state):
-        title.append((tr(f" {suppressed} suppressed"), StyleRole.DIM))
-    empty = arrangement.no_match if state.alarms else tr("all clear")
-    return Table((*title, *arrangement.notes(len(alarms))), rows, empty, unfiltered=len(state.alarms))
+    empty = arrangement.no_match if state.alarms else _without_alarms(state, key)
+    return Table((*_title(state), *arrangement.notes(len(alarms))), rows, empty, unfiltered=len(state.alarms))

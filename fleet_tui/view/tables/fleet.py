@@ -9,7 +9,7 @@ from operator import attrgetter
 from fleet_tui.model.fleet import FleetState, is_missing, missing_text
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.alarms.trouble import acknowledged, by_urgency, may_need_person, shelved, waits
+from fleet_tui.rules.alarms.trouble import acknowledged, by_urgency, is_odd, may_need_person, shelved, waits
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.history.activity import MOVES_WITHIN
 from fleet_tui.rules.localisation.jumps import is_jumping
@@ -131,8 +131,7 @@ def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Co
     runs = shortened_news(found, columns.state + (columns.order if current is None else 0))
     if current is None:
         runs = _with_rest(runs, _without_order(state, robot), 2 * len(failed))
-    is_odd = movement is StyleRole.WARN or any(colour is StyleRole.WARN for _, colour in runs)
-    if sign[1] is StyleRole.GOOD and is_odd:
+    if sign[1] is StyleRole.GOOD and is_odd(state, robot):
         sign = sign[0], StyleRole.WARN
     shown = current or next((one for one in all_orders(state, robot) if not one.is_over), None)
     if shown is not None and (columns.order or shown is current):
@@ -215,8 +214,8 @@ def _battery_order(robot: Robot) -> float:
 
 def _calm(state: FleetState, troubled: Mapping[str, int], silenced: Collection[str], robot: Robot) -> int:
     """Return what sorts by trouble: the place among those in it, then whatever else is not as usual."""
-    is_odd = robot.name in silenced or is_missing(state, robot, "pose") or may_need_person(state, robot)
-    return troubled.get(robot.name, len(troubled) if is_odd else len(troubled) + 1)
+    first = robot.name in silenced or is_missing(state, robot, "pose") or may_need_person(state, robot)
+    return troubled.get(robot.name, len(troubled) if first else len(troubled) + 1)
 
 
 def fleet_table(

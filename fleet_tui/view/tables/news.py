@@ -8,7 +8,7 @@ from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.conditions import is_news, obstacle_lasts
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
-from fleet_tui.rules.alarms.trouble import acknowledged, in_trouble, shelved
+from fleet_tui.rules.alarms.trouble import AGING, acknowledged, has_lost, in_trouble, is_stopped, shelved
 from fleet_tui.rules.alarms.vehicles import priority_of, sorted_errors
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import own_pause_text
@@ -21,7 +21,7 @@ from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, width_of
 
-_NAMES = {name: name for name in ("pose", "battery", "queue", "cargo", "obstacle")} | {"paused": "pause"}
+_NAMES = {name: name for name in AGING} | {"paused": "pause"}
 """Values that may be old, with their names."""
 
 
@@ -85,6 +85,7 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
         yield _paused(state, robot), StyleRole.WARN
     if contact is not None and is_old:
         yield tr(obstacle_text(state, robot, contact)), StyleRole.DIM
+    yield from _lost(state, robot)
     if holders := state.desk.holders(robot.name):
         yield tr(f"claimed by {sanitize(' and '.join(holders))}"), StyleRole.ACCENT
     if online:
@@ -100,8 +101,14 @@ def news_of_page(state: FleetState, robot: Robot) -> Iterator[Run]:
         yield text, StyleRole.WARN if is_known and role is StyleRole.ALARM else role
 
 
+def _lost(state: FleetState, robot: Robot) -> Iterator[Run]:
+    """Yield that it lost an order, unless an alarm tells which."""
+    if has_lost(state, robot) and not any(failed_command(state, robot)):
+        yield tr("order lost"), StyleRole.WARN
+
+
 def _navigation(state: FleetState, robot: Robot) -> Iterator[Run]:
-    if robot.blocked is not None and robot.blocked.value.is_stopped and state.is_fresh(robot, "blocked"):
+    if robot.blocked is not None and is_stopped(state, robot):
         yield tr(blocked_text(robot.blocked.value, state.now)), StyleRole.ALARM
     if feedback_ceased_at(state, robot) is not None or is_unsteady(state, robot):
         yield tr("navigation silent"), StyleRole.ALARM

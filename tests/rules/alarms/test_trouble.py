@@ -75,6 +75,7 @@ def test_without_an_alarm_the_next_one_is_a_robot_that_waits() -> None:
         queue(T0, (1, 1, 2, "W"), current=1, robot="robot_1"),
         *standing,
         pose(T0 + LONG_STILL, 5.0),
+        queue(T0 + LONG_STILL, (1, 1, 2, "W"), current=1, robot="robot_1"),
         tick(T0 + LONG_STILL),
     )
     assert next_in_trouble(state, R0) == "robot_1"

@@ -52,7 +52,7 @@ def test_the_most_important_hints_are_whole_at_80_columns() -> None:
     assert places == sorted(places) and " simple " not in shown
     trouble = reduced(fleet(), link_up(T0), battery(T0, 5.0), tick(T0))
     shown = text_of(footer(*hints(KEYS, Pane.MAP, hidden=idle_hints(trouble)), KEYS, 80)[0])
-    assert " ! alarm " in shown and " w why " in shown
+    assert " ! look " in shown and " w why " in shown
 
 
 def test_a_focused_table_hints_its_filter_and_marks_after_what_everyone_needs() -> None:
