@@ -57,8 +57,8 @@ from fleet_tui.view.map.scene import Scene
 from fleet_tui.widgets.background import run_in_background
 from fleet_tui.widgets.bindings import action_of
 from fleet_tui.widgets.camera_view import CameraView
+from fleet_tui.widgets.dialog_place import lines_below
 from fleet_tui.widgets.map_view import MapView
-from fleet_tui.widgets.panes import lines_below
 from fleet_tui.widgets.runs_view import RunsView
 from fleet_tui.widgets.small_maps_view import SmallMapsView
 
@@ -188,7 +188,7 @@ class Rest:
                 await panes.mount_small_maps(*self.small_maps)
             tools = (self.audit_log, self.diagnostics, self.history, self.programs, self.routines)
             await screen.mount(*opens, *tools, *self.tables.widgets, self.robot_page)
-            panes.keep_below_map(*below_map)
+            panes.place_dialogs(*below_map)
             if (time_line := screen.session.time_line()) is not None:
                 self.styled.append(time_line)
                 await screen.mount(time_line, before="#hints")

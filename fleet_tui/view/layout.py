@@ -26,6 +26,9 @@ WHOLE_PAGES, LEAST_COLUMN, STEP = (9, 7), 60, 4
 """Lines that the robot's page keeps beside small maps, if need be fewer, cells of its column from which there
 are some, and lines by which they grow."""
 
+LEAST_DIALOG, USUAL_DIALOG = 9, 14
+"""Lines of the last events from which a dialog about the map is in their place, and those that it has in that
+of the tables' last ones."""
 LEAST_SHARED = 90
 """Cells of a map from which the last events leave half of their lines to small maps, or to activities."""
 
@@ -36,6 +39,22 @@ class Wanted(NamedTuple):
     fleet: int
     alarms: int
     queue: int
+
+
+class DialogBox(NamedTuple):
+    """The place of a dialog at the bottom of the panes: cells from their left edge, its cells and lines."""
+
+    left: int
+    cells: int
+    lines: int
+
+
+def dialog_box(events: tuple[int, int], map_width: int, width: int, lines: int) -> DialogBox:
+    """Return the place of a dialog about the map, never over that: the cells and lines of the last `events`,
+    else the end of the tables beside it. It is the same whatever the dialog says."""
+    if events[1] >= LEAST_DIALOG:
+        return DialogBox(0, *events)
+    return DialogBox(map_width + 1, width - map_width - 1, min(USUAL_DIALOG, lines - LEAST_FLEET))
 
 
 def beside_map(lines: int, wanted: Wanted) -> tuple[int, int, int, int]:

@@ -21,6 +21,7 @@ from fleet_tui.view.layout import (
     below_map,
     below_page,
     beside_map,
+    dialog_box,
     is_beside_events,
     is_better_beside,
     simple_alone,
@@ -29,6 +30,7 @@ from fleet_tui.view.layout import (
 )
 from fleet_tui.view.tables.table import Table
 from fleet_tui.widgets.activity_pane import ActivityPane
+from fleet_tui.widgets.dialog_place import DialogPlace
 from fleet_tui.widgets.pace import Pace
 from fleet_tui.widgets.rows_pane import RowsPane
 
@@ -39,16 +41,6 @@ if TYPE_CHECKING:  # numpy
 PRECISE = 1000
 OTHERS = 3
 """Lines of the screen that are no panes: status, message, footer. Before the first layout."""
-BELOW = 2
-"""Those of them below the panes: message, footer."""
-
-
-def lines_below(overlay: Widget) -> int:
-    """Return the lines of panes at the bottom of the screen that an overlay covers: 1 of one beside the map,
-    for which no pane may take its place."""
-    if overlay.display and overlay.styles.dock == "bottom" and overlay.styles.offset.x.value == 0:
-        return overlay.outer_size.height + overlay.styles.margin.bottom - BELOW
-    return int(overlay.display)
 
 
 class Panes(Container):
@@ -78,17 +70,22 @@ class Panes(Container):
         self._shape = USUAL_SHAPE
         self._wanted = Wanted(0, 0, 0), 0
         self._shared_out: tuple[str, str, int] | None = None
-        self._below_map: tuple[Widget, ...] = ()
+        self._dialogs = DialogPlace()
 
     async def mount_small_maps(self, aside: Widget, below: Widget) -> None:
         """Mount the maps of other floors, for the place beside the map and that below it."""
         await self.small_maps.mount(aside)
         await self.maps_below.mount(below)
 
-    def keep_below_map(self, *overlays: Widget) -> None:
-        """Keep overlays as wide as the map beside the tables."""
-        self._below_map, self._shared_out = overlays, None
-        self.share_out()
+    def place_dialogs(self, *dialogs: Widget) -> None:
+        """Keep dialogs about the map in one place that covers none of it, beside the tables."""
+        self._dialogs = DialogPlace(*dialogs)
+        self._place_dialogs()
+
+    def _place_dialogs(self) -> None:
+        is_free = (self.screen.has_class("-wide") or self.screen.has_class("-beside")) and not self._is_small
+        map_width = self.floor.outer_size.width
+        self._dialogs.move_to(dialog_box(self.recent.region.size, map_width, *self.size) if is_free else None)
 
     @property
     def tables(self) -> tuple[RowsPane, ...]:
@@ -151,8 +148,8 @@ class Panes(Container):
             view.draw()
 
     def _show_floor(self, lines: int) -> bool:
-        """Give the last events the lines that the floor leaves, at least those below an overlay about it.
-        `lines`: those of the floor as a whole. Tell whether the map gets another height, and so a resize."""
+        """Give the last events the lines that the floor leaves. `lines`: those of the floor as a whole. Tell
+        whether the map gets another height, and so a resize."""
         if not self.is_attached:
             return False  # the console ends
         is_wide, is_beside = self.screen.has_class("-wide"), self.screen.has_class("-beside")
@@ -160,13 +157,12 @@ class Panes(Container):
         above = [part for part in self.floor.children if part.id in ("simple", "camera") and part.display]
         space = self.floor.size.height - sum(part.outer_size.height for part in above)
         self._left = below_floor(space, lines, is_beside) if is_free else 0
-        # On a narrow screen an overlay is below all panes.
-        left = max(self._left, self._wanted[1]) if is_free and is_wide else self._left
-        if left == self._recent_lines:
+        self._place_dialogs()
+        if self._left == self._recent_lines:
             return False
-        self._recent_lines = left
-        self._below.styles.height = left
-        self._below.display = left > 0
+        self._recent_lines = self._left
+        self._below.styles.height = self._left
+        self._below.display = self._left > 0
         return True
 
     def on_resize(self) -> None:
@@ -205,8 +201,6 @@ class Panes(Container):
         self.screen.set_class(len(heights) == 4 and not is_wide, "-beside")
         self.styles.grid_rows = rows
         self.styles.grid_columns = f"{map_width} 1fr" if is_wide else None
-        for overlay in self._below_map:
-            overlay.styles.width = map_width if is_wide else None
         for pane in self.children:
             keeps = is_wide and pane.id == "floor"
             spans = (not is_wide and not self._is_small) or alone == "floor"

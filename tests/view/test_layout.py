@@ -14,6 +14,7 @@ from fleet_tui.view.layout import (
     below_map,
     below_page,
     beside_map,
+    dialog_box,
     is_beside_events,
     is_better_beside,
     width_of_map,
@@ -100,6 +101,13 @@ def test_last_events_fill_what_a_narrow_floor_leaves_from_three_lines_on() -> No
     assert below_floor(21, 16, is_narrow=True) == 4
     assert below_floor(21, 18, is_narrow=True) == 0
     assert below_floor(21, 16) == 0 and below_floor(57, 41) == 16
+
+
+def test_a_dialog_is_over_the_last_events_else_at_the_end_of_the_tables_and_never_over_the_map() -> None:
+    assert dialog_box((72, 12), 72, 120, 37) == (0, 72, 12)
+    assert dialog_box((61, 16), 123, 200, 57) == (0, 61, 16), "small maps beside the events stay in view"
+    assert dialog_box((37, 6), 37, 80, 21) == (38, 42, 14)
+    assert dialog_box((0, 0), 72, 120, 13) == (73, 47, 9), "the first robots stay in view"
 
 
 def test_more_alarms_have_more_lines() -> None:

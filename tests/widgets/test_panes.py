@@ -1,5 +1,6 @@
 """The panes share the lines of the screen, and one can have the whole column."""
 
+import pytest
 from textual.widget import Widget
 
 from fleet_tui.simulator.server import RosbridgeServer
@@ -31,18 +32,36 @@ async def test_each_pane_has_what_its_rows_need_and_the_robots_page_the_rest(ser
         )
 
 
-async def test_a_small_screen_has_the_robots_page_below_its_tables_and_the_map_clear_of_what_covers_it(
-    server: RosbridgeServer,
-) -> None:
+async def test_a_small_screen_has_the_robots_page_below_its_tables(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2), (80, 24)) as it:
         below = {"map": 15, "recent": 6}
         await it.until(lambda _: heights(it) == {**below, "fleet": 5, "alarms": 3, "queue": 3, "page": 10})
         await it.shows("0 s", "page")
         assert "…" not in it.pane("page")
-        await it.press("w")
-        covered = it.app.main.query_one("#why").region
-        await it.until(lambda _: it.app.main.query_one("#map").region.bottom <= covered.y)
-        assert it.app.main.query_one("#fleet").region.bottom <= covered.y
+
+
+@pytest.mark.parametrize("size", [(80, 24), (120, 40), (200, 60)])
+async def test_a_dialog_about_the_map_has_one_place_and_moves_nothing(
+    server: RosbridgeServer, size: tuple[int, int]
+) -> None:
+    async with console(config_of(server.url, 2), size) as it:
+        await it.shows_a_label()
+        await it.until(lambda _: "recent" in heights(it))
+        await it.settled()
+        shown, why, form, fleet = (
+            it.app.main.query_one(name) for name in ("#map", "#why", "#order-form", "#fleet")
+        )
+        before, boxes = (shown.region, fleet.region), set()
+        for robot in ("1", "2"):
+            await it.press(robot, "w")
+            boxes.add(why.region)
+            it.app.main.tick()
+            await it.press("escape", "o")
+            assert form.region and not shown.region.overlaps(form.region)
+            assert (shown.region, fleet.region) == before
+            await it.press("escape")
+        (box,) = boxes
+        assert box.height >= 9 and not shown.region.overlaps(box)
 
 
 async def test_thirty_robots_have_twenty_four_rows_or_more(server: RosbridgeServer) -> None:

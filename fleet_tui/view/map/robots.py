@@ -3,31 +3,41 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import accumulate
+from typing import NamedTuple
 
 from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.glyphs import is_special, robot_glyph, robot_number, robot_roles, robot_tag
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.places import Place, seen_robots
+from fleet_tui.view.map.placing.chips import ChipSize
 from fleet_tui.view.map.placing.crowds import COUNT, crowd_chips, is_crowd
 from fleet_tui.view.map.placing.labels import Backdrop, LabelPlaces, move_aside
-from fleet_tui.view.map.placing.occupancy import CellOccupancy, ChipSize
+from fleet_tui.view.map.placing.occupancy import CellOccupancy
 from fleet_tui.view.map.scene import Scene, SceneRobot
 from fleet_tui.view.roles import StyleRole
 
 LARGE = 90
 """Cells of the view's width from which an alarm is told beside its robot, and the age of each offline one."""
 FEW, DENSE = 10, 50
-"""Robots of a floor up to which each has its arrow, and cells of the floor for each one below which only
-those with something special have."""
+"""Robots of a floor up to which all have space for an arrow, and cells of the floor for each one below which
+numbers are placed first."""
 TOGETHER, PILED = 3, 6
-"""Robots without anything special in one cell from which such a floor has their count, and any floor."""
+"""Robots without anything special in one cell from which they have a count if not all numbers find a place
+near them, and from which they always have."""
 SAID = 24, 12
 """Cells to which an alarm's text is cut where there is no space for all of it."""
 Runs = list[tuple[str, StyleRole]]
 Text = tuple[ChipSize, Runs]
 Chips = list[tuple[int, int, str, StyleRole]]
 """Arrows and numbers: x, y, text, role."""
+
+
+class Number(NamedTuple):
+    """A number without its arrow, and its first cell as seen from its robot's."""
+
+    text: str
+    shift: Place
 
 
 @dataclass
@@ -49,8 +59,9 @@ def draw_robots(
     if is_crowd(len(seen), camera):
         chips = crowd_chips(occupancy, seen, scene.frame.origin.yaw, look.plain)
     else:
+        stood_on = {at for _, at in seen}
         for label in behind.labels:
-            if label.is_target:
+            if label.is_target and label.vertex not in stood_on:
                 occupancy.keep_clear(*label.vertex)
         chips = _chips(occupancy, seen, scene, look, before.shifts, is_dense(scene, camera))
     move_aside(cells, behind, occupancy, before.labels, scene.at)
@@ -58,7 +69,7 @@ def draw_robots(
 
 
 def is_dense(scene: Scene, camera: Camera) -> bool:
-    """Tell whether the floor is so small at this zoom that arrows would take the space of numbers."""
+    """Tell whether the floor is so small at this zoom that arrows may take the space of numbers."""
     robots, frame = len(scene.robots), scene.frame
     cell = DOTS_X * DOTS_Y * camera.scale * camera.scale
     return robots > FEW and robots * DENSE * cell > frame.width * frame.height
@@ -75,29 +86,85 @@ def _chips(
     """Return the chips of all robots, placed in the order of `seen`. A chip is over its robot's cell, without
     space a little off it, never beside another one: two numbers would read as one."""
     chips: Chips = []
+    numbers: list[tuple[SceneRobot, Place, Number]] = []
     together = _together(seen, TOGETHER if dense else PILED)
     for robot, at in seen:
-        arrow_role, role = robot_roles(robot)
-        arrow = robot_glyph(robot, scene.frame.origin.yaw, look.plain), arrow_role
-        only: tuple[str, StyleRole] | None = None
+        arrow = robot_glyph(robot, scene.frame.origin.yaw, look.plain), robot_roles(robot)[0]
         if not is_special(robot) and (others := together.get(at)):
-            if others[0] is not robot:
-                continue
-            only = f"{COUNT[look.plain]}{len(others)}", StyleRole.ROBOT
-        elif dense and not is_special(robot):
-            only = robot_number(robot), arrow_role
-        is_large = occupancy.width >= LARGE
-        texts = iter([_text(only)]) if only else _texts(robot, arrow, look.plain, is_large)
-        chip = _placed(occupancy, robot, at, texts, shifts) or _sign(occupancy, at, arrow)
-        if not chip:
-            least = _text(only or (robot_tag(robot, look.plain, has_age=False), role))
-            chip = _placed(occupancy, robot, at, iter([least]), shifts, far=True)
-        chips += chip
+            if others[0] is robot:
+                apart = _numbers(occupancy, others, at, shifts)
+                numbers += apart
+                chips += [] if apart else _pile(occupancy, others, at, look.plain, shifts)
+        elif dense and not is_special(robot) and (apart := _numbers(occupancy, [robot], at, shifts)):
+            numbers += apart
+        else:
+            texts = _texts(robot, arrow, look.plain, occupancy.width >= LARGE)
+            chips += _whole_or_least(occupancy, robot, at, texts, arrow, look.plain, shifts)
+    for robot, at, number in numbers:
+        arrow = robot_glyph(robot, scene.frame.origin.yaw, look.plain), robot_roles(robot)[0]
+        chips += _with_arrow(occupancy, robot, at, number, arrow)
     return chips
 
 
+def _whole_or_least(
+    occupancy: CellOccupancy,
+    robot: SceneRobot,
+    at: Place,
+    texts: Iterator[Text],
+    arrow: tuple[str, StyleRole],
+    plain: bool,
+    shifts: dict[int, Place],
+) -> Chips:
+    """Return the chip with the first text that has space, else the arrow alone, else a chip two rows off."""
+    if chip := _placed(occupancy, robot, at, texts, shifts) or _sign(occupancy, at, arrow):
+        return chip
+    least = _text((robot_tag(robot, plain, has_age=False), robot_roles(robot)[1]))
+    return _placed(occupancy, robot, at, iter([least]), shifts, far=True)
+
+
+def _numbers(
+    occupancy: CellOccupancy, robots: Sequence[SceneRobot], at: Place, shifts: dict[int, Place]
+) -> list[tuple[SceneRobot, Place, Number]]:
+    """Occupy places for the numbers alone of robots in one cell; none if not all have one, or they are too
+    many. `shifts` keeps those of the last picture."""
+    if len(robots) >= PILED:
+        return []
+    placed: list[tuple[SceneRobot, Place, Number]] = []
+    for robot in robots:
+        text = robot_number(robot)
+        shift = occupancy.chip_shift(*at, ChipSize(len(text), len(text)), shifts.get(robot.number))
+        if shift is None:
+            for _, _, (other, (x, y)) in placed:
+                occupancy.release(at[0] + x, at[1] + y, len(other))
+            return []
+        placed.append((robot, at, Number(text, shift)))
+    shifts |= {robot.number: number.shift for robot, _, number in placed}
+    return placed
+
+
+def _with_arrow(
+    occupancy: CellOccupancy, robot: SceneRobot, at: Place, number: Number, arrow: tuple[str, StyleRole]
+) -> Chips:
+    """Return a number at its place, after its arrow if there is space for that."""
+    (text, (right, down)), (glyph, role) = number, arrow
+    x, y = at[0] + right, at[1] + down
+    first = occupancy.widen(x, y, len(text), len(glyph))
+    if first is None:
+        return [(x, y, text, role)]
+    return [(first, y, glyph, role), (first + len(glyph), y, text, robot_roles(robot)[1])]
+
+
+def _pile(
+    occupancy: CellOccupancy, robots: Sequence[SceneRobot], at: Place, plain: bool, shifts: dict[int, Place]
+) -> Chips:
+    """Return the count of robots in one cell."""
+    count = _text((f"{COUNT[plain]}{len(robots)}", StyleRole.ROBOT))
+    near_or_far = (_placed(occupancy, robots[0], at, iter([count]), shifts, far) for far in (False, True))
+    return next(filter(None, near_or_far), [])
+
+
 def _together(seen: Sequence[tuple[SceneRobot, Place]], many: int) -> dict[Place, list[SceneRobot]]:
-    """Return the robots without anything special of each cell with so many, too many for a number each."""
+    """Return the robots without anything special of each cell with so many."""
     groups: dict[Place, list[SceneRobot]] = {}
     for robot, at in seen:
         if not is_special(robot):

@@ -60,23 +60,34 @@ def many(*others: SceneRobot, camera: Camera = SMALL) -> str:
     return drawn((*others, *[away] * FEW), camera=camera)
 
 
-def test_on_a_crowded_floor_only_robots_with_something_special_have_an_arrow() -> None:
+def test_on_a_crowded_floor_numbers_come_first_and_arrows_stay_where_there_is_space() -> None:
     one, other = robot(1, 0), robot(2, 9)
-    assert "→" not in many(one, other) and {"1", "2"} <= set(many(one, other))
-    chosen, stuck = one._replace(selected=True), one._replace(alarmed=True)
-    for special in (chosen, stuck, one._replace(obstacle=True), one._replace(paused=True)):
-        assert many(special, other).count("→") == 1
-    assert "→1" in drawn((one, other), camera=SMALL), "few robots"
-    assert "→1" in many(one, other, camera=CAMERA), "space for all"
+    assert {"→1", "→2"} <= set(many(one, other).split())
+    close = [robot(number, number * 8 - 40) for number in range(1, 8)]
+    rows = [row for row in many(*close).split("\n") if row.strip()]
+    assert len(rows) == 1 and set(re.findall(r"\d", rows[0])) == set("1234567"), "no arrow moves a number"
 
 
-def test_on_a_crowded_floor_many_in_one_cell_are_counted_but_none_with_something_special() -> None:
+def test_on_a_crowded_floor_robots_in_one_cell_are_spread_around_it_and_counted_only_without_space() -> None:
     calm = tuple(robot(number, 0) for number in range(1, 6))
-    assert "×5" in many(*calm)
-    text = many(calm[0]._replace(selected=True), calm[1]._replace(alarmed=True), *calm[2:])
-    assert "→1" in text and "→2!" in text and "×3" in text
-    assert "×" not in many(*calm[:2])
-    assert "×" not in drawn(calm), "where there is space each has its number"
+    text = many(*calm)
+    assert "×" not in text and set(re.findall(r"\d", text)) == set("12345")
+    assert len([row for row in text.split("\n") if row.strip()]) <= 3, "within a row of their cell"
+    assert "×5" in many(*calm, camera=Camera.fit((400, 200), 3, 1))
+    special = many(calm[0]._replace(selected=True), calm[1]._replace(alarmed=True), *calm[2:])
+    assert "→1" in special and "→2!" in special
+
+
+def test_a_robot_at_the_end_of_its_mission_is_over_it() -> None:
+    there = SceneVertex("7", 10.05, 5.0, label="Store")
+    at_end = replace(EMPTY, robots=(robot(1, 0),), vertices=(there,), target_vertices=("7",))
+    text = picture(backdrop(at_end, CAMERA, MapOptions()), at_end, CAMERA, MapOptions()).text()
+    row = next(row for row in text.split("\n") if "→1" in row)
+    assert 60 - len("→1") < row.index("→1") <= 60
+    beside = replace(at_end, robots=(robot(1, 1),))
+    assert "o" in picture(
+        backdrop(beside, CAMERA, MapOptions()), beside, CAMERA, MapOptions()
+    ).text().replace("Store", "")
 
 
 def test_robots_in_one_cell_have_each_a_number_the_one_in_trouble_nearest() -> None:

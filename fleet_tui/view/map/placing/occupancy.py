@@ -2,7 +2,6 @@
 
 import sys
 from functools import lru_cache
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +9,7 @@ from numpy.typing import NDArray
 from fleet_tui.text.sanitize import cell_width
 from fleet_tui.view.map.cells import Roles
 from fleet_tui.view.map.places import Place
+from fleet_tui.view.map.placing.chips import ChipSize, shifts_of
 from fleet_tui.view.roles import LABELS, WALLS, StyleRole
 
 _MARGIN = 40  # cells between two rows of the bit mask, always taken to separate them
@@ -42,20 +42,6 @@ _HIDDEN = np.array(
 )
 
 
-class ChipSize(NamedTuple):
-    """The size of a chip: its cells, and of them those of its arrow and number, which stand at the robot; a
-    text is right of these or, if it `is_left`, left of them."""
-
-    cells: int
-    head: int
-    is_left: bool = False
-
-    @property
-    def has_text(self) -> bool:
-        """Tell whether a text is beside the number."""
-        return self.cells > self.head
-
-
 class CellOccupancy:
     """Occupancy of a view's cells; `below` are those that numbers should not cover.
 
@@ -79,6 +65,10 @@ class CellOccupancy:
         start, end = max(x, 0), min(x + cells, self.width)
         if 0 <= y < self._height and start < end:
             self._taken |= (1 << end - start) - 1 << self._bit(start, y)
+
+    def release(self, x: int, y: int, cells: int) -> None:
+        """Free cells of the view that were taken."""
+        self._taken &= ~((1 << cells) - 1 << self._bit(x, y))
 
     def keep_clear(self, x: int, y: int) -> None:
         """Keep chips off a cell of the view, if there is other space near their robots."""
@@ -107,7 +97,7 @@ class CellOccupancy:
 
         Of the free places near the robot it is the one that hides least; it stays at the shift `before`
         unless another is much better. A chip keeps a cell's distance from those in its row."""
-        shifts = _shifts(chip, far)
+        shifts = shifts_of(chip, far)
         best: Place | None = None
         least = sys.maxsize
         if before in shifts and (cost := self._chip_cost(x, y, before, chip)) is not None:
@@ -120,6 +110,21 @@ class CellOccupancy:
                 best, least = shift, cost + further
         if best is not None:
             self.take(x + best[0], y + best[1], chip.cells)
+        return best
+
+    def widen(self, x: int, y: int, cells: int, more: int) -> int | None:
+        """Occupy more cells right or left of a chip, on the side on which it hides less, and return its
+        first cell then; None if that leaves no cell to the chips beside it."""
+        best, least = None, sys.maxsize
+        for first, added in ((x, x + cells), (x - more, x - more)):
+            start, end = max(added - (first < x), 0), min(added + more + (first == x), self.width)
+            if first < 0 or first + cells + more > self.width or self.is_taken(start, y, end - start):
+                continue
+            place = y * self.width + added
+            if (cost := sum(self._hidden[place : place + more])) < least:
+                best, least = first, cost
+        if best is not None:
+            self.take(best, y, cells + more)
         return best
 
     def _chip_cost(self, x: int, y: int, shift: Place, chip: ChipSize) -> int | None:
@@ -213,22 +218,3 @@ def _spots(cells: int, in_row: bool) -> tuple[tuple[int, int, int], ...]:
     corners = [(right, -1), (right, 1), (left, -1), (left, 1)]
     far = [(column, row) for column in (0, end, middle, -1, end + 1) for row in (-2, 2)]
     return tuple((*at, cost) for cost, places in enumerate((beside, shifted, corners, far)) for at in places)
-
-
-@lru_cache(maxsize=512)
-def _shifts(chip: ChipSize, far: bool) -> dict[Place, int]:
-    """Return the places for a chip, as seen from its robot, with their costs, the best first: its arrow or
-    number over the robot's cell, beside it, in the next rows; with a text only over it."""
-    cells = chip.cells
-    first = cells - chip.head if chip.is_left else 0
-    over = {(-first - right, 0): right for right in range(chip.head)}
-    if chip.has_text:
-        return over
-    ends = (0, 0), (1 - cells, 0), (1, 1), (-cells, 1)
-    if far:
-        return {(right, down): away for right, away in ends for down in (-2, 2)}
-    beside = {(right, 0): 4 + right for right in (1, 2)} | {
-        (1 - cells - left, 0): 4 + left for left in (1, 2)
-    }
-    rows = {(right, down): 8 + away for down in (-1, 1) for right, away in ends}
-    return dict(sorted((over | beside | rows).items(), key=lambda one: one[1]))

@@ -11,7 +11,8 @@ from fleet_tui.model.graph import Role
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop, picture
-from fleet_tui.view.map.placing.occupancy import CellOccupancy, ChipSize
+from fleet_tui.view.map.placing.chips import ChipSize
+from fleet_tui.view.map.placing.occupancy import CellOccupancy
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.view.roles import StyleRole
 
@@ -225,3 +226,19 @@ def test_the_ends_of_an_order_have_a_label_and_move_no_other_that_leaves_them_ro
         assert end in names(ordered, camera)
     if end in before:
         assert names(ordered, camera) == before
+
+
+def test_a_chip_grows_to_the_side_that_hides_less_and_keeps_a_cell_to_its_neighbours() -> None:
+    def widened(*walls: int, taken: int = -1, x: int = 10) -> int | None:
+        roles = np.zeros((HEIGHT, WIDTH), np.uint8)
+        roles[4, list(walls)] = StyleRole.WALL
+        occupancy = CellOccupancy(WIDTH, HEIGHT, roles)
+        occupancy.take(x, 4, 2)
+        occupancy.take(taken, 4, 1)
+        return occupancy.widen(x, 4, 2, 1)
+
+    assert widened() == 10
+    assert widened(12) == 9 and widened(9) == 10
+    assert widened(taken=13) == 9 and widened(taken=8) == 10
+    assert widened(x=0) == 0 and widened(x=WIDTH - 2) == WIDTH - 3
+    assert widened(x=WIDTH - 2, taken=WIDTH - 4) is None
