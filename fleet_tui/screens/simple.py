@@ -15,6 +15,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.lookup import Place, destination_only, may_skip_start, order_of, places
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.tables.doing import told_text
 
 
 class Large(Button):
@@ -92,13 +93,14 @@ class Simple(Vertical):
         only_to = destination_only(robot)
         to = tr("To, for the cargo on board: ") if only_to and robot.has_cargo else tr("To: ")
         start = tr("current position") if may_skip_start(robot) else tr("choose ...")
-        shown = (robot.name, only_to, self._choosing, *self._chosen.items())
+        does = told_text(self._state(), robot)
+        shown = (robot.name, does, only_to, self._choosing, *self._chosen.items())
         if shown == self._shown:
             return
         self._shown = shown
         names = {field: sanitize(place.name) for field, place in self._chosen.items()}
         # As Content: a label from the wire is text, whatever markup it looks like.
-        self._button("robot").label = Content(tr(f"Robot: {sanitize(robot.name)}"))
+        self._button("robot").label = Content(f"{tr(f'Robot: {sanitize(robot.name)}')}, {does}")
         self._button("from").label = Content(tr(f"From: {names.get('from', start)}"))
         self._button("to").label = Content(to + names.get("to", tr("choose ...")))
         self._button("send").variant = "default" if self._missing() else "primary"

@@ -92,3 +92,13 @@ def _cut(text: str, cells: int) -> tuple[str, int]:
             break
         kept.append(letter)
     return "".join(kept) + "…", width + 1
+
+
+def fit_words(text: str, cells: int) -> str:
+    """Return `text` as `fit` does, but cut after a whole word where there is one."""
+    shown = fit(text, cells)
+    start = shown.rstrip()[:-1]
+    if cell_width(sanitize(text)) <= cells or not start or sanitize(text)[len(start) :].startswith(" "):
+        return shown
+    kept = start.rpartition(" ")[0].rstrip(" ,;:")
+    return fit(f"{kept}…", cells) if kept else shown

@@ -65,7 +65,7 @@ async def test_an_order_from_the_keyboard_drives_with_its_progress_and_ends(site
         await it.shows("stop 1 of 2", "queue")
         await it.shows(" m left", "fleet")
         await it.press("w")
-        await it.shows("robot_0 is moving")
+        await it.shows("robot_0 is driving")
         await it.press("escape")
         site.server.speed = 40.0
         await it.until(of_order(Stage.DONE))

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Set
 
+from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.robot import Robot
@@ -11,27 +12,25 @@ from fleet_tui.rules.why.robot import charges
 
 MOVES_WITHIN = 2.0
 """Seconds without a change of its pose for which a robot still counts as driving: it turns, it brakes."""
+BEGINS_FOR = 5.0
+"""Seconds of a link in which a pose may be the first one."""
 OBSTRUCTIONS = frozenset({"stuck", "obstacle", "blocked", "navigation"})
 """Kinds of alarms of a robot that can't drive on."""
 
 
 def activity(state: FleetState, robot: Robot) -> Activity:
     """Return what a robot does, by its reports that still hold; the first that applies."""
-    return _activity(state, robot, _blocked(state))
+    return _activity(state, robot, _blocked(state), _kept(state))
 
 
 def activities(state: FleetState, robots: Iterable[Robot]) -> dict[str, Activity]:
-    """Return what each of these robots does of which that is known now: not of one whose pose is old while
-    others arrive."""
-    blocked = _blocked(state)
-    return {
-        robot.name: _activity(state, robot, blocked)
-        for robot in robots
-        if not state.is_old(robot, "pose") or not state.is_online(robot)
-    }
+    """Return what each of these robots does of which that is known now."""
+    blocked, kept = _blocked(state), _kept(state)
+    found = ((robot, _activity(state, robot, blocked, kept)) for robot in robots)
+    return {robot.name: does for robot, does in found if _is_known(state, robot, does)}
 
 
-def _activity(state: FleetState, robot: Robot, blocked: Set[str]) -> Activity:
+def _activity(state: FleetState, robot: Robot, blocked: Set[str], kept: Set[str]) -> Activity:
     if not state.is_online(robot):
         return Activity.OFFLINE
     if state.is_paused(robot):
@@ -39,11 +38,30 @@ def _activity(state: FleetState, robot: Robot, blocked: Set[str]) -> Activity:
     if robot.name in blocked or state.is_obstructed(robot):
         return Activity.BLOCKED
     drives = robot.standing is not None and robot.still_for < MOVES_WITHIN
-    if drives and state.is_fresh(robot, "pose") and not is_jumping(robot, state.now):
+    # The first pose of one without an order is no movement.
+    begins = robot.orders.current is None and state.now - state.links[robot.link].since < BEGINS_FOR
+    if drives and not begins and state.is_fresh(robot, "pose") and not is_jumping(robot, state.now):
         return Activity.DRIVING
-    if robot.orders.open:
+    if robot.orders.open or robot.name in kept:
         return Activity.LOADING if at_stop(state, robot) else Activity.WAITING
     return Activity.CHARGING if charges(state, robot) else Activity.IDLE
+
+
+def _is_known(state: FleetState, robot: Robot, does: Activity) -> bool:
+    """Tell whether fresh reports show what a robot does: its pose that it stands, its queue why."""
+    if does in (Activity.OFFLINE, Activity.PAUSED) or state.is_obstructed(robot):
+        return True
+    if "pose" in robot.kind.reports and not state.is_fresh(robot, "pose"):
+        return False
+    if does in (Activity.DRIVING, Activity.BLOCKED) or state.is_fresh(robot, "queue"):
+        return True
+    # Some kinds report orders only once there is one.
+    return robot.queue is None and robot.kind.lists_orders and not robot.kind.expects("queue")
+
+
+def _kept(state: FleetState) -> Set[str]:
+    """Return the robots for which an order waits in this console."""
+    return {record.command.robot for record in state.commands if record.stage is Stage.WAITING}
 
 
 def _blocked(state: FleetState) -> Set[str]:

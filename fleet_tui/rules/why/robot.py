@@ -31,14 +31,14 @@ _UNRESOLVED = frozenset(
 
 
 def moves(state: FleetState, robot: Robot) -> Reason | None:
-    """Report that the robot is moving."""
+    """Report that the robot is driving."""
     since = stationary_since(robot)
     if robot.pose is None or since is None or state.is_old(robot, "pose"):
         return None
     if state.now - since >= STANDS_AFTER:
         return None
     evidence = f"pose changed {ago(since, state.now)}"
-    return Reason(f"{robot.name} is moving", evidence, seen=robot.pose.at)
+    return Reason(f"{robot.name} is driving", evidence, seen=robot.pose.at)
 
 
 def no_link(state: FleetState, robot: Robot) -> Reason | None:

@@ -9,9 +9,11 @@ import numpy as np
 from fleet_tui.model.alarm import AlarmStage
 from fleet_tui.model.geometry import Line, MapFrame, Pose
 from fleet_tui.model.graph import Role
+from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, Classes, build_grid
 from fleet_tui.text.language import tr
 from fleet_tui.view.help.section import HelpRow, HelpSection
+from fleet_tui.view.history.bars import BARS
 from fleet_tui.view.lines.time import MARKS, MarkKind
 from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
 from fleet_tui.view.map.glyphs import robot_glyph
@@ -22,6 +24,7 @@ from fleet_tui.view.map.robots import FEW
 from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import SIGNS
+from fleet_tui.view.tables.doing import word
 from fleet_tui.view.tables.fleet import CARGO
 from fleet_tui.view.tables.listing import CURSOR
 from fleet_tui.view.tables.missions import FOREIGN
@@ -65,7 +68,7 @@ _ROBOTS = (
     (_robots(_ROBOT._replace(cargo=True)), "with cargo on board"),
     (
         _robots(_ROBOT._replace(waits=True)),
-        "! at an obstacle, or standing with an order for over 30 s: amber, no alarm yet",
+        "! at an obstacle, or waiting with an order for over 30 s: amber, no alarm yet",
     ),
     (_robots(_ROBOT._replace(alarmed=True)), "! with an alarm, red until it is acknowledged"),
     (_robots(_ROBOT._replace(paused=True)), "paused"),
@@ -136,6 +139,29 @@ def _tables() -> tuple[HelpRow, ...]:
     return tuple(_row(((mark, role),), meaning) for mark, (role, meaning) in marks.items())
 
 
+STATES = {
+    Activity.DRIVING: "its pose changes",
+    Activity.WAITING: "it stands with an order, with the seconds of that: amber from 30 s on",
+    Activity.LOADING: "it stands at a stop of its order",
+    Activity.BLOCKED: "in contact with an obstacle, stopped by its navigation, or stuck with an order",
+    Activity.PAUSED: "by this console or, marked so, from elsewhere",
+    Activity.IDLE: "it stands, and no order of it is known",
+    Activity.CHARGING: "it is idle at a charger, and not full",
+    Activity.OFFLINE: "nothing received for too long, with the age of its last message",
+}
+
+
+def _states(look: MapOptions) -> tuple[HelpRow, ...]:
+    """Return what a robot does: its sign in the Activity pane, and its word everywhere."""
+    rows = []
+    for does, meaning in STATES.items():
+        glyph, letter, role = BARS[does]
+        mark = ((f"{letter if look.plain else glyph} ", role), (tr(does.value), StyleRole.TEXT))
+        rows.append(_row(mark, meaning))
+    unknown = "its pose or its orders are missing or old: its row says which"
+    return (*rows, _row(((word(None), StyleRole.TEXT),), unknown))
+
+
 def _headings(look: MapOptions) -> HelpRow:
     poses = (Pose(0.0, 0.0, quarter * math.pi / 2) for quarter in range(4))
     glyphs = (robot_glyph(_ROBOT._replace(pose=pose), 0.0, look.plain) for pose in poses)
@@ -167,5 +193,6 @@ def legend(look: MapOptions) -> tuple[HelpSection, ...]:
     drawn["ground"] += (cursor,)
     return (
         *(HelpSection(f"Legend: {kind}, {look.drawing.value}", rows) for kind, rows in drawn.items()),
+        HelpSection("Legend: what a robot does", _states(look)),
         HelpSection("Legend: tables and status line", _tables()),
     )

@@ -6,34 +6,32 @@ from collections.abc import Collection, Mapping
 from functools import partial
 from operator import attrgetter
 
-from fleet_tui.model.fleet import FleetState, is_missing, missing_text
+from fleet_tui.model.fleet import FleetState, is_missing
+from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.alarms.trouble import acknowledged, by_urgency, is_odd, may_need_person, shelved, waits
+from fleet_tui.rules.alarms.trouble import acknowledged, by_urgency, is_odd, may_need_person, shelved
 from fleet_tui.rules.commands.local_queue import all_orders
-from fleet_tui.rules.history.activity import MOVES_WITHIN
-from fleet_tui.rules.localisation.jumps import is_jumping
-from fleet_tui.rules.why.robot import charges
+from fleet_tui.rules.history.activity import activities
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
-from fleet_tui.text.sanitize import cell_width, fit
+from fleet_tui.text.sanitize import cell_width, fit, fit_words
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrangement import RowArrangement, Value
 from fleet_tui.view.tables.battery import battery_bar, battery_run
+from fleet_tui.view.tables.doing import CALM, missing, state_runs, with_progress, word
 from fleet_tui.view.tables.fleet_columns import Columns, floor_text
 from fleet_tui.view.tables.fleet_counts import fleet_counts
 from fleet_tui.view.tables.groups import GroupHead, head_row
 from fleet_tui.view.tables.missions import FOREIGN, destinations, mission, whose_mission
-from fleet_tui.view.tables.news import failed_command, is_late, news, shortened_news
+from fleet_tui.view.tables.news import failed_command, is_late, news
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, width_of
 
-CARGO, IDLE, CHARGING = "▪", "idle", "charging"
-CALM = (IDLE, CHARGING)
-STILL_FROM, STILL_INSTEAD = 5.0, 15.0
-"""Seconds from which a robot stands still, and from which that is told in place of its order."""
-WHOLE_ROUTES = 26
-"""Cells of the last column from which orders without a column of their own have their start, too."""
+CARGO = "▪"
+WITH_WORD, WHOLE_ROUTES = 22, 26
+"""Cells of the last column from which orders without a column of their own have the word that their robot
+drives, and their start, too."""
 SEEN_FROM = 2.0
 """Seconds from which the age of a robot's last message is shown."""
 
@@ -95,79 +93,54 @@ def _seen(state: FleetState, robot: Robot) -> str:
     return age(seconds) if seconds >= SEEN_FROM else ""
 
 
-def _movement(state: FleetState, robot: Robot) -> str:
-    """Return whether a robot with an order moves, empty if nothing fresh tells."""
-    if robot.standing is None or not state.is_fresh(robot, "pose") or is_jumping(robot, state.now):
-        return ""
-    return tr(f"still {age(robot.still_for)}") if robot.still_for >= STILL_FROM else tr("moving")
-
-
-def _movement_role(state: FleetState, robot: Robot) -> StyleRole:
-    if any(alarm.holds and alarm.key == (robot.name, "stuck") for alarm in state.alarms):
-        return StyleRole.ALARM
-    return StyleRole.WARN if waits(state, robot) else StyleRole.DIM
-
-
-def _without_order(state: FleetState, robot: Robot) -> str:
-    """Return the state of a robot that drives no order."""
-    if not state.is_online(robot) or not robot.kind.lists_orders:
-        return ""
-    waiting = sum(not order.is_over for order in all_orders(state, robot))
-    if robot.queue is None and not waiting:
-        return tr(missing_text(state, robot, "queue"))
-    if waiting:
-        return tr(f"{waiting} waiting")
-    begins = state.now - state.links[robot.link].since < STILL_FROM  # a first pose is no movement
-    if not begins and _movement(state, robot) and robot.still_for < MOVES_WITHIN:
-        return tr("moving")
-    return tr(CHARGING if charges(state, robot) is not None else IDLE)
-
-
-def _row(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Columns) -> Row:
+def _row(
+    state: FleetState, robot: Robot, does: Activity | None, sign: Run, selected: bool, columns: Columns
+) -> Row:
     role = StyleRole.TEXT if state.is_online(robot) else StyleRole.DIM
-    failed = list(failed_command(state, robot))
-    found = [run for text, colour in (*failed, *news(state, robot)) for run in ((text, colour), (" ", role))]
-    movement, current, order = _movement_role(state, robot), robot.orders.current, ""
-    runs = shortened_news(found, columns.state + (columns.order if current is None else 0))
-    if current is None:
-        runs = _with_rest(runs, _without_order(state, robot), 2 * len(failed))
+    current, order = robot.orders.current, ""
+    runs = state_runs(state, robot, does, columns.state + (columns.order if current is None else 0))
     if sign[1] is StyleRole.GOOD and is_odd(state, robot):
         sign = sign[0], StyleRole.WARN
     shown = current or next((one for one in all_orders(state, robot) if not one.is_over), None)
-    if shown is not None and (columns.order or shown is current):
+    if shown is not None:
         order = whose_mission(state, robot, shown)
     progress = progress_text(state, robot, current) if current is not None else ""
+    head = _head(state, robot, sign, selected, columns)
     if not columns.order:
-        if current is not None and not runs and _movement(state, robot) and robot.still_for >= STILL_INSTEAD:
-            runs = [(_movement(state, robot), movement), (" ", role)]
         if shown is not None and columns.state < WHOLE_ROUTES:
             order = destinations(robot, shown) or order
         # Beside a refused order the current one would read as that.
-        told = "" if failed else _after_news(order, progress, columns.state - width_of(runs), bool(runs))
-        return Row(robot.name, (*_head(state, robot, sign, selected, columns), *runs, (told, role)))
-    if current is not None and not runs:
-        shorter = progress if cell_width(progress) < columns.state else progress.partition(", ")[0]
-        runs = [(shorter or _movement(state, robot), movement)]
-    placed = _placed(order, runs, columns), role if shown is current else StyleRole.DIM
-    return Row(robot.name, (*_head(state, robot, sign, selected, columns), placed, *runs))
+        order = "" if any(failed_command(state, robot)) else order
+        return Row(robot.name, (*head, *_with_order(runs, order, progress, columns.state, does, role)))
+    runs = with_progress(runs, progress, columns.state)
+    placed = _placed(order, destinations(robot, shown) if shown else "", runs, columns)
+    return Row(robot.name, (*head, (placed, role if shown is current else StyleRole.DIM), *runs))
 
 
-def _with_rest(runs: list[Run], rest: str, failed: int) -> list[Run]:
-    """Return the news of a robot without an order, if there are none but those of a command that failed with
-    its state."""
-    # "lost idle" would read as one.
-    is_told = runs and (len(runs) != failed or rest in map(tr, CALM))
-    return runs if is_told else [*runs, (rest, StyleRole.DIM), (" ", StyleRole.TEXT)]
+def _with_order(
+    runs: list[Run], order: str, progress: str, cells: int, does: Activity | None, role: StyleRole
+) -> list[Run]:
+    """Return the state and the order where there is no column for it: its arrow alone says that a robot
+    drives, if there is no space for both."""
+    told = _after_state(order, progress, cells - width_of(runs))
+    drives = does is Activity.DRIVING and runs[0][0] == word(does)
+    alone = _after_state(order, progress, cells)
+    if drives and order and (cells < WITH_WORD or len(told) < len(alone)):
+        return [(alone or order.removesuffix(tr(FOREIGN)), role)]
+    return [*runs, (told, role)]
 
 
-def _placed(order: str, runs: list[Run], columns: Columns) -> str:
-    """Return an order in its column, of which a long state takes what the order leaves free."""
+def _placed(order: str, shorter: str, runs: list[Run], columns: Columns) -> str:
+    """Return an order in its column, without its start if that is too long. A long state takes what the order
+    leaves free."""
+    if cell_width(order) >= columns.order:
+        order = shorter or order
     over = max(0, width_of(runs) - 1 - columns.state)
     cells = columns.order - min(over, max(0, columns.order - 2 - cell_width(order)))
-    return fit(order, cells - 1) + " "
+    return fit_words(order, cells - 1) + " "
 
 
-def _after_news(order: str, progress: str, cells: int, is_news: bool) -> str:
+def _after_state(order: str, progress: str, cells: int) -> str:
     """Return an order and its progress where there is no column for them: without whose it is, with less of
     the progress, or not at all, if there is no space."""
     shorter = progress.partition(", ")[0]
@@ -175,36 +148,39 @@ def _after_news(order: str, progress: str, cells: int, is_news: bool) -> str:
         told = "  ".join(part for part in (text, far) if part)
         if cell_width(told) <= cells:
             return told
-    return "" if is_news else order.removesuffix(tr(FOREIGN))  # beside news a letter of it tells nothing
+    order = order.removesuffix(tr(FOREIGN))
+    return order if cell_width(order) <= cells else ""
 
 
-def _state_text(state: FleetState, robot: Robot) -> str:
-    """Return what filters find of a robot's state: its news, or whether it has an order."""
+def _state_text(state: FleetState, done: Mapping[str, Activity], robot: Robot) -> str:
+    """Return what filters find of a robot's state: its news, and what it does."""
     texts = [text for text, _ in (*failed_command(state, robot), *news(state, robot))]
-    if robot.orders.current is None:
-        return " ".join(texts or [_without_order(state, robot)])
-    return " ".join([*texts, progress_text(state, robot, robot.orders.current) or _movement(state, robot)])
+    current, does = robot.orders.current, done.get(robot.name)
+    if does in CALM and texts:
+        return " ".join(texts)
+    doing = word(does) if does is not None else missing(state, robot) or word(None)
+    return " ".join([*texts, doing, progress_text(state, robot, current) if current is not None else ""])
 
 
 def _order_text(state: FleetState, robot: Robot) -> str:
     return " ".join(mission(robot, order) for order in all_orders(state, robot) if not order.is_over)
 
 
-def _values(state: FleetState) -> tuple[Value[Robot], ...]:
+def _values(state: FleetState, done: Mapping[str, Activity]) -> tuple[Value[Robot], ...]:
     return (
         Value("robot", lambda robot: robot.name, lambda robot: natural(robot.name)),
         Value("floor", partial(floor_text, state), lambda robot: natural(floor_text(state, robot))),
         Value("battery", lambda robot: battery_run(state, robot)[0].strip(), _battery_order, is_apart=True),
         Value("order", partial(_order_text, state), lambda robot: not robot.orders.current),
-        Value("state", partial(_state_text, state), partial(_state_order, state)),
+        Value("state", partial(_state_text, state, done), partial(_state_order, state, done)),
         Value("kind", lambda robot: robot.kind.name),
         Value("link", lambda robot: robot.link),
     )
 
 
-def _state_order(state: FleetState, robot: Robot) -> str:
+def _state_order(state: FleetState, done: Mapping[str, Activity], robot: Robot) -> str:
     """Return what sorts by state: its words, for rows with counting seconds would change places."""
-    return re.sub(r"[0-9.]+", "", _state_text(state, robot))
+    return re.sub(r"[0-9.]+", "", _state_text(state, done, robot))
 
 
 def _battery_order(robot: Robot) -> float:
@@ -225,10 +201,11 @@ def fleet_table(
     alarms pane, then those in shelved trouble, without a pose, standing with an order or in a mode without
     orders, else in the order of the config."""
     arrangement = arrangement or RowArrangement()
-    silenced, seen = shelved(state), acknowledged(state)
+    silenced, seen, done = shelved(state), acknowledged(state), activities(state, state.robots.values())
     troubled = {name: place for place, name in enumerate(by_urgency(state))}
     calm = partial(_calm, state, troubled, silenced)
-    robots = arrangement.arranged(state.robots.values(), _values(state), attrgetter("name"), state.now, calm)
+    values = _values(state, done)
+    robots = arrangement.arranged(state.robots.values(), values, attrgetter("name"), state.now, calm)
     columns, groups = Columns.of(state, width), arrangement.groups
     entries = groups.grouped(state, robots, selected, opens=bool(arrangement.typed))
 
@@ -237,13 +214,13 @@ def fleet_table(
         if isinstance(robot, GroupHead):
             return head_row(state, robot, robot in groups.folded and not arrangement.typed, troubled)
         sign = _signed(state, robot, robot.name in troubled, robot.name in silenced)
-        made = _row(state, robot, sign, robot.name == selected, columns)
+        made = _row(state, robot, done.get(robot.name), sign, robot.name == selected, columns)
         return _seen_row(made) if robot.name in seen else made
 
     rows = LateRows([one if isinstance(one, GroupHead) else one.name for one in entries], row)
     notes = arrangement.notes(len(robots))
     # Filtered it is about other numbers.
-    counted = [] if arrangement.typed else fleet_counts(state, width - width_of(notes))
+    counted = [] if arrangement.typed else fleet_counts(state, done, width - width_of(notes))
     told = ((tr("Fleet"), StyleRole.TITLE), *counted, *notes)
     unfiltered = 0 if groups.by else len(state.robots)
     return Table(told, rows, arrangement.no_match, (), columns.head, unfiltered, bool(groups.by))

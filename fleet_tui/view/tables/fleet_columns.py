@@ -13,7 +13,7 @@ from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, column
 
 DOT = 2
-STATE, WITH_ORDER, ORDER_MOST = 15, 30, 30
+STATE, WITH_ORDER, ORDER_MOST = 19, 36, 30
 """Cells of usual states (longer ones take some of a short order's), of both from which orders have a column
 before them, and of that at most."""
 WHOLE_FLOORS, WITH_BAR, WITH_WAITING, WITH_SEEN = 54, 70, 84, 90

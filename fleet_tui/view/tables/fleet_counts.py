@@ -1,53 +1,48 @@
 """The counts in the title of the fleet pane: the robots online, and what they do."""
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity
-from fleet_tui.rules.history.activity import activities
 from fleet_tui.text.language import tr
 from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.doing import ODD, UNKNOWN, count_word
 from fleet_tui.view.tables.table import Run, width_of
 
-COUNTED = {
-    Activity.BLOCKED: StyleRole.WARN,  # red is an alarm: most contacts pass
-    Activity.PAUSED: StyleRole.WARN,
-    Activity.WAITING: StyleRole.DIM,
-    Activity.DRIVING: StyleRole.DIM,
-    Activity.LOADING: StyleRole.DIM,
-    Activity.IDLE: StyleRole.DIM,
-    Activity.CHARGING: StyleRole.DIM,
-}
-"""What robots online do: first what a person looks for, which stays where not all fits."""
-BESIDE = len("─ Fleet    -  of  ─")
-"""Cells of the title beside the counts, and beside the numbers of the rows in view."""
+COUNTED = (
+    *(*ODD, Activity.WAITING.value, Activity.DRIVING.value, Activity.LOADING.value),
+    *(Activity.IDLE.value, Activity.CHARGING.value, UNKNOWN),
+)
+"""What robots online do: first what a person looks for."""
+BESIDE, RANGE = 10, 7
+"""Cells of the title beside the counts, and of `  1-2 of 3` beside its numbers."""
+ALL_IN_VIEW = 12
+"""Robots up to which nearly every pane has a row for each: of more the title tells which rows are in view."""
 
 
-def fleet_counts(state: FleetState, width: int) -> list[Run]:
-    """Return how many robots are online and, as far as `width` cells of the title allow, what they do. Where
-    what is odd would be dropped, it is there in the place of those online."""
-    robots = state.robots
-    # Without a queue nobody knows whether a standing robot is idle.
-    done = ((robots[name].queue is not None, one) for name, one in activities(state, robots.values()).items())
-    found = Counter(one for is_listed, one in done if is_listed or one is not Activity.IDLE)
-    offline, left = found[Activity.OFFLINE], width - BESIDE - 3 * len(str(len(robots)))
+def fleet_counts(state: FleetState, done: Mapping[str, Activity], width: int) -> list[Run]:
+    """Return how many robots are online and what all of them do, by the words of their rows. In less than
+    `width` cells it is what is odd alone, and if need be in the place of those online."""
+    robots, digits = state.robots, len(str(len(state.robots)))
+    left = width - BESIDE - (RANGE + 3 * digits) * (len(robots) > ALL_IN_VIEW)
+    found = Counter(count_word(state, robot, done.get(name)) for name, robot in robots.items())
+    offline = found.pop(Activity.OFFLINE.value, 0)
     online = len(robots) - offline
     present: Run = (tr(f" {online} of {len(robots)} online"), StyleRole.DIM)
-    counts = [(f"{found[one]} {tr(one.value)}", role) for one, role in COUNTED.items() if found[one]]
+    counts = [
+        (f"{found[one]} {tr(one)}", StyleRole.WARN if one in ODD else StyleRole.DIM)
+        for one in COUNTED
+        if found[one]
+    ]
     odd = [one for one in counts if one[1] is StyleRole.WARN]
-    if not odd or width_of(_listed([present], ": ", odd)) <= left:
-        return _fitting([present], ": ", counts, left)
     away = [(f"{offline} {tr(Activity.OFFLINE.value)}", StyleRole.DIM)] if offline else []
-    return _fitting([], " ", [*away, *odd], left) or [present]
+    # A part of the counts would not add up.
+    listed = [_listed([present], ": ", counts), _listed([present], ": ", odd)]
+    listed += [_listed([], " ", [*away, *odd][:most]) for most in range(len([*away, *odd]), 0, -1)]
+    return next((one for one in listed if width_of(one) <= left), [present])
 
 
 def _listed(runs: Sequence[Run], first: str, counts: Sequence[Run]) -> list[Run]:
     more = [part for count in counts for part in ((", ", StyleRole.DIM), count)]
     return [*runs, *([(first, StyleRole.DIM), *more[1:]] if counts else [])]
-
-
-def _fitting(runs: Sequence[Run], first: str, counts: Sequence[Run], left: int) -> list[Run]:
-    """Return the runs with as many of the counts, from the first, as there are cells left for."""
-    listed = (_listed(runs, first, counts[:most]) for most in range(len(counts), 0, -1))
-    return next((one for one in listed if width_of(one) <= left), list(runs))

@@ -5,12 +5,12 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import NamedTuple
 
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.history.activity import activities
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.doing import ODD, count_word
 from fleet_tui.view.tables.fleet_columns import floor_text
 from fleet_tui.view.tables.table import Row, Run
 
@@ -78,7 +78,7 @@ def _names(state: FleetState, by: str) -> Sequence[str]:
 
 def head_row(state: FleetState, head: GroupHead, is_folded: bool, troubled: Collection[str]) -> Row:
     """Return the head of a group: how many robots are in it, in trouble and offline, and if they are folded
-    also how many are blocked or paused."""
+    also how many are blocked, at an obstacle or paused."""
     members = [robot for robot in state.robots.values() if BY[head.by](state, robot) == head.name]
     count = len(members)
     alarmed = sum(robot.name in troubled for robot in members)
@@ -92,8 +92,9 @@ def head_row(state: FleetState, head: GroupHead, is_folded: bool, troubled: Coll
         runs.append((tr(f" {alarmed} with alarm{'s' * (alarmed != 1)}"), StyleRole.ALARM))
     if offline:
         runs.append((tr(f" {offline} offline"), StyleRole.WARN))
-    done = Counter(activities(state, members).values()) if is_folded else Counter()
-    for one in (Activity.BLOCKED, Activity.PAUSED):
-        if done[one]:
-            runs.append((f" {done[one]} {tr(one.value)}", StyleRole.WARN))
+    done = activities(state, members) if is_folded else {}
+    words = Counter(count_word(state, robot, done.get(robot.name)) for robot in members if is_folded)
+    for one in ODD:
+        if words[one]:
+            runs.append((f" {words[one]} {tr(one)}", StyleRole.WARN))
     return Row(head, tuple(runs))

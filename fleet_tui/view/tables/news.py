@@ -8,7 +8,7 @@ from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.conditions import is_news, obstacle_lasts
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
-from fleet_tui.rules.alarms.trouble import AGING, acknowledged, has_lost, in_trouble, is_stopped, shelved
+from fleet_tui.rules.alarms.trouble import AGING, has_lost, in_trouble, is_stopped, shelved
 from fleet_tui.rules.alarms.vehicles import priority_of, sorted_errors
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import own_pause_text
@@ -92,13 +92,6 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
         yield from _old(state, robot)
     if is_news(state, robot.fault_at):
         yield tr(f"bad data x{robot.faults}"), StyleRole.WARN
-
-
-def news_of_page(state: FleetState, robot: Robot) -> Iterator[Run]:
-    """Return the news of a robot without red if all its alarms are acknowledged, as the tables have it."""
-    is_known = robot.name in acknowledged(state)
-    for text, role in news(state, robot):
-        yield text, StyleRole.WARN if is_known and role is StyleRole.ALARM else role
 
 
 def _lost(state: FleetState, robot: Robot) -> Iterator[Run]:

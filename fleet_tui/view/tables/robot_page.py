@@ -11,9 +11,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.commands.follow_up import seen_end
-from fleet_tui.rules.history.activity import MOVES_WITHIN
 from fleet_tui.rules.lag import is_overloaded
-from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.why.orders import CHECK_DELIVERY
 from fleet_tui.rules.why.place import place_text
 from fleet_tui.text.durations import age, duration
@@ -21,9 +19,9 @@ from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import command_text, stage_text
 from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.doing import page_runs
 from fleet_tui.view.tables.fleet_columns import floor_text
 from fleet_tui.view.tables.missions import whose_mission
-from fleet_tui.view.tables.news import news_of_page
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import Row, Run, Table
 
@@ -31,15 +29,13 @@ NAME, VALUE, AGE = 10, 27, 8
 """Cells of the columns of names, values and ages."""
 LAST = 5
 """Commands and ended orders that are listed."""
-STANDS_FROM = 1.0
-"""Seconds without movement from which a robot stands."""
 
 
 def robot_page(state: FleetState, name: str, width: int, clock: Callable[[float], str]) -> Table:
     """Return the page of a robot for a pane of `width` cells; `clock` formats Unix seconds as local time."""
     robot = state.robots[name]
     rows = [
-        named("State", *news_of_page(state, robot)),
+        named("State", *page_runs(state, robot)),
         *_alarms(state, robot, width - NAME - 1),
         *value_rows(state, robot, width),
     ]
@@ -98,15 +94,15 @@ def value_rows(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Ru
             # In whole seconds: tenths would never be at rest.
             (_since(state.now - reading.at + (value != "pose") * late, is_narrow), age_role),
         )
-    yield from _movement(state, robot)
+    yield from _place(state, robot)
 
 
 def _since(seconds: float, is_narrow: bool) -> str:
     return age(seconds) if is_narrow else tr(f"{age(seconds)} ago")
 
 
-def _movement(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
-    """Yield the place it is at, the last jump of its pose, and whether it stands."""
+def _place(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
+    """Yield the place it is at, its mode, and the last jump of its pose."""
     if place := place_text(robot):
         yield named("Place", (tr(sanitize(place)), StyleRole.TEXT))
     if robot.member is not None and (mode := robot.member.value.mode or robot.member.value.status):
@@ -118,12 +114,6 @@ def _movement(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
             (f"{sanitize(robot.relocated.value):<{VALUE}}", StyleRole.TEXT),
             (tr(f"{age(state.now - robot.relocated.at)} ago"), StyleRole.DIM),
         )
-    if robot.standing is not None and state.is_fresh(robot, "pose") and not is_jumping(robot, state.now):
-        still = robot.still_for
-        if still >= STANDS_FROM:
-            yield named("Movement", (tr(f"standing for {age(still)}"), StyleRole.TEXT))
-        elif state.now - robot.standing.at < MOVES_WITHIN:  # else its poses come too rarely to tell
-            yield named("Movement", (tr("moving"), StyleRole.TEXT))
 
 
 def _pose_text(state: FleetState, robot: Robot, is_narrow: bool) -> str:

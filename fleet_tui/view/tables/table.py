@@ -5,7 +5,7 @@ from typing import overload
 
 from msgspec import Struct
 
-from fleet_tui.text.sanitize import cell_width, fit
+from fleet_tui.text.sanitize import cell_width, fit_words
 from fleet_tui.view.roles import StyleRole
 
 Run = tuple[str, StyleRole]
@@ -75,7 +75,7 @@ def width_of(runs: Iterable[Run]) -> int:
 
 
 def cut(runs: Iterable[Run], cells: int) -> tuple[Run, ...]:
-    """Return runs in exactly `cells` cells: cut with an ellipsis or padded."""
+    """Return runs in exactly `cells` cells: cut after a word with an ellipsis, or padded."""
     result: list[Run] = []
     left = cells
     for text, role in runs:
@@ -83,7 +83,7 @@ def cut(runs: Iterable[Run], cells: int) -> tuple[Run, ...]:
             break
         width = cell_width(text)
         if width > left:
-            text, width = fit(text, left), left
+            text, width = fit_words(text, left), left
         result.append((text, role))
         left -= width
     if left > 0:

@@ -163,4 +163,4 @@ def test_a_pose_beyond_the_map_is_told_also_of_a_robot_that_moves(x: float, is_o
     state = replace(state, floors={F0: floor})
     found = [one.name for one in reasons(state, state.robots[R0])]
     assert ("pose off the map" in found) is is_off
-    assert ("robot_0 is moving" in found) is not is_off
+    assert ("robot_0 is driving" in found) is not is_off

@@ -74,7 +74,7 @@ def waiting_orders() -> Planted:
 
 SITUATIONS: dict[str, tuple[Callable[[], Planted], str]] = {
     "nothing to do": (lambda: Planted().run(3), "no orders"),
-    "it drives": (lambda: driving(), "robot_0 is moving"),
+    "it drives": (lambda: driving(), "robot_0 is driving"),
     "paused elsewhere": (lambda: driving(then="paused").run(3), "paused"),
     "paused from here": (lambda: driving().command(PauseRobot(R0)).run(3), "paused"),
     "paused, no topic tells": (
@@ -179,11 +179,11 @@ def test_whatever_was_heard_there_is_a_reason_and_every_key_exists(facts: list[E
     if state.is_online(state.robots[R0]):
         assert strengths == sorted(strengths)
     assert {id_ for reason in found for id_ in reason.keys} <= {key.id for key in KEYS}
-    if found[0].name == "robot_0 is moving":
+    if found[0].name == "robot_0 is driving":
         assert len(found) == 1
     names = [reason.name for reason in found]
     assert ("paused" in names or "paused (by us)" in names) is (
-        state.is_paused(state.robots[R0]) and names != ["robot_0 is moving"]
+        state.is_paused(state.robots[R0]) and names != ["robot_0 is driving"]
     )
 
 

@@ -2,8 +2,10 @@
 
 import pytest
 
+from fleet_tui.model.history.facts import Activity
 from fleet_tui.view.help.legend import legend
 from fleet_tui.view.help.section import search
+from fleet_tui.view.history.bars import BARS
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.roles import StyleRole
@@ -48,12 +50,16 @@ def test_places_and_lines_are_those_of_the_map() -> None:
     assert found["the way of the selected robot's order"] != found["the way of its next orders"]
 
 
-@pytest.mark.parametrize(
-    ("glyph", "meaning"), [("⌂", "docking"), ("▶", "cargo"), ("‖", "paused"), ("≈", "own map")]
-)
+@pytest.mark.parametrize(("glyph", "meaning"), [("⌂", "docking"), ("▶", "cargo"), ("≈", "own map")])
 def test_a_typed_glyph_is_explained(glyph: str, meaning: str) -> None:
     rows = [row.text for section in search(legend(MapOptions()), glyph) for row in section.rows]
     assert len(rows) == 1 and meaning in rows[0]
+
+
+def test_each_word_for_what_a_robot_does_is_explained_with_its_sign_in_the_activity_pane() -> None:
+    found = signs(Drawing.BRAILLE)
+    assert {f"{BARS[does][0]} {does.value}" for does in Activity} <= set(found.values())
+    assert "unknown" in found.values()
 
 
 def test_the_ground_below_a_sign_is_no_sign_of_it() -> None:

@@ -5,13 +5,13 @@ from msgspec.structs import replace
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity
 from fleet_tui.view.history.lately import CELLS, FIRST, LAST, RecentActivity, activity_table
-from tests.support.fleets import R0, T0, battery, fleet, link_lost, link_up, pose, reduced, text_of, tick
+from tests.support.fleets import R0, T0, fleet, link_lost, link_up, pose, queue, reduced, text_of, tick
 
 IDLE = Activity.IDLE
 
 
 def seen(at: float) -> FleetState:
-    return reduced(fleet(2), link_up(T0), pose(T0), pose(at), battery(at), tick(at))
+    return reduced(fleet(2), link_up(T0 - 9), pose(T0), pose(at), queue(at), tick(at))
 
 
 def watched(*seconds: float) -> RecentActivity:

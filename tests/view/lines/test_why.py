@@ -52,7 +52,7 @@ No movement for 6 s. At Base.
 def test_a_robot_that_moves_tells_its_alarms_all_the_same() -> None:
     state = reduced(received(FULL), battery(T0, 5.0), pose(T0 + 0.3, x=2.0), tick(T0 + 0.4))
     lines = why_lines(state, state.robots[R0], KEYS)
-    assert lines[0].startswith("robot_0 is moving") and "▲ battery 5 %" in lines
+    assert lines[0].startswith("robot_0 is driving") and "▲ battery 5 %" in lines
     assert lines[-2].strip() == "Send it to a charger"
     assert lines[-1].strip() == "o\u00a0order"
 

@@ -56,13 +56,14 @@ def alarms(state: FleetState, *past: PastAlarm, note: str = "") -> str:
 
 def test_the_state_is_told_even_of_a_calm_robot() -> None:
     calm, gone = received(), received(at=T0 + 60)
-    assert "nothing unusual" in text(state_section(calm, calm.robots[R0]))
-    low = received(battery(T0 + 0.1, 5.0))
-    assert "State     battery 5 %" in text(state_section(low, low.robots[R0]))
+    assert "State     no queue yet\n" in text(state_section(calm, calm.robots[R0]))
+    idle = received(queue(T0))
+    assert "State     idle\n" in text(state_section(idle, idle.robots[R0]))
+    low = received(queue(T0), battery(T0 + 0.1, 5.0))
+    assert "State     idle battery 5 %" in text(state_section(low, low.robots[R0]))
     said = Complaint("drive: ERROR no odometry, wheels slip on a wet floor", "diagnostics", True, T0)
     told = text(state_section(calm, calm.robots[R0], [said]))
     assert "Reports   drive: ERROR no odometry, wheels\n          slip on a wet floor\n" in told
-    assert "nothing unusual" not in told
     shown = state_section(gone, gone.robots[R0])
     assert "offline 60 s" in text(shown)
     (level,) = [line for line in shown.lines if text_of(line).startswith("Battery")]

@@ -159,9 +159,9 @@ def test_the_floor_as_far_as_the_pose_tells() -> None:
 def test_what_it_does() -> None:
     named = (graph(1, 2), labels({1: "Base", 2: "Consumidores"}))
     assert "Base -> Consumidores" in row(received(*named, queue(T0 + 1, (4, 1, 2, "W"), current=4)))
-    assert "2 waiting" in row(received(*named, queue(T0 + 1, (4, 1, 2, "Q"), (5, 2, 1, "Q"))))
+    assert "waiting" in row(received(*named, queue(T0 + 1, (4, 1, 2, "Q"), (5, 2, 1, "Q"))))
     waits = received(*named, queue(T0 + 1, (4, 2, 1, "Q")))
-    assert "1 waiting -> Base" in text_of(fleet_table(waits, R0, 42).rows[0].runs)
+    assert "waiting -> Base" in text_of(fleet_table(waits, R0, 42).rows[0].runs)
     assert CARGO in row(received(events.CargoReported(R0, T0 + 1, True)))
 
 
@@ -169,7 +169,7 @@ def test_every_robot_has_its_row_in_the_order_of_the_config() -> None:
     state = reduced(fleet(12), battery(T0), battery(T0, robot="robot_11"), tick(T0))
     table = fleet_table(state, "robot_3", WIDTH)
     assert [line.key for line in table.rows] == [f"robot_{n}" for n in range(12)]
-    assert text_of(table.title) == "Fleet 2 of 12 online"
+    assert text_of(table.title) == "Fleet 2 of 12 online: 2 unknown"
     marked = [line.key for line in table.rows if StyleRole.ACCENT in {role for _, role in line.runs}]
     assert marked == ["robot_3"]
     starts = {text_of(line.runs).index("robot_") for line in table.rows}
@@ -188,7 +188,7 @@ def test_news_is_whole_where_the_floor_has_to_give_way() -> None:
 
 def test_an_order_that_is_only_listed_still_is_not_waiting() -> None:
     assert "idle" in row(received(queue(T0 + 1, (1, 1, 2, "D"), (2, 1, 2, "C"))))
-    assert "1 waiting" in row(received(queue(T0 + 1, (1, 1, 2, "D"), (2, 1, 2, "Q"))))
+    assert "waiting" in row(received(queue(T0 + 1, (1, 1, 2, "D"), (2, 1, 2, "Q"))))
 
 
 def test_a_robot_whose_queue_never_came_is_not_idle() -> None:
@@ -257,12 +257,12 @@ def test_the_most_urgent_trouble_is_first_as_in_the_alarms_pane() -> None:
 
 def test_a_robot_stands_as_long_as_its_poses_show() -> None:
     now = standing(40.0)
-    assert row(now).rstrip().endswith("still 40 s")
-    assert row(reduced(now, tick(T0 + 41.4))).rstrip().endswith("still 40 s"), "its last pose is of then"
+    assert row(now).rstrip().endswith("waiting 40 s")
+    assert row(reduced(now, tick(T0 + 41.4))).rstrip().endswith("waiting 40 s"), "its last pose is of then"
 
 
 def test_a_robot_that_stands_for_long_is_yellow_before_it_is_an_alarm() -> None:
-    assert [role_of(standing(seconds), "still") for seconds in (20.0, 40.0)] == [
+    assert [role_of(standing(seconds), "waiting") for seconds in (20.0, 40.0)] == [
         StyleRole.DIM,
         StyleRole.WARN,
     ]
@@ -271,7 +271,9 @@ def test_a_robot_that_stands_for_long_is_yellow_before_it_is_an_alarm() -> None:
 
 def test_in_a_narrow_pane_an_order_that_does_not_get_on_says_so() -> None:
     short, long = (text_of(fleet_table(standing(t), R0, 48).rows[0].runs) for t in (10.0, 40.0))
-    assert "still" not in short and "still 40 s 1? -> 2?" in long
+    assert "waiting 10 s 1? -> 2?" in short and "waiting 40 s 1? -> 2?" in long
+    (tight,) = (text_of(fleet_table(standing(40.0), R0, 40).rows[0].runs).rstrip() for _ in "1")
+    assert tight.endswith("waiting 40 s -> 2?")
 
 
 @pytest.mark.parametrize(
@@ -310,7 +312,7 @@ def test_a_stuck_robot_says_so_in_the_colour_of_alarms() -> None:
     for second in range(70):
         at = T0 + second
         state = reduced(state, pose(at), battery(at), queue(at, (1, 1, 2, "W"), current=1), tick(at))
-    assert "still" in row(state) and role_of(state, "still") is StyleRole.ALARM
+    assert "blocked" in row(state) and role_of(state, "blocked") is StyleRole.ALARM
 
 
 def test_a_passing_obstacle_is_no_alarm_yet() -> None:
@@ -369,7 +371,7 @@ def test_jumps_of_a_pose_are_no_movement() -> None:
     state = reduced(fleet(2), link_up(T0 - 9), order, calm, *jumps, tick(T0 + 4))
     table = fleet_table(state, "robot_1", WIDTH)
     first = table.rows[0]
-    assert first.key == R0 and "pose jumps" in text_of(first.runs) and "moving" not in text_of(first.runs)
+    assert first.key == R0 and "pose jumps" in text_of(first.runs) and "driving" not in text_of(first.runs)
     assert first.runs[0] == ("● ", StyleRole.WARN)
     assert "1 waiting, 1 driving" in text_of(table.title)
 

@@ -32,7 +32,7 @@ def test_heads_begin_where_their_columns_do(width: int) -> None:
     assert head.index("Batt") - 1 == row.index(" 80 %") or head.index("Batt") == row.index(" 80 %")
     assert row.startswith("floor_0" if width >= 54 else "0 ", head.index("Fl"))
     assert ("Floor" in head) == (width >= 54)
-    assert (Columns.of(state, width).order > 0) == (width >= 60)
+    assert (Columns.of(state, width).order > 0) == (width >= 79)
     assert "State" in head
 
 

@@ -2,8 +2,11 @@
 
 from fleet_tui.model.events import ObstacleReported
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.rules.history.activity import activities
 from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.fleet import fleet_table
 from fleet_tui.view.tables.fleet_counts import BESIDE, fleet_counts
+from fleet_tui.view.tables.table import Run
 from tests.support.fleets import T0, battery, fleet, link_up, pose, queue, reduced, text_of, tick
 
 WIDE = 100
@@ -22,20 +25,33 @@ def calm() -> FleetState:
     return reduced(fleet(3), link_up(T0), *(pose(T0, robot=f"robot_{n}") for n in range(3)), tick(T0))
 
 
+def counts(state: FleetState, width: int) -> list[Run]:
+    return fleet_counts(state, activities(state, state.robots.values()), width)
+
+
 def test_what_the_robots_do_is_counted_and_what_is_odd_is_first_and_coloured() -> None:
-    counts = fleet_counts(working(), WIDE)
-    assert text_of(counts) == " 4 of 5 online: 1 blocked, 1 driving, 1 idle"
-    assert ("1 blocked", StyleRole.WARN) in counts and ("1 driving", StyleRole.DIM) in counts
+    told = counts(working(), WIDE)
+    assert text_of(told) == " 4 of 5 online: 1 obstacle, 1 driving, 1 idle, 1 unknown"
+    assert ("1 obstacle", StyleRole.WARN) in told and ("1 driving", StyleRole.DIM) in told
 
 
-def test_in_a_narrow_title_whole_counts_are_left_out_from_the_end() -> None:
-    whole = " 4 of 5 online: 1 blocked, 1 driving"
-    assert text_of(fleet_counts(working(), BESIDE + 3 + len(whole))) == whole
-    assert text_of(fleet_counts(working(), BESIDE + 3 + len(whole) - 1)) == " 4 of 5 online: 1 blocked"
-    assert text_of(fleet_counts(calm(), BESIDE + 3 + len(" 3 of 3 online"))) == " 3 of 3 online"
+def test_the_counts_add_up_by_the_words_of_the_rows_or_only_what_is_odd_is_told() -> None:
+    whole = " 4 of 5 online: 1 obstacle, 1 driving, 1 idle, 1 unknown"
+    assert text_of(counts(working(), BESIDE + len(whole))) == whole
+    assert text_of(counts(working(), BESIDE + len(whole) - 1)) == " 4 of 5 online: 1 obstacle"
+    assert text_of(counts(calm(), BESIDE + len(" 3 of 3 online"))) == " 3 of 3 online"
+    rows = [text_of(row.runs) for row in fleet_table(working(), "robot_0", WIDE).rows]
+    assert all(any(word in row for row in rows) for word in ("driving", "obstacle 9.0 s", "idle"))
+
+
+def test_a_large_fleet_leaves_space_for_the_rows_in_view() -> None:
+    state = reduced(fleet(30), link_up(T0), battery(T0), tick(T0))
+    whole = " 1 of 30 online: 1 unknown"
+    assert text_of(counts(state, BESIDE + len(whole) + len("  11-30 of 30"))) == whole
+    assert text_of(counts(state, BESIDE + len(whole) + len("  11-30 of 30") - 1)) == " 1 of 30 online"
 
 
 def test_in_a_title_without_space_for_both_trouble_is_told_and_not_who_is_online() -> None:
-    assert text_of(fleet_counts(working(), BESIDE + 3 + len(" 4 of 5 online"))) == " 1 offline"
-    assert text_of(fleet_counts(working(), BESIDE + 3 + 21)) == " 1 offline, 1 blocked"
-    assert text_of(fleet_counts(working(), 20)) == " 4 of 5 online"
+    assert text_of(counts(working(), BESIDE + len(" 4 of 5 online"))) == " 1 offline"
+    assert text_of(counts(working(), BESIDE + 22)) == " 1 offline, 1 obstacle"
+    assert text_of(counts(working(), 10)) == " 4 of 5 online"

@@ -2,8 +2,10 @@
 
 from fleet_tui.model import events
 from fleet_tui.model.commands import PauseRobot, Stage
+from fleet_tui.model.desk.events import RobotClaimed
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.fleet import fleet_table
 from fleet_tui.view.tables.robot_page import robot_page
 from tests.support.fleets import (
     R0,
@@ -56,7 +58,7 @@ def test_in_few_cells_the_floor_is_told_once_and_ages_are_in_their_column() -> N
     assert "floor_0" not in told and told.rstrip().endswith(" 0 s")
     assert told.index(" 0 s") == next(row for row in rows if row.startswith("Battery")).index(" 0 s")
     assert "floor_0" in line(state, "Pose") and "floor_0" in text_of(
-        robot_page(received(), R0, 42, str).rows[0].runs
+        robot_page(received(), R0, 42, str).rows[1].runs
     ), "without a label it is nowhere else"
 
 
@@ -66,8 +68,10 @@ def test_a_jump_of_its_pose_is_told_with_its_age() -> None:
     assert "50.0 m" in line(jumped, "Jumped") and "ago" in line(jumped, "Jumped")
 
 
-def test_news_is_the_first_line_and_a_calm_robot_has_none() -> None:
-    assert line(received(), "State") == ""
+def test_what_it_does_and_its_news_are_the_first_line() -> None:
+    assert page(received()).splitlines()[1].split() == ["State", "idle"]
+    claimed = received(RobotClaimed(R0))
+    assert line(claimed, "State").split()[-1] == "idle" and "claimed by" in line(claimed, "State")
     assert page(reduced(received(), tick(T0 + 30))).splitlines()[1].startswith("State     offline 30 s")
 
 
@@ -78,9 +82,12 @@ def test_the_order_and_the_commands_given_here() -> None:
     assert "pause: accepted" in line(state, "12:00:00")
 
 
-def test_movement_is_told_only_as_long_as_a_pose_shows_it() -> None:
-    went = received(pose(T0 + 0.4, 0.3))
-    assert line(went, "Movement").split()[1:] == ["moving"]
-    assert line(reduced(went, battery(T0 + 4), tick(T0 + 4)), "Movement") == ""
-    stood = reduced(went, pose(T0 + 3.4, 0.3), tick(T0 + 3.5))
-    assert line(stood, "Movement").split()[1:] == ["standing", "for", "3", "s"]
+def test_it_drives_or_stands_in_the_word_of_its_row() -> None:
+    order = queue(T0, (4, 1, 2, "W"), current=4)
+    went = received(order, pose(T0 + 0.4, 0.3))
+    assert line(went, "State").split() == ["State", "driving"] and line(went, "Movement") == ""
+    stood = reduced(
+        went, pose(T0 + 7.4, 0.3), battery(T0 + 7), queue(T0 + 7, (4, 1, 2, "W"), current=4), tick(T0 + 7.5)
+    )
+    assert line(stood, "State").split() == ["State", "waiting", "7", "s"]
+    assert "waiting 7 s" in text_of(fleet_table(stood, R0, 60).rows[0].runs)

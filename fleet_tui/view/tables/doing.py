@@ -1,0 +1,96 @@
+"""What a robot does, in the one word that all of the screen has for it."""
+
+from fleet_tui.model.fleet import FleetState, missing_text
+from fleet_tui.model.history.facts import Activity
+from fleet_tui.model.robot import Robot
+from fleet_tui.rules.alarms.trouble import acknowledged, waits
+from fleet_tui.rules.history.activity import activities
+from fleet_tui.text.durations import age
+from fleet_tui.text.language import tr
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.news import failed_command, news, shortened_news
+from fleet_tui.view.tables.table import Run, width_of
+
+UNKNOWN, OBSTACLE = "unknown", "obstacle"
+ODD = (OBSTACLE, Activity.BLOCKED.value, Activity.PAUSED.value)
+"""Words of what needs a look, as counted."""
+CALM = (Activity.IDLE, Activity.CHARGING)
+STANDING = (Activity.WAITING, Activity.LOADING, Activity.BLOCKED)
+"""What a robot does while it stands with an order: told with its seconds."""
+PAGE = 500
+"""Cells of a page: nothing is left out, for it has lines."""
+STILL_FROM = 5.0
+"""Seconds without movement from which they are told."""
+_GAP: Run = " ", StyleRole.TEXT
+
+
+def word(does: Activity | None) -> str:
+    """Return the word for what a robot does, None if nothing fresh tells."""
+    return tr(UNKNOWN if does is None else does.value)
+
+
+def doing_text(robot: Robot, does: Activity | None) -> str:
+    """Return `waiting 11 s` of a robot that stands with an order, else the word alone."""
+    if does not in STANDING or robot.still_for < STILL_FROM:
+        return word(does)
+    return f"{word(does)} {age(robot.still_for)}"
+
+
+def count_word(state: FleetState, robot: Robot, does: Activity | None) -> str:
+    """Return the word that counts a robot, in English: that of its row, in contact with an obstacle this
+    one."""
+    if does is Activity.BLOCKED and state.is_obstructed(robot):
+        return OBSTACLE
+    return UNKNOWN if does is None else does.value
+
+
+def doing_role(state: FleetState, robot: Robot) -> StyleRole:
+    """Return the role of that text: amber where it lasts, red where it is an alarm."""
+    if any(alarm.holds and alarm.key == (robot.name, "stuck") for alarm in state.alarms):
+        return StyleRole.ALARM
+    return StyleRole.WARN if waits(state, robot) else StyleRole.DIM
+
+
+def state_runs(state: FleetState, robot: Robot, does: Activity | None, cells: int) -> list[Run]:
+    """Return what a robot does, and its news before all: where not both have space, or the news says it,
+    these alone."""
+    failed = list(failed_command(state, robot))
+    news_runs = shortened_news([run for one in (*failed, *news(state, robot)) for run in (one, _GAP)], cells)
+    doing = doing_text(robot, does), doing_role(state, robot)
+    if not news_runs:
+        return [(missing(state, robot) or doing[0], doing[1]) if does is None else doing, _GAP]
+    # "lost idle" would read as one.
+    is_said = does in (None, Activity.OFFLINE, Activity.PAUSED, *CALM * bool(failed))
+    is_said = is_said or any(text.startswith((word(does), OBSTACLE)) for text, _ in news_runs)
+    both = [*news_runs, doing, _GAP]
+    return news_runs if is_said or width_of(both) - 1 > cells else both
+
+
+def missing(state: FleetState, robot: Robot) -> str:
+    """Return which value of a robot is missing, as far as it is known to do nothing without an order."""
+    is_missing_queue = robot.queue is None and robot.kind.expects("queue") and state.is_online(robot)
+    return tr(missing_text(state, robot, "queue")) if is_missing_queue else ""
+
+
+def with_progress(runs: list[Run], progress: str, cells: int) -> list[Run]:
+    """Return the state with as much of the progress as there is space for."""
+    for far in (progress, progress.partition(", ")[0]):
+        told = [*runs, (far, StyleRole.DIM)]
+        if far and width_of(told) <= cells:
+            return told
+    return runs
+
+
+def page_runs(state: FleetState, robot: Robot) -> list[Run]:
+    """Return what a robot does and its news for its page: without red if all its alarms are acknowledged, as
+    the tables have it."""
+    does = activities(state, [robot]).get(robot.name)
+    runs = state_runs(state, robot, does, PAGE)
+    is_known = robot.name in acknowledged(state)
+    told = [(text, StyleRole.WARN if is_known and role is StyleRole.ALARM else role) for text, role in runs]
+    return [(text, StyleRole.TEXT if role is StyleRole.DIM else role) for text, role in told if text != " "]
+
+
+def told_text(state: FleetState, robot: Robot) -> str:
+    """Return its state in its most urgent words alone: the first news, else what it does."""
+    return page_runs(state, robot)[0][0]
