@@ -86,6 +86,12 @@ def _has_certain(found: list[Reason]) -> bool:
     return any(reason.strength is Strength.CERTAIN for reason in found)
 
 
+def _is_told(robot: Robot, complaint: Complaint, found: list[Reason]) -> bool:
+    """Tell whether a complaint is the cause in another reason."""
+    cause = robot.logged.value if robot.logged is not None else ""
+    return cause != "" and complaint.text.endswith(cause) and any(cause in reason.name for reason in found)
+
+
 def _misplaced(match: "Match | None") -> list[Reason]:
     """Return the reason of a scan that does not fit the map: only while a scan is watched."""
     return (
@@ -111,6 +117,7 @@ def reasons(
     others = _misplaced(match) + others
     if not _has_certain(others):
         others += _held(FOLLOWING, state, robot)
+    complaints = [one for one in complaints if not _is_told(robot, one, others)]
     if _has_certain(others):
         others += [one.reason for one in complaints if one.is_error]
     else:
