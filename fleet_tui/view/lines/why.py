@@ -96,9 +96,10 @@ def _standing(state: FleetState, robot: Robot, first: Reason) -> str:
     seen = f"{place[:1].upper()}{place[1:]}." if state.is_fresh(robot, "pose") else tr(f"Last seen {place}.")
     has_age = first.since != stationary_since(robot) or _AGE.search(first.name) is not None
     is_dated = first.since is not None and has_age
-    return " ".join(
-        [_movement(state, robot, is_dated), seen] if place else [_movement(state, robot, is_dated)]
-    )
+    if place and is_dated and state.is_old(robot, "pose"):
+        return seen
+    movement = _movement(state, robot, is_dated)
+    return f"{movement} {seen}" if place else movement
 
 
 def _movement(state: FleetState, robot: Robot, is_dated: bool) -> str:
