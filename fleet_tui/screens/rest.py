@@ -148,7 +148,7 @@ class Rest:
             *parts, self.orders, opens, why, lambda *one: self.alarms.menu(*one), marked, settings.keys
         )
         shown_by = settings.keys, settings.clock, lambda: screen.alarm_cleared_at
-        self.alarms = AlarmResponses(*answering, opens, why, self.robots.menu, *shown_by)
+        self.alarms = AlarmResponses(*answering, opens, why, self.robots.menu, self.orders.charge, *shown_by)
 
     def _set_up_with(self, parts: SetUpParts) -> None:
         keys = self._screen.settings.keys

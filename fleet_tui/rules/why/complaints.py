@@ -36,9 +36,10 @@ class Complaint(Struct, frozen=True):
             f"in the robot's own {self.source}",
             LOOK if self.is_error and self.source == "diagnostics" else "",
         )
+        page = "health" if self.source == "diagnostics" else "log"
+        keys: tuple[str, ...] = ("diagnostics",)
         if "battery" in self.text.casefold():
-            remedy = CLASSES["battery"].action
-        page, keys = "health" if self.source == "diagnostics" else "log", ("diagnostics",)
+            remedy, keys = CLASSES["battery"].action, ("order", "diagnostics")
         return Reason(self.text, evidence, strength, seen=self.at, keys=keys, remedy=remedy, page=page)
 
 

@@ -196,4 +196,5 @@ def battery(state: FleetState, robot: Robot) -> Reason | None:
     limit = limits.battery_critical if critical else limits.battery_low
     strength = Strength.LIKELY if critical else Strength.POSSIBLE
     evidence = f"below {limit:.0f} %: the robot may reserve the rest to reach a charger"
-    return Reason(f"battery {int(charge.value)} %", evidence, strength, seen=charge.at, keys=("order",))
+    name, remedy = f"battery {int(charge.value)} %", CLASSES["battery"].action
+    return Reason(name, evidence, strength, seen=charge.at, keys=("order",), remedy=remedy)
