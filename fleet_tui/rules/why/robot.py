@@ -56,7 +56,8 @@ def late_link(state: FleetState, robot: Robot) -> Reason | None:
     link = state.links[robot.link]
     if not is_overloaded(link) or (state.is_online(robot) and not state.is_old(robot, "pose")):
         return None
-    name, remedy = f"messages {duration(link.late)} late", CLASSES["late"].action
+    name = f"messages {duration(link.late)} late"
+    remedy = "Subscribe to fewer topics, lower rates at the robots, or run a second bridge"
     return Reason(name, f"bridge of {link.name} overloaded", keys=DIAGNOSE, remedy=remedy)
 
 

@@ -44,10 +44,11 @@ def why_lines(
     match: "Match | None" = None,
     impact: Sequence[str] = (),
     complaints: Sequence[Complaint] = (),
+    load: Reason | None = None,
 ) -> list[str]:
-    """Return the time without movement, then each reason: name, evidence, age and the keys that help; `match`
-    and `complaints` as for `reasons`; `impact`: the lines about orders whose way is cut."""
-    found, hidden = reasons(state, robot, match, complaints), hidden_keys(state, robot.name)
+    """Return the time without movement, then each reason: name, evidence, age and the keys that help;
+    `match`, `complaints` and `load` as for `reasons`; `impact`: the lines about orders whose way is cut."""
+    found, hidden = reasons(state, robot, match, complaints, load), hidden_keys(state, robot.name)
     if found and moves(state, robot) == found[0]:
         alarms = [*_alarms(state, robot, keys, hidden), *impact]
         return [
