@@ -118,11 +118,7 @@ def reasons(
     carries."""
     deaf, others = _held(DEAF, state, robot), _held(RULES, state, robot)
     if deaf:
-        return (
-            deaf
-            + ([load] if load is not None else [])
-            + [replace(reason, strength=Strength.POSSIBLE) for reason in others]
-        )
+        return _of_deaf(deaf, load, others)
     moving = moves(state, robot)
     if moving is not None and not _held((jumps, off_map), state, robot):
         return [moving]
