@@ -13,6 +13,7 @@ from fleet_tui.model.alarm import Alarm, AlarmStage, Key, class_of
 from fleet_tui.model.desk.events import AlarmAcknowledged, AlarmShelved, AlarmUnshelved
 from fleet_tui.model.events import Event
 from fleet_tui.rules.alarms.classes import CLASSES
+from fleet_tui.rules.routes.charging import way_to_charger
 from fleet_tui.rules.sites import of_site, sites_of
 from fleet_tui.state.store import Store
 from fleet_tui.text.durations import age
@@ -40,15 +41,17 @@ class AlarmResponses:
         open_menu: OpenMenu,
         why: Callable[[], None],
         robot_menu: Callable[[str], None],
+        charge: Callable[[str], None],
         keys: Mapping[str, tuple[str, ...]],
         clock: Callable[[float], str],
         cleared_at: Callable[[], float] = lambda: -math.inf,
     ) -> None:
-        """`cleared_at`: when the alarm under the cursor went by itself last (monotonic)."""
+        """`charge` opens the order of a robot to a charger; `cleared_at`: when the alarm under the cursor
+        went by itself last (monotonic)."""
         self._cleared_at = cleared_at
         self._store, self._backend, self._notices, self._navigation = store, backend, notices, navigation
         self._pane, self._open_menu, self._why, self._robot_menu = pane, open_menu, why, robot_menu
-        self._keys, self._clock = keys, clock
+        self._keys, self._clock, self._charge = keys, clock, charge
 
     def _post(self, event: Event) -> bool:
         """Apply an event; tell whether it was, and say so if not."""
@@ -129,6 +132,10 @@ class AlarmResponses:
         source = alarm.condition.source
         if source in self._store.state.robots:
             yield f"Command {source}: pause, order, clear", partial(self._robot_menu, source)
+            if alarm.condition.kind == "battery" and (
+                way := way_to_charger(self._store.state.robots[source])
+            ):
+                yield f"Order {source} to {way[-1].name}", partial(self._charge, source)
 
     def explain(self) -> None:
         """Explain the robot of the marked alarm, the first of a group; else the selected one."""

@@ -228,12 +228,14 @@ class LinkCounter:
         self.unreadable += 1
         self.bad = BadMessage(text, Raw(payload[:HEAD], is_binary, at, len(payload)))
 
-    def take_log(self, line: LogLine) -> None:
-        """Keep a line of the robots' log, once: /rosout is latched, and sends its last ones again."""
+    def take_log(self, line: LogLine) -> bool:
+        """Keep a line of the robots' log, and tell whether it is new: /rosout is latched, and sends its last
+        ones again."""
         if line.stamp is not None and any(map(partial(_is_same_line, line), self.log)):
-            return
+            return False
         self.logged += 1
         self.log.append(line)
+        return True
 
     def take_health(self, diagnoses: Iterable[PartDiagnosis]) -> None:
         """Keep the robots' diagnostics, the newest of each name."""

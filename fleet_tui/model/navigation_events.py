@@ -87,6 +87,17 @@ class Alive(Struct, frozen=True, tag=True):
     at: float
 
 
+class ErrorReported(Struct, frozen=True, tag=True):
+    """An error that a robot reports about itself, in its diagnostics or in its log: no sign of life, for a
+    log is latched; `stamp` is that of its clock, if it gives one."""
+
+    robot: str
+    at: float
+    text: str
+    is_diagnosed: bool = False
+    stamp: float | None = None
+
+
 class FloorReported(Struct, frozen=True, tag=True):
     """The floor a robot is on, as it reports."""
 
@@ -137,17 +148,10 @@ class OrderMoved(Struct, frozen=True, tag=True):
 
 
 QueueChange = QueueHeld | OrderMoved
+OwnWord = ErrorReported | FloorReported | ModeReported | Unmeasured
 GoalFact = GoalsReported | GoalsUnknown | PlanReported | TargetReported
 Navigation = (
-    OdometryReported
-    | LocalisationReported
-    | BlockedReported
-    | ProgressReported
-    | GoalFact
-    | Alive
-    | FloorReported
-    | ModeReported
-    | Unmeasured
+    OdometryReported | LocalisationReported | BlockedReported | ProgressReported | GoalFact | Alive | OwnWord
 )
 Live = OdometryReported | BlockedReported | ProgressReported | Unmeasured | TargetReported | Alive
 """Signs of life: the others are latched."""

@@ -13,7 +13,7 @@ from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.navigation import Blocked, Goal, Progress
-from fleet_tui.model.order import OrderQueue
+from fleet_tui.model.order import Order, OrderQueue, route_text
 from fleet_tui.model.order_life import GoneOrder, OrderTrace
 from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleConnection
 from fleet_tui.text.limits import truncate
@@ -74,7 +74,8 @@ class Robot(Struct, frozen=True, eq=False):
     not configured; `laser` is the pose of its laser on it, None if unknown, `laser_flipped` that it hangs
     upside down, `base_frame` the frame of the robot itself, empty for a usual one; `vehicle` is its last
     state, `connection` that to its broker, `factsheet` its properties by name, `master` the last sign of
-    another master control that commands it; `member` are the reports of its fleet adapter."""
+    another master control that commands it; `member` are the reports of its fleet adapter; `diagnosed` and
+    `logged` are the last errors in its diagnostics and in its log."""
 
     name: str
     number: int
@@ -132,6 +133,8 @@ class Robot(Struct, frozen=True, eq=False):
     factsheet: Mapping[str, str] = field(default_factory=dict)
     master: Reading[str] | None = None
     member: Reading[Member] | None = None
+    diagnosed: Reading[str] | None = None
+    logged: Reading[str] | None = None
 
     @property
     def has_cargo(self) -> bool:
@@ -165,6 +168,11 @@ class Robot(Struct, frozen=True, eq=False):
             return name
         names = (robot_map.name_of(vertex) for robot_map in self.maps.values())
         return next((name for name in names if name is not None), None)
+
+    def order_text(self, order: Order) -> str:
+        """Return an order by its stops, by its id if they are unknown."""
+        stops = route_text(order.stops, lambda id_: self.name_of(id_) or id_) if order.stops else ""
+        return f"order {order.label or stops or order.id}"
 
     def knows_all_graphs(self) -> bool:
         """Tell whether every floor's graph has arrived, so that a vertex in none of them does not exist."""

@@ -1,5 +1,7 @@
 """Logs and diagnostics of robots."""
 
+import re
+from collections.abc import Iterable
 from enum import IntEnum
 
 from msgspec import Struct
@@ -56,3 +58,25 @@ class PartDiagnosis(Struct, frozen=True):
     hardware: str = ""
     values: tuple[tuple[str, str], ...] = ()
     """Measured values by name."""
+
+
+# Nav2's `Goal failed error_code:105 error_msg:Failed to make progress.`
+_CODED = re.compile(r"error_code:\s*(?P<code>\d+)\s+error_msg:\s*(?P<text>.*\w)")
+
+
+def plain(text: str) -> str:
+    """Return a line of the log as one says it: the message first, then its code."""
+    coded = _CODED.search(text)
+    return f"{coded['text']} (error {coded['code']})" if coded else text.strip().rstrip(".")
+
+
+def named(robots: Iterable[str]) -> re.Pattern[str]:
+    """Return the expression for the name of one of these robots in that of a node or of a part, with what
+    divides it from the rest."""
+    names = sorted(map(re.escape, robots), key=len, reverse=True)
+    return re.compile(rf"(?<!\w)({'|'.join(names)})(?!\w)[ :/]*")
+
+
+def part_of(name: re.Pattern[str], text: str) -> str:
+    """Return `drive` of `robot_0: drive` and of `/robot_0/drive`."""
+    return name.sub("", text).strip("/.")

@@ -20,6 +20,7 @@ from fleet_tui.controllers.incident import Cancelled, IncidentPacking
 from fleet_tui.controllers.recording import RecordingSwitch
 from fleet_tui.keys import KEYS
 from fleet_tui.rules.alarms.trouble import next_in_trouble
+from fleet_tui.rules.battery.charging import has_low_battery
 from fleet_tui.rules.marks import marks_of
 from fleet_tui.screens.driving import after_a_drive, drive_actions
 from fleet_tui.terminal.lean_app import LeanApp
@@ -37,7 +38,7 @@ def key_actions(screen: "MainScreen", rest: "Rest") -> Actions:
     return Actions(
         app=_app_actions(screen, rest),
         commands=CommandActions(
-            order=rest.orders.start,
+            order=partial(_order, screen, rest),
             cancel=rest.orders.cancel,
             clear=rest.orders.clear,
             pause=rest.robots.pause,
@@ -111,6 +112,15 @@ def _view_actions(screen: "MainScreen", rest: "Rest") -> ViewActions:
         step_floor=navigation.step_floor,
         next_trouble=partial(_next_trouble, screen),
     )
+
+
+def _order(screen: "MainScreen", rest: "Rest") -> None:
+    """Open the order form, from the reasons of a robot with a low battery for its way to a charger."""
+    state, name = screen.store.state, screen.navigation.robot
+    if rest.why.cause is not None and has_low_battery(state, state.robots[name]):
+        rest.orders.charge(name)
+    else:
+        rest.orders.start()
 
 
 def _show_help(screen: "MainScreen", rest: "Rest") -> None:

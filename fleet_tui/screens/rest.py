@@ -31,6 +31,7 @@ from fleet_tui.controllers.set_up.streams import ShownStreams
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.keys import Key, Pane, overruled
 from fleet_tui.keys.key import key_name
+from fleet_tui.rules.causes import wants_causes
 from fleet_tui.screens.audit import AuditLog
 from fleet_tui.screens.camera_switch import CameraSwitch
 from fleet_tui.screens.confirm import Confirm
@@ -147,7 +148,7 @@ class Rest:
             *parts, self.orders, opens, why, lambda *one: self.alarms.menu(*one), marked, settings.keys
         )
         shown_by = settings.keys, settings.clock, lambda: screen.alarm_cleared_at
-        self.alarms = AlarmResponses(*answering, opens, why, self.robots.menu, *shown_by)
+        self.alarms = AlarmResponses(*answering, opens, why, self.robots.menu, self.orders.charge, *shown_by)
 
     def _set_up_with(self, parts: SetUpParts) -> None:
         keys = self._screen.settings.keys
@@ -204,8 +205,7 @@ class Rest:
         """Show a scene on the map, at the same scale until no panel covers a part of it any more."""
         self.drives.look(scene)
         covers = self.why.is_open or self.menu.is_open or self.order_form.is_open
-        self.map.picture.viewport.holds = covers or self._covers
-        self._covers = covers
+        self.map.picture.viewport.holds, self._covers = covers or self._covers, covers
         self._screen.panes.show_map(self.map, scene)
         state, options = self._navigation.here, self.map.picture.options
         for small_maps in self.small_maps:
@@ -213,8 +213,8 @@ class Rest:
 
     def show(self) -> None:
         """Show the newest state in the place of the map."""
-        readers = self.diagnostics, self.why, self.robot_page
-        self._screen.backend.subscribe_logs(any(one.is_open for one in readers))
+        are_read = any(one.is_open for one in (self.diagnostics, self.why, self.robot_page))
+        self._screen.backend.subscribe_logs(are_read or wants_causes(self._screen.store.state))
         self.simple.show()
         self.camera.look()
         self.tables.outcomes.look()

@@ -13,8 +13,10 @@ from textual.widgets import Static
 from fleet_tui.backend import Backend
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.localisation.match import Match
 from fleet_tui.rules.why.complaints import Complaint, complaints
+from fleet_tui.rules.why.load import busiest
 from fleet_tui.rules.why.reason import Reason
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.screens.robot.overlay import RobotOverlay, robot_bindings
@@ -88,7 +90,8 @@ class Why(RobotOverlay):
         text, robot = self.query_one("#reasons", Static), state.robots[name]
         self._search_ways(state, robot)
         cut = self._cut[1] if self._cut[0] == name else []
-        found = why_lines(state, robot, self._keys, self._match(), cut, self._complaints(state, robot))
+        said, load = self._complaints(state, robot), self._load(state, robot)
+        found = why_lines(state, robot, self._keys, self._match(), cut, said, load)
         lines = _wrapped(found, text.size.width)
         if lines != self._shown:
             self._shown = lines
@@ -96,6 +99,11 @@ class Why(RobotOverlay):
 
     def _complaints(self, state: FleetState, robot: Robot) -> list[Complaint]:
         return complaints(state, robot, self._backend.counters.get(robot.link))
+
+    def _load(self, state: FleetState, robot: Robot) -> Reason | None:
+        counter = self._backend.counters.get(robot.link)
+        is_late = counter is not None and is_overloaded(state.links[robot.link])
+        return busiest(counter, state.now) if counter is not None and is_late else None
 
     async def action_help_it(self, id_: str) -> None:
         """Run the key's usual action, about the first reason."""

@@ -14,6 +14,8 @@ from fleet_tui.text.limits import LONGEST_NAME, truncate
 
 def apply_navigation(robot: Robot, event: navigation_events.Navigation) -> Robot:
     """Apply one report of a navigating robot to it."""
+    if isinstance(event, navigation_events.OwnWord):
+        return _take_word(robot, event)
     if isinstance(event, navigation_events.GoalFact):
         return apply_goals(robot, event)
     match event:
@@ -32,6 +34,14 @@ def apply_navigation(robot: Robot, event: navigation_events.Navigation) -> Robot
             return with_sign_of_life(replace(robot, progress=Reading(progress, event.at)), event.at)
         case navigation_events.Alive():
             return with_sign_of_life(robot, event.at)
+        case _:
+            assert_never(event)
+
+
+def _take_word(robot: Robot, event: navigation_events.OwnWord) -> Robot:
+    match event:
+        case navigation_events.ErrorReported():
+            return _take_error(robot, event)
         case navigation_events.FloorReported():
             return replace(robot, own_floor=truncate(event.floor, LONGEST_NAME))
         case navigation_events.ModeReported():
@@ -42,6 +52,15 @@ def apply_navigation(robot: Robot, event: navigation_events.Navigation) -> Robot
             return with_sign_of_life(replace(robot, unmeasured=new), event.at)
         case _:
             assert_never(event)
+
+
+def _take_error(robot: Robot, event: navigation_events.ErrorReported) -> Robot:
+    clock, at = robot.clock, event.at
+    if clock is not None and event.stamp is not None:
+        # A bridge sends the last lines again to who begins to listen.
+        at = min(at, event.stamp + clock.offset)
+    error = Reading(truncate(event.text), at)
+    return replace(robot, diagnosed=error) if event.is_diagnosed else replace(robot, logged=error)
 
 
 def _merged(robot: Robot, new: Progress) -> Progress:

@@ -7,6 +7,8 @@ from collections.abc import Callable
 from fleet_tui.controllers.alarms import AlarmResponses
 from fleet_tui.keymap import keymap
 from fleet_tui.model.desk.events import AlarmAcknowledged, AlarmShelved
+from fleet_tui.model.events import GraphReceived
+from fleet_tui.model.graph import Role, RouteGraph, Vertex
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.widgets.rows_pane import RowsPane
 from tests.support.desk import Desk
@@ -33,6 +35,7 @@ def responses(cleared_at: Callable[[], float] = lambda: -math.inf) -> tuple[Desk
             desk.open_menu,
             lambda: desk.notices.say("why"),
             lambda robot: desk.notices.say(f"menu of {robot}"),
+            lambda robot: desk.notices.say(f"{robot} to a charger"),
             keys,
             lambda _wall: "12:00",
             cleared_at,
@@ -56,6 +59,17 @@ def test_an_alarm_that_has_just_taken_the_place_of_another_is_not_acknowledged_u
     alarms.acknowledge()
     assert desk.backend.events == []
     assert desk.notices.text == "another alarm has just been marked: press again for that one"
+
+
+def test_a_low_battery_offers_the_nearest_charger() -> None:
+    desk, _, alarms = responses()
+    places = {"1": Vertex("1", 5.0, 0.0, Role.DOCKING), "2": Vertex("2", 0.0, 0.0)}
+    facts = GraphReceived("robot_0", F0, RouteGraph(places)), pose(T0)
+    desk.store.state = reduced(desk.store.state, *facts)
+    alarms.menu(*LOW[0])
+    (menu,) = desk.menus
+    menu.choose("Order robot_0 to 1")
+    assert desk.notices.text == "robot_0 to a charger"
 
 
 def test_all_at_once() -> None:

@@ -22,7 +22,7 @@ def requests(
     desk, asked = Desk(state, permissions), list[str]()
     orders = OrderRequests(
         *(desk.store, desk.dispatch, desk.notices, desk.navigation, RowsPane(id="queue")),
-        lambda _robot, _place: None,
+        lambda _robot, _place, _way: None,
         desk.open_menu,
         lambda _wall: "12:00",
         desk.marked,

@@ -2,6 +2,8 @@
 
 import msgspec
 import pytest
+from msgspec.structs import replace
+from textual.widgets import Input
 
 from fleet_tui.rules.why.reason import Reason
 from fleet_tui.screens.confirm import Confirm
@@ -106,6 +108,24 @@ async def test_the_robots_menu_has_it(server: RosbridgeServer) -> None:
         await it.shows("Explain why it")
         await it.press("j", "j", "j", "j", "j", "enter")
         await it.shows("▶ 1. no orders")
+
+
+async def test_an_order_for_a_low_battery_has_the_way_to_the_charger(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1, 1)) as it:
+        form = it.app.main.query_one(OrderForm)
+        robot = server.world.robots["robot_0"]
+        robot.battery, robot.pose = 15.0, replace(robot.pose, x=robot.pose.x + 3.0)
+        await it.until(lambda state: state.alarms)
+        await it.press("o")
+        assert [field.value for field in form.query(Input)] == ["robot_0", "", ""], "as always"
+        await it.press("escape", "w")
+        await it.shows("battery 1")
+        await it.press("o")
+        await it.shows("To      Charger")
+        assert [field.value for field in form.query(Input)][2] == "Charger"
+        assert not server.bridge.services.calls, "it is only proposed"
+        await it.press("enter")
+        await it.until(lambda state: state.robots["robot_0"].orders.orders)
 
 
 async def test_long_lines_go_on_as_far_in_as_they_began(server: RosbridgeServer) -> None:

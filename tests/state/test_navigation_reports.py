@@ -10,6 +10,7 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation import Blocked, Progress
 from fleet_tui.model.navigation_events import (
     BlockedReported,
+    ErrorReported,
     ProgressReported,
     Unmeasured,
 )
@@ -97,3 +98,13 @@ class TestProgress:
 def test_what_is_not_measured_is_listed_once_and_is_a_sign_of_life() -> None:
     state = reduced(unheard(), *(Unmeasured(R0, T0 + n, value) for n, value in enumerate("bcb")))
     assert (robot(state).unmeasured, robot(state).last_received) == (("b", "c"), T0 + 2)
+
+
+def test_an_error_is_as_old_as_its_stamp_and_no_sign_of_life() -> None:
+    drives = reduced(nav2(), odometry(T0, 1.0))
+    state = reduced(drives, ErrorReported(R0, T0 + 60, "old", stamp=T0 - 10))
+    found, last = robot(state).logged, robot(state).last_received
+    assert found == Reading("old", T0 - 10) and last == T0
+    state = reduced(state, ErrorReported(R0, T0 + 61, "part: broken", is_diagnosed=True))
+    assert robot(state).diagnosed == Reading("part: broken", T0 + 61)
+    assert robot(state).logged == found

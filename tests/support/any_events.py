@@ -170,6 +170,9 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
     ),
     navigation_events.PlanReported: st.builds(navigation_events.PlanReported, ROBOTS, AT, PLACES),
     navigation_events.TargetReported: st.builds(navigation_events.TargetReported, ROBOTS, AT, PLACES),
+    navigation_events.ErrorReported: st.builds(
+        navigation_events.ErrorReported, ROBOTS, AT, st.text(max_size=4), st.booleans(), FEW
+    ),
     navigation_events.Alive: st.builds(navigation_events.Alive, ROBOTS, AT),
     navigation_events.Unmeasured: st.builds(navigation_events.Unmeasured, ROBOTS, AT, st.text(max_size=4)),
     navigation_events.ModeReported: st.builds(

@@ -3,12 +3,14 @@
 import base64
 import binascii
 import re
+from collections.abc import Collection, Iterable, Iterator
 
 import msgspec
 
 from fleet_tui.adapters.ros.messages import Stamp, reader
 from fleet_tui.errors import WireError
-from fleet_tui.model.ros_logs import LogLine, PartDiagnosis, Severity
+from fleet_tui.model.navigation_events import ErrorReported
+from fleet_tui.model.ros_logs import Health, LogLine, PartDiagnosis, Severity, named, part_of, plain
 from fleet_tui.text.limits import LONGEST_NAME, truncate
 
 LONGEST_TEXT = 2000
@@ -65,6 +67,20 @@ class DiagnosticArray(msgspec.Struct, frozen=True):
 _read_log, _read_array = reader(Log), reader(DiagnosticArray)
 
 
+class RobotNames:
+    """The names of the robots behind a bridge, found in those of nodes and of parts."""
+
+    def __init__(self, robots: Collection[str]) -> None:
+        self.expression = named(robots)
+        self._only = next(iter(robots), "") if len(robots) == 1 else ""
+
+    def robot_of(self, text: str) -> str:
+        """Return the robot that a node or a part belongs to, empty if that is unknown; the only robot of a
+        bridge has all of them."""
+        found = self.expression.search(text)
+        return self._only or (found[1] if found else "")
+
+
 def log_line(msg: object, at: float) -> LogLine:
     """Return a message of /rosout that arrived at `at`. Raises WireError."""
     log = _read_log(msg)
@@ -83,6 +99,22 @@ def complaint(line: LogLine) -> tuple[str, str] | None:
         return None
     found = _COMPLAINT.search(line.text)
     return (found["topic"], found["reason"]) if found else None
+
+
+def logged_errors(line: LogLine, robots: RobotNames) -> Iterator[ErrorReported]:
+    """Yield the error that a line of the log is about one of the robots."""
+    robot = robots.robot_of(line.node) if (line.severity or Severity.DEBUG) >= Severity.ERROR else ""
+    if robot:
+        yield ErrorReported(robot, line.at, plain(line.text), stamp=line.stamp)
+
+
+def diagnosed_errors(parts: Iterable[PartDiagnosis], robots: RobotNames) -> Iterator[ErrorReported]:
+    """Yield the errors of the robots' parts."""
+    for part in parts:
+        robot = robots.robot_of(f"{part.name} {part.hardware}") if part.level == Health.ERROR else ""
+        if robot:
+            text = f"{part_of(robots.expression, part.name)}: {part.message}"
+            yield ErrorReported(robot, part.at, text, is_diagnosed=True)
 
 
 def byte(value: int | str | list[int]) -> int:

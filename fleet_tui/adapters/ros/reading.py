@@ -1,7 +1,7 @@
 """Reads frames into events. Callable from any thread: only counters change here."""
 
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Protocol
 
 from msgspec.structs import replace
@@ -67,6 +67,7 @@ class FrameReader:
         self._streams = streams
         self._link, self._limit, self._adapters = link, limit, adapters
         self._feeds = {feed.address: feed for feed in feeds}
+        self._names = logs.RobotNames(adapters)
         self.complete = {
             ROSOUT,
             DIAGNOSTICS,
@@ -133,8 +134,7 @@ class FrameReader:
         feed = self._feeds.get(counter.topic)
         try:
             if feed is None:
-                self._read_log(counter.topic, msg, at)
-                return ()
+                return tuple(self._read_log(counter.topic, msg, at))
             self._stream(feed, msg, at)
             adapter = self._adapters[feed.robot]
             found = tuple(
@@ -161,16 +161,19 @@ class FrameReader:
             for robot in robots:
                 sink.put(robot, key, value, at)
 
-    def _read_log(self, topic: str, msg: object, at: float) -> None:
-        """Take messages that don't affect the fleet state."""
+    def _read_log(self, topic: str, msg: object, at: float) -> Iterator[events.Event]:
+        """Keep messages of logs and diagnostics, and yield the errors of robots in them."""
         if topic == ROSOUT:
             line = logs.log_line(msg, at)
-            self.counter.take_log(line)
+            if self.counter.take_log(line):
+                yield from logs.logged_errors(line, self._names)
             if (about := logs.complaint(line)) and about[0] in self.counter.topics:
                 self._warn(f"bridge did not subscribe {truncate(about[0])}: {about[1]}")
                 self.counter.topics[about[0]].not_subscribed = f"bridge: {about[1]}"
         else:
-            self.counter.take_health(logs.diagnoses(msg, at))
+            found = logs.diagnoses(msg, at)
+            self.counter.take_health(found)
+            yield from logs.diagnosed_errors(found, self._names)
 
     def too_large(self, head: bytes, is_binary: bool, size: int, at: float) -> Sequence[events.Event]:
         """Name a message that was dropped, with its size and the config key of the limit."""

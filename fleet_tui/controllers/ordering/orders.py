@@ -1,7 +1,7 @@
 """Orders of a robot: place, cancel, clear, again, the way back."""
 
 import time
-from collections.abc import Callable, Hashable, Iterator
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from functools import partial
 
 from fleet_tui.controllers.dispatch import Dispatch
@@ -20,6 +20,7 @@ from fleet_tui.model.set_up.commands import CancelGoal
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.commands.queue_moves import moves
 from fleet_tui.rules.language.lookup import Place
+from fleet_tui.rules.routes.charging import way_to_charger
 from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.tables.missions import mission, way
@@ -37,7 +38,7 @@ class OrderRequests:
         notices: Notices,
         navigation: Navigation,
         queue: RowsPane,
-        open_form: Callable[[str, Place | None], None],
+        open_form: Callable[[str, Place | None, Sequence[Place]], None],
         open_menu: OpenMenu,
         clock: Callable[[float], str],
         marked: MarkedCommands,
@@ -53,7 +54,13 @@ class OrderRequests:
     def start(self) -> None:
         """Open the order form for the selected robot."""
         if self.may_order():
-            self._open_form(self._navigation.robot, None)
+            self._open_form(self._navigation.robot, None, ())
+
+    def charge(self, robot: str) -> None:
+        """Open the order form for a robot with the way to the nearest charger, if there is one."""
+        self._navigation.select(robot)
+        if self.may_order():
+            self._open_form(robot, None, way_to_charger(self._robot))
 
     def may_order(self) -> bool:
         """Tell whether the selected robot takes orders; show a notice if not."""
@@ -75,7 +82,7 @@ class OrderRequests:
         if name is None:
             self._notices.say(f"{robot.name} has no vertex {sanitize(vertex)} on {floor}")
         else:
-            self._open_form(robot.name, Place(vertex, name, floor))
+            self._open_form(robot.name, Place(vertex, name, floor), ())
 
     def cancel(self) -> None:
         """Cancel the marked orders, else the one under the queue's cursor, without one the robot's goal

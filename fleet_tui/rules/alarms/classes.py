@@ -126,7 +126,7 @@ CLASSES = {
         "messages of a link arrive at least a second late; high once its robots are silent, or commands get"
         " no reply",
         "the data shown for its robots is old",
-        "Subscribe to fewer topics, lower rates at the robots, or run a second bridge",
+        "Press w on a robot for the busiest topics; lower their rates, or run a second bridge",
         10,
     ),
     "behind": AlarmClass(

@@ -17,6 +17,7 @@ from fleet_tui.rules.alarms.members import MEMBER_RULES
 from fleet_tui.rules.alarms.navigation import NAVIGATION_RULES
 from fleet_tui.rules.alarms.vehicles import VEHICLE_RULES
 from fleet_tui.rules.battery.charging import charger_of
+from fleet_tui.rules.causes import cause_of_standing
 from fleet_tui.rules.commands.failures import failed_commands
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.lag import BEHIND, is_overloaded
@@ -103,9 +104,12 @@ def stuck(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
     explained = explained or feedback_ceased_at(state, robot) is not None or is_unsteady(state, robot)
     if explained and not was_active(active, robot.name, robot.link, "stuck"):
         return None
-    text = f"{'paused, ' * is_paused}no movement for {age(state.now - place.at)} (order {order.id})"
+    cause, driven = cause_of_standing(state, robot), robot.order_text(order)
+    text = f"{'paused, ' * is_paused}no movement for {age(state.now - place.at)} ({driven})"
     if not known:
-        text = f"order {order.id}: not moving at last report"
+        text = f"{driven}: not moving at last report"
+    elif cause:
+        text = f"no movement for {age(state.now - place.at)}: {cause} ({driven})"
     return Condition(robot.name, "stuck", Priority.MEDIUM, text, "no longer stuck", due)
 
 

@@ -4,14 +4,12 @@ from fleet_tui.model.alarm import Condition, Priority
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation import blocked_text
-from fleet_tui.model.order import route_text
-from fleet_tui.model.order_life import UNSAID
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
+from fleet_tui.rules.causes import cause_of_end
 from fleet_tui.rules.commands.failures import FAILED_FOR
 from fleet_tui.rules.commands.local_queue import HELD_BY_OTHERS, orders_to_save
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
-from fleet_tui.text.details import detail_text
 from fleet_tui.text.durations import age
 
 LOST_ABOVE, FOUND_BELOW = 0.5, 0.3
@@ -76,7 +74,7 @@ def silent(state: FleetState, robot: Robot, _active: ActiveConditions) -> Condit
     it answers again ends it only with a movement."""
     since, order = feedback_ceased_at(state, robot), robot.orders.current
     if since is not None and order is not None:
-        text = f"navigation silent for {age(state.now - since)} (order {order.id})"
+        text = f"navigation silent for {age(state.now - since)} ({robot.order_text(order)})"
     elif is_unsteady(state, robot) and robot.place is not None:
         text = f"navigation silent again and again, no movement for {age(state.now - robot.place.at)}"
     else:
@@ -91,9 +89,8 @@ def failed_order(state: FleetState, robot: Robot, _active: ActiveConditions) -> 
         return None
     if any(record.order_id == last.order.id for record in state.commands):
         return None
-    stops = route_text(last.order.stops, lambda vertex: robot.name_of(vertex) or vertex)
-    text = f"order {stops if last.order.stops else last.order.id} failed"
-    found = f"{text}{detail_text('no reason reported' if last.reason == UNSAID else last.reason)}"
+    text = f"{robot.order_text(last.order)} failed"
+    found = f"{text}: {cause_of_end(robot, last) or 'no reason reported'}"
     return Condition(robot.name, "order", Priority.MEDIUM, found, text, parts=frozenset({last.order.id}))
 
 

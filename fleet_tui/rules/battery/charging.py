@@ -1,4 +1,4 @@
-"""Robots that stand at a charger, where a low battery is on its way up."""
+"""Low batteries, and robots that stand at a charger, where the charge is on its way up."""
 
 import math
 
@@ -8,6 +8,11 @@ from fleet_tui.model.robot import Robot, RobotMap
 
 AT_CHARGER = 0.5
 """Metres within which a robot is at a charger."""
+
+
+def has_low_battery(state: FleetState, robot: Robot) -> bool:
+    """Tell whether its last report was a charge below the limit."""
+    return robot.battery is not None and robot.battery.value < state.limits.battery_low
 
 
 def charger_of(state: FleetState, robot: Robot) -> Vertex | None:

@@ -8,13 +8,12 @@ from msgspec import Struct
 from fleet_tui.model.counters import LinkCounter, snapshot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.ros_logs import Health, LogLine, PartDiagnosis, Severity
+from fleet_tui.model.ros_logs import Health, LogLine, PartDiagnosis, Severity, named, part_of, plain
 from fleet_tui.rules.alarms.classes import CLASSES
+from fleet_tui.rules.causes import DIAGNOSED_WITHIN, LOGGED_WITHIN
 from fleet_tui.rules.why.orders import LOOK
 from fleet_tui.rules.why.reason import Reason, Strength
 
-DIAGNOSED_WITHIN, LOGGED_WITHIN = 10.0, 60.0
-"""Seconds for which a diagnosis, which is repeated about once a second, and a line of the log count."""
 SHOWN = 2
 """Complaints that are shown: the worst have the cause, the others mostly follow from it."""
 
@@ -37,9 +36,10 @@ class Complaint(Struct, frozen=True):
             f"in the robot's own {self.source}",
             LOOK if self.is_error and self.source == "diagnostics" else "",
         )
+        page = "health" if self.source == "diagnostics" else "log"
+        keys: tuple[str, ...] = ("diagnostics",)
         if "battery" in self.text.casefold():
-            remedy = CLASSES["battery"].action
-        page, keys = "health" if self.source == "diagnostics" else "log", ("diagnostics",)
+            remedy, keys = CLASSES["battery"].action, ("order", "diagnostics")
         return Reason(self.text, evidence, strength, seen=self.at, keys=keys, remedy=remedy, page=page)
 
 
@@ -48,7 +48,7 @@ def complaints(state: FleetState, robot: Robot, counter: LinkCounter | None) -> 
     `counter` is that of its link, None before there is one."""
     if counter is None:
         return []
-    name = re.compile(rf"(?<!\w){re.escape(robot.name)}(?!\w)[ :/]*")
+    name = named([robot.name])
     if sum(one.link == robot.link for one in state.robots.values()) == 1:
         name = re.compile(rf"({name.pattern})?")  # all of its link is its own
     parts = counter.health.values()
@@ -65,7 +65,7 @@ def _logged(state: FleetState, lines: Iterable[LogLine], name: re.Pattern[str]) 
     for line in lines:
         severity = line.severity or Severity.INFO
         if severity >= Severity.WARN and name.search(line.node):
-            text = f"{_without(name, line.node)}: {severity.name} {line.text}"
+            text = f"{part_of(name, line.node)}: {severity.name} {plain(line.text)}"
             yield Complaint(text, "log", severity >= Severity.ERROR, _written(state, line))
 
 
@@ -79,10 +79,5 @@ def _written(state: FleetState, line: LogLine) -> float:
 def _diagnosed(parts: Iterable[PartDiagnosis], name: re.Pattern[str]) -> Iterator[Complaint]:
     for part in parts:
         if part.level in _LEVELS and name.search(f"{part.name} {part.hardware}"):
-            text = f"{_without(name, part.name)}: {_LEVELS[part.level]} {part.message}"
+            text = f"{part_of(name, part.name)}: {_LEVELS[part.level]} {part.message}"
             yield Complaint(text, "diagnostics", part.level == Health.ERROR, part.at)
-
-
-def _without(name: re.Pattern[str], text: str) -> str:
-    """Return `drive` of `robot_0: drive` and of `/robot_0/drive`."""
-    return name.sub("", text).strip("/.")

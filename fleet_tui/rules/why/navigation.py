@@ -64,6 +64,7 @@ def silent(state: FleetState, robot: Robot) -> Reason | None:
         Strength.LIKELY,
         keys=("clear", "order"),
         remedy=CLASSES["navigation"].action,
+        page="log",
     )
 
 
@@ -74,7 +75,8 @@ def recovering(state: FleetState, robot: Robot) -> Reason | None:
         return None
     count = robot.progress.value.recoveries
     evidence = f"{count} recover{'ies' if count > 1 else 'y'} during {mission(robot, current)}"
-    return Reason("recovering", evidence, Strength.LIKELY, seen=robot.progress.at, keys=("centre",))
+    seen, keys = robot.progress.at, ("centre", "diagnostics")
+    return Reason("recovering", evidence, Strength.LIKELY, seen=seen, keys=keys, page="log")
 
 
 def held(state: FleetState, robot: Robot) -> Reason | None:

@@ -13,6 +13,7 @@ from fleet_tui.model.commands import (
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.classes import CLASSES
+from fleet_tui.rules.causes import cause_of_end
 from fleet_tui.rules.commands.follow_up import seen_end
 from fleet_tui.rules.commands.local_queue import waiting
 from fleet_tui.rules.commands.newest import last_command
@@ -48,6 +49,7 @@ def command(state: FleetState, robot: Robot) -> Reason | None:
         since=record.at,
         keys=keys,
         remedy=remedy,
+        page="log",
     )
 
 
@@ -58,11 +60,13 @@ def failed_order(state: FleetState, robot: Robot) -> Reason | None:
         return None
     if seen_end(state, robot.name, last) not in (Stage.FAILED, Stage.LOST):
         return None
-    evidence = f"{mission(robot, last.order)}{detail_text(last.reason)}"
-    name, remedy = "last order failed", CLASSES["command"].action
+    evidence, cause = mission(robot, last.order), cause_of_end(robot, last)
+    name = f"last order failed: {cause}" if cause else "last order failed, no reason reported"
+    remedy, keys = CLASSES["command"].action, ("order", "diagnostics")
     if last.stage is Stage.LOST:
-        name, remedy = "last order lost", CHECK_DELIVERY
-    return Reason(name, evidence, since=last.at, keys=("order",), remedy=remedy)
+        name, evidence = "last order lost", f"{evidence}{detail_text(last.reason)}"
+        remedy = CHECK_DELIVERY
+    return Reason(name, evidence, since=last.at, keys=keys, remedy=remedy, page="log")
 
 
 def cargo(state: FleetState, robot: Robot) -> Reason | None:
@@ -140,7 +144,7 @@ def none_current(_state: FleetState, robot: Robot) -> Reason | None:
     if len(waiting) == 1:
         name = f"order {waiting[0].id} queued but not started"
     seen, keys = robot.queue.at, ("clear", "order")
-    return Reason(name, evidence, Strength.LIKELY, seen=seen, keys=keys, remedy=LOOK)
+    return Reason(name, evidence, Strength.LIKELY, seen=seen, keys=keys, remedy=LOOK, page="log")
 
 
 def _ruled_out(state: FleetState, robot: Robot) -> Iterator[str]:
@@ -161,4 +165,4 @@ def unexplained(state: FleetState, robot: Robot) -> Reason | None:
     ruled_out = ", ".join(_ruled_out(state, robot))
     evidence = f"{mission(robot, order)} active{ruled_out and f'; {ruled_out}'}"
     keys = ("centre", "cancel", "clear")
-    return Reason("cause unknown", evidence, Strength.NONE, since, keys=keys, remedy=LOOK)
+    return Reason("cause unknown", evidence, Strength.NONE, since, keys=keys, remedy=LOOK, page="log")

@@ -30,7 +30,7 @@ class Strength(IntEnum):
 class Reason(Struct, frozen=True):
     """`name` is the reason, `evidence` the reports that show it. Monotonic seconds, None if unknown: `since`
     it holds, `seen` when it was last reported. `keys` are the ids of the keys that help; `remedy` is
-    what a person can do on site, `page` the page of diagnostics that shows more, empty for the link's."""
+    what a person can do on site, `page` the page of diagnostics that shows more."""
 
     name: str
     evidence: str
@@ -39,7 +39,7 @@ class Reason(Struct, frozen=True):
     seen: float | None = None
     keys: tuple[str, ...] = ()
     remedy: str = ""
-    page: str = ""
+    page: str = "topics"
 
 
 Rule = Callable[[FleetState, Robot], Reason | None]
@@ -56,5 +56,6 @@ def name_of(robot: Robot, vertex: str) -> str:
 
 
 def mission(robot: Robot, order: Order) -> str:
-    """Return an order by its id and its stops."""
-    return f"order {order.id}, {order.label or route_text(order.stops, partial(name_of, robot))}"
+    """Return an order by its id and its stops. An id that is not a number says nothing beside them."""
+    number = f"order {order.id}, " if order.id.isdigit() or not (order.stops or order.label) else "order "
+    return f"{number}{order.label or route_text(order.stops, partial(name_of, robot))}"

@@ -48,7 +48,7 @@ def no_link(state: FleetState, robot: Robot) -> Reason | None:
         return None
     why = f": {link.reason}" if link.reason else ""
     evidence, remedy = f"no connection to {link.url}{why}", CLASSES["link"].action
-    return Reason("no link", evidence, since=link.since, keys=DIAGNOSE, remedy=remedy)
+    return Reason("no link", evidence, since=link.since, keys=DIAGNOSE, remedy=remedy, page="link")
 
 
 def late_link(state: FleetState, robot: Robot) -> Reason | None:
@@ -56,7 +56,8 @@ def late_link(state: FleetState, robot: Robot) -> Reason | None:
     link = state.links[robot.link]
     if not is_overloaded(link) or (state.is_online(robot) and not state.is_old(robot, "pose")):
         return None
-    name, remedy = f"messages {duration(link.late)} late", CLASSES["late"].action
+    name = f"messages {duration(link.late)} late"
+    remedy = "Subscribe to fewer topics, lower rates at the robots, or run a second bridge"
     return Reason(name, f"bridge of {link.name} overloaded", keys=DIAGNOSE, remedy=remedy)
 
 
@@ -74,11 +75,9 @@ def silent_robot(state: FleetState, robot: Robot) -> Reason | None:
     if robot.last_received is None:
         what = "message" if robot.connection is None else "state"
         evidence = f"link up, no {what} received"
-        return Reason(
-            offline_text(state, robot), evidence, strength, keys=DIAGNOSE, remedy=remedy, page="topics"
-        )
+        return Reason(offline_text(state, robot), evidence, strength, keys=DIAGNOSE, remedy=remedy)
     name, since = f"offline {age(state.now - robot.last_received)}", robot.last_received
-    return Reason(name, "link up, no messages", strength, since, keys=DIAGNOSE, remedy=remedy, page="topics")
+    return Reason(name, "link up, no messages", strength, since, keys=DIAGNOSE, remedy=remedy)
 
 
 def paused(state: FleetState, robot: Robot) -> Reason | None:
@@ -136,13 +135,13 @@ def stale_pose(state: FleetState, robot: Robot) -> Reason | None:
     if robot.pose is None:
         topic = robot.kind.pose_topic.replace("{robot}", robot.name)
         evidence = f"other reports received, no pose{topic and f' on {topic}'}: position unknown"
-        return Reason("no pose", evidence, keys=DIAGNOSE, remedy=NO_POSE, page="topics")
+        return Reason("no pose", evidence, keys=DIAGNOSE, remedy=NO_POSE)
     name, clock = f"pose {age(state.now - robot.pose.at)} old", robot.clock
     silence = robot.kind.silence_of("pose", state.limits.offline_after) + state.behind
     if clock is not None and state.now - clock.at <= silence:
         return Reason(name, "poses arrive late: their time stamps lag", seen=robot.pose.at)
     evidence = "other reports arrive: the robot may have moved since"
-    return Reason(name, evidence, since=robot.pose.at, keys=DIAGNOSE, remedy=NO_POSE, page="topics")
+    return Reason(name, evidence, since=robot.pose.at, keys=DIAGNOSE, remedy=NO_POSE)
 
 
 def jumps(state: FleetState, robot: Robot) -> Reason | None:
@@ -151,7 +150,10 @@ def jumps(state: FleetState, robot: Robot) -> Reason | None:
     if not recent:
         return None
     last, name = recent[-1], f"localisation jumps: {len(recent)} in {JUMPS_WITHIN:.0f} s"
-    evidence, keys = f"the last by {last.value:.1f} m: its pose is not to be trusted", ("pose", "centre")
+    evidence, keys = (
+        f"the last by {last.value:.1f} m: its pose is not to be trusted",
+        ("pose", "centre", *DIAGNOSE),
+    )
     return Reason(name, evidence, since=recent[0].at, seen=last.at, keys=keys, remedy=NO_POSE)
 
 
@@ -195,4 +197,5 @@ def battery(state: FleetState, robot: Robot) -> Reason | None:
     limit = limits.battery_critical if critical else limits.battery_low
     strength = Strength.LIKELY if critical else Strength.POSSIBLE
     evidence = f"below {limit:.0f} %: the robot may reserve the rest to reach a charger"
-    return Reason(f"battery {int(charge.value)} %", evidence, strength, seen=charge.at, keys=("order",))
+    name, remedy = f"battery {int(charge.value)} %", CLASSES["battery"].action
+    return Reason(name, evidence, strength, seen=charge.at, keys=("order",), remedy=remedy)

@@ -86,6 +86,12 @@ def _has_certain(found: list[Reason]) -> bool:
     return any(reason.strength is Strength.CERTAIN for reason in found)
 
 
+def _is_told(robot: Robot, complaint: Complaint, found: list[Reason]) -> bool:
+    """Tell whether a complaint is the cause in another reason."""
+    cause = robot.logged.value if robot.logged is not None else ""
+    return cause != "" and complaint.text.endswith(cause) and any(cause in reason.name for reason in found)
+
+
 def _misplaced(match: "Match | None") -> list[Reason]:
     """Return the reason of a scan that does not fit the map: only while a scan is watched."""
     return (
@@ -93,24 +99,33 @@ def _misplaced(match: "Match | None") -> list[Reason]:
     )
 
 
+def _of_deaf(deaf: list[Reason], load: Reason | None, others: list[Reason]) -> list[Reason]:
+    """Return the reasons of a robot that is not heard: all but the link's are earlier reports."""
+    told = [load] if load is not None else []
+    return [deaf[0], *told, *deaf[1:], *(replace(one, strength=Strength.POSSIBLE) for one in others)]
+
+
 def reasons(
     state: FleetState,
     robot: Robot,
     match: "Match | None" = None,
     complaints: Sequence[Complaint] = (),
+    load: Reason | None = None,
 ) -> list[Reason]:
     """Return the reasons for standing still, the likeliest first: at least one. A moving robot has only the
     reason that it moves. `match`: that of its watched scan with the map, None without one. `complaints`: the
-    robot's own, of which warnings count only without a certain reason."""
+    robot's own, of which warnings count only without a certain reason; `load`: what its late bridge
+    carries."""
     deaf, others = _held(DEAF, state, robot), _held(RULES, state, robot)
     if deaf:
-        return deaf + [replace(reason, strength=Strength.POSSIBLE) for reason in others]
+        return _of_deaf(deaf, load, others)
     moving = moves(state, robot)
     if moving is not None and not _held((jumps, off_map), state, robot):
         return [moving]
     others = _misplaced(match) + others
     if not _has_certain(others):
         others += _held(FOLLOWING, state, robot)
+    complaints = [one for one in complaints if not _is_told(robot, one, others)]
     if _has_certain(others):
         others += [one.reason for one in complaints if one.is_error]
     else:

@@ -45,7 +45,7 @@ class Diagnostics(PagedOverlay):
         """Open, first on the link page; `robot` is the one whose topic is marked first. For a `cause` open
         the page that shows more of it."""
         self.open(self.rows)
-        self._controls.begin(robot, None if cause is None else Page[(cause.page or "link").upper()])
+        self._controls.begin(robot, None if cause is None else Page[cause.page.upper()])
         self._tick()
         if self._timer is None:
             self._timer = self.set_interval(EVERY, self._tick)

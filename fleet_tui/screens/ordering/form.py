@@ -1,7 +1,7 @@
 """The order form: robot, from, to. Typed text filters the labels, Enter goes on, the last Enter sends; `>`
 after a label adds a leg: A > B > C. Its way and length: `rules/routes/order_draft.py`."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from textual import events, on
 from textual.app import ComposeResult
@@ -45,6 +45,7 @@ class OrderForm(Overlay):
         super().__init__(id="order-form")
         self._state, self._past = state, past
         self._picked: Place | None = None
+        self._way: Sequence[Place] = ()
         self._said_of: list[str] = []
         self.route = Static(id="route", markup=False)
         self._send = MouseButton(tr(NEXT), id="send", compact=True)
@@ -75,9 +76,10 @@ class OrderForm(Overlay):
     def _robot(self) -> Robot | None:
         return self._state().robots.get(self._fields["robot"].value.strip())
 
-    def start(self, robot: str, picked: Place | None = None) -> None:
-        """Open for a robot. A vertex `picked` on the map is the start, or the end if none is needed."""
-        self._picked = picked
+    def start(self, robot: str, picked: Place | None = None, way: Sequence[Place] = ()) -> None:
+        """Open for a robot. A vertex `picked` on the map is the start, or the end if none is needed; `way`
+        are both, as proposed."""
+        self._picked, self._way = picked, way
         self._fields.clear(robot)
         self._say("")
         self._arrange()
@@ -92,7 +94,11 @@ class OrderForm(Overlay):
         if self._picked is not None:
             field = "from" if has_start and not may_skip_start(robot) else "to"
             self._fields.take(field, self._picked)
-        self._picked = None
+        if self._way and has_start and not may_skip_start(robot):
+            self._fields.take("from", self._way[0])
+        if self._way:
+            self._fields.take("to", self._way[-1])
+        self._picked, self._way = None, ()
         self.border_title = title(robot, has_start)
 
     def _say(self, text: str, field: str = "") -> None:

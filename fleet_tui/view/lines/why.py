@@ -1,5 +1,6 @@
 """The reasons why a robot stands still, as lines of text."""
 
+import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
@@ -26,6 +27,8 @@ from fleet_tui.view.lines.hints import hidden_keys
 if TYPE_CHECKING:  # numpy
     from fleet_tui.rules.localisation.match import Match
 
+_AGE = re.compile(r"\d (ms|s|min|h|d)\b")
+"""A duration in the name of a reason."""
 SHOWN = 5
 """Number of reasons that fit on a small terminal; the weakest are dropped."""
 UNBROKEN = "\u00a0"
@@ -41,10 +44,11 @@ def why_lines(
     match: "Match | None" = None,
     impact: Sequence[str] = (),
     complaints: Sequence[Complaint] = (),
+    load: Reason | None = None,
 ) -> list[str]:
-    """Return the time without movement, then each reason: name, evidence, age and the keys that help; `match`
-    and `complaints` as for `reasons`; `impact`: the lines about orders whose way is cut."""
-    found, hidden = reasons(state, robot, match, complaints), hidden_keys(state, robot.name)
+    """Return the time without movement, then each reason: name, evidence, age and the keys that help;
+    `match`, `complaints` and `load` as for `reasons`; `impact`: the lines about orders whose way is cut."""
+    found, hidden = reasons(state, robot, match, complaints, load), hidden_keys(state, robot.name)
     if found and moves(state, robot) == found[0]:
         alarms = [*_alarms(state, robot, keys, hidden), *impact]
         return [
@@ -52,7 +56,7 @@ def why_lines(
             *alarms,
             *_others(state, robot, keys),
         ]
-    lines = [_standing(state, robot)]
+    lines = [_standing(state, robot, found[0])]
     for number, reason in enumerate(found[:SHOWN], 1):
         mark = "▶" if number == 1 else " "
         strength = "" if reason.strength is Strength.NONE else f"  ({tr(reason.strength.name.lower())})"
@@ -87,13 +91,19 @@ def _others(state: FleetState, robot: Robot, keys: Mapping[str, tuple[str, ...]]
     yield from ("", tr(one if others == 1 else many))
 
 
-def _standing(state: FleetState, robot: Robot) -> str:
+def _standing(state: FleetState, robot: Robot, first: Reason) -> str:
+    """Return for how long it stands, unless the first reason says since when, and where."""
     place = tr(sanitize(place_text(robot)))
     seen = f"{place[:1].upper()}{place[1:]}." if state.is_fresh(robot, "pose") else tr(f"Last seen {place}.")
-    return f"{_movement(state, robot)} {seen}" if place else _movement(state, robot)
+    has_age = first.since != stationary_since(robot) or _AGE.search(first.name) is not None
+    is_dated = first.since is not None and has_age
+    if place and is_dated and state.is_old(robot, "pose"):
+        return seen
+    movement = _movement(state, robot, is_dated)
+    return f"{movement} {seen}" if place else movement
 
 
-def _movement(state: FleetState, robot: Robot) -> str:
+def _movement(state: FleetState, robot: Robot, is_dated: bool) -> str:
     if "pose" not in robot.kind.reports:
         return tr("Position not reported by this kind of robot.")
     if robot.pose is None or robot.standing is None:
@@ -101,12 +111,16 @@ def _movement(state: FleetState, robot: Robot) -> str:
     if state.is_old(robot, "pose"):
         return tr(f"Last pose {age(state.now - robot.pose.at)} old.")
     still = robot.still_for
-    return tr(f"No movement for {age(still)}.") if still >= STANDS_AFTER else tr("Pose changing.")
+    if still < STANDS_AFTER:
+        return tr("Pose changing.")
+    return tr("Not moving.") if is_dated else tr(f"No movement for {age(still)}.")
 
 
 def _age(state: FleetState, robot: Robot, reason: Reason) -> str:
-    parts = []
-    if reason.since is not None and reason.since != stationary_since(robot):  # the first line has that one
+    """Return since when a reason holds, unless its name or the first line says so, and when it was
+    reported."""
+    parts, is_told = [], reason.since == stationary_since(robot) or _AGE.search(reason.name)
+    if reason.since is not None and not is_told:
         parts.append(tr(f"for {age(state.now - reason.since)}"))
     if reason.seen is not None:
         parts.append(tr(f"reported {ago(reason.seen, state.now)}"))

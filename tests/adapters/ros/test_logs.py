@@ -11,9 +11,12 @@ from fleet_tui.adapters.ros.logs import (
     LONGEST_TEXT,
     MOST_PARTS,
     MOST_VALUES,
+    RobotNames,
     byte,
+    diagnosed_errors,
     diagnoses,
     log_line,
+    logged_errors,
 )
 from fleet_tui.errors import WireError
 from fleet_tui.model.ros_logs import Health, Severity
@@ -109,3 +112,36 @@ def test_what_is_too_long_is_cut() -> None:
     found = diagnoses(wire({"status": [status(0, values=many), *[status(0)] * (MOST_PARTS + 3)]}), T0)
     assert len(found) == MOST_PARTS and len(found[0].values) == MOST_VALUES
     assert len(found[0].values[0][1]) < 560
+
+
+SEVERAL = RobotNames(["robot_1", "robot_10"])
+
+
+@pytest.mark.parametrize(
+    ("node", "level", "msg", "found"),
+    [
+        ("/robot_10/move_base", 8, "No valid control found.", [("robot_10", "No valid control found")]),
+        (
+            "robot_1.bt_navigator",
+            40,
+            "Goal failed error_code:105 error_msg:Failed to make progress.",
+            [("robot_1", "Failed to make progress (error 105)")],
+        ),
+        ("/robot_1/move_base", 4, "wheel slips", []),
+        ("/rosbridge", 8, "of the bridge itself", []),
+        ("/robot_100/move_base", 8, "of another robot", []),
+    ],
+)
+def test_an_error_of_the_log_is_that_of_the_robot_whose_node_wrote_it(
+    node: str, level: int, msg: str, found: list[tuple[str, str]]
+) -> None:
+    line = log_line(wire({**ROS1_LOG, "name": node, "level": level, "msg": msg}), T0)
+    assert [(one.robot, one.text) for one in logged_errors(line, SEVERAL)] == found
+    alone = [one.text for one in logged_errors(line, RobotNames(["agv"]))]
+    assert alone == ([] if level == 4 else alone[:1]) and len(alone) == (level != 4)
+
+
+def test_only_errors_of_the_diagnostics_are_told_with_their_part() -> None:
+    parts = [status(level, name=f"robot_1: part {level}") for level in range(4)]
+    found = diagnosed_errors(diagnoses(wire({"header": {}, "status": parts}), T0), SEVERAL)
+    assert [(one.robot, one.text, one.is_diagnosed) for one in found] == [("robot_1", "part 2: low", True)]

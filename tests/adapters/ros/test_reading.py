@@ -9,7 +9,9 @@ from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros.reading import ROSOUT, FrameReader
 from fleet_tui.errors import WireError
 from fleet_tui.model.events import BatteryReported, Event, FrameRejected, GridReceived, MessageRejected
+from fleet_tui.model.navigation_events import ErrorReported
 from tests.support.adapters import adapter_of
+from tests.support.fleets import R0
 
 BATTERY = "/robot_0/battery"
 
@@ -69,8 +71,10 @@ def test_what_is_over_the_limit_is_named_with_the_key_that_lets_it_in() -> None:
     assert isinstance(unknown, FrameRejected)
 
 
-def test_the_log_of_robots_changes_nothing_in_the_picture() -> None:
+def test_of_the_log_of_robots_only_their_errors_are_news_and_once() -> None:
     it = reader()
-    line = {"level": 8, "name": "/r", "msg": "lost", "header": {"stamp": {"secs": 1, "nsecs": 0}}}
+    line = {"level": 8, "name": "/robot_0/r", "msg": "lost", "header": {"stamp": {"secs": 1, "nsecs": 0}}}
+    assert read(it, said(ROSOUT, **line | {"level": 4, "msg": "a warning"})) == ()
+    assert read(it, said(ROSOUT, **line)) == (ErrorReported(R0, 5.0, "lost", stamp=1.0),)
     assert read(it, said(ROSOUT, **line)) == ()
-    assert [one.text for one in it.counter.log] == ["lost"]
+    assert [one.text for one in it.counter.log] == ["a warning", "lost"]

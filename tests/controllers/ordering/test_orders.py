@@ -37,7 +37,7 @@ def requests(desk: Desk) -> tuple[RowsPane, Opened, OrderRequests]:
         opened,
         OrderRequests(
             *(desk.store, desk.dispatch, desk.notices, desk.navigation, queue),
-            lambda robot, place: opened.append((robot, place)),
+            lambda robot, place, _way: opened.append((robot, place)),
             desk.open_menu,
             lambda _wall: "12:00",
             desk.marked,

@@ -1,11 +1,13 @@
 """Conditions of alarms: their begin, their end, and those that share one alarm."""
 
+import pytest
 from msgspec.structs import replace
 
 from fleet_tui.model import events
 from fleet_tui.model.alarm import AlarmStage
 from fleet_tui.model.desk import events as desk_events
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.navigation_events import ErrorReported
 from tests.support.alarms import alarm, alarms, up
 from tests.support.fleets import (
     LINK,
@@ -98,7 +100,7 @@ def test_an_order_without_movement_is_an_alarm_after_its_delay() -> None:
     state = stood(up(), 59)
     assert (R0, "stuck") not in alarms(state)
     state = stood(state, 3, T0 + 59)
-    assert alarm(state, "stuck").text == "no movement for 62 s (order 12)"
+    assert alarm(state, "stuck").text == "no movement for 62 s (order 1 -> 2)"
     state = reduced(state, *driving(T0 + 63, x=0.5))
     assert alarm(state, "stuck").text == "no longer stuck"
 
@@ -125,19 +127,35 @@ def test_contact_that_comes_and_goes_hides_no_robot_that_stands() -> None:
     assert list(alarms(state)) == [(R0, "stuck")]
 
 
+@pytest.mark.parametrize(
+    ("error", "told"),
+    [
+        (ErrorReported(R0, T0 + 61, "drive: motor fault", is_diagnosed=True), ": drive: motor fault"),
+        (ErrorReported(R0, T0 + 50, "drive: motor fault", is_diagnosed=True), ""),
+        (ErrorReported(R0, T0 + 10, "no valid control"), ": no valid control"),
+        (ErrorReported(R0, T0 - 20, "of an earlier drive"), ""),
+    ],
+)
+def test_a_stuck_robot_has_the_error_that_it_reports_about_itself_as_cause(
+    error: ErrorReported, told: str
+) -> None:
+    state = reduced(stood(up(), 62), error, tick(T0 + 62))
+    assert alarm(state, "stuck").text == f"no movement for 62 s{told} (order 1 -> 2)"
+
+
 def test_once_stuck_an_obstacle_or_silence_does_not_end_it() -> None:
     state = stood(up(), 70)
     state = reduced(state, contact(T0 + 71, 9.0), *driving(T0 + 71))
     assert alarm(state, "stuck").holds
     state = reduced(state, tick(T0 + 100))
-    assert alarm(state, "stuck").text == "order 12: not moving at last report"
+    assert alarm(state, "stuck").text == "order 1 -> 2: not moving at last report"
 
 
 def test_a_pause_does_not_cure_a_stuck_robot_and_makes_none() -> None:
     state = stood(up(), 70)
     state = reduced(state, events.PausedReported(R0, T0 + 71, True), *driving(T0 + 71))
     assert alarm(state, "stuck").holds
-    assert alarm(state, "stuck").text == "paused, no movement for 71 s (order 12)"
+    assert alarm(state, "stuck").text == "paused, no movement for 71 s (order 1 -> 2)"
     resumed = reduced(state, events.PausedReported(R0, T0 + 80, False), *driving(T0 + 80))
     assert alarm(resumed, "stuck").holds
     assert not alarm(reduced(resumed, *driving(T0 + 81, x=0.5)), "stuck").holds

@@ -113,10 +113,10 @@ def failed(stage: Stage = Stage.FAILED, at: float = T0, stops: tuple[Stop, ...] 
 def test_an_order_of_another_client_that_failed_is_told_for_a_while() -> None:
     found = failed_order(*known(gone=(failed(),)), {})
     assert found is not None
-    assert (found.kind, found.text) == ("order", "order 7 failed (aborted by the robot)")
+    assert (found.kind, found.text) == ("order", "order 7 failed: aborted by the robot")
     assert class_of(found.kind) == "command"
     found = failed_order(*known(gone=(failed(stops=at_vertices("1", "2")),)), {})
-    assert found is not None and found.text == "order 1 -> 2 failed (aborted by the robot)"
+    assert found is not None and found.text == "order 1 -> 2 failed: aborted by the robot"
     assert failed_order(*known(gone=(failed(at=T0 - FAILED_FOR),)), {}) is None
     assert failed_order(*known(gone=(failed(), failed(Stage.DONE))), {}) is None
     assert failed_order(*known(), {}) is None

@@ -6,7 +6,7 @@ from fleet_tui.model.events import Event, GraphReceived
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import Role, RouteGraph, Vertex
 from fleet_tui.rules.alarms.conditions import CHARGES_WITHIN
-from fleet_tui.rules.battery.charging import AT_CHARGER, charger_of
+from fleet_tui.rules.battery.charging import AT_CHARGER, charger_of, has_low_battery
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.fleet import fleet_table
 from tests.support.fleets import F0, R0, T0, battery, fleet, link_up, pose, queue, reduced, text_of, tick
@@ -48,3 +48,10 @@ def test_the_row_of_a_charging_robot_is_calm() -> None:
     calm, troubled = (fleet_table(standing(x), R0, 60).rows[0].runs for x in (0.0, 5.0))
     assert "charging" in text_of(calm) and StyleRole.ALARM not in {role for _, role in calm}
     assert "idle" in text_of(troubled) and (" 12 %", StyleRole.WARN) in troubled
+
+
+def test_a_battery_is_low_below_the_limit_of_its_alarm() -> None:
+    state = standing(4.0)
+    assert has_low_battery(state, state.robots[R0])
+    full = reduced(state, battery(T0 + 11, 20.0))
+    assert not has_low_battery(full, full.robots[R0])

@@ -64,7 +64,7 @@ def test_the_order_that_failed_last_is_why_a_robot_has_none() -> None:
         gone = GoneOrder(order, T0, stage, "no path")
         return reasons(idle, replace(idle.robots[R0], gone=(gone,)))[0]
 
-    assert (after(Stage.FAILED).name, after(Stage.FAILED).since) == ("last order failed", T0)
-    assert after(Stage.FAILED).evidence.endswith("(no path)")
+    assert (after(Stage.FAILED).name, after(Stage.FAILED).since) == ("last order failed: no path", T0)
+    assert after(Stage.FAILED).page == "log" and "diagnostics" in after(Stage.FAILED).keys
     assert (after(Stage.LOST).name, after(Stage.LOST).remedy) == ("last order lost", CHECK_DELIVERY)
     assert after(Stage.DONE).name == "no orders"

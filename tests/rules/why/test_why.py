@@ -129,10 +129,16 @@ def _blocked(planted: Planted) -> Planted:
     return planted
 
 
+LOGGED = ("stuck", "stuck at the start", "refused", "no answer", "just sent", "its software restarted")
+PAGES = {"no link": "link", "no link AND paused": "link", "orders wait": "log"} | dict.fromkeys(LOGGED, "log")
+
+
 @pytest.mark.parametrize("name", SITUATIONS)
 def test_the_planted_cause_is_listed_first(name: str) -> None:
     make, wanted = SITUATIONS[name]
-    assert first(make()).name.startswith(wanted)
+    planted = make()
+    assert first(planted).name.startswith(wanted)
+    assert first(planted).page == PAGES.get(name, "topics"), "where diagnostics opens"
 
 
 def test_orders_that_a_certain_cause_holds_back_are_no_reason_of_their_own() -> None:

@@ -1,5 +1,7 @@
 """The panel's text: since when, what, how likely, how old, and which key helps."""
 
+import re
+
 from fleet_tui.keymap import keymap
 from fleet_tui.model.events import CargoReported, PoseReported
 from fleet_tui.model.geometry import Pose
@@ -45,7 +47,7 @@ No movement for 6 s. At Base.
 
   2. obstacle 5.7 s  (certain)
     obstacle contact: clear the path at the robot
-    for 6 s, reported 0.4 s ago
+    reported 0.4 s ago
     c\u00a0centre"""
 
 
@@ -67,11 +69,10 @@ def test_a_robot_that_is_gone() -> None:
     assert (
         text(planted.run(20))
         == """\
-Last pose 20 s old. Last seen at Base.
+Last seen at Base.
 
 ▶ 1. offline 20 s  (certain)
     link up, no messages
-    for 20 s
     Check the robot: power, Wi-Fi, its software
     d\u00a0Open diagnostics: links, topics, raw messages, logs"""
     )
@@ -115,3 +116,11 @@ def test_without_a_cause_it_says_once_how_long_and_what_to_do() -> None:
     assert "▶ 1. cause unknown\n" in said and said.count(" for ") == 1
     assert "    Go and look at it: wheels, emergency stop, manual mode\n" in said
     assert said.index("x\u00a0cancel") < said.index("X\u00a0clear")
+
+
+def test_one_event_has_one_age() -> None:
+    """The contact began before the robot stood, or after: two ages would be two events."""
+    planted = driving(then="obstacle:robot_0").run(20)
+    text = "\n".join(why_lines(planted.state, planted.robot, KEYS))
+    assert len(re.findall(r"\d+ s\b(?! ago)", text)) == 1, text
+    assert text.startswith("Not moving.") and "▶ 1. obstacle " in text

@@ -1,0 +1,30 @@
+"""The nearest charger, and where the way to it begins."""
+
+from fleet_tui.model.events import GraphReceived
+from fleet_tui.model.graph import Role, RouteGraph, Vertex
+from fleet_tui.model.robot import Robot
+from fleet_tui.rules.language.lookup import Place
+from fleet_tui.rules.routes.charging import way_to_charger
+from tests.support.fleets import F0, R0, T0, fleet, pose, reduced
+
+CHARGER = Vertex("1", 0.0, 0.0, Role.DOCKING)
+
+
+def graph_of(vertices: dict[str, Vertex]) -> GraphReceived:
+    return GraphReceived(R0, F0, RouteGraph(vertices))
+
+
+def at(x: float, graph: GraphReceived) -> Robot:
+    return reduced(fleet(), graph, pose(T0, x)).robots[R0]
+
+
+def test_the_way_to_the_nearest_charger_begins_at_the_vertex_nearest_to_the_robot() -> None:
+    far = Vertex("3", 40.0, 0.0, Role.DOCKING)
+    graph = graph_of({"1": CHARGER, "2": Vertex("2", 5.0, 0.0), "3": far})
+    robot = at(4.0, graph)
+    assert way_to_charger(robot) == (Place("2", "2", F0), Place("1", "1", F0))
+    assert way_to_charger(at(22.0, graph)) == (Place("2", "2", F0), Place("3", "3", F0))
+    assert way_to_charger(at(0.5, graph)) == (), "it is there"
+    without = graph_of({"2": Vertex("2", 5.0, 0.0)})
+    assert way_to_charger(at(4.0, without)) == ()
+    assert way_to_charger(reduced(fleet(), pose(T0)).robots[R0]) == ()

@@ -1,0 +1,49 @@
+"""The error that a robot reports about itself is the cause of its end of an order, if it came just then."""
+
+import pytest
+from msgspec.structs import replace
+
+from fleet_tui.model.commands import Stage
+from fleet_tui.model.fleet import with_robot
+from fleet_tui.model.order import Order
+from fleet_tui.model.order_life import UNSAID, GoneOrder
+from fleet_tui.model.robot import Reading
+from fleet_tui.rules.alarms.navigation import failed_order
+from fleet_tui.rules.causes import cause_of_end, wants_causes
+from fleet_tui.rules.why.why import reasons
+from tests.support.fleets import R0, T0, fleet, link_up, pose, queue, reduced, tick
+
+STATE = reduced(fleet(), link_up(T0), pose(T0), queue(T0), tick(T0 + 2))
+FAILED = GoneOrder(Order("7f3a99c0", (), None, "", 1), T0, Stage.FAILED, UNSAID)
+
+
+@pytest.mark.parametrize(
+    ("logged_at", "cause"), [(T0 + 1, "no valid control"), (T0 - 1, "no valid control"), (T0 - 9, "")]
+)
+def test_an_end_without_a_reason_has_the_error_that_the_log_had_just_then(
+    logged_at: float, cause: str
+) -> None:
+    robot = replace(STATE.robots[R0], gone=(FAILED,), logged=Reading("no valid control", logged_at))
+    assert cause_of_end(robot, FAILED) == cause
+    condition = failed_order(STATE, robot, {})
+    assert condition is not None and condition.text.endswith(f" failed: {cause or 'no reason reported'}")
+    first = reasons(STATE, robot)[0]
+    assert first.name == (f"last order failed: {cause}" if cause else "last order failed, no reason reported")
+
+
+def test_the_reason_that_came_with_the_end_is_first() -> None:
+    robot = replace(STATE.robots[R0], logged=Reading("no valid control", T0))
+    assert cause_of_end(robot, replace(FAILED, reason="aborted: blocked")) == "aborted: blocked"
+
+
+def test_logs_are_wanted_before_a_robot_counts_as_stuck_and_after_an_order_failed() -> None:
+    order = (1, 1, 2, "W")
+    state = reduced(fleet(), link_up(T0))
+    wanted = []
+    for second in range(45):
+        at = T0 + second
+        state = reduced(state, pose(at), queue(at, order, current=1), tick(at))
+        wanted.append(wants_causes(state))
+    assert wanted.index(True) in range(29, 35) and wanted[-1] and not any(wanted[:29])
+    failed = with_robot(STATE, replace(STATE.robots[R0], gone=(FAILED,)))
+    assert not wants_causes(STATE) and wants_causes(reduced(failed, tick(T0 + 2.1)))
