@@ -25,7 +25,7 @@ from fleet_tui.view.help.pages import ALWAYS
 from fleet_tui.view.help.pages import TYPED as TYPED_HELP
 from fleet_tui.view.lines.history import HINTS
 from fleet_tui.view.tables.alarms import _PRIORITIES, _SHORT, SIGNS
-from fleet_tui.view.tables.doing import OBSTACLE, UNKNOWN
+from fleet_tui.view.tables.doing import UNKNOWN
 
 ROOT = Path(__file__).parent.parent.parent / "fleet_tui"
 TALKING = (
@@ -238,7 +238,6 @@ def words() -> set[str]:
         *SIGNS.values(),
         *_PRIORITIES.values(),
         *_SHORT.values(),
-        OBSTACLE,
         UNKNOWN,
     }
     found |= {one for page in PAGES.values() for one in (page.enter, *page.keys)}

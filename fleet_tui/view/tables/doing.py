@@ -44,6 +44,11 @@ def count_word(state: FleetState, robot: Robot, does: Activity | None) -> str:
     return UNKNOWN if does is None else does.value
 
 
+def counted(count: int, one: str) -> str:
+    """Return so many robots of a word: `2 obstacles`, `2 driving`."""
+    return tr(f"{count} obstacle{'s' * (count != 1)}") if one == OBSTACLE else f"{count} {tr(one)}"
+
+
 def doing_role(state: FleetState, robot: Robot) -> StyleRole:
     """Return the role of that text: amber where it lasts, red where it is an alarm."""
     if any(alarm.holds and alarm.key == (robot.name, "stuck") for alarm in state.alarms):

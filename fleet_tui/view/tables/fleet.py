@@ -29,7 +29,7 @@ from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, width_of
 
 CARGO = "▪"
-WITH_WORD, WHOLE_ROUTES = 22, 26
+WITH_WORD, WHOLE_ROUTES = 23, 26
 """Cells of the last column from which orders without a column of their own have the word that their robot
 drives, and their start, too."""
 SEEN_FROM = 2.0

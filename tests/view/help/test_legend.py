@@ -5,10 +5,10 @@ import pytest
 from fleet_tui.model.history.facts import Activity
 from fleet_tui.view.help.legend import legend
 from fleet_tui.view.help.section import search
+from fleet_tui.view.history.bars import BARS
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.history.bars import BARS
 from fleet_tui.view.tables.alarms import SIGNS
 from fleet_tui.view.tables.fleet import fleet_table
 from tests.support.fleets import R0, T0, fleet, reduced, text_of, tick
@@ -50,9 +50,7 @@ def test_places_and_lines_are_those_of_the_map() -> None:
     assert found["the way of the selected robot's order"] != found["the way of its next orders"]
 
 
-@pytest.mark.parametrize(
-    ("glyph", "meaning"), [("⌂", "docking"), ("▶", "cargo"), ("≈", "own map")]
-)
+@pytest.mark.parametrize(("glyph", "meaning"), [("⌂", "docking"), ("▶", "cargo"), ("≈", "own map")])
 def test_a_typed_glyph_is_explained(glyph: str, meaning: str) -> None:
     rows = [row.text for section in search(legend(MapOptions()), glyph) for row in section.rows]
     assert len(rows) == 1 and meaning in rows[0]

@@ -86,6 +86,8 @@ def test_it_drives_or_stands_in_the_word_of_its_row() -> None:
     order = queue(T0, (4, 1, 2, "W"), current=4)
     went = received(order, pose(T0 + 0.4, 0.3))
     assert line(went, "State").split() == ["State", "driving"] and line(went, "Movement") == ""
-    stood = reduced(went, pose(T0 + 7.4, 0.3), battery(T0 + 7), queue(T0 + 7, (4, 1, 2, "W"), current=4), tick(T0 + 7.5))
+    stood = reduced(
+        went, pose(T0 + 7.4, 0.3), battery(T0 + 7), queue(T0 + 7, (4, 1, 2, "W"), current=4), tick(T0 + 7.5)
+    )
     assert line(stood, "State").split() == ["State", "waiting", "7", "s"]
     assert "waiting 7 s" in text_of(fleet_table(stood, R0, 60).rows[0].runs)
