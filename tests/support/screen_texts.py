@@ -21,6 +21,7 @@ from fleet_tui.model.routines.lane import BEGUN, ENDED, LEFT, SKIPPED
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.history.observing import BEGUN as BEGAN
 from fleet_tui.rules.why.reason import Strength
+from fleet_tui.screens.ordering.choices import ROLES
 from fleet_tui.view.help.pages import ALWAYS
 from fleet_tui.view.help.pages import TYPED as TYPED_HELP
 from fleet_tui.view.lines.history import HINTS
@@ -239,6 +240,7 @@ def words() -> set[str]:
         *_PRIORITIES.values(),
         *_SHORT.values(),
         UNKNOWN,
+        *ROLES.values(),
     }
     found |= {one for page in PAGES.values() for one in (page.enter, *page.keys)}
     found |= {text for examples in (*TYPED_HELP.values(), ALWAYS) for _, text in examples}
