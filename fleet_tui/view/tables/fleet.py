@@ -98,7 +98,7 @@ def _row(
 ) -> Row:
     role = StyleRole.TEXT if state.is_online(robot) else StyleRole.DIM
     current, order = robot.orders.current, ""
-    runs = state_runs(state, robot, does, columns.state + (columns.order if current is None else 0))
+    runs = state_runs(state, robot, does, columns.state)
     if sign[1] is StyleRole.GOOD and any(colour is StyleRole.WARN for _, colour in runs):
         sign = sign[0], StyleRole.WARN
     shown = current or next((one for one in all_orders(state, robot) if not one.is_over), None)
