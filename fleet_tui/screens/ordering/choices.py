@@ -118,12 +118,12 @@ def scope(robot: Robot | None, typed: str, found: Choices) -> str:
     every, floor = len(places(robot)), sanitize(listed[0].floor)
     own = sum(one.floor == listed[0].floor for one in listed)
     if own == len(listed) < every:
-        return tr(f"{own} of {every} places, all on {floor}: type for others")
+        return tr(f"{own} of {every}, all on {floor}: type for others")
     if len(listed) < every:
         count = len(listed)
-        return tr(f"{count} of {every} places: type for others")
+        return tr(f"{count} of {every}: type for others")
     others = every - own
-    return tr(f"{own} places on {floor}, then {others} elsewhere") if others else ""
+    return tr(f"{own} on {floor}, then {others} elsewhere") if others else ""
 
 
 def lines(state: FleetState, robot: Robot | None, typed: str, found: Choices) -> list[str]:
@@ -157,7 +157,8 @@ def _about(state: FleetState, robot: Robot | None, place: Place) -> str:
         return sanitize(place.floor) if len(state.floors) > 1 else ""
     graph = robot.maps[place.floor].graph if place.floor in robot.maps else None
     vertex = graph.vertices.get(place.vertex) if graph is not None else None
-    parts = [tr(ROLES[vertex.role])] if vertex is not None and vertex.role in ROLES else []
+    role = ROLES.get(vertex.role, "") if vertex is not None else ""
+    parts = [tr(role)] if role and role not in place.name.casefold() else []
     pose = robot.pose if state.is_fresh(robot, "pose") and robot.still_for >= STANDS_AFTER else None
     if place.floor != robot.floor:
         parts.append(sanitize(place.floor))

@@ -100,7 +100,7 @@ def site(kind: Kind | None = None) -> FleetState:
     roles = {"1": Role.PLAIN, "2": Role.DOCKING, "3": Role.ELEVATOR}
     vertices = {id_: replace(one, role=roles[id_]) for id_, one in plain.vertices.items()}
     drawn = GraphReceived(R0, "floor_0", RouteGraph(vertices, plain.edges))
-    below = drawn, labels({1: "Base", 2: "Dock", 3: "Up"})
+    below = drawn, labels({1: "Base", 2: "Dock", 3: "Lift"})
     above = graph(7, 8, floor="floor_1"), labels({7: "Dock", 8: "Kitchen"}, floor="floor_1")
     return reduced(state, link_up(T0 - 9), pose(T0 - 5), pose(T0), *below, *above, tick(T0))
 
@@ -115,7 +115,7 @@ def test_a_place_has_its_kind_and_distance_or_its_floor_and_an_id_only_if_its_la
     assert shown(state, "") == [
         "Base      0 m away",
         "Dock (2)  charger, 1 m away",
-        "Up        lift, 2 m away",
+        "Lift      2 m away",
         "Dock (7)  floor_1",
         "Kitchen   floor_1",
     ]
@@ -128,12 +128,12 @@ def test_the_form_tells_which_places_are_listed_before_anything_is_typed() -> No
     state, stays = site(), site(Kind("stays", ("pose", "graph"), (ORDER,), changes_floors=False))
     told = [scope(one.robots[R0], "", choices(one, one.robots[R0], "to", "")) for one in (state, stays)]
     assert told == [
-        "3 places on floor_0, then 2 elsewhere",
-        "3 of 5 places, all on floor_0: type for others",
+        "3 on floor_0, then 2 elsewhere",
+        "3 of 5, all on floor_0: type for others",
     ]
     assert scope(state.robots[R0], "Ba", choices(state, state.robots[R0], "to", "Ba")) == ""
     typed = choices(stays, stays.robots[R0], "to", "kitchen")
     assert [one.name for one in typed if isinstance(one, Place)] == ["Kitchen"]
     many = reduced(fleet(), graph(*range(50)), labels({n: f"P{n}" for n in range(50)}), pose(T0), tick(T0))
     found = choices(many, many.robots[R0], "to", "")
-    assert scope(many.robots[R0], "", found) == "30 of 50 places, all on floor_0: type for others"
+    assert scope(many.robots[R0], "", found) == "30 of 50, all on floor_0: type for others"
