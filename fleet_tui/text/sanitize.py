@@ -95,10 +95,10 @@ def _cut(text: str, cells: int) -> tuple[str, int]:
 
 
 def fit_words(text: str, cells: int) -> str:
-    """Return `text` as `fit` does, but cut after a whole word where there is one."""
+    """Return `text` as `fit` does, but cut after a whole word if that leaves half of the cells."""
     shown = fit(text, cells)
     start = shown.rstrip()[:-1]
     if cell_width(sanitize(text)) <= cells or not start or sanitize(text)[len(start) :].startswith(" "):
         return shown
     kept = start.rpartition(" ")[0].rstrip(" ,;:")
-    return fit(f"{kept}…", cells) if kept else shown
+    return fit(f"{kept}…", cells) if 2 * cell_width(kept) >= cells else shown

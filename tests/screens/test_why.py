@@ -58,7 +58,7 @@ async def test_it_is_live_and_goes_with_the_robot(server: RosbridgeServer) -> No
 async def test_order_and_clear_open_what_they_open_elsewhere(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         await it.press("w", "o")
-        await it.shows("Charger  (")
+        await it.shows("Charger ")
         assert it.app.main.query_one(OrderForm).is_open and not is_open(it)
         await it.type("Base")
         await it.press("enter")

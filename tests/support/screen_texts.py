@@ -21,11 +21,12 @@ from fleet_tui.model.routines.lane import BEGUN, ENDED, LEFT, SKIPPED
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.history.observing import BEGUN as BEGAN
 from fleet_tui.rules.why.reason import Strength
+from fleet_tui.screens.ordering.choices import ROLES
 from fleet_tui.view.help.pages import ALWAYS
 from fleet_tui.view.help.pages import TYPED as TYPED_HELP
 from fleet_tui.view.lines.history import HINTS
 from fleet_tui.view.tables.alarms import _PRIORITIES, _SHORT, SIGNS
-from fleet_tui.view.tables.doing import OBSTACLE, UNKNOWN
+from fleet_tui.view.tables.doing import UNKNOWN
 
 ROOT = Path(__file__).parent.parent.parent / "fleet_tui"
 TALKING = (
@@ -238,8 +239,8 @@ def words() -> set[str]:
         *SIGNS.values(),
         *_PRIORITIES.values(),
         *_SHORT.values(),
-        OBSTACLE,
         UNKNOWN,
+        *ROLES.values(),
     }
     found |= {one for page in PAGES.values() for one in (page.enter, *page.keys)}
     found |= {text for examples in (*TYPED_HELP.values(), ALWAYS) for _, text in examples}

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from rich.cells import cell_len
 
-from fleet_tui.text.sanitize import cell_width, fit, sanitize
+from fleet_tui.text.sanitize import cell_width, fit, fit_words, sanitize
 
 
 @pytest.mark.parametrize(
@@ -58,3 +58,25 @@ def test_fit_cuts_with_an_ellipsis_and_pads() -> None:
 def test_widths_agree_with_the_painter_where_it_matters(text: str) -> None:
     shown = "".join(letter for letter in sanitize(text) if cell_len(letter) in (1, 2))
     assert cell_width(shown) >= cell_len(shown)
+
+
+@pytest.mark.parametrize(
+    ("text", "cells", "shown"),
+    [
+        ("pose 25 s old cargo old", 17, "pose 25 s old…   "),
+        ("pose 25 s old", 13, "pose 25 s old"),
+        ("-> Workshop", 9, "-> Works…"),
+        ("one two", 4, "one…"),
+        ("one, two three", 9, "one, two…"),
+        ("", 2, "  "),
+    ],
+)
+def test_a_text_is_cut_after_a_whole_word_if_that_leaves_half_of_it(
+    text: str, cells: int, shown: str
+) -> None:
+    assert fit_words(text, cells) == shown
+
+
+@given(st.text(), st.integers(0, 30))
+def test_cut_after_a_word_it_is_as_wide_as_its_cells(text: str, cells: int) -> None:
+    assert cell_width(fit_words(text, cells)) == cells

@@ -11,7 +11,7 @@ async def test_a_large_screen_shows_the_other_floor_and_a_click_goes_there(serve
     async with console(config_of(server.url, 2, floors=2), LARGE) as it:
         await it.shows("─ floor_1 ── robot_1 ─", "other-floors")
         await it.shows("Laundry", "other-floors")
-        await it.shows("Movement", "page")
+        await it.shows("State  ", "page")
         await it.pilot.click("#other-floors", offset=(5, 5))
         await it.shows("─ floor_1 ", "map")
         await it.shows("─ floor_0 ── robot_0 ─", "other-floors")
@@ -26,7 +26,7 @@ async def test_below_the_map_of_a_large_fleet_the_other_floor_is_beside_the_last
         below, recent = (it.app.main.query_one(name) for name in ("#other-floors-below", "#recent"))
         assert below.size.height == recent.size.height >= 14 and recent.region.right <= below.region.x
         assert not it.app.main.panes.small_maps.display
-        await it.shows("Movement", "page")
+        await it.shows("State  ", "page")
         await it.press("tab", "=")
         await it.until(lambda _: not it.app.main.panes.has_small_maps)
         await it.press("=")

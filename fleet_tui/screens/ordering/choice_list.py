@@ -7,7 +7,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.anyone import is_anyone
 from fleet_tui.rules.language.favourites import Given
 from fleet_tui.rules.routes.order_draft import Draft
-from fleet_tui.screens.ordering.choices import Choice, Choices, choices, line
+from fleet_tui.screens.ordering.choices import Choice, Choices, choices, lines, scope
 from fleet_tui.screens.ordering.drafts import draft_of
 from fleet_tui.screens.ordering.fields import OrderFields
 from fleet_tui.widgets.matches import Matches
@@ -22,11 +22,14 @@ class ChoiceList(Matches):
         super().__init__(id="matches")
         self._state, self._fields, self._given = state, fields, given
         self._found: Choices = []
+        self.scope = ""
 
     def refill(self, robot: Robot | None) -> None:
         """List the choices, the first one marked if something is typed."""
         self._found = self._choices(robot)
-        self.show(map(line, self._found), mark=bool(self._fields.typed))
+        typed = self._fields.typed
+        self.show(lines(self._state(), robot, typed, self._found), mark=bool(typed))
+        self.scope = scope(robot, typed, self._found)
 
     @property
     def is_untouched(self) -> bool:

@@ -1,19 +1,26 @@
 """Meanings of a field of the order form, and their texts."""
 
+import math
+from collections import Counter
 from collections.abc import Callable, Sequence
 
 from fleet_tui.errors import did_you_mean
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.graph import Role
 from fleet_tui.model.kind import GOAL
 from fleet_tui.model.link import Phase
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.pauses import STANDS_AFTER
 from fleet_tui.rules.language.anyone import ANYONE, any_matches
 from fleet_tui.rules.language.favourites import Favourite, Given, favourites
 from fleet_tui.rules.language.lookup import Place, matches, places, recent_ends
 from fleet_tui.text.language import tr
-from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.sanitize import cell_width, sanitize
+from fleet_tui.view.tables.table import column
 
-SHOWN = 8
+SHOWN, LONGEST = 30, 24
+"""Choices that are listed, and cells of the column of their names."""
+ROLES = {Role.DOCKING: "charger", Role.ELEVATOR: "lift"}
 
 Choice = Place | str | Favourite
 """A place, the name of a robot, or a whole order to give again."""
@@ -36,6 +43,8 @@ def choices(
         found = any_matches(state, typed)
     else:
         found = matches(robot, typed, recent_ends(state, robot) if field == "to" else ())
+        if not typed.strip() and not robot.kind.changes_floors:
+            found = [place for place in found if place.floor == robot.floor] or found
     if field == "from" and not typed.strip():
         listed: list[Choice] = [*favourites(found, given()), *found]
         return listed[:SHOWN]
@@ -101,10 +110,66 @@ def hindrance(state: FleetState, robot: Robot | None) -> str:
     return without_places(robot)
 
 
-def line(choice: Choice) -> str:
-    """Return the line of a choice."""
+def scope(robot: Robot | None, typed: str, found: Choices) -> str:
+    """Return which places are listed before anything is typed, empty if all are on one floor."""
+    listed = [one for one in found if isinstance(one, Place)]
+    if robot is None or typed.strip() or not listed:
+        return ""
+    every, floor = len(places(robot)), sanitize(listed[0].floor)
+    own = sum(one.floor == listed[0].floor for one in listed)
+    if own == len(listed) < every:
+        return tr(f"{own} of {every}, all on {floor}: type for others")
+    if len(listed) < every:
+        count = len(listed)
+        return tr(f"{count} of {every}: type for others")
+    others = every - own
+    return tr(f"{own} on {floor}, then {others} elsewhere") if others else ""
+
+
+def lines(state: FleetState, robot: Robot | None, typed: str, found: Choices) -> list[str]:
+    """Return the line of each choice: places in columns."""
+    named = [one for one in found if isinstance(one, Place)]
+    same = Counter(one.name for one in named)
+    names = {
+        one: sanitize(one.name) + (f" ({sanitize(one.vertex)})" if _needs_id(one, same, typed) else "")
+        for one in named
+    }
+    cells = column(names.values(), at_most=LONGEST) + 2
+    return [
+        _in_column(names[one], cells, _about(state, robot, one)) if isinstance(one, Place) else line(one)
+        for one in found
+    ]
+
+
+def _in_column(name: str, cells: int, about: str) -> str:
+    """Return a name and what is told of it, below each other unless a name is too long."""
+    return f"{name}{' ' * max(2, cells - cell_width(name))}{about}".rstrip()
+
+
+def _needs_id(place: Place, same: Counter[str], typed: str) -> bool:
+    return place.name != place.vertex and (same[place.name] > 1 or typed.strip() == place.vertex)
+
+
+def _about(state: FleetState, robot: Robot | None, place: Place) -> str:
+    """Return the kind of a place, its floor if the robot is not there, else the metres to it in a straight
+    line while the robot stands."""
+    if robot is None:
+        return sanitize(place.floor) if len(state.floors) > 1 else ""
+    graph = robot.maps[place.floor].graph if place.floor in robot.maps else None
+    vertex = graph.vertices.get(place.vertex) if graph is not None else None
+    role = ROLES.get(vertex.role, "") if vertex is not None else ""
+    parts = [tr(role)] if role and role not in place.name.casefold() else []
+    pose = robot.pose if state.is_fresh(robot, "pose") and robot.still_for >= STANDS_AFTER else None
+    if place.floor != robot.floor:
+        parts.append(sanitize(place.floor))
+    elif vertex is not None and pose is not None:
+        metres = math.dist((vertex.x, vertex.y), (pose.value.x, pose.value.y))
+        parts.append(tr(f"{metres:.0f} m away"))
+    return ", ".join(parts)
+
+
+def line(choice: Favourite | str) -> str:
+    """Return the line of an order to give again, or of a robot."""
     if isinstance(choice, Favourite):
         return f"{sanitize(choice.start.name)} -> {sanitize(choice.end.name)}  ({tr(choice.reason)})"
-    if isinstance(choice, str):
-        return tr(f"{ANYONE}: the nearest idle robot") if choice == ANYONE else choice
-    return f"{sanitize(choice.name)}  ({sanitize(choice.vertex)}, {choice.floor})"
+    return tr(f"{ANYONE}: the nearest idle robot") if choice == ANYONE else choice

@@ -115,6 +115,7 @@ class OrderForm(Overlay):
             robot = self._robot()
             self._send.label = tr(SEND if self._fields.current == "to" else NEXT)
             self._choices.refill(robot)
+            self.border_subtitle = self._choices.scope
             if notice := hindrance(self._state(), robot):
                 self._say(notice)
 

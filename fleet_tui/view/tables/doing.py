@@ -44,6 +44,11 @@ def count_word(state: FleetState, robot: Robot, does: Activity | None) -> str:
     return UNKNOWN if does is None else does.value
 
 
+def counted(count: int, one: str) -> str:
+    """Return so many robots of a word: `2 obstacles`, `2 driving`."""
+    return tr(f"{count} obstacle{'s' * (count != 1)}") if one == OBSTACLE else f"{count} {tr(one)}"
+
+
 def doing_role(state: FleetState, robot: Robot) -> StyleRole:
     """Return the role of that text: amber where it lasts, red where it is an alarm."""
     if any(alarm.holds and alarm.key == (robot.name, "stuck") for alarm in state.alarms):
@@ -54,8 +59,10 @@ def doing_role(state: FleetState, robot: Robot) -> StyleRole:
 def state_runs(state: FleetState, robot: Robot, does: Activity | None, cells: int) -> list[Run]:
     """Return what a robot does, and its news before all: where not both have space, or the news says it,
     these alone."""
-    failed = list(failed_command(state, robot))
-    news_runs = shortened_news([run for one in (*failed, *news(state, robot)) for run in (one, _GAP)], cells)
+    failed, others = list(failed_command(state, robot)), list(news(state, robot))
+    if failed and width_of(failed) > cells:
+        failed = list(failed_command(state, robot, short=True))
+    news_runs = shortened_news([run for one in (*failed, *others) for run in (one, _GAP)], cells)
     doing = doing_text(robot, does), doing_role(state, robot)
     if not news_runs:
         return [(missing(state, robot) or doing[0], doing[1]) if does is None else doing, _GAP]

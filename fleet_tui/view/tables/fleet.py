@@ -29,7 +29,7 @@ from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, width_of
 
 CARGO = "▪"
-WITH_WORD, WHOLE_ROUTES = 22, 26
+WITH_WORD, WHOLE_ROUTES = 23, 26
 """Cells of the last column from which orders without a column of their own have the word that their robot
 drives, and their start, too."""
 SEEN_FROM = 2.0
@@ -98,7 +98,7 @@ def _row(
 ) -> Row:
     role = StyleRole.TEXT if state.is_online(robot) else StyleRole.DIM
     current, order = robot.orders.current, ""
-    runs = state_runs(state, robot, does, columns.state + (columns.order if current is None else 0))
+    runs = state_runs(state, robot, does, columns.state)
     if sign[1] is StyleRole.GOOD and is_odd(state, robot):
         sign = sign[0], StyleRole.WARN
     shown = current or next((one for one in all_orders(state, robot) if not one.is_over), None)

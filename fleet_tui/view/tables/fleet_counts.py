@@ -7,7 +7,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity
 from fleet_tui.text.language import tr
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.doing import ODD, UNKNOWN, count_word
+from fleet_tui.view.tables.doing import ODD, UNKNOWN, count_word, counted
 from fleet_tui.view.tables.table import Run, width_of
 
 COUNTED = (
@@ -31,7 +31,7 @@ def fleet_counts(state: FleetState, done: Mapping[str, Activity], width: int) ->
     online = len(robots) - offline
     present: Run = (tr(f" {online} of {len(robots)} online"), StyleRole.DIM)
     counts = [
-        (f"{found[one]} {tr(one)}", StyleRole.WARN if one in ODD else StyleRole.DIM)
+        (counted(found[one], one), StyleRole.WARN if one in ODD else StyleRole.DIM)
         for one in COUNTED
         if found[one]
     ]

@@ -10,7 +10,7 @@ from fleet_tui.rules.history.activity import activities
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.doing import ODD, count_word
+from fleet_tui.view.tables.doing import ODD, count_word, counted
 from fleet_tui.view.tables.fleet_columns import floor_text
 from fleet_tui.view.tables.table import Row, Run
 
@@ -96,5 +96,5 @@ def head_row(state: FleetState, head: GroupHead, is_folded: bool, troubled: Coll
     words = Counter(count_word(state, robot, done.get(robot.name)) for robot in members if is_folded)
     for one in ODD:
         if words[one]:
-            runs.append((f" {words[one]} {tr(one)}", StyleRole.WARN))
+            runs.append((f" {counted(words[one], one)}", StyleRole.WARN))
     return Row(head, tuple(runs))

@@ -41,12 +41,14 @@ def _paused(state: FleetState, robot: Robot) -> str:
     return tr("paused") if own_pause(state, robot) else tr("paused (elsewhere)")
 
 
-def failed_command(state: FleetState, robot: Robot) -> Iterator[Run]:
-    """Return the alarms of a command and of an order that failed, as far as there are any."""
+def failed_command(state: FleetState, robot: Robot, short: bool = False) -> Iterator[Run]:
+    """Return the alarms of a command and of an order that failed, as far as there are any; `short`: without
+    the name of the order, which stands before what happened to it."""
     keys = (robot.name, "command"), (robot.name, "order")
     for alarm in state.alarms:
         if alarm.key in keys and alarm.holds and alarm.stage is not AlarmStage.SHELVED:
-            yield tr(sanitize(alarm.text)), StyleRole.ALARM
+            is_named = alarm.key == keys[0] or not short
+            yield tr(sanitize(alarm.text) if is_named else "order failed"), StyleRole.ALARM
 
 
 def is_late(state: FleetState, robot: Robot) -> bool:

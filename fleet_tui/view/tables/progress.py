@@ -21,7 +21,7 @@ def progress_text(state: FleetState, robot: Robot, order: Order) -> str:
     if reported.metres is not None:
         parts.append(tr(f"{reported.metres:.{int(reported.metres < 100)}f} m left"))
     if reported.seconds is not None:
-        parts.append(age(reported.seconds))
+        parts.append(age(reported.seconds) if parts else tr(f"{age(reported.seconds)} left"))
     if reported.stop is not None and len(order.stops) > 1:
         parts.append(tr(f"stop {min(reported.stop + 1, len(order.stops))} of {len(order.stops)}"))
     if reported.recoveries:

@@ -9,7 +9,7 @@ from tests.support.watched_store import config_of
 async def test_an_order_by_mouse_alone(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         it.app.main.rest.orders.start()
-        await it.shows("Charger  (", "matches")
+        await it.shows("Charger ", "matches")
         for field in ("from", "to"):
             rows = it.app.main.query_one("#matches")
             labels = [rows.render_line(y).text for y in range(rows.size.height)]
@@ -24,9 +24,9 @@ async def test_an_order_by_mouse_alone(server: RosbridgeServer) -> None:
 async def test_an_arrow_marks_a_choice_where_nothing_is_typed(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         await it.press("o", "down")
-        await it.shows("Base  (", "matches")
+        await it.shows("Base ", "matches")
         rows = it.app.main.query_one("#matches")
-        first = rows.render_line(0).text.partition("  (")[0]
+        first = rows.render_line(0).text.partition("  ")[0]
         await it.press("enter")
         await it.type("Consumidores")
         await it.press("enter")

@@ -1,11 +1,19 @@
 """Choices of the order form: places of the robot it is for."""
 
 import msgspec
+from msgspec.structs import replace
 from textual.widgets import Input
 
+from fleet_tui.model.events import GraphReceived
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.graph import Role, RouteGraph
+from fleet_tui.model.kind import ORDER, Kind
+from fleet_tui.rules.language.lookup import Place
+from fleet_tui.screens.ordering.choices import choices, lines, scope
 from fleet_tui.screens.ordering.form import OrderForm
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console
+from tests.support.fleets import R0, T0, fleet, graph, labels, link_up, of_kinds, pose, reduced, tick
 from tests.support.ordering import place, sent, vertex
 from tests.support.watched_store import config_of
 
@@ -83,3 +91,49 @@ async def test_favourites_leave_when_a_label_is_typed(server: RosbridgeServer) -
         await it.shows("(last)", "matches")
         await it.type("Ba")
         await it.hides("(last)", "matches")
+
+
+def site(kind: Kind | None = None) -> FleetState:
+    """A robot that stands at Base, and knows two floors; both have a Dock."""
+    state = fleet(1, 2) if kind is None else of_kinds(fleet(1, 2), kind)
+    plain = graph(1, 2, 3).graph
+    roles = {"1": Role.PLAIN, "2": Role.DOCKING, "3": Role.ELEVATOR}
+    vertices = {id_: replace(one, role=roles[id_]) for id_, one in plain.vertices.items()}
+    drawn = GraphReceived(R0, "floor_0", RouteGraph(vertices, plain.edges))
+    below = drawn, labels({1: "Base", 2: "Dock", 3: "Lift"})
+    above = graph(7, 8, floor="floor_1"), labels({7: "Dock", 8: "Kitchen"}, floor="floor_1")
+    return reduced(state, link_up(T0 - 9), pose(T0 - 5), pose(T0), *below, *above, tick(T0))
+
+
+def shown(state: FleetState, typed: str) -> list[str]:
+    robot = state.robots[R0]
+    return lines(state, robot, typed, choices(state, robot, "to", typed))
+
+
+def test_a_place_has_its_kind_and_distance_or_its_floor_and_an_id_only_if_its_label_is_no_name() -> None:
+    state = site()
+    assert shown(state, "") == [
+        "Base      0 m away",
+        "Dock (2)  charger, 1 m away",
+        "Lift      2 m away",
+        "Dock (7)  floor_1",
+        "Kitchen   floor_1",
+    ]
+    assert shown(state, "8") == ["Kitchen (8)  floor_1"], "an id that was typed is told"
+    driving = reduced(state, pose(T0 + 1, 0.5), tick(T0 + 1))
+    assert shown(driving, "Base") == ["Base"], "a distance would be old at once"
+
+
+def test_the_form_tells_which_places_are_listed_before_anything_is_typed() -> None:
+    state, stays = site(), site(Kind("stays", ("pose", "graph"), (ORDER,), changes_floors=False))
+    told = [scope(one.robots[R0], "", choices(one, one.robots[R0], "to", "")) for one in (state, stays)]
+    assert told == [
+        "3 on floor_0, then 2 elsewhere",
+        "3 of 5, all on floor_0: type for others",
+    ]
+    assert scope(state.robots[R0], "Ba", choices(state, state.robots[R0], "to", "Ba")) == ""
+    typed = choices(stays, stays.robots[R0], "to", "kitchen")
+    assert [one.name for one in typed if isinstance(one, Place)] == ["Kitchen"]
+    many = reduced(fleet(), graph(*range(50)), labels({n: f"P{n}" for n in range(50)}), pose(T0), tick(T0))
+    found = choices(many, many.robots[R0], "to", "")
+    assert scope(many.robots[R0], "", found) == "30 of 50, all on floor_0: type for others"

@@ -40,6 +40,10 @@ def test_what_is_told_stands_there_in_its_order() -> None:
     assert text(Progress("1", metres=250.4, recoveries=1)) == "250 m left, 1 recovery"
 
 
+def test_seconds_alone_are_told_from_those_of_standing() -> None:
+    assert text(Progress("1", seconds=31.0)) == "31 s left"
+
+
 def test_of_several_stops_it_says_which() -> None:
     assert text(Progress("1", stop=0)) == "stop 1 of 2"
     assert text(Progress("1", stop=7)) == "stop 2 of 2"
