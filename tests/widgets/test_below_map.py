@@ -1,0 +1,34 @@
+"""Below the map are the last events, and small maps or activities where there are cells for both."""
+
+from textual.app import App, ComposeResult
+
+from fleet_tui.view.layout import LEAST_SHARED
+from fleet_tui.widgets.below_map import BelowMap
+
+
+class Below(App[None]):
+    """The place alone."""
+
+    def compose(self) -> ComposeResult:
+        yield BelowMap(is_ascii=False)
+
+
+async def test_it_has_the_lines_that_are_left_and_says_when_they_change() -> None:
+    app = Below()
+    async with app.run_test() as pilot:
+        below = app.query_one(BelowMap)
+        assert below.take(6) and not below.take(6)
+        await pilot.pause()
+        assert below.size.height == 6
+        assert below.take(0) and not below.display
+
+
+async def test_activities_are_beside_the_last_events_only_where_both_have_cells() -> None:
+    app = Below()
+    async with app.run_test():
+        below = app.query_one(BelowMap)
+        shown = []
+        for has_maps, cells in ((False, LEAST_SHARED), (False, LEAST_SHARED - 1), (True, LEAST_SHARED)):
+            below.divide(has_maps, cells)
+            shown.append((below.maps.display, below.activity.rows.display))
+        assert shown == [(False, True), (False, False), (True, False)]
