@@ -77,12 +77,6 @@ class Panes(Container):
     def place_dialogs(self, *dialogs: Widget) -> None:
         """Keep dialogs about the map in one place that covers none of it, beside the tables."""
         self._dialogs = DialogPlace(*dialogs)
-        self._place_dialogs()
-
-    def _place_dialogs(self) -> None:
-        is_free = (self.screen.has_class("-wide") or self.screen.has_class("-beside")) and not self._is_small
-        map_width = self.floor.outer_size.width
-        self._dialogs.move_to(dialog_box(self.recent.region.size, map_width, *self.size) if is_free else None)
 
     @property
     def tables(self) -> tuple[RowsPane, ...]:
@@ -150,17 +144,18 @@ class Panes(Container):
         if not self.is_attached:
             return False  # the console ends
         is_wide, is_beside = self.screen.has_class("-wide"), self.screen.has_class("-beside")
-        is_free = lines and (is_wide or is_beside) and not self._is_small and not self._alone
+        has_space = (is_wide or is_beside) and not self._is_small
         above = [part for part in self.floor.children if part.id in ("simple", "camera") and part.display]
         space = self.size.height - sum(part.outer_size.height for part in above)
-        self._left = below_floor(space, lines, is_beside) if is_free else 0
+        self._left = below_floor(space, lines, is_beside) if has_space and lines and not self._alone else 0
         queue, recent = (
             below_narrow_floor(self._left, self._wanted[0].queue) if is_beside else (0, self._left)
         )
         if queue != self._queue_lines:
             self._queue_lines = queue
             self.share_out()
-        self._place_dialogs()
+        box = dialog_box(self.recent.region.size, self.floor.outer_size.width, *self.size)
+        self._dialogs.move_to(box if has_space else None)
         return self.below.take(recent)
 
     def _place_queue(self, lines: int) -> None:

@@ -2,8 +2,13 @@
 
 from textual.app import App, ComposeResult
 
+from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.view.layout import LEAST_SHARED
 from fleet_tui.widgets.below_map import BelowMap
+from tests.support.console_pilot import console
+from tests.support.watched_store import config_of
+
+LARGE = (200, 60)
 
 
 class Below(App[None]):
@@ -32,3 +37,20 @@ async def test_activities_are_beside_the_last_events_only_where_both_have_cells(
             below.divide(has_maps, cells)
             shown.append((below.maps.display, below.activity.rows.display))
         assert shown == [(False, True), (False, False), (True, False)]
+
+
+async def test_a_large_screen_shows_what_the_robots_did_below_a_map_without_other_floors_there(
+    server: RosbridgeServer,
+) -> None:
+    async with console(config_of(server.url, 2, floors=2), LARGE) as it:
+        await it.shows("robot_1", "activity")
+        activity, recent = (it.app.main.query_one(name) for name in ("#activity", "#recent"))
+        assert activity.size.height == recent.size.height and recent.region.right <= activity.region.x
+
+
+async def test_small_maps_in_its_place_and_small_screens_have_none(server: RosbridgeServer) -> None:
+    for robots, size in ((30, LARGE), (2, (120, 40)), (2, (80, 24))):
+        async with console(config_of(server.url, robots, floors=2), size, wait=False) as it:
+            await it.until(lambda _: it.app.main.is_complete)
+            await it.shows("Fleet")
+            await it.until(lambda _: not it.app.main.query_one("#activity").size.height)
