@@ -57,15 +57,17 @@ def dialog_box(events: tuple[int, int], map_width: int, width: int, lines: int) 
     return DialogBox(map_width + 1, width - map_width - 1, min(USUAL_DIALOG, lines - LEAST_FLEET))
 
 
-def beside_map(lines: int, wanted: Wanted) -> tuple[int, int, int, int]:
-    """Share out the column beside the map: fleet, alarms, queue, the robot's page (0 for none). Below each is
-    a blank line, unless robots need it."""
+def beside_map(lines: int, wanted: Wanted, is_queue_below: bool = False) -> tuple[int, int, int, int]:
+    """Share out the column beside the map: fleet, alarms, queue (0 if it is below the map), the robot's page
+    (0 for none). Below each is a blank line, unless robots need it."""
     blank = int(sum(wanted) + len(wanted) <= lines)
     alarms = _share(wanted.alarms + blank, lines // 3, LEAST_LIST - 1 + blank)
-    queue = _share(wanted.queue + blank, lines // 4, LEAST_LIST - 1 + blank)
+    queue = 0 if is_queue_below else _share(wanted.queue + blank, lines // 4, LEAST_LIST - 1 + blank)
     fleet = max(LEAST_FLEET, min(wanted.fleet + 1, lines - alarms - queue))
     left = max(0, lines - fleet - alarms - queue)
     page = left if left >= LEAST_PAGE else 0
+    if is_queue_below:
+        return fleet, alarms + left - page, 0, page
     return fleet, alarms, queue + left - page, page
 
 
@@ -102,6 +104,13 @@ def below_floor(lines: int, floor: int, is_narrow: bool = False) -> int:
     On a narrow screen few are better than a blank, and one is kept for labels beyond the walls."""
     left = lines - max(floor + is_narrow, LEAST_MAP)
     return left if left >= (LEAST_EVENTS if is_narrow else LEAST_PAGE) else 0
+
+
+def below_narrow_floor(left: int, queue: int) -> tuple[int, int]:
+    """Share out the lines that a floor beside the tables of a narrow screen leaves: the queue of orders, and
+    above it the last events (0 for none)."""
+    wanted = max(queue, LEAST_LIST - 1)
+    return (wanted, left - wanted) if left - wanted >= LEAST_LIST - 1 else (left, 0)
 
 
 def below_map(lines: int, wanted: Wanted, covered: int = 0) -> tuple[int, int, int]:

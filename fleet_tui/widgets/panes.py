@@ -10,7 +10,6 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.layout import (
     BROAD,
     LEAST_BESIDE,
-    LEAST_SHARED,
     LEAST_TABLES,
     PAGE_BESIDE,
     USUAL_SHAPE,
@@ -19,6 +18,7 @@ from fleet_tui.view.layout import (
     below_buttons,
     below_floor,
     below_map,
+    below_narrow_floor,
     below_page,
     beside_map,
     dialog_box,
@@ -29,7 +29,7 @@ from fleet_tui.view.layout import (
     without_map,
 )
 from fleet_tui.view.tables.table import Table
-from fleet_tui.widgets.activity_pane import ActivityPane
+from fleet_tui.widgets.below_map import BelowMap
 from fleet_tui.widgets.dialog_place import DialogPlace
 from fleet_tui.widgets.pace import Pace
 from fleet_tui.widgets.rows_pane import RowsPane
@@ -55,37 +55,28 @@ class Panes(Container):
         self.alarms, self.queue = RowsPane(id="alarms"), RowsPane(id="queue")
         self.page = RowsPane(id="page")
         self.page.can_focus = False
-        self.recent = RowsPane(id="recent")
-        self.recent.can_focus = False
-        self.small_maps, self.maps_below = Container(id="small-maps"), Container(id="maps-below")
-        self.activity = ActivityPane(is_ascii)
-        self._below = Container(self.recent, self.activity.rows, self.maps_below, id="below")
-        self.floor = Container(Container(id="map"), self._below, id="floor")
+        self.below, self.small_maps = BelowMap(is_ascii), Container(id="small-maps")
+        self.recent, self.activity = self.below.recent, self.below.activity
+        self.floor = Container(Container(id="map"), self.below, id="floor")
         aside = Container(self.page, self.small_maps, id="aside")
         super().__init__(self.floor, self.fleet, self.alarms, self.queue, aside, id="panes")
         self._alone, self._small_lines, self._left = "", 0, 0
         self._page_pace, self._recent_pace = Pace(0.5), Pace(1.0)
         self._fleet: Table | None = None
-        self._recent_lines = 0
+        self._queue_lines = 0
         self._shape = USUAL_SHAPE
         self._wanted = Wanted(0, 0, 0), 0
-        self._shared_out: tuple[str, str, int] | None = None
+        self._shared_out: object = None
         self._dialogs = DialogPlace()
 
     async def mount_small_maps(self, aside: Widget, below: Widget) -> None:
         """Mount the maps of other floors, for the place beside the map and that below it."""
         await self.small_maps.mount(aside)
-        await self.maps_below.mount(below)
+        await self.below.maps.mount(below)
 
     def place_dialogs(self, *dialogs: Widget) -> None:
         """Keep dialogs about the map in one place that covers none of it, beside the tables."""
         self._dialogs = DialogPlace(*dialogs)
-        self._place_dialogs()
-
-    def _place_dialogs(self) -> None:
-        is_free = (self.screen.has_class("-wide") or self.screen.has_class("-beside")) and not self._is_small
-        map_width = self.floor.outer_size.width
-        self._dialogs.move_to(dialog_box(self.recent.region.size, map_width, *self.size) if is_free else None)
 
     @property
     def tables(self) -> tuple[RowsPane, ...]:
@@ -95,7 +86,7 @@ class Panes(Container):
     @property
     def has_small_maps(self) -> bool:
         """Tell whether small maps of other floors are shown."""
-        return self.small_maps.display or (self.maps_below.display and self._below.display)
+        return self.small_maps.display or (self.below.maps.display and self.below.display)
 
     @property
     def space_beside_map(self) -> tuple[int, int]:
@@ -153,17 +144,26 @@ class Panes(Container):
         if not self.is_attached:
             return False  # the console ends
         is_wide, is_beside = self.screen.has_class("-wide"), self.screen.has_class("-beside")
-        is_free = lines and (is_wide or is_beside) and not self._is_small and not self._alone
+        has_space = (is_wide or is_beside) and not self._is_small
         above = [part for part in self.floor.children if part.id in ("simple", "camera") and part.display]
-        space = self.floor.size.height - sum(part.outer_size.height for part in above)
-        self._left = below_floor(space, lines, is_beside) if is_free else 0
-        self._place_dialogs()
-        if self._left == self._recent_lines:
-            return False
-        self._recent_lines = self._left
-        self._below.styles.height = self._left
-        self._below.display = self._left > 0
-        return True
+        space = self.size.height - sum(part.outer_size.height for part in above)
+        self._left = below_floor(space, lines, is_beside) if has_space and lines and not self._alone else 0
+        queue, recent = (
+            below_narrow_floor(self._left, self._wanted[0].queue) if is_beside else (0, self._left)
+        )
+        if queue != self._queue_lines:
+            self._queue_lines = queue
+            self.share_out()
+        box = dialog_box(self.recent.region.size, self.floor.outer_size.width, *self.size)
+        self._dialogs.move_to(box if has_space else None)
+        return self.below.take(recent)
+
+    def _place_queue(self, lines: int) -> None:
+        """Put the queue into so many lines below the map, or with 0 back among the tables."""
+        self.set_class(lines > 0, "-queue-below")
+        self.queue.styles.width = self.floor.outer_size.width if lines else None
+        self.queue.styles.height = lines or None
+        self.floor.styles.height = self.size.height - lines if lines else None
 
     def on_resize(self) -> None:
         """Share out the new lines at once."""
@@ -191,14 +191,17 @@ class Panes(Container):
         alone = self._alone if may_enlarge else ""
         heights = (lines, *[0] * 3)[: 4 if is_wide else 1] if alone else self._heights(lines, wanted, covered)
         self._share_aside(lines, heights[-1] if len(heights) == 4 and not alone else 0)
-        rows = " ".join(map(str, heights))
+        is_beside = len(heights) == 4 and not is_wide
+        below = self._queue_lines if is_beside else 0
+        rows = " ".join(str(height) for height in heights if height or not below)
         # An enlarged table has all its columns.
         kept = WIDE_TABLES if alone not in ("", "floor") else LEAST_TABLES
         map_width = width_of_map(self.size.width, lines, self._shape, kept) if is_wide else 0
-        if (rows, alone, map_width) == self._shared_out:
+        if (rows, alone, map_width, below, self.size) == self._shared_out:
             return
-        self._shared_out = rows, alone, map_width
-        self.screen.set_class(len(heights) == 4 and not is_wide, "-beside")
+        self._shared_out = rows, alone, map_width, below, self.size
+        self.screen.set_class(is_beside, "-beside")
+        self._place_queue(below)
         self.styles.grid_rows = rows
         self.styles.grid_columns = f"{map_width} 1fr" if is_wide else None
         for pane in self.children:
@@ -212,8 +215,7 @@ class Panes(Container):
         """Give small maps half of the last events' lines, or lines that the robot's page can spare."""
         has_some, column, fleet = bool(self.small_maps.children), self.page.size.width, self._wanted[0].fleet
         is_below = has_some and is_beside_events(self._left, self.floor.size.width, lines, fleet, column)
-        self.maps_below.display = is_below
-        self.activity.rows.display = not is_below and self.floor.size.width >= LEAST_SHARED
+        self.below.divide(is_below, self.floor.size.width)
         small = below_page(lines, page, column) if has_some and not is_below else 0
         if small != self._small_lines:
             self._small_lines = small
@@ -240,5 +242,4 @@ class Panes(Container):
             return below_buttons(lines, wanted)
         if not is_better_beside(self.size.width, lines, wanted, self._shape):
             return below_map(lines, wanted, covered)
-        # What is as wide as the screen is below all panes.
-        return beside_map(lines - covered if covered > 1 else lines, wanted)
+        return beside_map(lines, wanted, bool(self._queue_lines))

@@ -12,6 +12,7 @@ from fleet_tui.view.layout import (
     below_buttons,
     below_floor,
     below_map,
+    below_narrow_floor,
     below_page,
     beside_map,
     dialog_box,
@@ -26,6 +27,7 @@ wishes = st.builds(Wanted, st.integers(2, 502), st.integers(2, 60), st.integers(
 
 @given(st.integers(13, 200), wishes)
 def test_every_line_beside_the_map_is_given_away_and_every_pane_has_some(lines: int, wanted: Wanted) -> None:
+    assert sum(beside_map(lines, wanted, is_queue_below=True)) == lines
     heights = beside_map(lines, wanted)
     assert sum(heights) == lines
     assert min(heights[:3]) >= LEAST_LIST - 1
@@ -108,6 +110,14 @@ def test_a_dialog_is_over_the_last_events_else_at_the_end_of_the_tables_and_neve
     assert dialog_box((61, 16), 123, 200, 57) == (0, 61, 16), "small maps beside the events stay in view"
     assert dialog_box((37, 6), 37, 80, 21) == (38, 42, 14)
     assert dialog_box((0, 0), 72, 120, 13) == (73, 47, 9), "the first robots stay in view"
+
+
+def test_the_queue_is_below_a_narrow_floor_and_the_last_events_have_what_it_leaves() -> None:
+    assert below_narrow_floor(6, 2) == (2, 4) and below_narrow_floor(6, 4) == (4, 2)
+    assert below_narrow_floor(6, 5) == (6, 0) and below_narrow_floor(6, 60) == (6, 0)
+    assert below_narrow_floor(3, 2) == (3, 0) and below_narrow_floor(0, 2) == (0, 0)
+    assert beside_map(21, Wanted(32, 2, 2), is_queue_below=True) == (19, 2, 0, 0)
+    assert beside_map(21, Wanted(5, 2, 9), is_queue_below=True) == (6, 3, 0, 12)
 
 
 def test_more_alarms_have_more_lines() -> None:

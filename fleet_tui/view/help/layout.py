@@ -1,15 +1,15 @@
-"""Sections of help as lines of text, in one or two columns."""
+"""Sections of help as lines of text, in columns."""
 
 from collections.abc import Sequence
-from itertools import zip_longest
+from itertools import combinations, pairwise, zip_longest
 from textwrap import TextWrapper
 
 from fleet_tui.view.help.section import HelpRow, HelpSection
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, cut, width_of
 
-TWO_FROM = 94
-"""Cells from which there are two columns: those of an overlay on a terminal of 100."""
+TWO_FROM, THREE_FROM = 94, 170
+"""Cells from which there are two columns, those of an overlay on a terminal of 100, and three."""
 _BETWEEN = 2
 _LONGEST_MARK = 28
 
@@ -17,16 +17,24 @@ Line = Sequence[Run]
 
 
 def help_lines(sections: Sequence[HelpSection], width: int) -> list[Line]:
-    """Return the lines of `width` cells. Two columns are about equally high, and no section is divided."""
-    if width < TWO_FROM or len(sections) < 2:
+    """Return the lines of `width` cells. Columns are about equally high, and no section is divided."""
+    columns = min(len(sections), 1 + (width >= TWO_FROM) + (width >= THREE_FROM))
+    if columns < 2:
         return [cut(line, width) for block in _blocks(sections, width) for line in block]
-    cells = (width - _BETWEEN) // 2
-    heights = [len(block) + 1 for block in _blocks(sections, cells)]
-    split = min(range(1, len(sections)), key=lambda at: max(sum(heights[:at]), sum(heights[at:])))
-    columns = [_spaced(_blocks(part, cells)) for part in (sections[:split], sections[split:])]
-    between = (" " * (width - 2 * cells), StyleRole.TEXT)
-    pairs = zip_longest(*columns, fillvalue=())
-    return [(*cut(one, cells), between, *cut(other, cells)) for one, other in pairs]
+    cells = (width - _BETWEEN * (columns - 1)) // columns
+    parts = _divided(sections, [len(block) + 1 for block in _blocks(sections, cells)], columns)
+    between = (" " * _BETWEEN, StyleRole.TEXT)
+    rows = zip_longest(*(_spaced(_blocks(part, cells)) for part in parts), fillvalue=())
+    return [cut([run for line in row for run in (*cut(line, cells), between)], width) for row in rows]
+
+
+def _divided(
+    sections: Sequence[HelpSection], heights: Sequence[int], columns: int
+) -> list[Sequence[HelpSection]]:
+    """Return the sections of each column, in their order, so that the highest is as low as can be."""
+    ways = ([0, *ends, len(sections)] for ends in combinations(range(1, len(sections)), columns - 1))
+    best = min(ways, key=lambda ends: max(sum(heights[start:end]) for start, end in pairwise(ends)))
+    return [sections[start:end] for start, end in pairwise(best)]
 
 
 def _spaced(blocks: Sequence[Sequence[Line]]) -> list[Line]:

@@ -38,6 +38,7 @@ _CAMERA = Camera(_WIDTH / 2, _HEIGHT / 2, 1.0, CELLS, 1, (_WIDTH, _HEIGHT))
 _AT = (1.0, 2.0)  # in the first cell
 _WAY: tuple[Line, ...] = ((1.0, 2.0, _WIDTH - 1.0, 2.0),)
 _ROBOT = SceneRobot("robot_4", 4, Pose(*_AT))
+_BESIDE = SceneRobot("robot_5", 5, Pose(5.0, 2.0))
 _ELSEWHERE = SceneRobot("robot_5", 5, Pose(-1.0, -1.0))
 
 
@@ -62,7 +63,7 @@ def _robots(*robots: SceneRobot) -> Scene:
 
 _ROBOTS = (
     (_robots(_ROBOT), "a robot: its heading and number"),
-    (_robots(_ROBOT, *[_ELSEWHERE] * FEW), "a robot on a crowded floor: its number alone"),
+    (_robots(_ROBOT, _BESIDE, *[_ELSEWHERE] * FEW), "too close to another robot: its number alone"),
     (_robots(*[_ROBOT] * LEAST), "robots near each other in a crowd: how many"),
     (_robots(_ROBOT._replace(selected=True)), "the selected robot"),
     (_robots(_ROBOT._replace(cargo=True)), "with cargo on board"),

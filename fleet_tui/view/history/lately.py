@@ -1,7 +1,7 @@
 """The activities of the last minutes, as far as this console watched: a bar for each robot."""
 
 import math
-from collections import deque
+from collections import Counter, deque
 from collections.abc import Hashable, Mapping, Sequence
 
 from fleet_tui.model.fleet import FleetState
@@ -11,7 +11,7 @@ from fleet_tui.rules.history.activity import activities
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import fit
-from fleet_tui.view.history.bars import bars_of, legend_of
+from fleet_tui.view.history.bars import BARS, bars_of, legend_of
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Row, Table, column
 
@@ -68,20 +68,32 @@ class RecentActivity:
         done = [part.get(robot) for part in kept for _ in range(each)]
         return [None] * (cells - len(done)) + done
 
+    def told(self, robot: str) -> str:
+        """Return how long a robot did what in all the parts that are kept."""
+        did = Counter(part.get(robot) for part in self._parts)
+        return ", ".join(f"{tr(one.value)} {age(did[one] * self.every)}" for one in BARS if did[one])
+
 
 def activity_table(
     recent: RecentActivity, robots: Sequence[Hashable], lines: int, width: int, is_ascii: bool
 ) -> Table:
-    """Return the bars of the first `robots` for a pane of so many lines, with its title, and cells."""
+    """Return the bars of the first `robots` for a pane of so many lines, with its title, and cells; with
+    enough lines below each how long it did what."""
+    is_told = 0 < len(robots) * 2 <= lines - HEADS
     names = [str(name) for name in robots[: max(0, lines - HEADS)]]
     start = column(names, at_most=NAMES) + 1
     cells = max(1, min(CELLS, width - start))
     each = recent.width_of_part(cells)
     bars = {name: recent.of(name, cells, each) for name in names}
-    rows = tuple(
-        Row(None, ((fit(name, start), StyleRole.DIM), *bars_of(bar, is_ascii))) for name, bar in bars.items()
-    )
+    rows = [
+        Row(None, runs)
+        for name, bar in bars.items()
+        for runs in (
+            ((fit(name, start), StyleRole.DIM), *bars_of(bar, is_ascii)),
+            ((f"{' ' * start}{recent.told(name)}", StyleRole.DIM),),
+        )[: 1 + is_told]
+    ]
     since = tr(f"{age(cells / each * recent.every)} ago")
     head = f"{' ' * start}{since}{tr('now'):>{max(0, cells - len(since))}}"
     title = (tr("Activity"), StyleRole.TITLE), *legend_of(bars.values(), is_ascii)
-    return Table(title, rows, head=((head, StyleRole.DIM),))
+    return Table(title, tuple(rows), head=((head, StyleRole.DIM),))

@@ -51,12 +51,20 @@ def caption_row(facts: Caption) -> Cells:
         space = facts.camera.width - x - 2
         # Of these the beginning is worth more than the rest of the row.
         is_first = piece in (sanitize(facts.note), sanitize(facts.elsewhere), facts.banner)
-        is_cut = is_first and LEAST < space < cell_width(piece)
-        text = f" {fit(piece, space) if is_cut else piece} "
+        if is_first and space > LEAST:
+            piece = _within(piece, space)
+        text = f" {piece} "
         if x + cell_width(text) <= facts.camera.width:
             row.write(x, 0, text, role)
             x += cell_width(text) + 2
     return row
+
+
+def _within(text: str, cells: int) -> str:
+    """Return the parts of a text, at its commas, that are whole in so many cells, else its beginning."""
+    while cell_width(text) > cells and ", " in text:
+        text = text.rpartition(", ")[0]
+    return text if cell_width(text) <= cells else fit(text, cells)
 
 
 def _pieces(facts: Caption) -> list[Piece]:

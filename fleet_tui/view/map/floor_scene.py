@@ -197,9 +197,9 @@ def _elsewhere(state: FleetState, selection: Selection) -> str:
     robot = state.robots[selection.robot]
     actual = robot.floor
     if "pose" not in robot.kind.reports:
-        return tr(f"{robot.name} reports no position")
+        return tr(f"{robot.name}: no position")
     if robot.pose is None:
-        return tr(f"{robot.name} has no pose yet")
+        return tr(f"{robot.name}: no pose yet")
     if actual is None:
         return tr(f"{robot.name} is on unknown floor {sanitize(robot.frame_id)}")
     return tr(f"{robot.name} is on {actual}") if actual != selection.floor else ""

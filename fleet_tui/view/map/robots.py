@@ -1,7 +1,9 @@
 """The layer of robots: each a chip of its own, its arrow before its number."""
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 from itertools import accumulate
 from typing import NamedTuple
 
@@ -25,8 +27,8 @@ numbers are placed first."""
 TOGETHER, PILED = 3, 6
 """Robots without anything special in one cell from which they have a count if not all numbers find a place
 near them, and from which they always have."""
-SAID = 24, 12
-"""Cells to which an alarm's text is cut where there is no space for all of it."""
+SAID = 24
+"""Cells of an alarm's text beside its robot: the alarms pane has longer ones."""
 Runs = list[tuple[str, StyleRole]]
 Text = tuple[ChipSize, Runs]
 Chips = list[tuple[int, int, str, StyleRole]]
@@ -202,10 +204,10 @@ def _texts(robot: SceneRobot, arrow: tuple[str, StyleRole], plain: bool, is_larg
     """Yield the texts of a robot's chip, each with its role, the most telling first."""
     tag, role = robot_tag(robot, plain, has_age=False), robot_roles(robot)[1]
     is_told = is_large and robot.alarmed and robot.online and robot.said
-    if is_told and robot.said.isascii() and robot.said.isprintable():  # each letter takes one cell
-        for said in _cuts(robot.said, plain):
-            yield _text(arrow, (tag, role), right=(f" {said}", role))
-            yield _text(arrow, (tag, role), left=(f"{said} ", role))
+    said = _short(robot.said) if is_told else ""
+    if said.isascii() and said.isprintable() and said:  # each letter takes one cell
+        yield _text(arrow, (tag, role), right=(f" {said}", role))
+        yield _text(arrow, (tag, role), left=(f"{said} ", role))
     if not robot.online and (is_large or robot.selected):
         number, age = robot_tag(robot, plain).split(" ", 1)
         yield _text(arrow, (number, role), right=(f" {age}", role))
@@ -215,11 +217,11 @@ def _texts(robot: SceneRobot, arrow: tuple[str, StyleRole], plain: bool, is_larg
     yield _text((robot_number(robot), arrow[1]))
 
 
-def _cuts(said: str, plain: bool) -> Iterator[str]:
-    """Yield an alarm's text, and its beginning in ever fewer cells."""
-    yield said
-    end = "." if plain else "…"
-    yield from (said[: cells - 1].rstrip() + end for cells in SAID if len(said) > cells)
+@lru_cache(maxsize=256)
+def _short(said: str) -> str:
+    """Return an alarm's text up to a comma, a colon or a bracket, empty if even that is long."""
+    head = said if len(said) <= SAID else re.split(r", | \(|: ", said)[0]
+    return head if len(head) <= SAID else ""
 
 
 def _text(

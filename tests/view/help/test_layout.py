@@ -1,8 +1,8 @@
-"""Help in one or two columns: whole sections, keys in a column, nothing cut."""
+"""Help in one to three columns: whole sections, keys in a column, nothing cut."""
 
 import pytest
 
-from fleet_tui.view.help.layout import TWO_FROM, help_lines
+from fleet_tui.view.help.layout import THREE_FROM, TWO_FROM, help_lines
 from fleet_tui.view.help.section import HelpRow, HelpSection
 from fleet_tui.view.help.tasks import tasks
 from fleet_tui.view.roles import StyleRole
@@ -17,7 +17,7 @@ def text(sections: list[HelpSection], width: int) -> list[str]:
     return [text_of(line) for line in help_lines(sections, width)]
 
 
-@pytest.mark.parametrize("width", [40, 56, 76, TWO_FROM, 116, 196])
+@pytest.mark.parametrize("width", [40, 56, 76, TWO_FROM, 116, THREE_FROM, 171, 196])
 def test_every_line_is_as_wide_as_wanted_and_no_word_is_missing(width: int) -> None:
     assert {width_of(line) for line in help_lines(TASKS, width)} == {width}
     words = " ".join(text(TASKS, width)).split()
@@ -32,6 +32,14 @@ def test_wide_help_fits_a_screen_of_120_by_40_and_narrow_help_three_of_80_by_24(
     assert two[0].split("  ")[0] == TASKS[0].title and any(
         TASKS[-1].title in line and not line.startswith(TASKS[-1].title) for line in two
     )
+
+
+def test_a_large_screen_has_three_columns_about_equally_high() -> None:
+    three = text(TASKS, 196)
+    assert len(three) <= sum(len(section.rows) + 2 for section in TASKS) / 3 + 4
+    assert len(three) < len(text(TASKS, THREE_FROM - 1))
+    for start in (0, 66, 132):
+        assert three[0][start:].split("  ")[0] in {section.title for section in TASKS}
 
 
 def test_long_texts_go_on_below_themselves() -> None:

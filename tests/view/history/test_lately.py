@@ -63,3 +63,11 @@ def test_bars_fill_their_cells_while_there_are_few_parts() -> None:
         each = recent.width_of_part(12)
         found[count] = each, sum(part is not None for part in recent.of(R0, 12, each))
     assert found == {1: (8, 8), 2: (4, 8), 3: (4, 12), 7: (1, 7), 12: (1, 12), 13: (1, 12)}
+
+
+def test_lines_to_spare_say_how_long_each_robot_did_what() -> None:
+    recent = watched(*(n * FIRST for n in range(8)))
+    rows = [text_of(row.runs) for row in activity_table(recent, [R0, "robot_1"], 6, 60, False).rows]
+    assert [row[:8].strip() for row in rows] == [R0, "", "robot_1", ""]
+    assert rows[1].strip() == "driving 2 s, idle 8 s" and not rows[3].strip()
+    assert len(activity_table(recent, [R0, "robot_1"], 5, 60, False).rows) == 2

@@ -84,6 +84,11 @@ def test_a_turned_map_says_by_how_much() -> None:
     assert "yaw 90 deg" in row(yaw=math.pi / 2, drawing=Drawing.ASCII)
 
 
+def test_of_a_note_the_parts_are_whole_that_have_space() -> None:
+    text = row(width=37, note="robot_17: no pose yet, no map and no graph yet", floor="floor_0")
+    assert " robot_17: no pose yet " in text and "no map" not in text and "…" not in text
+
+
 def test_a_long_note_is_cut_and_takes_the_rest_of_the_row() -> None:
     text = row(width=40, note="the map could not be read: " + "x" * 90)
     assert "the map could not be" in text and "…" in text and "follow" not in text

@@ -38,7 +38,7 @@ def placed(state: FleetState, name: str, **more: str) -> SceneRobot:
 def test_nothing_yet_is_empty_ground_that_says_so() -> None:
     found = scene(fleet())
     assert found.grid is None and found.robots == ()
-    assert found.note == "robot_0 has no pose yet, no map and no graph yet"
+    assert found.note == "robot_0: no pose yet, no map and no graph yet"
     assert found.frame.width > 0 and found.frame.height > 0
 
 

@@ -212,12 +212,18 @@ def test_an_arrow_and_its_number_stand_at_their_robot_whatever_text_is_beside_th
             assert start < 0 or is_near or is_last_resort
 
 
-def test_an_alarms_text_is_on_the_other_side_or_cut_where_the_view_ends() -> None:
-    said = "order -> Archive failed (a stop was missed)"
-    cut = "→5! order -> Archive failed…"
-    for cells, width, text, chip in ((30, 120, said, f"{said} →5!"), (0, 90, f"{said}, then stopped", cut)):
-        stuck, narrow = robot(5, cells)._replace(alarmed=True, said=text), replace(CAMERA, width=width)
-        rows = drawn((stuck,), camera=narrow).split("\n")
-        row = next(row for row in rows if "5!" in row)
-        assert row.strip() == chip
-        assert row.index("→5!") == width // 2 + cells
+def test_an_alarms_text_is_on_the_other_side_where_the_view_ends() -> None:
+    for cells, chip in ((0, "→5! stuck 61 s"), (57, "stuck 61 s →5!")):
+        stuck = robot(5, cells)._replace(alarmed=True, said="stuck 61 s")
+        row = next(row for row in drawn((stuck,)).split("\n") if "5!" in row)
+        assert row.strip() == chip and abs(row.index("→5!") - 60 - cells) <= 1
+
+
+def test_an_alarms_text_beside_its_robot_is_short_and_whole_or_left_to_the_alarms_pane() -> None:
+    for said, chip in (
+        ("order -> Archive failed (a stop was missed)", "→5! order -> Archive failed"),
+        ("battery 8 %, charge it within ten minutes", "→5! battery 8 %"),
+        ("two robots do not get past each other", "→5!"),
+    ):
+        text = drawn((robot(5, 0)._replace(alarmed=True, said=said),))
+        assert next(row for row in text.split("\n") if "5!" in row).strip() == chip
