@@ -134,7 +134,7 @@ async def test_the_last_destination_comes_first(server: RosbridgeServer) -> None
         await it.press("o")
         await it.type("Receiving")
         await it.press("enter")
-        await it.until(lambda _: it.pane("matches").startswith("Store  ("))
+        await it.until(lambda _: it.pane("matches").startswith("Store "))
         await it.press("enter")
         await it.shows("To is missing")
         await it.press("down", "enter")
