@@ -56,7 +56,7 @@ def fresh_reports(at: float) -> list[Event]:
 ODD = {
     "obstacle": fresh(ObstacleReported(R0, T0 + 10, 11.0)),
     "paused (elsewhere)": fresh(PausedReported(R0, T0 + 10, True)),
-    "still 31 s": standing(),
+    "waiting 31 s": standing(),
     "order lost": lost(),
     "pose jumps": fresh(*(pose(T0 + 6 + n, 20.0 * (n % 2)) for n in range(5))),
     "bad data": fresh(tick(T0 + 10), MessageRejected(R0, "pose: not a number")),

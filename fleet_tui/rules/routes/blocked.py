@@ -9,8 +9,6 @@ from fleet_tui.model.desk.desk import Ends, ends_of
 from fleet_tui.model.fleet import BlockedEdge, FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.conditions import obstacle_lasts
-from fleet_tui.rules.routes.order_draft import place_of
-from fleet_tui.rules.routes.ways import AT_VERTEX
 from fleet_tui.rules.why.traffic import ROBOT_WIDTH, same_frame
 
 SUSPECT_FOR = 30.0
@@ -26,6 +24,10 @@ waits before one there."""
 
 def edge_under(robot: Robot) -> Ends | None:
     """Return the edge that a robot is on, at a vertex the one that it faces; None if that is unknown."""
+    # With numpy, which the first picture does without.
+    from fleet_tui.rules.routes.order_draft import place_of
+    from fleet_tui.rules.routes.ways import AT_VERTEX
+
     for floor, spots in place_of(robot):
         at = [vertex for vertex, metres in spots if metres <= AT_VERTEX]
         if at:
