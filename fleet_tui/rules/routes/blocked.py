@@ -9,7 +9,7 @@ from fleet_tui.model.desk.desk import Ends, ends_of
 from fleet_tui.model.fleet import BlockedEdge, FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.conditions import obstacle_lasts
-from fleet_tui.rules.why.traffic import ROBOT_WIDTH, same_frame
+from fleet_tui.rules.why.traffic import AT_VERTEX, ROBOT_WIDTH, same_frame
 
 SUSPECT_FOR = 30.0
 """Seconds after a jump of its pose for which a robot may be elsewhere."""
@@ -24,9 +24,7 @@ waits before one there."""
 
 def edge_under(robot: Robot) -> Ends | None:
     """Return the edge that a robot is on, at a vertex the one that it faces; None if that is unknown."""
-    # With numpy, which the first picture does without.
-    from fleet_tui.rules.routes.order_draft import place_of
-    from fleet_tui.rules.routes.ways import AT_VERTEX
+    from fleet_tui.rules.routes.order_draft import place_of  # numpy: not before a robot is held up
 
     for floor, spots in place_of(robot):
         at = [vertex for vertex, metres in spots if metres <= AT_VERTEX]
@@ -103,10 +101,10 @@ def _spans(state: FleetState, held: Robot, edge: BlockedEdge) -> Mapping[str, tu
     line = [(graph.vertices[one].x, graph.vertices[one].y) for one in vertices]
     spans = {}
     for other in state.robots.values():
-        if other is held or other.floor != floor or other.pose is None or not same_frame(state, held, other):
+        if other is held or other.floor != floor or other.pose is None:
             continue
         at = _share(line, (other.pose.value.x, other.pose.value.y))
-        if at is not None:
+        if at is not None and same_frame(state, held, other):
             low, high = edge.spans.get(other.name, (at, at))
             spans[other.name] = min(low, at), max(high, at)
     return spans
