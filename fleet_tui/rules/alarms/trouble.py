@@ -16,8 +16,8 @@ from fleet_tui.rules.localisation.jumps import is_jumping
 
 LONG_STILL = 30.0
 """Seconds of standing with an order that are worth a look: longer than loading takes."""
-
-
+LONG_CONTACT = 10.0
+"""Seconds of contact with an obstacle that are worth a look: large fleets always have a shorter one."""
 LOST_FOR = 60.0
 """Seconds for which an order that a robot lost is news."""
 AGING = ("pose", "battery", "queue", "cargo", "obstacle", "paused")
@@ -28,6 +28,12 @@ def waits(state: FleetState, robot: Robot) -> bool:
     """Tell whether a robot has stood with an order for so long, by poses that still hold."""
     stands = robot.still_for >= LONG_STILL and robot.orders.current is not None
     return stands and state.is_fresh(robot, "pose")
+
+
+def is_held_up(state: FleetState, robot: Robot) -> bool:
+    """Tell whether a robot has been in contact with an obstacle for so long, by a fresh report."""
+    least = min(LONG_CONTACT, state.limits.obstacle_after)
+    return robot.obstacle is not None and robot.obstacle.value >= least and state.is_obstructed(robot)
 
 
 def may_need_person(state: FleetState, robot: Robot) -> bool:
@@ -107,7 +113,7 @@ def is_odd(state: FleetState, robot: Robot) -> bool:
     if not state.is_online(robot):
         return _is_unexpectedly_offline(state, robot) or has_lost(state, robot)
     is_held = state.is_paused(robot) and own_pause(state, robot) is None
-    is_held = is_held or state.is_obstructed(robot) or is_stopped(state, robot)
+    is_held = is_held or is_held_up(state, robot) or is_stopped(state, robot)
     unknown = is_missing(state, robot, "pose") or is_news(state, robot.fault_at)
     unknown = unknown or any(state.is_old(robot, value) for value in AGING)
     return is_held or unknown or has_lost(state, robot) or may_need_person(state, robot)

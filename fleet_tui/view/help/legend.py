@@ -69,7 +69,7 @@ _ROBOTS = (
     (_robots(_ROBOT._replace(cargo=True)), "with cargo on board"),
     (
         _robots(_ROBOT._replace(waits=True)),
-        "! at an obstacle, or waiting with an order for over 30 s: amber, no alarm yet",
+        "! at an obstacle for over 10 s, or waiting with an order for over 30 s: amber, no alarm yet",
     ),
     (_robots(_ROBOT._replace(alarmed=True)), "! with an alarm, red until it is acknowledged"),
     (_robots(_ROBOT._replace(paused=True)), "paused"),

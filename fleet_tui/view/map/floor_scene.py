@@ -17,6 +17,7 @@ from fleet_tui.rules.alarms.facilities import closed_edges
 from fleet_tui.rules.alarms.trouble import (
     acknowledged,
     in_trouble,
+    is_held_up,
     trouble_elsewhere,
     urgency,
     waits,
@@ -163,7 +164,7 @@ def _robot(
         selected=robot.name == selection.robot,
         online=state.is_fresh(robot, "pose"),
         paused=state.is_paused(robot),
-        obstacle=state.is_obstructed(robot),
+        obstacle=is_held_up(state, robot),
         alarmed=alarmed,
         other_map=other_map,
         age=state.now - robot.pose.at,
@@ -195,14 +196,13 @@ def _robots(state: FleetState, selection: Selection, picture: MapFrame, tied: bo
 def _elsewhere(state: FleetState, selection: Selection) -> str:
     """Return the selected robot's place, if not here."""
     robot = state.robots[selection.robot]
-    actual = robot.floor
     if "pose" not in robot.kind.reports:
         return tr(f"{robot.name}: no position")
     if robot.pose is None:
         return tr(f"{robot.name}: no pose yet")
-    if actual is None:
+    if robot.floor is None:
         return tr(f"{robot.name} is on unknown floor {sanitize(robot.frame_id)}")
-    return tr(f"{robot.name} is on {actual}") if actual != selection.floor else ""
+    return tr(f"{robot.name} is on {robot.floor}") if robot.floor != selection.floor else ""
 
 
 def _way(robot: Robot, floor: str, drafted: Drafted | None) -> tuple[tuple[str, ...], Mission | None]:

@@ -6,11 +6,11 @@ from collections.abc import Collection, Mapping
 from functools import partial
 from operator import attrgetter
 
-from fleet_tui.model.fleet import FleetState, is_missing
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.alarms.trouble import acknowledged, by_urgency, is_odd, may_need_person, shelved
+from fleet_tui.rules.alarms.trouble import acknowledged, by_urgency, is_odd, shelved, to_look_at
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.history.activity import activities
 from fleet_tui.text.durations import age
@@ -188,22 +188,20 @@ def _battery_order(robot: Robot) -> float:
     return robot.battery.value if robot.battery and math.isfinite(robot.battery.value) else math.inf
 
 
-def _calm(state: FleetState, troubled: Mapping[str, int], silenced: Collection[str], robot: Robot) -> int:
+def _calm(troubled: Mapping[str, int], odd: Collection[str], robot: Robot) -> int:
     """Return what sorts by trouble: the place among those in it, then whatever else is not as usual."""
-    first = robot.name in silenced or is_missing(state, robot, "pose") or may_need_person(state, robot)
-    return troubled.get(robot.name, len(troubled) if first else len(troubled) + 1)
+    return troubled.get(robot.name, len(troubled) + (robot.name not in odd))
 
 
 def fleet_table(
     state: FleetState, selected: str, width: int, arrangement: RowArrangement | None = None
 ) -> Table:
     """The fleet for a pane of `width` cells, as arranged: robots with an alarm first, in the order of the
-    alarms pane, then those in shelved trouble, without a pose, standing with an order or in a mode without
-    orders, else in the order of the config."""
+    alarms pane, then those in shelved trouble or worth a look, else in the order of the config."""
     arrangement = arrangement or RowArrangement()
     silenced, seen, done = shelved(state), acknowledged(state), activities(state, state.robots.values())
     troubled = {name: place for place, name in enumerate(by_urgency(state))}
-    calm = partial(_calm, state, troubled, silenced)
+    calm = partial(_calm, troubled, {*silenced, *to_look_at(state)})
     values = _values(state, done)
     robots = arrangement.arranged(state.robots.values(), values, attrgetter("name"), state.now, calm)
     columns, groups = Columns.of(state, width), arrangement.groups

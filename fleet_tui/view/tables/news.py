@@ -8,7 +8,7 @@ from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.conditions import is_news, obstacle_lasts
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
-from fleet_tui.rules.alarms.trouble import AGING, has_lost, in_trouble, is_stopped, shelved
+from fleet_tui.rules.alarms.trouble import AGING, has_lost, in_trouble, is_held_up, is_stopped, shelved
 from fleet_tui.rules.alarms.vehicles import priority_of, sorted_errors
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import own_pause_text
@@ -79,8 +79,7 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     contact = robot.obstacle if state.was_obstructed(robot) else None
     is_old = state.is_old(robot, "obstacle")
     if contact is not None and not is_old:
-        is_alarm = obstacle_lasts(state, robot) and robot.name not in shelved(state)
-        yield tr(obstacle_text(state, robot, contact)), StyleRole.ALARM if is_alarm else StyleRole.WARN
+        yield tr(obstacle_text(state, robot, contact)), _contact_role(state, robot)
     yield from _navigation(state, robot)
     yield from _vehicle(state, robot)
     if state.is_paused(robot) and robot.last_received is not None:
@@ -94,6 +93,12 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
         yield from _old(state, robot)
     if is_news(state, robot.fault_at):
         yield tr(f"bad data x{robot.faults}"), StyleRole.WARN
+
+
+def _contact_role(state: FleetState, robot: Robot) -> StyleRole:
+    if obstacle_lasts(state, robot) and robot.name not in shelved(state):
+        return StyleRole.ALARM
+    return StyleRole.WARN if is_held_up(state, robot) else StyleRole.TEXT
 
 
 def _lost(state: FleetState, robot: Robot) -> Iterator[Run]:

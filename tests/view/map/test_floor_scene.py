@@ -155,7 +155,7 @@ def test_the_state_of_a_robot_is_drawn() -> None:
     facts = (
         events.CargoReported(R0, T0, True),
         events.PausedReported(R0, T0, True),
-        events.ObstacleReported(R0, T0, 4.0),
+        events.ObstacleReported(R0, T0, 10.0),
     )
     state = reduced(fleet(2), pose(T0, 1.0, 2.0), *facts, pose(T0, robot="robot_1"), tick(T0 + 1))
     robot, other = scene(state).robots

@@ -317,7 +317,8 @@ def test_a_stuck_robot_says_so_in_the_colour_of_alarms() -> None:
 
 def test_a_passing_obstacle_is_no_alarm_yet() -> None:
     state = received(events.ObstacleReported(R0, T0 + 1, 4.2))
-    assert role_of(state, "obstacle") is StyleRole.WARN
+    assert role_of(state, "obstacle") is StyleRole.TEXT
+    assert role_of(received(events.ObstacleReported(R0, T0 + 1, 10.0)), "obstacle") is StyleRole.WARN
     lasting = received(events.ObstacleReported(R0, T0 + 1, 31.0))
     assert role_of(lasting, "obstacle") is StyleRole.ALARM
 

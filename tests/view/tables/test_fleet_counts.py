@@ -12,12 +12,12 @@ from tests.support.fleets import T0, battery, fleet, link_up, pose, queue, reduc
 WIDE = 100
 
 
-def working() -> FleetState:
+def working(contact: float = 12.0) -> FleetState:
     """One robot drives, one stands without an order, one before an obstacle, one says no more
     than that it is there, one was never seen."""
     standing = [pose(at, robot=name) for name in ("robot_1", "robot_2") for at in (T0, T0 + 5)]
     before = reduced(fleet(5), link_up(T0), pose(T0), *standing, queue(T0 + 5, robot="robot_1"))
-    obstacle = ObstacleReported("robot_2", T0 + 5, 9.0)
+    obstacle = ObstacleReported("robot_2", T0 + 5, contact)
     return reduced(before, pose(T0 + 5, 5.0), obstacle, battery(T0 + 5, robot="robot_3"), tick(T0 + 5))
 
 
@@ -33,6 +33,7 @@ def test_what_the_robots_do_is_counted_and_what_is_odd_is_first_and_coloured() -
     told = counts(working(), WIDE)
     assert text_of(told) == " 4 of 5 online: 1 obstacle, 1 driving, 1 idle, 1 unknown"
     assert ("1 obstacle", StyleRole.WARN) in told and ("1 driving", StyleRole.DIM) in told
+    assert ("1 obstacle", StyleRole.DIM) in counts(working(9.0), WIDE)
 
 
 def test_the_counts_add_up_by_the_words_of_the_rows_or_only_what_is_odd_is_told() -> None:
@@ -41,7 +42,7 @@ def test_the_counts_add_up_by_the_words_of_the_rows_or_only_what_is_odd_is_told(
     assert text_of(counts(working(), BESIDE + len(whole) - 1)) == " 4 of 5 online: 1 obstacle"
     assert text_of(counts(calm(), BESIDE + len(" 3 of 3 online"))) == " 3 of 3 online"
     rows = [text_of(row.runs) for row in fleet_table(working(), "robot_0", WIDE).rows]
-    assert all(any(word in row for row in rows) for word in ("driving", "obstacle 9.0 s", "idle"))
+    assert all(any(word in row for row in rows) for word in ("driving", "obstacle 12 s", "idle"))
 
 
 def test_a_large_fleet_leaves_space_for_the_rows_in_view() -> None:
