@@ -32,16 +32,19 @@ class Listing:
         """The line of the first row."""
 
     def show(self, table: Table) -> None:
-        """Show the newest rows. If the cursor's row is gone, it moves to the one now in its place."""
+        """Show the newest rows. If the cursor's row is gone, it moves to the one now in its place, or to the
+        next above that can have it, else the first."""
         self._table = table
         keys = table.keys
         if self.marks:
             self.marks = {identity(key): key for key in keys if identity(key) in self.marks}
-        if self.cursor in keys:
+        if self.cursor is not None and self.cursor in keys:
             self._place = keys.index(self.cursor)
         else:
-            self._place = max(0, min(self._place, len(keys) - 1))
-            self.cursor = keys[self._place] if keys else None
+            places = [place for place, key in enumerate(keys) if key is not None]
+            first = places[0] if places else 0
+            self._place = max((place for place in places if place <= self._place), default=first)
+            self.cursor = keys[self._place] if places else None
 
     def move(self, step: int) -> bool:
         """Move the cursor by rows, at most to the last one that can have it; return False if there are

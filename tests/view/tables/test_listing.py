@@ -10,7 +10,7 @@ from fleet_tui.view.tables.table import Button, Row, Table, width_of
 from tests.support.fleets import text_of
 
 
-def table(*keys: str, buttons: tuple[Button, ...] = ()) -> Table:
+def table(*keys: str | None, buttons: tuple[Button, ...] = ()) -> Table:
     rows = [Row(key, ((f"row {key} " * 8, StyleRole.TEXT),), buttons) for key in keys]
     return Table((("Rows", StyleRole.TITLE),), rows, "nothing here")
 
@@ -29,6 +29,18 @@ def test_the_cursor_stays_with_its_row_and_goes_to_the_next_where_that_is_gone()
     assert [listing.cursor] == ["c"], "which is now in its place"
     listing.show(table())
     assert listing.cursor is None and not listing.move(1)
+
+
+def test_the_cursor_never_stays_on_a_row_that_has_none() -> None:
+    listing = Listing()
+    listing.show(table("a", "b"))
+    listing.move(1)
+    listing.show(table("c", None))  # an alarm with its advice, after two without
+    assert listing.cursor == "c"
+    listing.show(table(None))
+    assert listing.cursor is None
+    listing.show(table(None, "d"))
+    assert listing.cursor == "d"
 
 
 def test_an_empty_table_says_why() -> None:
