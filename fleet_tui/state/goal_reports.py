@@ -43,7 +43,10 @@ def _take_goals(robot: Robot, event: navigation_events.GoalsReported) -> Robot:
     last, before = robot.orders.last_serial, robot.queue.at if robot.queue else math.inf
     goals = with_reported(robot.goals, event.action, event.goals, event.at, last, not event.fault)
     is_listed = any(goal.uuid == robot.named for goal in event.goals)
-    robot = replace(robot, goals=goals, named="" if is_listed else robot.named)
+    # A tour may be listed after its first leg: the leg was an order until then, and has not ended.
+    legs = {goal.id for listed in goals.values() for goal in listed if goal.is_leg}
+    traces = {id_: trace for id_, trace in robot.traces.items() if id_ not in legs}
+    robot = replace(robot, goals=goals, traces=traces, named="" if is_listed else robot.named)
     robot = with_queue(robot, event.at, event.fault)
     if robot.target is not None and robot.target.at > before:
         return _led_to(robot, robot.target.value, event.at)

@@ -78,7 +78,8 @@ def _left(state: FleetState, robot: Robot) -> Robot:
     is_due = link.phase is Phase.UP and earliest <= state.now - link.ready_since < latest
     is_due = is_due and robot.kind.keeps_goals  # a late console gets no list of tasks
     if is_due and state.is_online(robot):
-        robot = without_unlisted(robot, link.ready_since, state.now)
+        # Many lists arrive long before the last subscription of a large fleet is handled.
+        robot = without_unlisted(robot, link.since, state.now)
     if robot.kind.is_told_changes:
         robot = without_unreported(robot, state.now)
     return without_ended(robot, state.now)

@@ -1,6 +1,7 @@
 """Goals of action servers as the orders of a robot: legs, replaced ones, ends, and whose each is."""
 
 from fleet_tui.model.commands import CommandRecord, PlaceOrder, Stage
+from fleet_tui.model.events import SubscriptionsAdvanced
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation import Progress
@@ -13,7 +14,7 @@ from fleet_tui.model.navigation_events import (
 from fleet_tui.model.order import OrderState, Stop, at_vertices
 from fleet_tui.rules.commands.goals import LISTED_FOR
 from fleet_tui.rules.commands.local_queue import foreign
-from tests.support.fleets import R0, T0, commanded, reduced, tick
+from tests.support.fleets import LINK, R0, T0, commanded, reduced, tick
 from tests.support.nav2_goals import (
     DONE,
     FAILED,
@@ -43,6 +44,21 @@ def test_goals_of_one_action_after_the_other_are_a_queue() -> None:
     state = reduced(nav2(), goals(T0, goal("a")), goals(T0 + 1, goal("a", DONE), goal("b")))
     assert listed(state) == [("a", DONE), ("b", ON)]
     assert robot(state).orders.current_id == "b"
+
+
+def test_a_first_leg_that_is_listed_before_its_tour_is_no_lost_order() -> None:
+    state = reduced(nav2(), goals(T0, goal("leg", stamp=T0)))
+    state = reduced(state, goals(T0 + 0.1, goal("tour", stamp=T0), action=WAYPOINTS))
+    assert listed(state) == [("tour", ON)] and not robot(state).gone
+    state = reduced(state, goals(T0 + 9, goal("leg", DONE), goal("leg 2", stamp=T0 + 9)))
+    state = reduced(state, goals(T0 + 20, goal("tour", DONE), action=WAYPOINTS))
+    assert [(one.order.id, one.stage) for one in robot(state).gone] == [("tour", Stage.DONE)]
+
+
+def test_a_goal_listed_while_other_topics_are_still_subscribed_is_not_lost() -> None:
+    state = reduced(nav2(), goals(T0 + 1, goal("a")), SubscriptionsAdvanced(LINK, T0 + 4, 9, 9))
+    state = reduced(state, odometry(T0 + 15), tick(T0 + 15))
+    assert listed(state) == [("a", ON)] and not robot(state).gone
 
 
 def test_what_had_ended_before_we_came_is_no_order() -> None:
