@@ -32,6 +32,12 @@ def cause_of_standing(state: FleetState, robot: Robot) -> str:
     return ""
 
 
+def is_held_fast(cause: str) -> bool:
+    """Tell whether the words of a navigation stack mean a drive without progress: Nav2's `Failed to make
+    progress`, move_base's `Even after executing recovery behaviors`."""
+    return not {"progress", "recovery"}.isdisjoint(cause.split())
+
+
 def cause_of_end(robot: Robot, gone: GoneOrder) -> str:
     """Return why an order ended: the reason that came with its end, else the error that the log of its robot
     had just then; empty if nothing tells."""

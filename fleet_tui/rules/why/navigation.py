@@ -5,9 +5,9 @@ from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
-from fleet_tui.rules.commands.local_queue import foreign, orders_to_save
+from fleet_tui.rules.commands.local_queue import orders_to_save
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
-from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, mission
+from fleet_tui.rules.why.reason import HELD_FAST, LOOK_AT, Reason, Strength, mission
 from fleet_tui.text.durations import age
 
 
@@ -75,8 +75,8 @@ def recovering(state: FleetState, robot: Robot) -> Reason | None:
         return None
     count = robot.progress.value.recoveries
     evidence = f"{count} recover{'ies' if count > 1 else 'y'} during {mission(robot, current)}"
-    seen, keys = robot.progress.at, ("centre", "diagnostics")
-    return Reason("recovering", evidence, Strength.LIKELY, seen=seen, keys=keys, page="log")
+    seen, keys = robot.progress.at, (*LOOK_AT, "cancel", "diagnostics")
+    return Reason("recovering", evidence, Strength.LIKELY, seen=seen, keys=keys, remedy=HELD_FAST, page="log")
 
 
 def held(state: FleetState, robot: Robot) -> Reason | None:
@@ -88,15 +88,4 @@ def held(state: FleetState, robot: Robot) -> Reason | None:
     return Reason(f"held: {robot.held}", evidence, Strength.CERTAIN, keys=("resume",))
 
 
-def another_client(state: FleetState, robot: Robot) -> Reason | None:
-    """Report that another client's goal is active."""
-    if not robot.kind.keeps_goals:
-        return None
-    orders = foreign(state, robot)
-    if not orders:
-        return None
-    evidence = f"{mission(robot, orders[0])} was not sent by this console"
-    return Reason("driven by another client", evidence, Strength.POSSIBLE, keys=("cancel",))
-
-
-NAVIGATION_REASONS = (blocked, held, silent, not_sure_where, recovering, another_client)
+NAVIGATION_REASONS = (blocked, held, silent, not_sure_where, recovering)

@@ -13,11 +13,20 @@ from fleet_tui.model.commands import (
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.classes import CLASSES
-from fleet_tui.rules.causes import cause_of_end
+from fleet_tui.rules.causes import cause_of_end, is_held_fast
 from fleet_tui.rules.commands.follow_up import seen_end
 from fleet_tui.rules.commands.local_queue import waiting
 from fleet_tui.rules.commands.newest import last_command
-from fleet_tui.rules.why.reason import RECENT, Reason, Strength, mission, name_of, stationary_since
+from fleet_tui.rules.why.reason import (
+    HELD_FAST,
+    LOOK_AT,
+    RECENT,
+    Reason,
+    Strength,
+    mission,
+    name_of,
+    stationary_since,
+)
 from fleet_tui.rules.why.traffic import in_the_way, next_stop, vertex_here
 from fleet_tui.text.details import detail_text
 from fleet_tui.text.durations import age
@@ -40,6 +49,8 @@ def command(state: FleetState, robot: Robot) -> Reason | None:
     strength = Strength.LIKELY if robot.orders.open else Strength.CERTAIN
     keys = (verb,) if failed else ()
     remedy = {Stage.FAILED: CLASSES["command"].action, Stage.LOST: CHECK_DELIVERY}.get(record.stage, "")
+    if record.stage is Stage.FAILED and is_held_fast(evidence):
+        remedy = HELD_FAST
     if robot.kind.keeps_goals and record.stage is Stage.REFUSED:
         remedy = REJECTED
     return Reason(
@@ -62,7 +73,8 @@ def failed_order(state: FleetState, robot: Robot) -> Reason | None:
         return None
     evidence, cause = mission(robot, last.order), cause_of_end(robot, last)
     name = f"last order failed: {cause}" if cause else "last order failed, no reason reported"
-    remedy, keys = CLASSES["command"].action, ("order", "diagnostics")
+    remedy = HELD_FAST if is_held_fast(cause) else CLASSES["command"].action
+    keys = (*(LOOK_AT if is_held_fast(cause) else ()), "order", "diagnostics")
     if last.stage is Stage.LOST:
         name, evidence = "last order lost", f"{evidence}{detail_text(last.reason)}"
         remedy = CHECK_DELIVERY
@@ -114,7 +126,8 @@ def at_stop(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def waits_behind(state: FleetState, robot: Robot) -> Reason | None:
-    """Report another robot on the next vertices and edges of its way."""
+    """Report another robot on the next vertices and edges of its way: one without an order may be parked
+    where there is room to pass."""
     found = in_the_way(state, robot)
     if found is None:
         return None
@@ -127,7 +140,7 @@ def waits_behind(state: FleetState, robot: Robot) -> Reason | None:
     return Reason(
         f"waiting behind {other.name}",
         f"{other.name} is {found.ahead:.1f} m ahead on the way to {name_of(robot, found.vertex)}{mutual}",
-        Strength.LIKELY,
+        Strength.LIKELY if other.orders.current is not None else Strength.POSSIBLE,
         since=stationary_since(other),
         seen=other.pose.at if other.pose else None,
         keys=(f"robot_{other.number}" if other.number <= 9 else "next_robot",),

@@ -103,11 +103,13 @@ def in_the_way(state: FleetState, robot: Robot) -> InTheWay | None:
     if graph is None or pose is None or not way:
         return None
     points = [(pose.value.x, pose.value.y), *((graph.vertices[id_].x, graph.vertices[id_].y) for id_ in way)]
+    # Who plans its own way waits for no edge, and who is parked drives on none.
+    waits_for_edge = not robot.kind.keeps_goals and vertex_here(robot) is not None
     found = list[InTheWay]()
     for other in state.robots.values():
         if other is not robot and same_frame(state, robot, other) and other.pose is not None:
             at = _along(points, (other.pose.value.x, other.pose.value.y))
-            if at is not None and (at[0] < NEAR or (at[1] == 0 and vertex_here(robot) is not None)):
+            if at is not None and (at[0] < NEAR or (waits_for_edge and at[1] == 0 and other.orders.current)):
                 found.append(InTheWay(other, at[0], way[at[1]]))
     return min(found, key=lambda one: one.ahead, default=None)
 

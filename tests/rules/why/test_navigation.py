@@ -1,4 +1,4 @@
-"""Reasons of navigating robots to stand still: blocked, lost, recovering, held, driven by another client."""
+"""Reasons of navigating robots to stand still: blocked, lost, recovering, held."""
 
 import pytest
 from msgspec.structs import replace
@@ -9,8 +9,8 @@ from fleet_tui.model.kind import Kind
 from fleet_tui.model.navigation import Blocked, Progress
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
-from fleet_tui.rules.why.navigation import another_client, blocked, held, not_sure_where, recovering, silent
-from fleet_tui.rules.why.reason import Strength
+from fleet_tui.rules.why.navigation import blocked, held, not_sure_where, recovering, silent
+from fleet_tui.rules.why.reason import HELD_FAST, Strength
 from tests.support.fleets import (
     R0,
     T0,
@@ -66,6 +66,7 @@ def test_recoveries_are_counted_while_an_order_is_driven() -> None:
     for count, detail in ((1, "1 recovery during order 7"), (3, "3 recoveries during order 7")):
         found = recovering(*known(driving, progress=Reading(Progress("7", recoveries=count), T0)))
         assert found is not None and found.evidence.startswith(detail)
+        assert found.remedy == HELD_FAST
     assert recovering(*known(progress=Reading(Progress("7", recoveries=1), T0))) is None
     assert recovering(*known(driving, progress=Reading(Progress("7"), T0))) is None
 
@@ -76,14 +77,6 @@ def test_orders_held_here_are_released_by_resume() -> None:
     assert found is not None and (found.name, found.keys) == ("held: floor changed", ("resume",))
     assert found.evidence == "1 order waiting here: resume to continue"
     assert held(*known(state)) is None and held(*known(held="floor changed")) is None
-
-
-def test_a_goal_of_another_client_is_named_for_robots_without_a_queue_of_their_own() -> None:
-    state = reduced(fleet(), queue(T0, (7, 1, 2, "W"), current=7))
-    goals = of_kinds(state, Kind("goals", ("queue",), keeps_goals=True))
-    found = another_client(*known(goals))
-    assert found is not None and found.evidence == "order 7, 1? -> 2? was not sent by this console"
-    assert another_client(*known(state)) is None
 
 
 def test_navigation_that_ceased_to_report_is_the_reason_with_its_remedy() -> None:

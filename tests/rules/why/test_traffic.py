@@ -5,9 +5,14 @@ from msgspec import structs
 from fleet_tui.model.events import (
     Event,
     FrameReceived,
+    GraphReceived,
     PoseReported,
+    QueueReported,
 )
 from fleet_tui.model.geometry import Pose
+from fleet_tui.model.graph import Edge, RouteGraph, Vertex
+from fleet_tui.model.kind import Kind
+from fleet_tui.model.order import Order, at_vertices
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.simulator.robot import SimOrder
 from tests.support.fleets import (
@@ -16,6 +21,8 @@ from tests.support.fleets import (
     fleet,
     graph,
     link_up,
+    of_kinds,
+    order_queue,
     pose,
     queue,
     reduced,
@@ -65,3 +72,24 @@ def test_a_robot_beside_or_behind_is_not_in_the_way() -> None:
         )
         names = [reason.name for reason in reasons(state, state.robots[R0])]
         assert ("waiting behind robot_1" in names) is waits, (x, y)
+
+
+def test_only_a_near_robot_or_one_under_way_on_the_next_edge_is_in_the_way() -> None:
+    vertices = {id_: Vertex(id_, x, 0.0) for id_, x in (("1", 0.0), ("2", 16.0))}
+    edge = GraphReceived(R0, "floor_0", RouteGraph(vertices, (Edge("0", "1", "2"),)))
+
+    bound_for_2 = QueueReported(R0, T0, order_queue(1, 1, Order("1", at_vertices("2"), None, "", 1)))
+
+    def found(x: float, *, drives: bool, keeps_goals: bool = False) -> list[str]:
+        state = of_kinds(fleet(2), *(Kind("one", ("pose", "queue"), keeps_goals=keeps_goals),) * 2)
+        here: list[Event] = [link_up(T0), edge, pose(T0), bound_for_2]
+        there: list[Event] = [PoseReported("robot_1", T0, Pose(x, 0.0), "floor_0", None)]
+        if drives:
+            there.append(queue(T0, (2, 2, 1, "W"), current=2, robot="robot_1"))
+        state = reduced(state, *here, *there, tick(T0 + 2))
+        return [f"{one.name} {one.strength.name}" for one in reasons(state, state.robots[R0])]
+
+    assert found(8.0, drives=True)[0] == "waiting behind robot_1 LIKELY"
+    assert found(8.0, drives=False)[0] == "cause unknown NONE"
+    assert found(8.0, drives=True, keeps_goals=True)[0] == "cause unknown NONE"
+    assert found(3.0, drives=False) == ["waiting behind robot_1 POSSIBLE", "cause unknown NONE"]
