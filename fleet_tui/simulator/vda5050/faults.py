@@ -25,7 +25,6 @@ def _set(**values: object) -> Callable[[SimVehicle], None]:
 
 def _motor(vehicle: SimVehicle) -> None:
     vehicle.errors.append(dict(MOTOR))
-    vehicle.field = True
 
 
 FAULTS: Mapping[str, tuple[str, Callable[[SimVehicle], None]]] = {

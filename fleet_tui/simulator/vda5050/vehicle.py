@@ -46,6 +46,7 @@ class SimVehicle:
         """Advance the time by dt seconds."""
         self._finish_cancelling()
         held = self.paused or self.field or self.e_stop != "NONE" or self.mode != "AUTOMATIC"
+        held = held or any(one["errorLevel"] == "FATAL" for one in self.errors)
         target = self.nodes[0] if self.nodes and self.nodes[0]["released"] else None
         was, self.driving = self.driving, target is not None and not held
         self.is_news = self.is_news or was != self.driving

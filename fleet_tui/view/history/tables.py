@@ -91,7 +91,8 @@ def alarms_table(shown: ShownShift, words: Sequence[str], clock: Clock, is_ascii
     rows = []
     for name, of_one in zip(names, lives, strict=True):
         total, count = sum(_held(life, shown.time) for life in of_one), sum(life.count for life in of_one)
-        said = f"{fit(tr(f'{count} times'), 10)}{fit(age(total), 8)}"
+        often = tr("once") if count == 1 else tr(f"{count} times")
+        said = f"{fit(often, 10)}{fit(age(total), 8)}"
         line = _held_cells(of_one, shown.time, is_ascii)
         runs = ((f"{fit(sanitize(name), width)} ", StyleRole.TEXT), (said, StyleRole.DIM), *line)
         rows.append(Row(of_one[-1], runs))

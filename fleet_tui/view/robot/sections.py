@@ -66,6 +66,7 @@ def _state(state: FleetState, robot: Robot, complaints: Sequence[Complaint]) -> 
         for one in holding
     ]
     does = page_runs(state, robot)
+    alarms = [one for one in alarms if one[0] not in {text for text, _ in does}]
     for n, runs in enumerate(_packed([*does, *(alarms if len(does) == 1 else [])], STATE - NAME)):
         yield named("" if n else "State", *runs)
     for one in complaints:

@@ -42,7 +42,7 @@ async def test_pages_by_keys_and_back(server: RosbridgeServer, tmp_path: Path) -
         await it.shows("[3 Batteries]")
         await it.shows(" 60%", "history-rows")
         await it.press("4")
-        await it.shows("stuck robot_0 1 times", "history-rows")
+        await it.shows("stuck robot_0 once", "history-rows")
         await it.press("5")
         await it.shows("blocked here", "history-rows")
         await it.press("escape")

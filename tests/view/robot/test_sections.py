@@ -4,7 +4,7 @@ from msgspec.structs import replace
 
 from fleet_tui.model.audit_record import PastAlarm
 from fleet_tui.model.commands import PauseRobot, Stage
-from fleet_tui.model.events import Event
+from fleet_tui.model.events import Event, ObstacleReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.why.complaints import Complaint
 from fleet_tui.view.robot.sections import (
@@ -61,6 +61,8 @@ def test_the_state_is_told_even_of_a_calm_robot() -> None:
     assert "State     idle\n" in text(state_section(idle, idle.robots[R0]))
     low = received(queue(T0), battery(T0 + 0.1, 5.0))
     assert "State     idle battery 5 %" in text(state_section(low, low.robots[R0]))
+    held = received(ObstacleReported(R0, T0 + 0.4, 54.0), at=T0 + 0.4)
+    assert text(state_section(held, held.robots[R0])).count("obstacle 54 s") == 1
     said = Complaint("drive: ERROR no odometry, wheels slip on a wet floor", "diagnostics", True, T0)
     told = text(state_section(calm, calm.robots[R0], [said]))
     assert "Reports   drive: ERROR no odometry, wheels\n          slip on a wet floor\n" in told
