@@ -9,10 +9,10 @@ from fleet_tui.backend import Backend
 from fleet_tui.controllers.navigation import Navigation
 from fleet_tui.controllers.notices import Notices
 from fleet_tui.controllers.typed import Entry, OpenMenu
-from fleet_tui.model.alarm import Alarm, AlarmStage, Key, class_of
+from fleet_tui.model.alarm import Alarm, AlarmStage, Key
 from fleet_tui.model.desk.events import AlarmAcknowledged, AlarmShelved, AlarmUnshelved
 from fleet_tui.model.events import Event
-from fleet_tui.rules.alarms.classes import CLASSES
+from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.routes.charging import way_to_charger
 from fleet_tui.rules.sites import of_site, sites_of
 from fleet_tui.state.store import Store
@@ -114,7 +114,7 @@ class AlarmResponses:
             self._navigation.select(source)
         first, last = self._clock(alarm.first_wall), self._clock(alarm.last_wall)
         seen = f"first seen {first}, last seen {last}, x{alarm.count}"
-        title = f"{source}: {tr(sanitize(alarm.text))}\n{CLASSES[class_of(kind)].action}\n{seen}"
+        title = f"{source}: {tr(sanitize(alarm.text))}\n{tr(action_of(alarm.condition))}\n{seen}"
         # What is not always offered is last: each number means the same also after an acknowledgement.
         entries = [*self._ways_to(alarm), *self._shelve(alarm), *self._commands(alarm), *self._answers(alarm)]
         self._open_menu(title, entries)

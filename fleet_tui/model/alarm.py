@@ -73,8 +73,7 @@ class Condition(Struct, frozen=True):
     """A condition that needs a person now. `text` describes it while it holds, `over` afterwards.
 
     It is an alarm after the monotonic second `due`. `parts` are the members of a group (robots, failed
-    commands): a new one is news.
-    """
+    commands): a new one is news. `remedy` is what to do, empty for the action of its class."""
 
     source: str
     kind: str
@@ -83,6 +82,7 @@ class Condition(Struct, frozen=True):
     over: str
     due: float = float("-inf")
     parts: frozenset[str] = frozenset()
+    remedy: str = ""
 
     @property
     def key(self) -> Key:

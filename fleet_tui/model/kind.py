@@ -58,8 +58,8 @@ class Kind(Struct, frozen=True):
     `spares_others`: a clear cancels only the orders of this console. `is_told_changes`: its
     orders are listed as they change, so that a late console does not know all. `names_places`: orders name
     vertices by their labels. `streams` can be watched. `loads_graphs`: a graph reaches it as the file of its
-    floor, which it loads by its path. `pose_topic`: the name of its poses' topic, with {robot}, empty if
-    unknown."""
+    floor, which it loads by its path. `pose_topic`, `odometry_topic`: the names of these topics, with
+    {robot}, empty if unknown."""
 
     name: str = ""
     reports: tuple[str, ...] = ()
@@ -82,6 +82,7 @@ class Kind(Struct, frozen=True):
     streams: tuple[str, ...] = ()
     loads_graphs: bool = False
     pose_topic: str = ""
+    odometry_topic: str = ""
 
     def can(self, verb: str) -> bool:
         """Tell whether it accepts the request of a verb; an order with or without a start, a goal also as an

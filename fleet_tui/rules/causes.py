@@ -32,6 +32,10 @@ def cause_of_standing(state: FleetState, robot: Robot) -> str:
     return ""
 
 
+HELD_FAST = "Look at the robot: its wheels or its way may be blocked"
+"""The remedy for a drive without progress."""
+
+
 def is_held_fast(cause: str) -> bool:
     """Tell whether the words of a navigation stack mean a drive without progress: Nav2's `Failed to make
     progress`, move_base's `Even after executing recovery behaviors`."""

@@ -10,6 +10,7 @@ from fleet_tui.adapters.ros_navigation.pauses import Pauses
 from fleet_tui.model.kind import CANCEL, CLEAR, GRAPH, ORDER, ORDER_TO, Kind
 
 TOPICS = ("odometry", "pose", "battery")
+ORDERING = (ORDER, ORDER_TO, CANCEL, CLEAR)
 BATTERY_SILENCE = 60.0
 """Seconds after which a battery reading is old: some drivers publish it every ten seconds."""
 READERS: Mapping[str, Callable[[Names], reading.Read]] = {
@@ -32,15 +33,11 @@ def kind_of_goals(
 ) -> Kind:
     """Return a kind of robots that drive one goal at a time. `reports` are its values besides position,
     charge and maps, `silence` theirs."""
-    usual = {"battery": BATTERY_SILENCE, "mode": math.inf, **silence}
-    if not _has(names, "odometry"):
-        # The localisation of a robot at rest is silent: only odometry shows that it is online.
-        usual["pose"] = math.inf
     return Kind(
         name,
         tuple(key for key in (*TOPICS, *reports, "mode") if _has(names, key)),
-        (ORDER, ORDER_TO, CANCEL, CLEAR, *pauses.accepted, *set_up.accepted),
-        {**usual, **names.profile.silence},
+        (*ORDERING, *pauses.accepted, *set_up.accepted),
+        {**_usual_silence(names), **silence, **names.profile.silence},
         {**pauses.unset, **set_up.unset},
         frames_are_floors=False,
         reports_ends=True,
@@ -51,7 +48,14 @@ def kind_of_goals(
         loads_graphs=GRAPH in set_up.accepted,
         streams=set_up.streams,
         pose_topic=names.topic("pose", "{robot}"),
+        odometry_topic=names.topic("odometry", "{robot}"),
     )
+
+
+def _usual_silence(names: Names) -> Mapping[str, float]:
+    # The localisation of a robot at rest is silent: only odometry shows that it is online.
+    placed = {} if _has(names, "odometry") else {"pose": math.inf}
+    return {"battery": BATTERY_SILENCE, "mode": math.inf, **placed}
 
 
 def _has(names: Names, key: str) -> bool:

@@ -2,6 +2,8 @@
 
 from typing import NamedTuple
 
+from fleet_tui.model.alarm import Condition, class_of
+
 
 class AlarmClass(NamedTuple):
     """`priority` is the usual one; `minutes` is the time within which the action still helps."""
@@ -159,3 +161,8 @@ CLASSES = {
     ),
 }
 """All classes, by the names that the configuration uses."""
+
+
+def action_of(condition: Condition) -> str:
+    """Return what the operator is to do about a condition."""
+    return condition.remedy or CLASSES[class_of(condition.kind)].action

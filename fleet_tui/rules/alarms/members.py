@@ -20,7 +20,16 @@ def issue_text(member: Member) -> str:
 def issue(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
     """Raise an alarm while an issue is reported. It is the adapter's: it holds while the robot is offline."""
     text = issue_text(robot.member.value) if robot.member else ""
-    return Condition(robot.name, "issue", Priority.MEDIUM, text, "no issue reported") if text else None
+    if not text:
+        return None
+    remedy = issue_remedy(state, text)
+    return Condition(robot.name, "issue", Priority.MEDIUM, text, "no issue reported", remedy=remedy)
+
+
+def issue_remedy(state: FleetState, text: str) -> str:
+    """Return what to do about an issue with a lift or a door that it names; empty if it names none."""
+    named = next((one.name for one in state.facilities.values() if one.name in text), "")
+    return f"Go to {named}: its power, its network, its mode" if named else ""
 
 
 MEMBER_RULES = (issue,)

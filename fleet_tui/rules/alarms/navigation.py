@@ -6,7 +6,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
-from fleet_tui.rules.causes import cause_of_end
+from fleet_tui.rules.causes import HELD_FAST, cause_of_end, is_held_fast
 from fleet_tui.rules.commands.failures import FAILED_FOR
 from fleet_tui.rules.commands.local_queue import HELD_BY_OTHERS, orders_to_save
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
@@ -14,6 +14,7 @@ from fleet_tui.text.durations import age
 
 LOST_ABOVE, FOUND_BELOW = 0.5, 0.3
 """Variance of x and y in square metres above which localisation is lost, and below which it is back."""
+NO_ODOMETRY = "Check its wheel odometry: the node of its base, the topic's name"
 NO_POSE_AFTER = 30.0
 """Seconds without a pose from a robot that reports and had one, until it counts as driving unseen."""
 
@@ -53,8 +54,17 @@ def _pose_lost(state: FleetState, robot: Robot, active: ActiveConditions) -> Con
             robot.name, "localisation", Priority.MEDIUM, "no pose received", "localisation recovered", due
         )
     text = f"no pose for {age(state.now - robot.pose.at)}"
-    due = robot.pose.at + NO_POSE_AFTER
-    return Condition(robot.name, "localisation", Priority.MEDIUM, text, "localisation recovered", due)
+    due, remedy = robot.pose.at + NO_POSE_AFTER, NO_ODOMETRY if lacks_odometry(state, robot) else ""
+    over = "localisation recovered"
+    return Condition(robot.name, "localisation", Priority.MEDIUM, text, over, due, remedy=remedy)
+
+
+def lacks_odometry(state: FleetState, robot: Robot) -> bool:
+    """Tell whether a robot that is placed by its odometry sends none: then its pose is old, not wrong."""
+    if not robot.kind.odometry_topic or robot.located is None:
+        return False
+    silence = robot.kind.silence_of("pose", state.limits.offline_after) + state.behind
+    return robot.odometry_at is None or state.now - robot.odometry_at > silence
 
 
 def held_orders(state: FleetState, robot: Robot, _active: ActiveConditions) -> Condition | None:
@@ -90,8 +100,10 @@ def failed_order(state: FleetState, robot: Robot, _active: ActiveConditions) -> 
     if any(record.order_id == last.order.id for record in state.commands):
         return None
     text = f"{robot.order_text(last.order)} failed"
-    found = f"{text}: {cause_of_end(robot, last) or 'no reason reported'}"
-    return Condition(robot.name, "order", Priority.MEDIUM, found, text, parts=frozenset({last.order.id}))
+    cause, parts = cause_of_end(robot, last), frozenset({last.order.id})
+    remedy = HELD_FAST if is_held_fast(cause) else ""
+    found = f"{text}: {cause or 'no reason reported'}"
+    return Condition(robot.name, "order", Priority.MEDIUM, found, text, parts=parts, remedy=remedy)
 
 
 NAVIGATION_RULES = (blocked, not_sure_where, silent, held_orders, failed_order)

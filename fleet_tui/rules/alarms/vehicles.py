@@ -6,6 +6,8 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.model.vehicles.vehicle import HIGH, MEDIUM, Vehicle, VehicleError
 from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
 
+LOCALISE = "Localise it at the vehicle: take it by hand to a place that it knows"
+
 
 def _holds(state: FleetState, robot: Robot, active: ActiveConditions, kind: str) -> bool:
     """Tell whether its last state holds. An alarm that it began goes on when the vehicle is gone."""
@@ -60,7 +62,8 @@ def unlocalised(state: FleetState, robot: Robot, active: ActiveConditions) -> Co
     vehicle = _reported(robot)
     if vehicle is None or vehicle.localised is not False or not _holds(state, robot, active, "localisation"):
         return None
-    return Condition(robot.name, "localisation", Priority.MEDIUM, "not localised", "localised again")
+    over = "localised again"
+    return Condition(robot.name, "localisation", Priority.MEDIUM, "not localised", over, remedy=LOCALISE)
 
 
 VEHICLE_RULES = (emergency_stop, fault, unlocalised)

@@ -14,6 +14,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import route_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetUpCommand
+from fleet_tui.rules.causes import HELD_FAST, is_held_fast
 from fleet_tui.rules.commands.batches import batches
 from fleet_tui.text.details import detail_text
 
@@ -25,6 +26,7 @@ _OVER = {
 }
 _CAUSED = frozenset({commands.Stage.REFUSED, commands.Stage.FAILED, commands.Stage.NOT_CONFIRMED})
 """Failures of which the cause is first: the request is known to the operator."""
+DRIVES_ON = "It still has the order: pause it, or stop it at the robot, then cancel again"
 MANY = 5
 """Failed commands to at least this many robots given together are one alarm."""
 
@@ -81,6 +83,9 @@ def _failed(state: FleetState, key: Key, records: Sequence[commands.CommandRecor
     told = f"{request}{detail_text(last.detail)}"
     if last.stage in _CAUSED and last.detail:
         told = f"{last.detail.removeprefix(f'order {last.order_id}: ')} ({request})"
+    drives_on = isinstance(last.command, commands.CancelOrder | commands.ClearOrders)
+    drives_on = drives_on and state.robots[last.command.robot].orders.current is not None
+    remedy = HELD_FAST if last.stage is commands.Stage.FAILED and is_held_fast(last.detail) else ""
     return Condition(
         *key,
         Priority.HIGH if high else Priority.MEDIUM,
@@ -89,4 +94,5 @@ def _failed(state: FleetState, key: Key, records: Sequence[commands.CommandRecor
         f"{whose}{_OVER.get(last.stage, 'failed')}: {request}",
         # A failure that changes into another one is news.
         parts=frozenset(f"{record.id} {record.stage.value}" for record in records),
+        remedy=DRIVES_ON if drives_on else remedy,
     )

@@ -4,8 +4,9 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.fleets.facility import LIFT
 from fleet_tui.model.order import OrderState
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.alarms.facilities import SILENT_AFTER
-from fleet_tui.rules.alarms.members import FAILED_MODES
+from fleet_tui.rules.alarms.members import FAILED_MODES, issue_remedy
 from fleet_tui.rules.commands.goals import active
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength
 
@@ -25,7 +26,9 @@ def issues(state: FleetState, robot: Robot) -> Reason | None:
     if robot.member is None or not robot.member.value.issues:
         return None
     first, seen = robot.member.value.issues[0], robot.member.at
-    return Reason(first, "reported by its fleet adapter", Strength.LIKELY, seen=seen, keys=LOOK_AT)
+    remedy, keys = issue_remedy(state, first) or CLASSES["issue"].action, ("robot_page", "facilities")
+    evidence = "reported by its fleet adapter"
+    return Reason(first, evidence, Strength.LIKELY, seen=seen, keys=(*keys, *LOOK_AT), remedy=remedy)
 
 
 def emergency(state: FleetState, robot: Robot) -> Reason | None:

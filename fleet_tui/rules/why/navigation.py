@@ -5,9 +5,10 @@ from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
+from fleet_tui.rules.causes import HELD_FAST
 from fleet_tui.rules.commands.local_queue import orders_to_save
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
-from fleet_tui.rules.why.reason import HELD_FAST, LOOK_AT, Reason, Strength, mission
+from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, mission
 from fleet_tui.text.durations import age
 
 

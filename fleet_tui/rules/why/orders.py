@@ -13,12 +13,11 @@ from fleet_tui.model.commands import (
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.classes import CLASSES
-from fleet_tui.rules.causes import cause_of_end, is_held_fast
+from fleet_tui.rules.causes import HELD_FAST, cause_of_end, is_held_fast
 from fleet_tui.rules.commands.follow_up import seen_end
 from fleet_tui.rules.commands.local_queue import waiting
 from fleet_tui.rules.commands.newest import last_command
 from fleet_tui.rules.why.reason import (
-    HELD_FAST,
     LOOK_AT,
     RECENT,
     Reason,

@@ -16,9 +16,6 @@ RECENT = 30.0
 LOOK_AT = ("centre", "camera", "laser")
 """Ids of the keys that show what is around a robot; those that its kind has no use for are not offered."""
 
-HELD_FAST = "Look at the robot: its wheels or its way may be blocked"
-"""Of a drive without progress."""
-
 
 class Strength(IntEnum):
     """The strength of evidence; the smaller the stronger."""

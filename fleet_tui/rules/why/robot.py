@@ -5,6 +5,7 @@ from fleet_tui.model.fleet import FleetState, obstacle_text, offline_text
 from fleet_tui.model.link import Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.classes import CLASSES
+from fleet_tui.rules.alarms.navigation import NO_ODOMETRY, lacks_odometry
 from fleet_tui.rules.battery.charging import charger_of
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import STANDS_AFTER, own_pause_text
@@ -140,6 +141,10 @@ def stale_pose(state: FleetState, robot: Robot) -> Reason | None:
     silence = robot.kind.silence_of("pose", state.limits.offline_after) + state.behind
     if clock is not None and state.now - clock.at <= silence:
         return Reason(name, "poses arrive late: their time stamps lag", seen=robot.pose.at)
+    if lacks_odometry(state, robot):
+        topic = robot.kind.odometry_topic.replace("{robot}", robot.name)
+        evidence = f"no odometry on {topic}: the robot may have moved since"
+        return Reason(name, evidence, since=robot.pose.at, keys=DIAGNOSE, remedy=NO_ODOMETRY)
     evidence = "other reports arrive: the robot may have moved since"
     return Reason(name, evidence, since=robot.pose.at, keys=DIAGNOSE, remedy=NO_POSE)
 

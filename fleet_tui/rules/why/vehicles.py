@@ -3,7 +3,7 @@
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.model.vehicles.vehicle import HIGH, Vehicle
-from fleet_tui.rules.alarms.vehicles import fault_text, sorted_errors
+from fleet_tui.rules.alarms.vehicles import LOCALISE, fault_text, sorted_errors
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength
 
 GO = "Go to the vehicle: release it there"
@@ -62,7 +62,8 @@ def unlocalised(state: FleetState, robot: Robot) -> Reason | None:
     reading = _reading(state, robot)
     if reading is None or reading.value.localised is not False:
         return None
-    return Reason("not localised", "reported by the vehicle", seen=reading.at, keys=("centre",))
+    keys = ("pose", *LOOK_AT)
+    return Reason("not localised", "reported by the vehicle", seen=reading.at, keys=keys, remedy=LOCALISE)
 
 
 VEHICLE_REASONS = (stopped, by_hand, faulty, clearance, unlocalised)

@@ -9,6 +9,8 @@ LIKELY: follows from several fresh reports (a place, a queue and a charge), none
 an error that the robot reports about itself, which need not be what holds it.
 POSSIBLE: would explain it, and so would much else; and all reports of a robot that is offline.
 
+What is only the consequence comes last while an alarm of the robot holds that is not low:
+that tells what is wrong.
 A robot that moves has no reason to stand. Without any evidence, the order that it should drive is named.
 """
 
@@ -17,6 +19,7 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
+from fleet_tui.model.alarm import Priority
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.why.complaints import Complaint
@@ -86,6 +89,11 @@ def _has_certain(found: list[Reason]) -> bool:
     return any(reason.strength is Strength.CERTAIN for reason in found)
 
 
+def _has_alarm(state: FleetState, robot: Robot) -> bool:
+    alarms = (one for one in state.alarms if one.holds and one.condition.source == robot.name)
+    return any(one.condition.priority is not Priority.LOW for one in alarms)
+
+
 def _is_told(robot: Robot, complaint: Complaint, found: list[Reason]) -> bool:
     """Tell whether a complaint is the cause in another reason."""
     cause = robot.logged.value if robot.logged is not None else ""
@@ -123,8 +131,8 @@ def reasons(
     if moving is not None and not _held((jumps, off_map), state, robot):
         return [moving]
     others = _misplaced(match) + others
-    if not _has_certain(others):
-        others += _held(FOLLOWING, state, robot)
+    following = [] if _has_certain(others) else _held(FOLLOWING, state, robot)
+    others += following
     complaints = [one for one in complaints if not _is_told(robot, one, others)]
     if _has_certain(others):
         others += [one.reason for one in complaints if one.is_error]
@@ -132,4 +140,6 @@ def reasons(
         others = [one.reason for one in complaints] + others
     if all(reason.strength >= Strength.POSSIBLE for reason in others):
         others = _held((unexplained,), state, robot) + others
-    return sorted(others, key=lambda reason: reason.strength)
+    if not _has_alarm(state, robot):
+        following = []
+    return sorted(others, key=lambda reason: (reason in following, reason.strength))

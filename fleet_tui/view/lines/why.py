@@ -10,7 +10,7 @@ from fleet_tui.model.alarm import class_of
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.alarms.classes import CLASSES
+from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.alarms.trouble import acknowledged, in_trouble
 from fleet_tui.rules.commands.pauses import STANDS_AFTER
 from fleet_tui.rules.why.complaints import Complaint
@@ -33,7 +33,13 @@ SHOWN = 5
 """Number of reasons that fit on a small terminal; the weakest are dropped."""
 UNBROKEN = "\u00a0"
 """A space at which no line is broken."""
-ACTS = {"battery": ("order",), "data": ("diagnostics",)}
+ACTS = {
+    "battery": ("order",),
+    "command": ("pause", "cancel"),
+    "data": ("diagnostics",),
+    "issue": ("robot_page", "facilities"),
+    "localisation": ("pause", "pose", "diagnostics"),
+}
 """The ids of keys for what a class of alarms asks to do."""
 
 
@@ -73,7 +79,7 @@ def _alarms(
     for alarm in state.alarms:
         if alarm.holds and alarm.condition.source == robot.name:
             class_ = class_of(alarm.condition.kind)
-            yield from ("", f"▲ {tr(sanitize(alarm.text))}", f"    {tr(CLASSES[class_].action)}")
+            yield from ("", f"▲ {tr(sanitize(alarm.text))}", f"    {tr(action_of(alarm.condition))}")
             yield from (f"    {line}" for line in _help_lines(ACTS.get(class_, ()), keys, hidden))
 
 

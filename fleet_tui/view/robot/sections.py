@@ -5,11 +5,11 @@ from textwrap import wrap
 
 from msgspec import Struct
 
-from fleet_tui.model.alarm import AlarmStage, class_of
+from fleet_tui.model.alarm import AlarmStage
 from fleet_tui.model.audit_record import PastAlarm
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.alarms.classes import CLASSES
+from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.routes.remaining import metres_left
 from fleet_tui.rules.why.complaints import Complaint
 from fleet_tui.rules.why.traffic import stops_left
@@ -153,7 +153,7 @@ def _alarms(state: FleetState, robot: Robot, past: Sequence[PastAlarm], clock: C
         since = tr(f" since {clock(alarm.first_wall)}")
         yield ((f"{tr(SIGNS[alarm.stage])} {tr(sanitize(alarm.text))}", role), (since, StyleRole.DIM))
         if alarm.holds:
-            action = tr(CLASSES[class_of(alarm.condition.kind)].action)
+            action = tr(action_of(alarm.condition))
             yield ((f"      {action}", StyleRole.DIM),)
     listed = {alarm.condition.kind for alarm in own if alarm.stage is AlarmStage.RETURNED}
     for over in past[:LAST]:

@@ -5,10 +5,10 @@ from textwrap import wrap
 
 from msgspec.structs import replace
 
-from fleet_tui.model.alarm import Alarm, AlarmStage, Key, Priority, class_of
+from fleet_tui.model.alarm import Alarm, AlarmStage, Key, Priority
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import natural
-from fleet_tui.rules.alarms.classes import CLASSES
+from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.alarms.floods import is_group
 from fleet_tui.rules.alarms.trouble import to_look_at, urgency
 from fleet_tui.text.language import tr
@@ -110,7 +110,7 @@ def _advice(alarm: Alarm, width: int, whose: str = "") -> list[Row]:
     several."""
     if not alarm.holds or alarm.stage is AlarmStage.SHELVED or width >= UNBOUNDED:
         return []
-    action = tr(CLASSES[class_of(alarm.condition.kind)].action)
+    action = tr(action_of(alarm.condition))
     lines = wrap(whose + action, max(LEAST_REST, width - 1 - REST_AT))
     return [_below(line, StyleRole.TEXT) for line in lines]
 

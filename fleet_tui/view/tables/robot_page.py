@@ -5,11 +5,10 @@ from collections.abc import Callable, Iterator
 from textwrap import wrap
 from typing import Any
 
-from fleet_tui.model.alarm import class_of
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Reading, Robot
-from fleet_tui.rules.alarms.classes import CLASSES
+from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.commands.follow_up import seen_end
 from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.why.orders import CHECK_DELIVERY
@@ -62,7 +61,7 @@ def _alarms(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Run, 
         if alarm.holds and alarm.condition.source == robot.name:
             for n, line in enumerate(wrap(tr(sanitize(alarm.text)), max(20, width))):
                 yield named("" if n else "Alarm", (line, StyleRole.TEXT))
-            for line in wrap(tr(CLASSES[class_of(alarm.condition.kind)].action), max(20, width)):
+            for line in wrap(tr(action_of(alarm.condition)), max(20, width)):
                 yield named("", (line, StyleRole.DIM))
 
 

@@ -5,22 +5,27 @@ from msgspec.structs import replace
 from fleet_tui.model.alarm import Condition, Priority, class_of
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.geometry import Pose
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.navigation import Blocked
 from fleet_tui.model.order import Order, Stop, at_vertices
 from fleet_tui.model.order_life import GoneOrder
 from fleet_tui.model.robot import Reading, Robot
+from fleet_tui.rules.alarms.classes import CLASSES, action_of
 from fleet_tui.rules.alarms.navigation import (
     FOUND_BELOW,
     LOST_ABOVE,
+    NO_ODOMETRY,
     NO_POSE_AFTER,
     blocked,
     failed_order,
     held_orders,
     not_sure_where,
 )
+from fleet_tui.rules.causes import HELD_FAST
 from fleet_tui.rules.commands.failures import FAILED_FOR
 from fleet_tui.rules.commands.local_queue import ANOTHER_CLIENT
+from fleet_tui.rules.why.robot import stale_pose
 from tests.support.fleets import (
     R0,
     T0,
@@ -95,6 +100,24 @@ def test_poses_that_cease_while_the_robot_speaks_are_an_alarm_until_they_come_ag
     assert not_sure_where(*known(reduced(moves_only, battery(T0 + 40), tick(T0 + 40))), {}) is None
 
 
+def test_a_robot_placed_by_odometry_that_sends_none_is_looked_for_there() -> None:
+    place = Pose(0.0, 0.0)
+    known_place = {"located": place, "odometry_at": T0}
+    by_wheels = of_kinds(fleet(), Kind(reports=("pose",), odometry_topic="/{robot}/odom"))
+    state = reduced(by_wheels, link_up(T0), pose(T0), battery(T0 + 40), tick(T0 + 40))
+    found = not_sure_where(*known(state, **known_place), {})
+    assert found is not None and action_of(found) == NO_ODOMETRY
+    reason = stale_pose(*known(state, **known_place))
+    assert reason is not None and reason.remedy == NO_ODOMETRY
+    assert reason.evidence == "no odometry on /robot_0/odom: the robot may have moved since"
+    for other in (
+        {"odometry_at": T0 + 40, "located": Pose(0.0, 0.0)},
+        {"odometry_at": None, "located": None},
+    ):
+        found = not_sure_where(*known(state, **other), {})
+        assert found is not None and action_of(found) == CLASSES["localisation"].action
+
+
 def test_held_orders_are_counted_and_those_held_by_others_matter_more() -> None:
     orders = (commanded(n, place_order(R0, 1), Stage.WAITING) for n in range(2))
     state = reduced(of_kinds(fleet(), KEEPS), *(fact for order in orders for fact in order))
@@ -117,6 +140,9 @@ def test_an_order_of_another_client_that_failed_is_told_for_a_while() -> None:
     assert class_of(found.kind) == "command"
     found = failed_order(*known(gone=(failed(stops=at_vertices("1", "2")),)), {})
     assert found is not None and found.text == "order 1 -> 2 failed: aborted by the robot"
+    assert action_of(found) == CLASSES["command"].action
+    stuck = failed_order(*known(gone=(replace(failed(), reason="Failed to make progress"),)), {})
+    assert stuck is not None and action_of(stuck) == HELD_FAST
     assert failed_order(*known(gone=(failed(at=T0 - FAILED_FOR),)), {}) is None
     assert failed_order(*known(gone=(failed(), failed(Stage.DONE))), {}) is None
     assert failed_order(*known(), {}) is None

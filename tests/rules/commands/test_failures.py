@@ -4,9 +4,10 @@ import pytest
 
 from fleet_tui.model import events
 from fleet_tui.model.alarm import AlarmStage
-from fleet_tui.model.commands import PauseRobot, Stage
+from fleet_tui.model.commands import CancelOrder, PauseRobot, Stage
 from fleet_tui.model.desk import events as desk_events
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.rules.commands.failures import DRIVES_ON
 from tests.support.alarms import alarm, alarms, up
 from tests.support.fleets import (
     LINK,
@@ -17,6 +18,7 @@ from tests.support.fleets import (
     graph,
     labels,
     place_order,
+    queue,
     reduced,
     tick,
 )
@@ -87,3 +89,11 @@ def test_the_only_one_of_many_that_failed_is_named() -> None:
     given = (events.CommandIssued(n, PauseRobot(f"robot_{n}"), T0 + n / 1000, WALL) for n in range(9))
     state = reduced(up(9), *given, *ended(4, T0, Stage.REFUSED), tick(T0 + 1))
     assert [one.text for one in state.alarms] == ["robot_4 refused: pause"]
+
+
+def test_a_refused_cancellation_of_an_order_that_goes_on_asks_to_stop_the_robot() -> None:
+    for order, remedy in (((1, 1, 2, "W"), DRIVES_ON), (None, "")):
+        state = reduced(up(), battery(T0), queue(T0, *([order] if order else []), current=1))
+        issued = events.CommandIssued(7, CancelOrder(R0, "1"), T0, WALL)
+        state = reduced(state, issued, *ended(7, T0, Stage.REFUSED, detail="rejected"), tick(T0))
+        assert alarm(state, "command").condition.remedy == remedy

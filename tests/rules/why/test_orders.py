@@ -8,8 +8,9 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.model.order import Order, at_vertices
 from fleet_tui.model.order_life import GoneOrder
+from fleet_tui.rules.causes import HELD_FAST
 from fleet_tui.rules.why.orders import CHECK_DELIVERY, REJECTED
-from fleet_tui.rules.why.reason import HELD_FAST, Reason
+from fleet_tui.rules.why.reason import Reason
 from fleet_tui.rules.why.why import reasons
 from tests.support.fleets import (
     R0,

@@ -217,3 +217,8 @@ def test_what_a_robot_reports_about_itself_comes_after_jumps_of_its_pose() -> No
     found = [one.name for one in reasons(planted.state, planted.robot, complaints=[own])]
     assert found[0].startswith("localisation jumps: 1") and found[0].endswith(" in 10 s")
     assert found[1] == own.text
+
+
+def test_an_alarm_that_holds_is_told_before_the_lack_of_orders() -> None:
+    low = flat(Planted(), 6.0)
+    assert names(low.run(3).state)[:2] == ["battery 5 %", "no orders"]
