@@ -180,7 +180,7 @@ class Rest:
 
     async def mount(self, screen: "MainScreen") -> None:
         """Mount all widgets, the focus on the map. The audit log starts before there is a link."""
-        panes, below_map = screen.panes, (self.order_form, self.why, self.menu)
+        panes, below_map = screen.panes, (self.why, self.order_form, self.menu)
         opens = (*below_map, self.confirm, self.key_help, self.palette)
         with screen.app.batch_update():
             await screen.query_one("#map").remove()

@@ -1,6 +1,7 @@
 """Reasons why the selected robot stands still, live, with the keys that help."""
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from textwrap import wrap
 from time import monotonic
 from typing import ClassVar
@@ -26,6 +27,7 @@ from fleet_tui.view.lines.impact import why_impact
 from fleet_tui.view.lines.why import UNBROKEN, why_lines
 from fleet_tui.widgets.background import run_in_background
 
+MOST_CUTS = 2
 IMPACT_EVERY = 1.0
 """Seconds after which the ways of all orders are searched again."""
 SCROLLING = (
@@ -67,6 +69,8 @@ class Why(RobotOverlay):
         self._looked_at, self._keys, self._match = looked_at, keys, match
         self._backend = backend
         self._shown: list[str] = []
+        self._cuts: tuple[object, int] = (None, 0)
+        """For a robot in a size, the steps by which the text is shorter: none is taken back, it would dance."""
         self._cut: tuple[str, list[str]] = ("", [])
         """A robot, and the lines on the orders whose ways are cut."""
         self._searched, self._is_searching = ("", 0.0), False
@@ -91,11 +95,35 @@ class Why(RobotOverlay):
         self._search_ways(state, robot)
         cut = self._cut[1] if self._cut[0] == name else []
         said, load = self._complaints(state, robot), self._load(state, robot)
-        found = why_lines(state, robot, self._keys, self._match(), cut, said, load)
-        lines = _wrapped(found, text.size.width)
+        tell = partial(why_lines, state, robot, self._keys, self._match(), cut, said, load)
+        lines = self._fitted(name, tell)
         if lines != self._shown:
             self._shown = lines
             text.update("\n".join(lines))
+        self._show_position(len(lines))
+
+    def _fitted(self, name: str, tell: Callable[[bool], list[str]]) -> list[str]:
+        """Return the lines, wrapped: without blank ones, and then briefly, if they don't all fit."""
+        has_size = self.styles.height is not None and not self.styles.height.is_auto
+        lines, width = (self.size.height if has_size else 0), self.query_one("#reasons").size.width
+        of, cuts = self._cuts
+        cuts = cuts if of == (name, self.size) else 0
+        for cuts in range(cuts, MOST_CUTS + 1):
+            is_brief = cuts == MOST_CUTS
+            found = _wrapped([line for line in tell(is_brief) if line or not cuts], width)
+            if not lines or len(found) <= lines:
+                break
+        self._cuts = (name, self.size), cuts
+        return found
+
+    def _show_position(self, lines: int) -> None:
+        """Show which of its lines are visible, if some are not."""
+        top, height = round(self.scroll_y), self.size.height
+        last = min(lines, top + height)
+        is_whole = not height or lines <= height
+        position = "" if is_whole else tr(f"{top + 1}-{last} of {lines}, PgUp PgDn")
+        if position != self.border_subtitle:
+            self.border_subtitle = position
 
     def _complaints(self, state: FleetState, robot: Robot) -> list[Complaint]:
         return complaints(state, robot, self._backend.counters.get(robot.link))

@@ -49,12 +49,12 @@ class DialogBox(NamedTuple):
     lines: int
 
 
-def dialog_box(events: tuple[int, int], map_width: int, width: int, lines: int) -> DialogBox:
+def dialog_box(events: tuple[int, int], map_width: int, width: int, lines: int, usual: int = 0) -> DialogBox:
     """Return the place of a dialog about the map, never over that: the cells and lines of the last `events`,
-    else the end of the tables beside it. It is the same whatever the dialog says."""
+    else at the end of the tables beside it, of `usual` lines if those are more. It is the same whatever the dialog says."""
     if events[1] >= LEAST_DIALOG:
         return DialogBox(0, *events)
-    return DialogBox(map_width + 1, width - map_width - 1, min(USUAL_DIALOG, lines - LEAST_FLEET))
+    return DialogBox(map_width + 1, width - map_width - 1, min(max(usual, USUAL_DIALOG), lines - LEAST_FLEET))
 
 
 def beside_map(lines: int, wanted: Wanted, is_queue_below: bool = False) -> tuple[int, int, int, int]:

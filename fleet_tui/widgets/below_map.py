@@ -3,6 +3,7 @@
 from collections.abc import Hashable, Sequence
 
 from textual.containers import Container
+from textual.geometry import Size
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.history.lately import RecentActivity, activity_table
@@ -37,6 +38,11 @@ class BelowMap(Container):
         self.activity, self.maps = ActivityPane(is_ascii), Container(id="maps-below")
         super().__init__(self.recent, self.activity.rows, self.maps, id="below")
         self._lines = 0
+
+    @property
+    def rows_size(self) -> Size:
+        """Return the cells and lines of its rows, without those of the maps."""
+        return self.recent.region.size if self.maps.display else self.region.size
 
     def take(self, lines: int) -> bool:
         """Take so many lines, 0 for none, and tell whether it had others."""

@@ -51,32 +51,29 @@ class Panes(Container):
     BLANK = True
 
     def __init__(self, is_ascii: bool = False) -> None:
-        self.fleet = RowsPane(id="fleet")
-        self.alarms, self.queue = RowsPane(id="alarms"), RowsPane(id="queue")
-        self.page = RowsPane(id="page")
+        self.fleet, self.alarms = RowsPane(id="fleet"), RowsPane(id="alarms")
+        self.queue, self.page = RowsPane(id="queue"), RowsPane(id="page")
         self.page.can_focus = False
         self.below, self.small_maps = BelowMap(is_ascii), Container(id="small-maps")
         self.recent, self.activity = self.below.recent, self.below.activity
         self.floor = Container(Container(id="map"), self.below, id="floor")
         aside = Container(self.page, self.small_maps, id="aside")
         super().__init__(self.floor, self.fleet, self.alarms, self.queue, aside, id="panes")
-        self._alone, self._small_lines, self._left = "", 0, 0
+        self._alone, self._small_lines, self._left, self._queue_lines = "", 0, 0, 0
         self._page_pace, self._recent_pace = Pace(0.5), Pace(1.0)
         self._fleet: Table | None = None
-        self._queue_lines = 0
-        self._shape = USUAL_SHAPE
-        self._wanted = Wanted(0, 0, 0), 0
+        self._shape, self._wanted = USUAL_SHAPE, (Wanted(0, 0, 0), 0)
         self._shared_out: object = None
-        self._dialogs = DialogPlace()
+        self._dialogs, self._large = DialogPlace(), DialogPlace()
 
     async def mount_small_maps(self, aside: Widget, below: Widget) -> None:
         """Mount the maps of other floors, for the place beside the map and that below it."""
         await self.small_maps.mount(aside)
         await self.below.maps.mount(below)
 
-    def place_dialogs(self, *dialogs: Widget) -> None:
-        """Keep dialogs about the map in one place that covers none of it, beside the tables."""
-        self._dialogs = DialogPlace(*dialogs)
+    def place_dialogs(self, large: Widget, *dialogs: Widget) -> None:
+        """Keep dialogs about the map in one place that covers none of it, one that says much in a larger one."""
+        self._dialogs, self._large = DialogPlace(*dialogs), DialogPlace(large)
 
     @property
     def tables(self) -> tuple[RowsPane, ...]:
@@ -154,8 +151,11 @@ class Panes(Container):
         if queue != self._queue_lines:
             self._queue_lines = queue
             self.share_out()
-        box = dialog_box(self.recent.region.size, self.floor.outer_size.width, *self.size)
+        map_width = self.floor.outer_size.width
+        box = dialog_box(self.recent.region.size, map_width, *self.size)
+        large = dialog_box(self.below.rows_size, map_width, *self.size, self.size.height // 2)
         self._dialogs.move_to(box if has_space else None)
+        self._large.move_to(large if has_space else None)
         return self.below.take(recent)
 
     def _place_queue(self, lines: int) -> None:

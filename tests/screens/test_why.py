@@ -191,3 +191,25 @@ async def test_diagnostics_open_where_the_first_cause_is(server: RosbridgeServer
         await it.shows("▸✗ ERROR", "diagnostics-rows")
         marked = next(line for line in it.pane("diagnostics-rows").splitlines() if "▸" in line)
         assert "robot_1" in marked
+
+
+async def test_in_a_small_box_evidence_gives_way_to_further_causes_and_a_sign_tells_of_more(
+    server: RosbridgeServer,
+) -> None:
+    plant(server, "obstacle:robot_0,paused:robot_0")
+    async with console(config_of(server.url, 2, 2), (80, 24)) as it:
+        why = it.app.main.query_one(Why)
+        await it.press("w")
+        await it.shows("▶ 1. ")
+        await it.until(lambda _: why.size.height > 0)
+        causes = [f"{n}. cause" for n in range(1, 6)]
+        whole = [line for cause in causes for line in ("", cause, "    evidence", "    more evidence")]
+        assert why._fitted("a", lambda is_brief: causes if is_brief else whole) == causes
+        assert why._fitted("a", lambda is_brief: causes if is_brief else whole[:3]) == causes, (
+            "it never dances"
+        )
+        assert why._fitted("b", lambda is_brief: [] if is_brief else whole[:12]) == whole[:12]
+        why._show_position(why.size.height + 3)
+        assert why.border_subtitle == f"1-{why.size.height} of {why.size.height + 3}, PgUp PgDn"
+        why._show_position(why.size.height)
+        assert not why.border_subtitle

@@ -109,6 +109,8 @@ def test_a_dialog_is_over_the_last_events_else_at_the_end_of_the_tables_and_neve
     assert dialog_box((72, 12), 72, 120, 37) == (0, 72, 12)
     assert dialog_box((61, 16), 123, 200, 57) == (0, 61, 16), "small maps beside the events stay in view"
     assert dialog_box((37, 6), 37, 80, 21) == (38, 42, 14)
+    assert dialog_box((61, 6), 123, 200, 57, usual=28) == (124, 76, 28)
+    assert dialog_box((37, 6), 37, 80, 21, usual=10) == (38, 42, 14)
     assert dialog_box((0, 0), 72, 120, 13) == (73, 47, 9), "the first robots stay in view"
 
 

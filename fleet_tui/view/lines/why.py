@@ -51,9 +51,11 @@ def why_lines(
     impact: Sequence[str] = (),
     complaints: Sequence[Complaint] = (),
     load: Reason | None = None,
+    is_brief: bool = False,
 ) -> list[str]:
     """Return the time without movement, then each reason: name, evidence, age and the keys that help;
-    `match`, `complaints` and `load` as for `reasons`; `impact`: the lines about orders whose way is cut."""
+    `match`, `complaints` and `load` as for `reasons`; `impact`: the lines about orders whose way is cut.
+    `is_brief`: only the first reason has its evidence, and each key is named once."""
     found, hidden = reasons(state, robot, match, complaints, load), hidden_keys(state, robot.name)
     if found and moves(state, robot) == found[0]:
         alarms = [*_alarms(state, robot, keys, hidden), *impact]
@@ -64,12 +66,19 @@ def why_lines(
         ]
     lines = [_standing(state, robot, found[0])]
     for number, reason in enumerate(found[:SHOWN], 1):
-        mark = "▶" if number == 1 else " "
-        strength = "" if reason.strength is Strength.NONE else f"  ({tr(reason.strength.name.lower())})"
-        lines += ["", f"{mark} {number}. {tr(sanitize(reason.name))}{strength}"]
-        told = (tr(sanitize(reason.evidence)), _age(state, robot, reason), tr(reason.remedy))
-        lines += [f"    {line}" for line in (*told, *_help_lines(reason.keys, keys, hidden)) if line]
+        told = _numbered(state, robot, reason, number, is_brief and number > 1)
+        helped = [f"    {line}" for line in _help_lines(reason.keys, keys, hidden)]
+        lines += ["", *told, *(line for line in helped if not is_brief or line not in lines)]
     return [*lines, *impact, *_others(state, robot, keys)]
+
+
+def _numbered(state: FleetState, robot: Robot, reason: Reason, number: int, is_brief: bool) -> Iterator[str]:
+    """Yield a reason and what is known of it, in brief only what to do."""
+    mark = "▶" if number == 1 else " "
+    strength = "" if reason.strength is Strength.NONE else f"  ({tr(reason.strength.name.lower())})"
+    yield f"{mark} {number}. {tr(sanitize(reason.name))}{strength}"
+    known = () if is_brief else (tr(sanitize(reason.evidence)), _age(state, robot, reason))
+    yield from (f"    {line}" for line in (*known, tr(reason.remedy)) if line)
 
 
 def _alarms(

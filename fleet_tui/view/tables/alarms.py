@@ -89,8 +89,7 @@ def _padded(word: str, others: Iterable[str]) -> str:
 
 
 def _in_full(row: Row, alarm: Alarm, width: int) -> list[Row]:
-    """Return the row of a single alarm; if it would be cut, the rest of its text below: there is space for
-    it."""
+    """Return the row of an alarm; if it would be cut, the rest of its text below: at its end is the cause."""
     text, role = tr(sanitize(alarm.text)), row.runs[-2][1]
     head = row.runs[:-2]
     left = width - sum(cell_width(part) for part, _ in head)
@@ -113,6 +112,17 @@ def _advice(alarm: Alarm, width: int, whose: str = "") -> list[Row]:
     action = tr(action_of(alarm.condition))
     lines = wrap(whose + action, max(LEAST_REST, width - 1 - REST_AT))
     return [_below(line, StyleRole.TEXT) for line in lines]
+
+
+def _explained(
+    rows: Sequence[Row], alarms: Sequence[Alarm], marked: Hashable | None, width: int
+) -> list[Row]:
+    """Return the rows with the whole text of the marked one, and below all its advice."""
+    place = next((n for n, alarm in enumerate(alarms) if alarm.key == marked), 0)
+    meant = alarms[place]
+    whose = f"{sanitize(meant.condition.source)}: " if len(alarms) > 1 else ""
+    full = _in_full(rows[place], meant, width)
+    return [*rows[:place], *full, *rows[place + 1 :], *_advice(meant, width, whose)]
 
 
 def _short(text: str, cells: int) -> str:
@@ -190,17 +200,14 @@ def alarm_table(
     """Return every alarm for a pane of `width` cells, as arranged: those that hold, unacknowledged ones
     first, by priority; then those that are over; shelved ones last; oldest first. A row moves when it is
     acknowledged or shelved, and when it needs a person again. `clock` formats Unix seconds as a local
-    time. `marked` is the alarm that keys are for: of a few its advice is below them; `key` goes to the next
-    robot in trouble."""
+    time. `marked` is the alarm that keys are for: of a few its text is whole and its advice is below
+    them; `key` goes to the next robot in trouble."""
     arrangement = arrangement or RowArrangement()
     alarms = arrangement.arranged(sorted(state.alarms, key=urgency), _values(clock))
     sources = column((alarm.condition.source for alarm in alarms), 7, 14 if width >= WITH_PRIORITY else 9)
     keys = [alarm.key for alarm in alarms]
     rows: Sequence[Row] = LateRows(keys, lambda place: _row(state, alarms[place], sources, clock, width))
-    if len(alarms) == 1:
-        rows = [*_in_full(rows[0], alarms[0], width), *_advice(alarms[0], width)]
-    elif 1 < len(alarms) <= FEW:
-        meant = next((alarm for alarm in alarms if alarm.key == marked), alarms[0])
-        rows = [*rows, *_advice(meant, width, f"{sanitize(meant.condition.source)}: ")]
+    if 1 <= len(alarms) <= FEW:
+        rows = _explained(rows, alarms, marked, width)
     empty = arrangement.no_match if state.alarms else _without_alarms(state, key)
     return Table((*_title(state), *arrangement.notes(len(alarms))), rows, empty, unfiltered=len(state.alarms))

@@ -4,6 +4,8 @@ or ended."""
 from collections.abc import Callable, Iterator
 from functools import partial
 from heapq import nlargest
+from itertools import islice
+from textwrap import wrap
 
 from fleet_tui.model.alarm import Alarm, AlarmStage
 from fleet_tui.model.commands import ORDER_ENDS, CommandRecord, Stage
@@ -15,7 +17,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.batches import pauses, summary
 from fleet_tui.rules.commands.follow_up import seen_end
 from fleet_tui.text.language import tr
-from fleet_tui.text.sanitize import fit, sanitize
+from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.view.lines.commands import TROUBLE, command_text, stage_text
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.missions import destinations, mission, whose_mission
@@ -26,24 +28,35 @@ Event = tuple[float, str, Callable[[], tuple[Run, ...]]]
 
 WHOLE, HOURS_MINUTES = 60, 5
 """Cells of a pane from which times have seconds, and those of a time without them."""
+LEAST_TEXT = 10
+"""Cells that a line of text has at least."""
 FAILED = frozenset({*TROUBLE, Stage.LOST, Stage.FAILED})
 
 
 def recent_table(state: FleetState, clock: Callable[[float], str], lines: int, width: int = WHOLE) -> Table:
-    """Return the newest events, at most `lines` of them. `clock` formats Unix seconds as a local time, which
+    """Return the newest events, in at most `lines` lines. `clock` formats Unix seconds as a local time, which
     has no seconds in a pane of few cells."""
     found = [*_alarms(state), *_links(state), *_commands(state), *_orders(state, width < WHOLE)]
     newest = nlargest(lines, found or _connected(state), key=lambda event: event[0])
     sources = column((source for _, source, _ in newest), 7, 15)
     shown = None if width >= WHOLE else HOURS_MINUTES
-    rows = tuple(
-        Row(
-            None,
-            ((f"{clock(at)[:shown]} ", StyleRole.DIM), (fit(source, sources) + " ", StyleRole.DIM), *runs()),
-        )
+    rows = (
+        row
         for at, source, runs in newest
+        for row in _in_full(f"{clock(at)[:shown]} ", fit(source, sources) + " ", runs(), width)
     )
-    return Table(((tr("Recent"), StyleRole.TITLE),), rows, tr("nothing yet"))
+    return Table(((tr("Recent"), StyleRole.TITLE),), tuple(islice(rows, lines)), tr("nothing yet"))
+
+
+def _in_full(at: str, source: str, runs: tuple[Run, ...], width: int) -> Iterator[Row]:
+    """Yield the row of an event, and below it what it has no cells for: at its end is the cause."""
+    ((text, role),) = runs
+    left = width - cell_width(at + source)
+    first, *rest = wrap(text, max(LEAST_TEXT, left), break_on_hyphens=False) or [""]
+    yield Row(None, ((at, StyleRole.DIM), (source, StyleRole.DIM), (first, role)))
+    indent = " " * cell_width(at)
+    for line in wrap(" ".join(rest), max(LEAST_TEXT, width - len(indent)), break_on_hyphens=False):
+        yield Row(None, ((indent + line, role),))
 
 
 def _alarms(state: FleetState) -> Iterator[Event]:

@@ -63,6 +63,13 @@ def test_paused_and_blocked() -> None:
     assert text(Planted("paused:robot_0,obstacle:robot_0").run(6)) == PAUSED_AND_BLOCKED
 
 
+def test_in_brief_only_the_first_reason_has_its_evidence() -> None:
+    planted = Planted("paused:robot_0,obstacle:robot_0").run(6)
+    brief = "\n".join(why_lines(planted.state, planted.robot, KEYS, is_brief=True))
+    assert "not sent by this console" in brief and "2. obstacle" in brief
+    assert "obstacle contact" not in brief and brief.count("reported 0.4 s ago") == 1
+
+
 def test_a_robot_that_is_gone() -> None:
     planted = Planted().run(3)
     planted.plant("silent:robot_0")

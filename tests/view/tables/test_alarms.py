@@ -195,3 +195,16 @@ def test_the_second_line_of_an_alarm_is_no_alarm() -> None:
     listing = Listing()
     listing.show(table)
     assert listing.move(1) and listing.cursor == (LINK, "link") and not listing.steps_to(1)
+
+
+def test_of_a_few_alarms_the_marked_one_has_its_whole_text() -> None:
+    reason = "no route to host 10.11.12.13, asked again and again"
+    lost = reduced(fleet(), link_up(T0), battery(T0, 5.0), tick(T0), link_lost(T0 + 1, reason), tick(T0 + 60))
+    keys = [row.key for row in alarm_table(lost, clock, 38).rows if row.key]
+    assert len(keys) > 1
+    place = keys.index((LINK, "link"))
+    rows = alarm_table(lost, clock, 38, marked=keys[place]).rows
+    assert [row.key for row in rows[place : place + 2]] == [keys[place], None]
+    assert "again" in text_of(rows[place + 1].runs)
+    rows = alarm_table(lost, clock, 38, marked=keys[1 - place]).rows
+    assert not any("again" in text_of(row.runs) for row in rows if row.key is None)

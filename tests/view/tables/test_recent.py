@@ -123,3 +123,13 @@ def test_the_return_of_a_link_stays_with_its_outage_after_its_alarm_is_gone() ->
     back = reduced(fleet(), link_up(T0), link_lost(T0 + 5), tick(T0 + 9), link_up(T0 + 27), tick(T0 + 60))
     assert not [alarm for alarm in back.alarms if alarm.condition.kind == "link"]
     assert "27 rosbridge link restored after 22 s" in lines(back)
+
+
+def test_the_cause_at_the_end_of_an_event_goes_on_in_a_second_line() -> None:
+    given = commanded(1, place_order(R0, 1, 2), Stage.SENT, Stage.ACCEPTED, at=T0)
+    listed = reduced(fleet(), link_up(T0), *NAMED, queue(T0 - 1), *given)
+    driven = reduced(listed, queue(T0 + 1, (4, 1, 2, "W"), current=4), tick(T0 + 1))
+    lost = reduced(driven, queue(T0 + 2), tick(T0 + 2))
+    rows = [text_of(row.runs) for row in recent_table(lost, clock, 9, 38).rows]
+    assert max(map(len, rows)) <= 38 and "(order 4:" in " ".join(" ".join(rows).split())
+    assert rows[1].startswith("  ") and len(recent_table(lost, clock, 1, 38).rows) == 1
