@@ -86,8 +86,10 @@ def way_of(robot: Robot, floor: str, drafted: Drafted | None) -> tuple[tuple[str
         return targets(robot, floor), mission(robot, floor)
     draft, route = drafted
     places = [place for place in (*draft.places, draft.marked) if place is not None and place.floor == floor]
-    lines = route.lines.get(floor, ()) if route is not None else ()
-    return tuple(place.vertex for place in places), Mission(lines) if lines else None
+    if route is None:
+        return tuple(place.vertex for place in places), None
+    way = Mission(route.lines.get(floor, ()), route.to_start.get(floor, ()))
+    return tuple(place.vertex for place in places), way if way.current or way.following else None
 
 
 def blocked_edges(state: FleetState, robots: Iterable[SceneRobot]) -> Iterator[Ends]:
