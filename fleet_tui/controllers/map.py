@@ -100,8 +100,8 @@ class MapControls:
 
     def edges(self) -> None:
         """Show or hide the graph's edges."""
-        options = self._picture.options
-        self._picture.options = replace(options, edges=not options.edges)
+        options, are_shown = self._picture.options, self._picture.look.edges
+        self._picture.options = replace(options, edges=not are_shown)
         self._view.draw()
 
     def labels(self) -> None:

@@ -35,7 +35,7 @@ class GraphEditor:
         self._store, self._dispatch, self._navigation, self._notices, self._open_menu, _ = parts
         self._controls, self.picture, self._file_of = controls, picture, file_of
         self._file: DraftFile | None = None
-        self._edges = False
+        self._edges: bool | None = None
         self.draft: GraphDraft | None = None
         self.mode: EditMode | None = None
         self.changed: Callable[[DocumentFloor | None], None] = lambda _floor: None

@@ -13,6 +13,7 @@ from fleet_tui.rules.alarms.conditions import is_news
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.localisation.jumps import is_jumping
+from fleet_tui.rules.localisation.misplaced import misplaced_text
 
 LONG_STILL = 30.0
 """Seconds of standing with an order that are worth a look: longer than loading takes."""
@@ -38,12 +39,17 @@ def is_held_up(state: FleetState, robot: Robot) -> bool:
 
 def may_need_person(state: FleetState, robot: Robot) -> bool:
     """Tell whether a robot waits with an order or for its master control, is in a mode, such as MANUAL, in
-    which it takes no order, or has a pose that jumps."""
+    which it takes no order, or has a pose that jumps or at which it cannot be."""
     vehicle = robot.vehicle.value if robot.vehicle is not None else None
     by_hand = vehicle is not None and (vehicle.waits or not vehicle.takes_orders)
     by_hand = by_hand and state.is_fresh(robot, "vehicle")
-    jumps = state.is_fresh(robot, "pose") and is_jumping(robot, state.now)
-    return waits(state, robot) or by_hand or jumps
+    return waits(state, robot) or by_hand or is_lost(state, robot)
+
+
+def is_lost(state: FleetState, robot: Robot) -> bool:
+    """Tell whether fresh poses of a robot are no positions."""
+    is_wrong = is_jumping(robot, state.now) or misplaced_text(state, robot) != ""
+    return is_wrong and state.is_fresh(robot, "pose")
 
 
 def in_trouble(state: FleetState) -> frozenset[str]:

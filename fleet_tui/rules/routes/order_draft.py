@@ -35,8 +35,8 @@ class Draft(Struct, frozen=True):
 class DraftRoute(Struct, frozen=True):
     """The lines of a draft's way by floor, and its length in metres, None if some of it has no way;
     `approach`: the metres to its start from the robot, or from the end of its last open order, 0 if it starts
-    there or that way is unknown; `before`: its open orders, that are driven first; `pace`: the speed in m/s
-    that was seen, None if none was."""
+    there or that way is unknown, `to_start` the lines of that way by floor; `before`: its open orders, that
+    are driven first; `pace`: the speed in m/s that was seen, None if none was."""
 
     lines: Mapping[str, tuple[Line, ...]]
     metres: float | None
@@ -44,6 +44,7 @@ class DraftRoute(Struct, frozen=True):
     approach: float = 0.0
     before: int = 0
     pace: float | None = None
+    to_start: Mapping[str, tuple[Line, ...]] = {}
 
     @property
     def text(self) -> str:
@@ -83,9 +84,11 @@ def draft_route(robot: Robot, draft: Draft, pace: float | None = None) -> DraftR
     if len(stops) < 2:
         return None
     before = _end(robot, orders[-1]) if orders else here
-    approach = 0.0 if draft.starts_here else way_between(robot, [*before, stops[0]])[1] or 0.0
+    to_start, approach = way_between(robot, [] if draft.starts_here else [*before, stops[0]])
     lines, metres = way_between(robot, stops)
-    return DraftRoute(lines, metres, len({floor for floor, _ in stops}) > 1, approach, len(orders), pace)
+    by_lift = len({floor for floor, _ in stops}) > 1
+    to_start = to_start if approach else {}
+    return DraftRoute(lines, metres, by_lift, approach or 0.0, len(orders), pace, to_start)
 
 
 def way_between(

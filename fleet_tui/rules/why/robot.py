@@ -11,13 +11,11 @@ from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import STANDS_AFTER, own_pause_text
 from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.localisation.jumps import recent_jumps
+from fleet_tui.rules.localisation.misplaced import misplaced_text
 from fleet_tui.rules.movement import JUMPS_WITHIN
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, name_of, stationary_since
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.units import ago
-
-OFF_MAP = 2.0
-"""Metres beyond the map's edge from which a pose is no place on the floor."""
 
 NO_POSE = "Check the robot's localisation: its node, its laser, the topic's name"
 DIAGNOSE = ("diagnostics",)
@@ -162,21 +160,16 @@ def jumps(state: FleetState, robot: Robot) -> Reason | None:
     return Reason(name, evidence, since=recent[0].at, seen=last.at, keys=keys, remedy=NO_POSE)
 
 
-def off_map(state: FleetState, robot: Robot) -> Reason | None:
-    """Report a pose beyond the floor's map: its localisation is wrong, or it is on another floor."""
-    floor = state.floors.get(robot.floor or "")
-    if floor is None or floor.grid is None or not floor.tied or robot.pose is None:
+def misplaced(state: FleetState, robot: Robot) -> Reason | None:
+    """Report a pose at which it cannot be: its localisation is wrong, or it is on another floor."""
+    text = misplaced_text(state, robot)
+    if not text or robot.pose is None:
         return None
-    frame, pose = floor.grid.frame, robot.pose.value
-    column, row = frame.to_pixel(pose.x, pose.y)
-    beyond = max(-column, column - frame.width, -row, row - frame.height) * frame.resolution
-    if not beyond > OFF_MAP:
-        return None
-    evidence = f"{pose.x:.1f}, {pose.y:.1f} m is {beyond:.0f} m beyond the map of {floor.name}"
-    keys = ("pose", "centre")
-    return Reason(
-        "pose off the map", evidence, Strength.LIKELY, seen=robot.pose.at, keys=keys, remedy=NO_POSE
-    )
+    pose = robot.pose.value
+    evidence = f"at {pose.x:.1f}, {pose.y:.1f} m on {robot.floor} no robot can be"
+    remedy = "Set its pose to where it stands, or check its localisation"
+    strength = Strength.CERTAIN if state.is_fresh(robot, "pose") else Strength.POSSIBLE
+    return Reason(text, evidence, strength, seen=robot.pose.at, keys=("pose", "centre"), remedy=remedy)
 
 
 def charges(state: FleetState, robot: Robot) -> Reason | None:

@@ -41,10 +41,10 @@ from fleet_tui.rules.why.robot import (
     charges,
     jumps,
     late_link,
+    misplaced,
     moves,
     no_link,
     obstacle,
-    off_map,
     own_late_pause,
     paused,
     silent_robot,
@@ -62,6 +62,7 @@ FOLLOWING: tuple[Rule, ...] = (none_current, no_orders)
 """Of another certain reason, they are only the consequence."""
 
 RULES: tuple[Rule, ...] = (
+    misplaced,
     paused,
     *VEHICLE_REASONS,
     obstacle,
@@ -70,7 +71,6 @@ RULES: tuple[Rule, ...] = (
     own_late_pause,
     stale_pose,
     jumps,
-    off_map,
     command,
     failed_order,
     cargo,
@@ -128,7 +128,7 @@ def reasons(
     if deaf:
         return _of_deaf(deaf, load, others)
     moving = moves(state, robot)
-    if moving is not None and not _held((jumps, off_map), state, robot):
+    if moving is not None and not _held((jumps, misplaced), state, robot):
         return [moving]
     others = _misplaced(match) + others
     following = [] if _has_certain(others) else _held(FOLLOWING, state, robot)

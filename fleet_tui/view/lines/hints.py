@@ -99,6 +99,8 @@ def hints(
     offered = [_of_robot(key, alarmed) for key in offered]
     offered.sort(key=lambda key: (OF_ROWS.get(focused) != key.id, *_rank(key, pane)))
     offered = _alarm_first(offered)
+    if focused == "map":  # on a small screen it is small
+        offered = _moved(offered, "enlarge", "pause_all")
     left = [key for key in offered if key.pane in (pane, Pane.CONSOLE) and not key.always]
     return left, [key for key in offered if key.always]
 
@@ -112,11 +114,16 @@ def _of_robot(key: Key[Any], alarmed: str) -> Key[Any]:
 
 def _alarm_first(offered: list[Key[Any]]) -> list[Key[Any]]:
     """Return the keys with that of an alarm before the one to resume all: the first line has the pauses."""
+    return _moved(offered, "resume_all", "acknowledge")
+
+
+def _moved(offered: list[Key[Any]], moved: str, behind: str) -> list[Key[Any]]:
+    """Return the keys, one of them right behind another if both are offered."""
     ids = [key.id for key in offered]
-    if not {"acknowledge", "resume_all"} <= set(ids):
+    if not {moved, behind} <= set(ids):
         return offered
-    resume_all = offered.pop(ids.index("resume_all"))
-    offered.insert([key.id for key in offered].index("acknowledge") + 1, resume_all)
+    key = offered.pop(ids.index(moved))
+    offered.insert([one.id for one in offered].index(behind) + 1, key)
     return offered
 
 

@@ -8,59 +8,37 @@ import numpy as np
 
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.grid import OccupancyGrid
-from fleet_tui.model.occupancy import OCCUPIED
 from fleet_tui.view.map.camera import Area
-from fleet_tui.view.map.places import pixels
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 
 MARGIN = 0.5
 """Metres around the known ground."""
 STEP = 5.0
 """Metres by which a robot outside it extends the area: a fitted view should rarely change."""
-SIZE = 1.0, 1.0
-"""Length and width in metres of a robot that tells none."""
+NEAR = 10.0
+"""Metres beyond the map up to which a robot is shown with it: one farther away is lost."""
 _FINE = 1024  # cells of a level that are searched at most, per side
 
 
 def worth_seeing(scene: Scene, robots: Iterable[SceneRobot]) -> Area | None:
-    """Return the known cells, the vertices and the robots on the map, with a margin; None without a map."""
+    """Return the known cells, the vertices and the robots on or near the map; None without a map."""
     if scene.grid is None:
         return None
     area, frame = _still(scene.grid, scene.vertices, scene.frame), scene.frame
-    step = STEP / frame.resolution
+    step, near = STEP / frame.resolution, NEAR / frame.resolution
     for robot in robots:
         column, row = frame.to_pixel(robot.pose.x, robot.pose.y)
         left, top, right, bottom = area
-        if not (left <= column <= right and top <= row <= bottom) and _is_on(frame, column, row):
+        if not (left <= column <= right and top <= row <= bottom) and _is_on(frame, column, row, near):
             left, top = min(left, column // step * step), min(top, row // step * step)
             right, bottom = max(right, (column // step + 1) * step), max(bottom, (row // step + 1) * step)
             area = left, top, right, bottom
     return area
 
 
-def with_misplaced(scene: Scene, robots: tuple[SceneRobot, ...]) -> tuple[SceneRobot, ...]:
-    """Return the robots, those marked that cannot be where they say: inside a wall, or off the map by more
-    than their size."""
-    if scene.grid is None:
-        return robots
-    walls, frame = scene.grid.levels[0], scene.frame
-    points = np.array([(robot.pose.x, robot.pose.y) for robot in robots], np.float64).reshape(-1, 2)
-    found = list(robots)
-    for n, (column, row) in enumerate(pixels(frame, points).tolist()):
-        if _is_on(frame, column, row):
-            is_misplaced = walls[int(row), int(column)] == OCCUPIED
-        else:
-            margin = max(robots[n].size or SIZE) / frame.resolution
-            away = max(-column, column - frame.width, -row, row - frame.height)
-            is_misplaced = away > margin
-        if is_misplaced:
-            found[n] = robots[n]._replace(misplaced=True)
-    return tuple(found)
-
-
-def _is_on(frame: MapFrame, column: float, row: float) -> bool:
-    """Tell whether a pixel is on the map: a robot far away from it is probably lost."""
-    return 0 <= column < frame.width and 0 <= row < frame.height
+def _is_on(frame: MapFrame, column: float, row: float, near: float = 0.0) -> bool:
+    """Tell whether a pixel is on the map, or as near to it."""
+    return -near <= column < frame.width + near and -near <= row < frame.height + near
 
 
 @lru_cache(maxsize=1)  # of the shown floor: an old live map must not be kept alive

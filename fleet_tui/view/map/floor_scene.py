@@ -23,13 +23,14 @@ from fleet_tui.rules.alarms.trouble import (
     waits,
 )
 from fleet_tui.rules.commands.set_up.mode import mapping_text
+from fleet_tui.rules.localisation.misplaced import misplaced_text
 from fleet_tui.rules.marks import marks_of
 from fleet_tui.rules.routes.order_draft import Drafted
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
-from fleet_tui.view.map.area import with_misplaced, worth_seeing
-from fleet_tui.view.map.mission import blocked_edges, edge_lines, mission, targets
-from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
+from fleet_tui.view.map.area import worth_seeing
+from fleet_tui.view.map.mission import blocked_edges, edge_lines, way_of
+from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.view.selection import Selection
 
 MARGIN, BLOCK = 2.0, 10.0
@@ -62,8 +63,7 @@ def _drawn(robot_map: RobotMap) -> Drawn:
 
 
 def map_owner(state: FleetState, selection: Selection) -> Robot | None:
-    """Return the robot whose map and graph are shown for the floor: the selected one, else the first with
-    them."""
+    """Return the robot whose map and graph of the floor are shown: the selected one, else the first."""
     selected = state.robots[selection.robot]
     if selection.floor in selected.maps:
         return selected
@@ -150,7 +150,6 @@ def _robot(
     picture: MapFrame,
     tied: bool,
     mark: str,
-    alarmed: bool,
 ) -> SceneRobot | None:
     if robot.pose is None or robot.floor != selection.floor:
         return None
@@ -165,12 +164,12 @@ def _robot(
         online=state.is_fresh(robot, "pose"),
         paused=state.is_paused(robot),
         obstacle=is_held_up(state, robot),
-        alarmed=alarmed,
         other_map=other_map,
         age=state.now - robot.pose.at,
         size=robot.size,
         mark=mark,
         waits=waits(state, robot) and not state.is_paused(robot),
+        misplaced=misplaced_text(state, robot) != "",
         jumped=robot.relocated is not None and state.now - robot.relocated.at < JUMP_MARKED,
     )
 
@@ -180,13 +179,17 @@ def _robots(state: FleetState, selection: Selection, picture: MapFrame, tied: bo
     seen = acknowledged(state)
     alarmed = in_trouble(state) - seen
     robots = (
-        _robot(state, robot, selection, picture, tied, mark, robot.name in alarmed)
+        _robot(state, robot, selection, picture, tied, mark)
         for robot, mark in zip(state.robots.values(), marks_of(tuple(state.robots)), strict=True)
     )
     said = {alarm.condition.source: alarm.text for alarm in sorted(state.alarms, key=urgency, reverse=True)}
     return tuple(
-        robot._replace(acknowledged=robot.name in seen, said=sanitize(said.get(robot.name, "")))
-        if robot.name in seen or robot.alarmed
+        robot._replace(
+            alarmed=robot.name in alarmed,
+            acknowledged=robot.name in seen,
+            said=sanitize(said.get(robot.name, "")),
+        )
+        if robot.name in seen or robot.name in alarmed
         else robot
         for robot in robots
         if robot is not None
@@ -203,17 +206,6 @@ def _elsewhere(state: FleetState, selection: Selection) -> str:
     if robot.floor is None:
         return tr(f"{robot.name} is on unknown floor {sanitize(robot.frame_id)}")
     return tr(f"{robot.name} is on {robot.floor}") if robot.floor != selection.floor else ""
-
-
-def _way(robot: Robot, floor: str, drafted: Drafted | None) -> tuple[tuple[str, ...], Mission | None]:
-    """Return the vertices and the lines to draw on a floor: of the order that is being typed, else of the
-    robot's current one."""
-    if drafted is None:
-        return targets(robot, floor), mission(robot, floor)
-    draft, route = drafted
-    places = [place for place in (*draft.places, draft.marked) if place is not None and place.floor == floor]
-    lines = route.lines.get(floor, ()) if route is not None else ()
-    return tuple(place.vertex for place in places), Mission(lines) if lines else None
 
 
 def _closed(state: FleetState, owner: Robot | None, floor: str) -> list[Ends]:
@@ -233,12 +225,12 @@ def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None
     scene = _with_map(state, floor, robot_map, scene, bool(mapping_text(state.robots[selection.robot])))
     selected = state.robots[selection.robot]
     notes = [note for note in (_elsewhere(state, selection), scene.note, floor.graph_problem) if note]
-    vertices_of_way, way = _way(selected, floor.name, drafted)
+    vertices_of_way, way = way_of(selected, floor.name, drafted)
     placed = _robots(state, selection, scene.frame, floor.grid is not None and floor.tied)
     return replace(
         scene,
         area=worth_seeing(scene, placed),
-        robots=with_misplaced(scene, placed),
+        robots=placed,
         target_vertices=vertices_of_way,
         picked=vertices_of_way[-1] if drafted is not None and vertices_of_way else "",
         mission=way,

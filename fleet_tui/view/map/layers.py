@@ -30,10 +30,11 @@ CELLS_OF_FEW = 60
 @dataclass(frozen=True, slots=True)
 class MapOptions:
     """The operator's options for the map. cursor: place of the map's cursor, x, y in metres; pointed: the id
-    of the vertex under it; hatched: mark unknown ground, where colours don't show it."""
+    of the vertex under it; hatched: mark unknown ground, where colours don't show it; edges: None shows them
+    where no map is known."""
 
     drawing: Drawing = Drawing.BRAILLE
-    edges: bool = False
+    edges: bool | None = None
     labels: bool = True
     trails: bool = False
     cursor: tuple[float, float] | None = None

@@ -43,6 +43,14 @@ class MapPicture:
         """Mark unknown ground, or leave it to its colour."""
         self.options = replace(self.options, hatched=hatched)
 
+    @property
+    def look(self) -> MapOptions:
+        """The options for the newest scene: without a map the edges are all there is to see of its ground."""
+        edges = self.options.edges
+        if edges is None:
+            edges = self.scene is not None and self.scene.grid is None
+        return replace(self.options, edges=edges)
+
     def show(self, scene: Scene) -> None:
         """Take the newest scene."""
         self.scene = scene
@@ -63,11 +71,11 @@ class MapPicture:
         if self.options.trails:
             scene = replace(scene, trail=self._trails.of(scene))
         head = caption_row(self._caption(scene, camera, focused))
-        shown = scene.floor, camera, self.options
+        shown = scene.floor, camera, self.look
         if self._arrangement_of != shown:
             self._arrangement, self._arrangement_of = Arrangement(), shown
         behind = self._still(scene, camera)
-        body = picture(behind, scene, camera, self.options, self._arrangement, self.mode.layers)
+        body = picture(behind, scene, camera, self.look, self._arrangement, self.mode.layers)
         return Cells(np.vstack((head.codes, body.codes)), np.vstack((head.roles, body.roles)))
 
     def lines_of_floor(self, width: int) -> int:
@@ -129,7 +137,7 @@ class MapPicture:
     def _still(self, scene: Scene, camera: Camera) -> Backdrop:
         """Return the backdrop of the robots, redrawn only on a change."""
         under = pointed(scene, camera, self.options.cursor) if self.mode.points else None
-        key = (scene, camera, replace(self.options, cursor=None, trails=False, pointed=under))
+        key = (scene, camera, replace(self.look, cursor=None, trails=False, pointed=under))
         if self._backdrop is None or self._backdrop_of is None or not _same(self._backdrop_of, key):
             self._backdrop = backdrop(*key)
             self._backdrop_of = key

@@ -8,6 +8,7 @@ from fleet_tui.model.geometry import Line
 from fleet_tui.model.order import Order, vertices_of
 from fleet_tui.model.robot import Robot, RobotMap
 from fleet_tui.rules.routes.blocked import blocked_edge
+from fleet_tui.rules.routes.order_draft import Drafted
 from fleet_tui.rules.routes.ways import Routes, Spot, Way, routes_of
 from fleet_tui.rules.why.traffic import stops_left
 from fleet_tui.view.map.scene import Mission, SceneRobot
@@ -77,6 +78,18 @@ def _places(robot: Robot, floor: str, routes: Routes, vertex: str) -> tuple[Spot
     if actual is None:
         return ()
     return ((vertex, 0.0),) if actual == floor else routes.elevators
+
+
+def way_of(robot: Robot, floor: str, drafted: Drafted | None) -> tuple[tuple[str, ...], Mission | None]:
+    """Return the vertices and the lines to draw on a floor: of the order being typed, else of the current."""
+    if drafted is None:
+        return targets(robot, floor), mission(robot, floor)
+    draft, route = drafted
+    places = [place for place in (*draft.places, draft.marked) if place is not None and place.floor == floor]
+    if route is None:
+        return tuple(place.vertex for place in places), None
+    way = Mission(route.lines.get(floor, ()), route.to_start.get(floor, ()))
+    return tuple(place.vertex for place in places), way if way.current or way.following else None
 
 
 def blocked_edges(state: FleetState, robots: Iterable[SceneRobot]) -> Iterator[Ends]:

@@ -1,9 +1,7 @@
 """The layer of robots: each a chip of its own, its arrow before its number."""
 
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from functools import lru_cache
 from itertools import accumulate
 from typing import NamedTuple
 
@@ -12,10 +10,12 @@ from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.glyphs import is_special, robot_glyph, robot_number, robot_roles, robot_tag
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.places import Place, seen_robots
+from fleet_tui.view.map.placing.beyond import beyond
 from fleet_tui.view.map.placing.chips import ChipSize
 from fleet_tui.view.map.placing.crowds import COUNT, crowd_chips, is_crowd
 from fleet_tui.view.map.placing.labels import Backdrop, LabelPlaces, move_aside
 from fleet_tui.view.map.placing.occupancy import CellOccupancy
+from fleet_tui.view.map.placing.texts import Runs, Text, text_of, texts_of
 from fleet_tui.view.map.scene import Scene, SceneRobot
 from fleet_tui.view.roles import StyleRole
 
@@ -27,10 +27,6 @@ numbers are placed first."""
 TOGETHER, PILED = 3, 6
 """Robots without anything special in one cell from which they have a count if not all numbers find a place
 near them, and from which they always have."""
-SAID = 24
-"""Cells of an alarm's text beside its robot: the alarms pane has longer ones."""
-Runs = list[tuple[str, StyleRole]]
-Text = tuple[ChipSize, Runs]
 Chips = list[tuple[int, int, str, StyleRole]]
 """Arrows and numbers: x, y, text, role."""
 
@@ -57,6 +53,7 @@ def draw_robots(
     """Draw every robot as a chip over the labels of the picture `behind`. `before` keeps places: they stay
     while there is space."""
     occupancy = CellOccupancy(camera.width, camera.height, cells.roles)
+    astray = beyond(occupancy, scene, camera, look.plain)
     seen = seen_robots(scene, camera)
     if is_crowd(len(seen), camera):
         chips = crowd_chips(occupancy, seen, scene.frame.origin.yaw, look.plain)
@@ -67,7 +64,7 @@ def draw_robots(
                 occupancy.keep_clear(*label.vertex)
         chips = _chips(occupancy, seen, scene, look, before.shifts, is_dense(scene, camera))
     move_aside(cells, behind, occupancy, before.labels, scene.at)
-    cells.write_all(chips)
+    cells.write_all(astray + chips)
 
 
 def is_dense(scene: Scene, camera: Camera) -> bool:
@@ -100,7 +97,7 @@ def _chips(
         elif dense and not is_special(robot) and (apart := _numbers(occupancy, [robot], at, shifts)):
             numbers += apart
         else:
-            texts = _texts(robot, arrow, look.plain, occupancy.width >= LARGE)
+            texts = texts_of(robot, arrow, look.plain, occupancy.width >= LARGE)
             chips += _whole_or_least(occupancy, robot, at, texts, arrow, look.plain, shifts)
     for robot, at, number in numbers:
         arrow = robot_glyph(robot, scene.frame.origin.yaw, look.plain), robot_roles(robot)[0]
@@ -118,10 +115,25 @@ def _whole_or_least(
     shifts: dict[int, Place],
 ) -> Chips:
     """Return the chip with the first text that has space, else the arrow alone, else a chip two rows off."""
-    if chip := _placed(occupancy, robot, at, texts, shifts) or _sign(occupancy, at, arrow):
+    if robot.misplaced:
+        chip = _in_place(occupancy, at, texts)  # a cell off it would be inside the building
+    else:
+        chip = _placed(occupancy, robot, at, texts, shifts)
+    if chip := chip or _sign(occupancy, at, arrow):
         return chip
-    least = _text((robot_tag(robot, plain, has_age=False), robot_roles(robot)[1]))
+    least = text_of((robot_tag(robot, plain, has_age=False), robot_roles(robot)[1]))
     return _placed(occupancy, robot, at, iter([least]), shifts, far=True)
+
+
+def _in_place(occupancy: CellOccupancy, at: Place, texts: Iterator[Text]) -> Chips:
+    """Return the chip that covers its robot's cell with the first of the texts that has space."""
+    x, y = at
+    for size, runs in texts:
+        start = min(x, occupancy.width - size.cells)
+        if (start == x or not size.has_text) and occupancy.has_room(start, y, size.cells):
+            occupancy.take(start, y, size.cells)
+            return _in_row(start, y, runs)
+    return []
 
 
 def _numbers(
@@ -160,7 +172,7 @@ def _pile(
     occupancy: CellOccupancy, robots: Sequence[SceneRobot], at: Place, plain: bool, shifts: dict[int, Place]
 ) -> Chips:
     """Return the count of robots in one cell."""
-    count = _text((f"{COUNT[plain]}{len(robots)}", StyleRole.ROBOT))
+    count = text_of((f"{COUNT[plain]}{len(robots)}", StyleRole.ROBOT))
     near_or_far = (_placed(occupancy, robots[0], at, iter([count]), shifts, far) for far in (False, True))
     return next(filter(None, near_or_far), [])
 
@@ -198,41 +210,6 @@ def _sign(occupancy: CellOccupancy, at: Place, arrow: tuple[str, StyleRole]) -> 
         return []
     occupancy.take(*at, 1)
     return [(*at, arrow[0][:1], arrow[1])]
-
-
-def _texts(robot: SceneRobot, arrow: tuple[str, StyleRole], plain: bool, is_large: bool) -> Iterator[Text]:
-    """Yield the texts of a robot's chip, each with its role, the most telling first."""
-    tag, role = robot_tag(robot, plain, has_age=False), robot_roles(robot)[1]
-    is_told = is_large and robot.alarmed and robot.online and robot.said
-    said = _short(robot.said) if is_told else ""
-    if said.isascii() and said.isprintable() and said:  # each letter takes one cell
-        yield _text(arrow, (tag, role), right=(f" {said}", role))
-        yield _text(arrow, (tag, role), left=(f"{said} ", role))
-    if not robot.online and (is_large or robot.selected):
-        number, age = robot_tag(robot, plain).split(" ", 1)
-        yield _text(arrow, (number, role), right=(f" {age}", role))
-    cells = len(arrow[0]) + len(tag)
-    yield ChipSize(cells, cells), [arrow, (tag, role)]  # of most robots: without the sums of `_text`
-    yield _text(arrow, (robot_number(robot), role))
-    yield _text((robot_number(robot), arrow[1]))
-
-
-@lru_cache(maxsize=256)
-def _short(said: str) -> str:
-    """Return an alarm's text up to a comma, a colon or a bracket, empty if even that is long."""
-    head = said if len(said) <= SAID else re.split(r", | \(|: ", said)[0]
-    return head if len(head) <= SAID else ""
-
-
-def _text(
-    *head: tuple[str, StyleRole],
-    left: tuple[str, StyleRole] | None = None,
-    right: tuple[str, StyleRole] | None = None,
-) -> Text:
-    """Return the runs of a chip with their size: those that stand at the robot, and a text beside them."""
-    runs = [run for run in (left, *head, right) if run is not None]
-    cells, of_head = (sum(len(text) for text, _ in part) for part in (runs, head))
-    return ChipSize(cells, of_head, left is not None), runs
 
 
 def _in_row(x: int, y: int, runs: Runs) -> Chips:

@@ -55,7 +55,7 @@ class SceneRobot(NamedTuple):
     @property
     def is_odd(self) -> bool:
         """Tell whether it may need a person soon, or a person knows of its trouble."""
-        return self.waits or self.obstacle or self.acknowledged
+        return self.waits or self.obstacle or self.acknowledged or self.misplaced
 
 
 @dataclass(frozen=True, slots=True)

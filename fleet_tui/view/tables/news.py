@@ -15,6 +15,7 @@ from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.localisation.jumps import is_jumping
+from fleet_tui.rules.localisation.misplaced import misplaced_text
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
@@ -116,6 +117,8 @@ def _navigation(state: FleetState, robot: Robot) -> Iterator[Run]:
         yield tr("pose uncertain"), StyleRole.WARN
     if state.is_fresh(robot, "pose") and is_jumping(robot, state.now):
         yield tr("pose jumps"), StyleRole.WARN
+    if (wrong := misplaced_text(state, robot)) and state.is_fresh(robot, "pose"):
+        yield tr(wrong), StyleRole.WARN
 
 
 def _vehicle(state: FleetState, robot: Robot) -> Iterator[Run]:

@@ -51,6 +51,9 @@ def test_the_length_is_along_the_graph_and_the_time_is_a_guess_at_a_usual_speed(
 def test_the_way_to_its_start_is_told_and_takes_time_too() -> None:
     route = draft_route(state().robots[R0], draft(place(3), place(4)))
     assert route is not None and route.text == f"1 m to the start, then 1 m, about 4 s at {ASSUMED}"
+    assert len(route.to_start[F0]) > 0 and route.to_start[F0][-1][2:] == route.lines[F0][0][:2]
+    here = draft_route(state().robots[R0], draft(place(3), place(4), starts_here=True))
+    assert here is not None and not here.to_start
     by_lift = draft_route(state().robots[R0], draft(place(12, F1), place(13, F1)))
     assert by_lift is not None and by_lift.approach >= 2.0
     unplaced = reduced(fleet(1, 2), with_lift(F0, 1, 2, 3, 4)).robots[R0]

@@ -14,15 +14,12 @@ from fleet_tui.model.events import (
     PausedReported,
 )
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.geometry import MapFrame
-from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.kind import Kind
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.why.reason import Strength
 from fleet_tui.rules.why.robot import stale_pose
 from fleet_tui.rules.why.why import reasons
 from tests.support.fleets import (
-    F0,
     R0,
     T0,
     battery,
@@ -154,13 +151,3 @@ def test_silence_of_all_robots_of_a_link_points_to_what_they_share() -> None:
     assert reasons(alone, alone.robots[R0])[0].remedy == CLASSES["offline"].action
     both = late_and_silent(0.0)
     assert reasons(both, both.robots[R0])[0].remedy.startswith("All 2 robots of rosbridge are silent")
-
-
-@pytest.mark.parametrize(("x", "is_off"), [(9.0, False), (11.9, False), (12.5, True), (-2.5, True)])
-def test_a_pose_beyond_the_map_is_told_also_of_a_robot_that_moves(x: float, is_off: bool) -> None:
-    state = reduced(fleet(1), link_up(T0), pose(T0), pose(T0 + 1, x, 5.0), tick(T0 + 1))
-    floor = replace(state.floors[F0], grid=OccupancyGrid(MapFrame(0.1, 100, 100), ()))
-    state = replace(state, floors={F0: floor})
-    found = [one.name for one in reasons(state, state.robots[R0])]
-    assert ("pose off the map" in found) is is_off
-    assert ("robot_0 is driving" in found) is not is_off

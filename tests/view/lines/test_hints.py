@@ -150,3 +150,14 @@ def test_keys_without_the_right_are_not_offered() -> None:
     assert lacks(Right.DISPATCH) == {"pose", "drive", "edit"}
     assert {"order", "pause", "pause_all", "cancel", "goal", "arm", "simple", "pose"} <= lacks(Right.VIEW)
     assert lacks(Right.VIEW).isdisjoint({"why", "history", "acknowledge", "camera", "programs", "routines"})
+
+
+def test_a_focused_map_offers_to_be_enlarged_also_at_80_columns() -> None:
+    def shown(state: FleetState, focused: str) -> str:
+        offered = hints(KEYS, Pane.MAP, hidden=idle_hints(state), focused=focused)
+        return text_of(footer(*offered, KEYS, 80)[0])
+
+    assert " = enlarge " in shown(fleet(), "map") and " w why " in shown(fleet(), "map")
+    assert " = enlarge " not in shown(fleet(), "events")
+    trouble = reduced(fleet(), link_up(T0), battery(T0, 5.0), tick(T0))
+    assert " ! look " in shown(trouble, "map") and " w why " in shown(trouble, "map")

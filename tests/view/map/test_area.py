@@ -43,11 +43,13 @@ def test_vertices_on_unknown_ground_are_in_it() -> None:
     assert area == (900 - MARGIN * M, 40 - MARGIN * M, 1800 + MARGIN * M, 700 + MARGIN * M)
 
 
-def test_a_robot_outside_extends_it_in_steps_and_one_off_the_map_does_not() -> None:
+def test_a_robot_outside_extends_it_in_steps_also_near_the_map_and_one_far_off_does_not() -> None:
     still = worth_seeing(scene(), ())
     assert worth_seeing(scene(), [robot(50.0, 30.0), robot(5000.0, 30.0), robot(float("nan"), 1.0)]) == still
     one, beside = (worth_seeing(scene(), [robot(x, 30.0)]) for x in (71.0, 73.0))
     assert one == beside
     assert one is not None
     assert one[2] == 75.0 * M
+    beside_the_map = worth_seeing(scene(), [robot(-6.0, 30.0)])
+    assert beside_the_map is not None and beside_the_map[0] == -10.0 * M
     assert STEP == 5.0

@@ -6,6 +6,7 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.view.map.map_picture import CAPTION_ROWS, MapPicture
 from fleet_tui.view.map.modes.mode import CursorMode
 from fleet_tui.view.map.scene import Mission
+from fleet_tui.view.roles import StyleRole
 from tests.support.map_pane import SCENE, moved
 
 
@@ -107,3 +108,18 @@ def test_the_cell_of_the_map_under_the_cursor_is_counted_from_the_upper_left() -
     frame = SCENE.frame
     column, row = int(2.01 / frame.resolution), frame.height - int(9.99 / frame.resolution) - 1
     assert (SCENE.grid is not None) == (f"cell {column}, {row}" in caption(picture))
+
+
+def test_without_a_map_the_edges_are_shown_until_they_are_switched_off() -> None:
+    def edges(picture: MapPicture, has_map: bool) -> bool:
+        picture.show(replace(SCENE, grid=SCENE.grid if has_map else None, edges=((2.0, 5.0, 18.0, 5.0),)))
+        cells = picture.cells(100, 30, False)
+        assert cells is not None
+        return bool((cells.roles == StyleRole.EDGE).any())
+
+    picture = MapPicture()
+    assert edges(picture, has_map=False) and not edges(picture, has_map=True)
+    picture.options = replace(picture.options, edges=False)
+    assert not edges(picture, has_map=False)
+    picture.options = replace(picture.options, edges=True)
+    assert edges(picture, has_map=True)

@@ -10,6 +10,8 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.model.order import Order, OrderQueue, OrderState, Stop
+from fleet_tui.rules.language.lookup import Place
+from fleet_tui.rules.routes.order_draft import Draft, draft_route
 from fleet_tui.view.map.floor_scene import floor_scene
 from fleet_tui.view.map.scene import Mission, Scene
 from fleet_tui.view.selection import Selection
@@ -191,3 +193,11 @@ def test_the_edge_on_which_a_robot_with_an_alarm_stands_is_marked_while_it_lasts
     assert [set(places((line,))) for line in scene(found).blocked] == [{(0.0, 0.0), (1.0, 0.0)}]
     gone = reduced(found, events.ObstacleReported(R0, T0 + 1, 0.0), pose(T0 + 1, 0.4), tick(T0 + 9))
     assert scene(gone).blocked == ()
+
+
+def test_of_an_order_being_typed_the_way_to_its_start_is_as_one_that_follows() -> None:
+    state = reduced(fleet(1), pose(T0, 0.0), graph(1, 2, 3, 4))
+    draft = Draft(R0, (Place("3", "C", F0), Place("4", "D", F0)))
+    found = floor_scene(state, Selection(R0, F0), (draft, draft_route(state.robots[R0], draft))).mission
+    assert found is not None
+    assert found.current[0][:2] == found.following[-1][2:] != found.following[0][:2]

@@ -227,3 +227,13 @@ def test_an_alarms_text_beside_its_robot_is_short_and_whole_or_left_to_the_alarm
     ):
         text = drawn((robot(5, 0)._replace(alarmed=True, said=said),))
         assert next(row for row in text.split("\n") if "5!" in row).strip() == chip
+
+
+def test_who_is_off_the_map_stands_exactly_there_although_a_place_beside_it_would_hide_less() -> None:
+    place = SceneVertex("1", 10.05, 5.0, label="Base"), SceneVertex("2", 10.05, 4.0, label="Gate")
+    for n in range(8):
+        lost = robot(1, n)._replace(misplaced=True)
+        scene = replace(EMPTY, vertices=place, robots=(lost,))
+        text = picture(backdrop(scene, CAMERA, MapOptions()), scene, CAMERA, MapOptions()).text()
+        at = seen_robots(scene, CAMERA)[0][1]
+        assert text.split("\n")[at[1]][at[0] :].startswith("→1?"), n

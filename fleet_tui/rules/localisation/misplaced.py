@@ -1,0 +1,69 @@
+"""Poses at which no robot can be: inside a wall, or away from all known ground of the map."""
+
+from functools import lru_cache
+
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.geometry import MapFrame
+from fleet_tui.model.grid import FREE, OCCUPIED, OccupancyGrid
+from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.set_up.mode import mapping_text
+
+SIZE = 1.0, 1.0
+"""Length and width in metres of a robot that tells none."""
+BESIDE = 0.1
+"""Metres from free ground at which a pose in a wall may be one beside it."""
+
+
+def misplaced_text(state: FleetState, robot: Robot) -> str:
+    """Return why the last pose of a robot is no place on its floor, empty if it may be one, or no map is
+    known. Whoever makes a map is beyond it."""
+    ground = _ground(state, robot) if robot.pose is not None else None
+    if robot.pose is None or ground is None:
+        return ""
+    (grid, frame), pose = ground, robot.pose.value
+    column, row = frame.to_pixel(pose.x, pose.y)
+    if not (abs(column) < 1e9 and abs(row) < 1e9):
+        return ""  # no number at all: told as bad data
+    here = FREE
+    is_on = 0.0 <= column < frame.width and 0.0 <= row < frame.height
+    if is_on:
+        here = int(grid.levels[0][int(row), int(column)])
+        if here == FREE:  # nearly always: this is asked of every robot in every tick
+            return ""
+    if here == OCCUPIED:
+        return "" if _is_free(grid, frame, column, row, BESIDE) else "pose inside a wall"
+    reach = max(robot.size or SIZE)
+    away = max(-column, column - frame.width, -row, row - frame.height) * frame.resolution
+    is_off = away > reach or not _is_free(grid, frame, column, row, reach)
+    return "pose off the map" if is_off and not mapping_text(robot) else ""
+
+
+def _is_free(grid: OccupancyGrid, frame: MapFrame, column: float, row: float, reach: float) -> bool:
+    """Tell whether there is free ground so many metres around a pixel."""
+    across, left, top = round(reach / frame.resolution), int(column), int(row)
+    rows, columns = (slice(max(at - across, 0), max(at + across + 1, 0)) for at in (top, left))
+    return bool((grid.levels[0][rows, columns] == FREE).any())
+
+
+def _ground(state: FleetState, robot: Robot) -> tuple[OccupancyGrid, MapFrame] | None:
+    """Return the map of a robot's floor, and where the robot has it: as the picture shows it, the file first,
+    then a live map."""
+    floor = state.floors.get(robot.floor or "")
+    if floor is None:
+        return None
+    own = robot.maps.get(floor.name)
+    if floor.grid is not None:
+        frame = floor.grid.frame if floor.tied else own.frame if own is not None else None
+        size = floor.grid.frame.width, floor.grid.frame.height
+        return (floor.grid, frame) if frame is not None and (frame.width, frame.height) == size else None
+    live = (own.grid if own is not None else None) or floor.live or _live(state).get(floor.name)
+    if live is None or (own is not None and own.frame not in (None, live.frame)):
+        return None
+    return live, live.frame
+
+
+@lru_cache(maxsize=1)  # asked for each robot of a tick
+def _live(state: FleetState) -> dict[str, OccupancyGrid]:
+    """Return a live map of each floor of which a robot has one."""
+    maps = ((name, one.grid) for robot in state.robots.values() for name, one in robot.maps.items())
+    return {name: grid for name, grid in maps if grid is not None}

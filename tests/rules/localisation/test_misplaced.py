@@ -1,0 +1,74 @@
+"""Poses at which no robot can be."""
+
+import math
+
+import pytest
+
+from fleet_tui.model import events
+from fleet_tui.model.events import PausedReported
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.geometry import MapFrame
+from fleet_tui.model.occupancy import grid_from_ros
+from fleet_tui.rules.alarms.trouble import next_in_trouble, to_look_at
+from fleet_tui.rules.localisation.misplaced import misplaced_text
+from fleet_tui.rules.why.reason import Strength
+from fleet_tui.rules.why.why import reasons
+from fleet_tui.view.tables.news import news
+from tests.support.fleets import F0, R0, T0, fleet, link_up, pose, reduced, tick
+
+FRAME = MapFrame(0.05, 100, 100)
+OFF, WALL = "pose off the map", "pose inside a wall"
+
+
+def at(x: float, y: float, *more: events.Event) -> FleetState:
+    """A room of 2 x 2 m in the corner of a map of 5 x 5 m: its right wall is 0.5 m thick, beyond is unknown
+    ground."""
+    above, below = bytes([255] * 100) * 60, bytes([0] * 40 + [100] * 10 + [255] * 50) * 40
+    loaded = events.FloorMapLoaded(F0, grid_from_ros(FRAME, below + above))
+    places = pose(T0, x, y), pose(T0, 1.0, 1.0, robot="robot_1")
+    return reduced(fleet(2), link_up(T0 - 9), loaded, *places, *more)
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "text"),
+    [
+        (1.0, 1.0, ""),
+        (2.03, 1.0, ""),  # beside the wall by a cell
+        (2.25, 1.0, WALL),
+        (1.0, 2.9, ""),  # unknown ground, but near
+        (1.0, 3.5, OFF),
+        (4.0, 1.0, OFF),
+        (-0.9, 1.0, ""),
+        (-1.5, 1.0, OFF),
+        (math.nan, 1.0, ""),
+    ],
+)
+def test_a_pose_in_a_wall_or_away_from_known_ground_is_none(x: float, y: float, text: str) -> None:
+    state = at(x, y)
+    assert misplaced_text(state, state.robots[R0]) == text
+    assert to_look_at(state) == ((R0,) if text else ())
+
+
+def test_who_is_off_the_map_is_in_its_row_found_and_explained_first() -> None:
+    state = at(-3.0, 1.0, PausedReported(R0, T0, True))
+    robot = state.robots[R0]
+    assert OFF in [text for text, _ in news(state, robot)]
+    assert next_in_trouble(state, "") == R0
+    first = reasons(state, robot)[0]
+    assert (first.name, first.strength) == (OFF, Strength.CERTAIN)
+    assert first.remedy.startswith("Set its pose") and first.keys[0] == "pose"
+
+
+def test_an_old_pose_off_the_map_is_no_news_of_today() -> None:
+    state = at(-3.0, 1.0, tick(T0 + 60))
+    assert OFF not in [text for text, _ in news(state, state.robots[R0])]
+
+
+def test_without_a_map_no_pose_is_wrong() -> None:
+    state = reduced(fleet(), link_up(T0 - 9), pose(T0, -300.0, 1.0))
+    assert misplaced_text(state, state.robots[R0]) == "" and not to_look_at(state)
+
+
+def test_it_is_told_also_of_a_robot_that_moves() -> None:
+    state = at(-3.0, 1.0, pose(T0 + 0.5, -3.2, 1.0), tick(T0 + 0.5))
+    assert reasons(state, state.robots[R0])[0].name == OFF
