@@ -70,7 +70,7 @@ class Why(RobotOverlay):
         self._backend = backend
         self._shown: list[str] = []
         self._cuts: tuple[object, int] = (None, 0)
-        """For a robot in a size, the steps by which the text is shorter: none is taken back, it would dance."""
+        """For a robot in a size, the steps by which the text is shorter: none is taken back."""
         self._cut: tuple[str, list[str]] = ("", [])
         """A robot, and the lines on the orders whose ways are cut."""
         self._searched, self._is_searching = ("", 0.0), False
@@ -106,9 +106,9 @@ class Why(RobotOverlay):
         """Return the lines, wrapped: without blank ones, and then briefly, if they don't all fit."""
         has_size = self.styles.height is not None and not self.styles.height.is_auto
         lines, width = (self.size.height if has_size else 0), self.query_one("#reasons").size.width
-        of, cuts = self._cuts
-        cuts = cuts if of == (name, self.size) else 0
-        for cuts in range(cuts, MOST_CUTS + 1):
+        of, taken = self._cuts
+        first = taken if of == (name, self.size) else 0
+        for cuts in range(first, MOST_CUTS + 1):
             is_brief = cuts == MOST_CUTS
             found = _wrapped([line for line in tell(is_brief) if line or not cuts], width)
             if not lines or len(found) <= lines:

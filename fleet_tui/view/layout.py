@@ -51,7 +51,8 @@ class DialogBox(NamedTuple):
 
 def dialog_box(events: tuple[int, int], map_width: int, width: int, lines: int, usual: int = 0) -> DialogBox:
     """Return the place of a dialog about the map, never over that: the cells and lines of the last `events`,
-    else at the end of the tables beside it, of `usual` lines if those are more. It is the same whatever the dialog says."""
+    else the end of the tables beside it, of `usual` lines if those are more. It is the same whatever the
+    dialog says."""
     if events[1] >= LEAST_DIALOG:
         return DialogBox(0, *events)
     return DialogBox(map_width + 1, width - map_width - 1, min(max(usual, USUAL_DIALOG), lines - LEAST_FLEET))

@@ -6,7 +6,7 @@ from itertools import zip_longest
 from textual.content import Content
 from textual.widgets import OptionList
 
-from fleet_tui.text.sanitize import cell_width
+from fleet_tui.text.sanitize import cell_width, fit_words
 
 
 class Matches(OptionList, can_focus=False):
@@ -32,8 +32,12 @@ class Matches(OptionList, can_focus=False):
     def _prompt(self, text: str, key: str) -> str | Content:
         # The scroll bar may come and go, with a gap before it.
         width = self.size.width - self.styles.scrollbar_size_vertical - 1
-        gap = width - cell_width(text) - cell_width(key)
-        return Content.assemble(text, " " * gap, (key, "$text-accent")) if key and gap > 0 else text
+        left = width - cell_width(key) - 1
+        if not key or left < 1:
+            return text
+        # On a second line there would be no place for the key.
+        shown = fit_words(text, left)
+        return Content.assemble(shown, " " * (left + 1 - cell_width(shown)), (key, "$text-accent"))
 
     def step(self, rows: int) -> None:
         """Mark another one."""

@@ -72,7 +72,7 @@ class Panes(Container):
         await self.below.maps.mount(below)
 
     def place_dialogs(self, large: Widget, *dialogs: Widget) -> None:
-        """Keep dialogs about the map in one place that covers none of it, one that says much in a larger one."""
+        """Keep dialogs about the map in one place that covers none of it, a `large` one in a larger one."""
         self._dialogs, self._large = DialogPlace(*dialogs), DialogPlace(large)
 
     @property

@@ -26,7 +26,7 @@ async def test_an_order_of_two_stops_by_keyboard_is_driven_to_its_end(site: Move
         await it.type("Base")
         await it.press("enter")
         await it.shows("Consumidores -> Base", "queue")
-        await it.shows("Queue robot_0 1 order from here", "queue")
+        await it.shows("Queue robot_0 1 order", "queue")
         await it.until(lambda state: placed(state) and placed(state)[0].stage is Stage.DONE)
     assert len({goal["goal_id"]["id"] for goal in site.navigation().received}) == 2
 

@@ -106,7 +106,8 @@ async def test_a_second_order_waits_here_and_the_title_says_whose_queue_it_is(si
         await order(it, "Base", "Receiving")
         await it.until(of_order(Stage.WAITING, 1))
         await it.shows("waiting here", "queue")
-        await it.shows("orders from here", "queue")
+        await it.shows("Queue robot_0 2 orders", "queue")
+        assert "from here" not in it.pane("queue"), "some are from elsewhere"
         await it.press("down", "down")
         await it.press("p")
         await it.shows("stopped, goal kept here")

@@ -18,3 +18,13 @@ async def test_the_mark_goes_round_and_begins_with_the_first() -> None:
         matches.show([])
         assert matches.highlighted is None
         assert not matches.can_focus
+
+
+async def test_a_long_line_is_cut_before_its_key() -> None:
+    matches = Matches(id="matches")
+    async with WidgetApp(matches).run_test(size=(30, 10)) as pilot:
+        await pilot.pause()
+        matches.show(["go to the next robot in trouble, whatever its floor"], keys=["!"])
+        shown = str(matches.get_option_at_index(0).prompt)
+        assert shown.endswith(" !") and "…" in shown
+        assert len(shown) < 30

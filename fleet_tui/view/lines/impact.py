@@ -32,7 +32,11 @@ def impact_text(cut: Sequence[CutOrder], may: bool = False) -> str:
 
 
 def draft_text(state: FleetState, robot: Robot, route: DraftRoute) -> str:
-    """Return the length and time of an order that is being typed, and the closed edges on its way."""
+    """Return the length and time of an order that is being typed, and the closed edges on its way; of one
+    that is not possible why."""
+    floors = {*route.lines, robot.floor} - {None}
+    if not robot.kind.changes_floors and (route.by_lift or len(floors) > 1):
+        return tr(f"an order can't change floors: {robot.name} is on {sanitize(robot.floor or '-')}")
     closed = closed_on_way(state.desk.closed, robot, route.lines)
     named = some([edge_text(robot, edge.ends) for edge in closed])
     return tr(sanitize(f"{route.text}; closed: {named}" if closed else route.text))

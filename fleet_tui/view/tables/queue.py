@@ -130,10 +130,7 @@ def _title(
     ours = not all_robots and robot.kind.keeps_goals
     runs: list[Run] = [(tr("Queue all robots") if all_robots else tr(f"Queue {robot.name}"), StyleRole.TITLE)]
     if all_robots or (robot.kind.lists_orders and (count or not ours)):
-        left = width - width_of(runs) - len(tr(CLEAR)) - 2
-        counted = tr(f" {count} order{'s' * (count != 1)}")
-        whose = tr(" from here") if ours and len(counted + tr(" from here")) <= left else ""
-        runs.append((counted + whose, StyleRole.DIM))
+        runs.append((tr(f" {count} order{'s' * (count != 1)}"), StyleRole.DIM))
     if ours and robot.held:
         runs.append((tr(f" held: {sanitize(robot.held)}"), StyleRole.WARN))
     if placed:

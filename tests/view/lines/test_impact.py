@@ -1,11 +1,13 @@
 """The orders whose way is cut, in words."""
 
+from msgspec.structs import replace
+
 from fleet_tui.model.desk.desk import ends_of
 from fleet_tui.model.desk.events import DeskJoined, EdgeClosed
 from fleet_tui.model.events import ObstacleReported
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.rules.routes.impact import cut_orders
-from fleet_tui.rules.routes.order_draft import Draft, draft_route
+from fleet_tui.rules.routes.order_draft import Draft, DraftRoute, draft_route
 from fleet_tui.view.lines.impact import draft_text, impact_lines, impact_text, why_impact
 from tests.support.fleets import F0, R0, T0, labels, pose, queue, reduced
 from tests.support.street import fleet_with
@@ -64,3 +66,15 @@ def test_an_order_that_is_typed_names_the_closed_edges_on_its_way() -> None:
         route = draft_route(robot, draft)
         assert route is not None
         assert draft_text(state, robot, route) == route.text + expected
+
+
+def test_an_order_to_another_floor_says_while_typed_that_it_is_not_possible() -> None:
+    state = fleet_with(pose(T0, 0.0, 0.0))
+    robot = state.robots[R0]
+    fixed = replace(robot, kind=replace(robot.kind, changes_floors=False))
+    told = f"an order can't change floors: {R0} is on {F0}"
+    for by_lift, lines in ((True, {F0: ()}), (False, {"floor_1": ()})):
+        route = DraftRoute(lines, 40.0, by_lift)
+        assert draft_text(state, fixed, route) == told
+        assert draft_text(state, robot, route) == route.text
+    assert draft_text(state, fixed, DraftRoute({F0: ()}, 40.0)).startswith("40 m")

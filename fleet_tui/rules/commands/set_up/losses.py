@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from typing import assert_never
 
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.geometry import Pose
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import (
     CancelGoal,
@@ -25,14 +26,25 @@ OLD = 5.0
 """Seconds after which the age of a pose is said."""
 
 
+def _differs(state: FleetState, robot: Robot, pose: Pose) -> Iterator[str]:
+    """Yield how far a pose is from what the robot reported itself."""
+    if (now := believed(robot)) is None:
+        return
+    differs, is_old = difference_text(now.value, pose), state.now - now.at > OLD
+    if is_old and now != robot.pose:
+        # The pose that is shown is carried on by its wheels, and is newer.
+        yield f"{differs} from the last pose of its localisation, {age(state.now - now.at)} ago"
+        return
+    since = f", reported {age(state.now - now.at)} ago" if is_old else ""
+    yield f"{differs} from its present pose{since}"
+
+
 def set_up_losses(state: FleetState, robot: Robot, command: SetUp) -> Iterator[str]:
     """Return the question and the difference to now, one line each; empty for a harmless command."""
     match command:
         case SetPose(name, floor, pose):
             yield f"{name}: {command.text} on {floor}?"
-            if (now := believed(robot)) is not None:
-                since = f", reported {age(state.now - now.at)} ago" if state.now - now.at > OLD else ""
-                yield f"{difference_text(now.value, pose)} from its present pose{since}"
+            yield from _differs(state, robot, pose)
         case Localise(name):
             yield f"{name}: forget its pose and search on the whole map?"
         case CancelGoal(name):

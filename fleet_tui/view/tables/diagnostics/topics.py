@@ -83,7 +83,7 @@ def topic_table(state: FleetState, links: Links, wanted: str, now: float, select
 def _head(names: int, bad: int) -> tuple[Run, ...]:
     words = map(tr, ("State", "Topic", "Rate", "At most", "Last", "Bytes", "Messages"))
     state, topic, rate, most, last, size, count = words
-    heads = f"{state:<17}{topic:<{names}} {rate:>8} {most:>8} {last:>10} {'':{bad}}{size:>9} {count:>8}"
+    heads = f"{state:<17}{last:>10} {topic:<{names}} {rate:>8} {most:>8} {'':{bad}}{size:>9} {count:>8}"
     return ((heads, StyleRole.DIM),)
 
 
@@ -111,10 +111,10 @@ def _runs(state: Run, topic: TopicCounter, names: int, bad: int, now: float) -> 
     errors = tr(f"{topic.errors:,} bad") if topic.errors else ""
     runs = [
         (f"{word:<17}", role),
+        (f"{tr(ago(topic.at, now)):>10} ", StyleRole.WARN if role is StyleRole.WARN else StyleRole.TEXT),
         (fit(_shortened(sanitize(topic.topic), names), names) + " ", StyleRole.TEXT),
         (f"{rate:>8} ", StyleRole.TEXT),
         (f"{asked_rate(topic.asked_ms):>8} ", StyleRole.DIM),
-        (f"{tr(ago(topic.at, now)):>10} ", StyleRole.WARN if role is StyleRole.WARN else StyleRole.TEXT),
         (f"{errors:>{bad - 1}} " if bad else "", StyleRole.WARN),
         (f"{size:>9} {topic.count:>8,}  ", StyleRole.DIM),
     ]

@@ -1,5 +1,7 @@
 """The questions of set-up commands."""
 
+from msgspec.structs import replace
+
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.set_up.commands import Localise, SendGoal, SendGraph, SetMapping, SetPose, Settle
@@ -15,6 +17,13 @@ def test_a_pose_is_compared_with_the_present_one() -> None:
     assert list(set_up_losses(later, later.robots[R0], SetPose(R0, F0, Pose(0.0, 0.0))))[1].endswith(
         "present pose, reported 60 s ago"
     )
+
+
+def test_an_old_pose_of_the_localisation_is_not_called_the_present_one() -> None:
+    state = reduced(fleet(), pose(T0, 3.0, 4.0), tick(T0 + 60), pose(T0 + 60, 3.0, 4.0))
+    robot = replace(state.robots[R0], located=Pose(0.0, 4.0, 0.0), located_at=T0)
+    (_, told) = set_up_losses(state, robot, SetPose(R0, F0, Pose(0.0, 0.0)))
+    assert told == "4.00 m and 0° from the last pose of its localisation, 60 s ago"
 
 
 def test_the_harmless_ones_do_not_ask() -> None:

@@ -25,7 +25,7 @@ def test_topics_with_problems_first_then_in_the_order_of_the_config_each_with_ho
     ]
     assert text(table)[0] == "Topics 6, 2 with problems"
     assert row(table, BATTERY).startswith("✗ not subscribed") and "std_msgs/Float64" in row(table, BATTERY)
-    assert row(table, POSE).split()[:7] == ["●", "live", POSE, "10.0", "Hz", "0.0", "s"]
+    assert row(table, POSE).split()[:8] == ["●", "live", "0.0", "s", "ago", POSE, "10.0", "Hz"]
     assert row(table, "robot_1/pose").startswith("○ silent") and "6.0 s ago" in row(table, "robot_1/pose")
     assert row(table, GRAPH).startswith("● received") and "Hz" not in row(table, GRAPH)
     assert row(table, MAP).startswith("· on demand") and "never" in row(table, MAP)
@@ -37,10 +37,10 @@ def test_long_names_keep_both_ends_and_the_columns_have_heads() -> None:
     link = LinkCounter(LINK, [TopicCounter(long, R0, "pose"), TopicCounter(POSE, R0, "pose")])
     state, links = seen(link)
     table = topic_table(state, links, "", NOW)
-    assert row(table, POSE).split()[3:4] == [POSE]
+    assert POSE in row(table, POSE).split()
     assert "/robot_0/fo…oints/_action/feedback" in row(table, "feedback")
     assert text_of(table.head).split() == [
-        *("State", "Topic", "Rate", "At", "most", "Last", "Bytes", "Messages")
+        *("State", "Last", "Topic", "Rate", "At", "most", "Bytes", "Messages")
     ]
 
 
@@ -87,7 +87,7 @@ def test_a_topic_is_silent_after_its_own_time_and_never_where_it_comes_on_change
     for topic in link.topics.values():
         topic.count_frame(b"x", False, NOW - 30.0)
     table = topic_table(state, links, "", NOW)
-    states = {name: row(table, name).split("/")[0].strip() for name in ("battery", "pose", "goals")}
+    states = {name: row(table, name)[:12].strip() for name in ("battery", "pose", "goals")}
     assert states == {"battery": "● live", "pose": "○ silent", "goals": "● received"}
 
 
@@ -97,7 +97,7 @@ def test_the_rate_that_was_requested_is_beside_that_of_the_messages() -> None:
     link.topics[POSE].asked_ms, link.topics[BATTERY].asked_ms = 100, 0
     state, links = seen(link)
     table = topic_table(state, links, "", NOW)
-    assert row(table, POSE).split()[3:7] == ["10.0", "Hz", "10.0", "Hz"]
+    assert row(table, POSE).partition(POSE)[2].split()[:4] == ["10.0", "Hz", "10.0", "Hz"]
     assert "Hz" not in row(table, BATTERY)
 
 
