@@ -112,7 +112,7 @@ class MapPicture:
             follow=self.viewport.follow,
             zoom_robot=self.viewport.zoom_robot,
             focused=focused,
-            waits=scene.waits if scene.note else True,
+            waits=scene.waits if scene.note else not (scene.selected and scene.selected.misplaced),
             banner=self._banner(scene, camera),
             hint=self.hint,
             elsewhere=", ".join(filter(None, (_trouble_out_of_view(scene, camera), scene.elsewhere))),

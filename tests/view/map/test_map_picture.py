@@ -123,3 +123,14 @@ def test_without_a_map_the_edges_are_shown_until_they_are_switched_off() -> None
     assert not edges(picture, has_map=False)
     picture.options = replace(picture.options, edges=True)
     assert edges(picture, has_map=True)
+
+
+def test_who_is_selected_and_out_of_view_is_a_problem_only_off_the_map() -> None:
+    picture = MapPicture()
+    for is_off in (False, True):
+        lost = SCENE.robots[0]._replace(selected=True, misplaced=is_off, pose=Pose(-900.0, 5.0))
+        picture.show(replace(SCENE, robots=(lost,)))
+        cells = picture.cells(100, 30, False)
+        assert cells is not None and "is out of view" in caption(picture)
+        assert bool((cells.roles[0] == StyleRole.WARN).any()) is is_off
+        assert ("⇠" in cells.text()) is is_off
