@@ -169,3 +169,15 @@ async def test_why_orders_are_held_and_that_resume_helps(site: Site) -> None:
         await it.shows(f"held: order {first}: cancelled elsewhere", "queue")
         await it.press("w")
         await it.shows("1 order waiting here: resume to continue")
+
+
+async def test_why_and_the_diagnostics_name_missing_odometry(site: Site) -> None:
+    async with console(site.config, WIDE) as it:
+        await it.until(nav2_ready)
+        site.navigation().robot.odometry = False
+        await it.until(lambda state: state.is_old(state.robots[R0], "pose"))
+        await it.press("w")
+        await it.shows("no odometry on /robot_0/odom")
+        await it.press("d")
+        await it.until(lambda state: "▸○ silent" in it.text)
+        assert any("▸○" in line and "/robot_0/odom" in line for line in it.text.splitlines())

@@ -27,7 +27,7 @@ class DiagnosticsControls:
         """Show a page, by default the one that was open last; a topic of `robot` is marked if another one was
         looked at, on a given page its worst part, too."""
         self._pages.robot = robot
-        if robot != self._robot:
+        if robot != self._robot or page is Page.TOPICS:
             self._robot, self._pages.topic = robot, self._pages.first_topic(robot)
             self._cursors[Page.TOPICS] = self._pages.topic
             if self.current is Page.TOPICS:
