@@ -28,7 +28,8 @@ class DiagnosticsControls:
         looked at, on a given page its worst part, too."""
         self._pages.robot = robot
         if robot != self._robot or page is Page.TOPICS:
-            self._robot, self._pages.topic = robot, self._pages.first_topic(robot)
+            first = self._pages.worst_topic if page is Page.TOPICS else self._pages.first_topic
+            self._robot, self._pages.topic = robot, first(robot)
             self._cursors[Page.TOPICS] = self._pages.topic
             if self.current is Page.TOPICS:
                 self._view.rows.listing.cursor = self._pages.topic

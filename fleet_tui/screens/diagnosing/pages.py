@@ -79,16 +79,18 @@ class Pages:
         return [(state.links[name], counter) for name, counter in counters.items() if name in state.links]
 
     def first_topic(self, robot: str) -> tuple[str, str] | None:
-        """Return the topic to begin with: a robot's first, one with a problem before the others."""
-        state, links = self._state(), self.links()
-        own = {
-            (link.name, one.topic)
-            for link, counter in links
-            for one in counter.topics.values()
-            if one.robot == robot
-        }
-        keys = topic_table(state, links, "", state.now, robot).keys
-        return next((key for key in keys if isinstance(key, tuple) and key in own), None)
+        """Return a robot's first topic."""
+        return next(iter(self._topics(robot)), None)
+
+    def worst_topic(self, robot: str) -> tuple[str, str] | None:
+        """Return the topic of a robot that the page has first: one with a problem before the others."""
+        own, state = self._topics(robot), self._state()
+        keys = topic_table(state, self.links(), "", state.now, robot).keys
+        return min(own, key=keys.index, default=None)
+
+    def _topics(self, robot: str) -> list[tuple[str, str]]:
+        found = [(link.name, one) for link, counter in self.links() for one in counter.topics.values()]
+        return [(link, one.topic) for link, one in found if one.robot == robot]
 
     def first_part(self, robot: str) -> Hashable:
         """Return the row of the worst part of a robot's own diagnostics, None without one."""
