@@ -36,7 +36,7 @@ def drive(tmp_path: Path) -> Path:
 async def test_what_was_played_since_the_last_jump_is_counted(drive: Path) -> None:
     async with replayed(drive, "+35s") as it:
         await it.press("d", "2")
-        await it.shows(f"● live           {POSE}", "diagnostics-rows")
+        await it.shows(f"● live            0.0 s ago {POSE}", "diagnostics-rows")
         assert "1.0 Hz" in it.pane("diagnostics-rows") and at(35) in it.text
         await it.press("enter")
         await it.shows('"x": 35')
