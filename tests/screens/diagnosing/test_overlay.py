@@ -24,7 +24,9 @@ async def test_a_wrong_field_is_seen_from_the_topic_to_the_raw_text(
 ) -> None:
     async with console(config_of(server.url, 2, 2), size) as it:
         await open_page(it, 2, "Topics 30, 0 with problems")
-        await it._wait(lambda: bool(re.search(r"● live +\d\.\d s ago /robot_0/pose +\d+\.\d Hz", pane(it))), "a rate")
+        await it._wait(
+            lambda: bool(re.search(r"● live +\d\.\d s ago /robot_0/pose +\d+\.\d Hz", pane(it))), "a rate"
+        )
         server.bridge.muted.add(BATTERY)
         server.bridge.publish_raw(BATTERY, {"percent": 55.5, "cells": list(range(99))})
         await it.shows("▲ bad data")
