@@ -34,12 +34,18 @@ def cause_of_standing(state: FleetState, robot: Robot) -> str:
 
 HELD_FAST = "Look at the robot: its wheels or its way may be blocked"
 """The remedy for a drive without progress."""
+NO_WAY = "Check the goal, the map and the costmap: the robot finds no way to it"
+"""The remedy for a goal without a plan."""
 
 
-def is_held_fast(cause: str) -> bool:
-    """Tell whether the words of a navigation stack mean a drive without progress: Nav2's `Failed to make
-    progress`, move_base's `Even after executing recovery behaviors`."""
-    return not {"progress", "recovery"}.isdisjoint(cause.split())
+def remedy_of(cause: str) -> str:
+    """Return the remedy for the words of a navigation stack, empty for others: without a plan are Nav2's `no
+    path to the goal` and move_base's `Failed to find a valid plan`, without progress `Failed to make progress`
+    and `Even after executing recovery behaviors`."""
+    words = {*cause.replace(".", " ").split()}
+    if "plan" in words or "no path" in cause:
+        return NO_WAY
+    return HELD_FAST if words & {"progress", "recovery"} else ""
 
 
 def cause_of_end(robot: Robot, gone: GoneOrder) -> str:

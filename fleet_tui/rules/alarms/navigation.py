@@ -6,7 +6,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
-from fleet_tui.rules.causes import HELD_FAST, cause_of_end, is_held_fast
+from fleet_tui.rules.causes import cause_of_end, remedy_of
 from fleet_tui.rules.commands.failures import FAILED_FOR
 from fleet_tui.rules.commands.local_queue import HELD_BY_OTHERS, orders_to_save
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
@@ -101,9 +101,8 @@ def failed_order(state: FleetState, robot: Robot, _active: ActiveConditions) -> 
         return None
     text = f"{robot.order_text(last.order)} failed"
     cause, parts = cause_of_end(robot, last), frozenset({last.order.id})
-    remedy = HELD_FAST if is_held_fast(cause) else ""
     found = f"{text}: {cause or 'no reason reported'}"
-    return Condition(robot.name, "order", Priority.MEDIUM, found, text, parts=parts, remedy=remedy)
+    return Condition(robot.name, "order", Priority.MEDIUM, found, text, parts=parts, remedy=remedy_of(cause))
 
 
 NAVIGATION_RULES = (blocked, not_sure_where, silent, held_orders, failed_order)

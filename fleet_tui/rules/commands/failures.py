@@ -14,7 +14,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import route_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetUpCommand
-from fleet_tui.rules.causes import HELD_FAST, is_held_fast
+from fleet_tui.rules.causes import remedy_of
 from fleet_tui.rules.commands.batches import batches
 from fleet_tui.text.details import detail_text
 
@@ -85,7 +85,7 @@ def _failed(state: FleetState, key: Key, records: Sequence[commands.CommandRecor
         told = f"{last.detail.removeprefix(f'order {last.order_id}: ')} ({request})"
     drives_on = isinstance(last.command, commands.CancelOrder | commands.ClearOrders)
     drives_on = drives_on and state.robots[last.command.robot].orders.current is not None
-    remedy = HELD_FAST if last.stage is commands.Stage.FAILED and is_held_fast(last.detail) else ""
+    remedy = remedy_of(last.detail) if last.stage is commands.Stage.FAILED else ""
     return Condition(
         *key,
         Priority.HIGH if high else Priority.MEDIUM,

@@ -13,7 +13,7 @@ from fleet_tui.model.commands import (
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.classes import CLASSES
-from fleet_tui.rules.causes import HELD_FAST, cause_of_end, is_held_fast
+from fleet_tui.rules.causes import cause_of_end, remedy_of
 from fleet_tui.rules.commands.follow_up import seen_end
 from fleet_tui.rules.commands.local_queue import waiting
 from fleet_tui.rules.commands.newest import last_command
@@ -48,8 +48,8 @@ def command(state: FleetState, robot: Robot) -> Reason | None:
     strength = Strength.LIKELY if robot.orders.open else Strength.CERTAIN
     keys = (verb,) if failed else ()
     remedy = {Stage.FAILED: CLASSES["command"].action, Stage.LOST: CHECK_DELIVERY}.get(record.stage, "")
-    if record.stage is Stage.FAILED and is_held_fast(evidence):
-        remedy = HELD_FAST
+    if record.stage is Stage.FAILED:
+        remedy = remedy_of(evidence) or remedy
     if robot.kind.keeps_goals and record.stage is Stage.REFUSED:
         remedy = REJECTED
     return Reason(
@@ -72,8 +72,9 @@ def failed_order(state: FleetState, robot: Robot) -> Reason | None:
         return None
     evidence, cause = mission(robot, last.order), cause_of_end(robot, last)
     name = f"last order failed: {cause}" if cause else "last order failed, no reason reported"
-    remedy = HELD_FAST if is_held_fast(cause) else CLASSES["command"].action
-    keys = (*(LOOK_AT if is_held_fast(cause) else ()), "order", "diagnostics")
+    remedy = remedy_of(cause)
+    keys = (*(LOOK_AT if remedy else ()), "order", "diagnostics")
+    remedy = remedy or CLASSES["command"].action
     if last.stage is Stage.LOST:
         name, evidence = "last order lost", f"{evidence}{detail_text(last.reason)}"
         remedy = CHECK_DELIVERY

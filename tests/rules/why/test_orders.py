@@ -8,7 +8,7 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.model.order import Order, at_vertices
 from fleet_tui.model.order_life import GoneOrder
-from fleet_tui.rules.causes import HELD_FAST
+from fleet_tui.rules.causes import HELD_FAST, NO_WAY
 from fleet_tui.rules.why.orders import CHECK_DELIVERY, REJECTED
 from fleet_tui.rules.why.reason import Reason
 from fleet_tui.rules.why.why import reasons
@@ -61,13 +61,18 @@ def test_the_order_that_failed_last_is_why_a_robot_has_none() -> None:
     order = Order("7", at_vertices("1", "2"), None, "", 1)
     idle = reduced(moved(GOALS), queue(T0 + 9), pose(T0 + 9), tick(T0 + 9))
 
-    def after(stage: Stage, cause: str = "no path") -> Reason:
+    def after(stage: Stage, cause: str = "unplugged") -> Reason:
         gone = GoneOrder(order, T0, stage, cause)
         return reasons(idle, replace(idle.robots[R0], gone=(gone,)))[0]
 
-    assert (after(Stage.FAILED).name, after(Stage.FAILED).since) == ("last order failed: no path", T0)
+    assert (after(Stage.FAILED).name, after(Stage.FAILED).since) == ("last order failed: unplugged", T0)
     for cause in ("Failed to make progress", "no valid control. Even after executing recovery behaviors."):
         assert after(Stage.FAILED, cause).remedy == HELD_FAST != after(Stage.FAILED).remedy
+    for cause in (
+        "no path to the goal",
+        "Failed to find a valid plan. Even after executing recovery behaviors.",
+    ):
+        assert after(Stage.FAILED, cause).remedy == NO_WAY
     assert after(Stage.FAILED).page == "log" and "diagnostics" in after(Stage.FAILED).keys
     assert (after(Stage.LOST).name, after(Stage.LOST).remedy) == ("last order lost", CHECK_DELIVERY)
     assert after(Stage.DONE).name == "no orders"
