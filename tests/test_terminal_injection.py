@@ -110,10 +110,10 @@ def through_the_panes(terminal: Terminal) -> None:
 
 def through_the_commands(terminal: Terminal) -> None:
     terminal.press("o52;c")
-    look(terminal, "52;c", "␛]52;c;aGFja2Vk␇Dispatch  (")
+    look(terminal, "52;c", "␛]52;c;aGFja2Vk␇Dispatch")
     terminal.press("\r")
     terminal.press("0;title")
-    look(terminal, "␛]0;title␛\\ ␛P+q544e␛\\Receiving  (")
+    look(terminal, "␛]0;title␛\\ ␛P+q544e␛\\Receiving")
     terminal.press("\r")
     look(terminal, "refused (REJECTED: ")
     terminal.press("p")

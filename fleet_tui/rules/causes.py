@@ -39,9 +39,9 @@ NO_WAY = "Check the goal, the map and the costmap: the robot finds no way to it"
 
 
 def remedy_of(cause: str) -> str:
-    """Return the remedy for the words of a navigation stack, empty for others: without a plan are Nav2's `no
-    path to the goal` and move_base's `Failed to find a valid plan`, without progress `Failed to make progress`
-    and `Even after executing recovery behaviors`."""
+    """Return the remedy for the words of a navigation stack, empty for others. Without a plan are Nav2's `no
+    path to the goal` and move_base's `Failed to find a valid plan`, without progress Nav2's `Failed to make
+    progress` and move_base's `Even after executing recovery behaviors`."""
     words = {*cause.replace(".", " ").split()}
     if "plan" in words or "no path" in cause:
         return NO_WAY

@@ -29,7 +29,9 @@ DATA = frozenset(_DATA.split(" "))
 """Names of the simulated fleet, keys, and what is typed or in a file as it is."""
 OWN_WORDS = re.compile(r"robot_\d: |: (WARN|ERROR) |REJECTED|simulator|[\d:]{8} [A-Z]+ ")
 """A line with what a robot itself says, or of the log."""
-EXAMPLE = re.compile(r"[ │]*(order|clear|pause|resume|cancel|claim|close|note|save|settle|goto|robot_\d) ")
+EXAMPLE = re.compile(
+    r"[ │]*(order|clear|pause|resume|cancel|claim|close|note|save|settle|goto|localise|robot_\d) "
+)
 """The begin of an example of a typed command, which is in English."""
 SCREENS = {
     "order form": ("o",),
@@ -96,7 +98,8 @@ def english_again() -> Iterator[None]:
 def words(text: str) -> set[str]:
     """The words of a text; what has figures or signs in it is none."""
     if re.match(
-        r"(order|clear|pause|resume|cancel|claim|close|note|save|settle|goto|robot_\d) ", text.strip(" │")
+        r"(order|clear|pause|resume|cancel|claim|close|note|save|settle|goto|localise|robot_\d) ",
+        text.strip(" │"),
     ):
         text = re.split(r"   |  +(?=\S+ \S+ )", text.strip(" │"), maxsplit=1)[-1]
     text = re.sub(r"\b[a-z]+:", "", text)  # names in a filter

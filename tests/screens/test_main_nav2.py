@@ -179,5 +179,5 @@ async def test_why_and_the_diagnostics_name_missing_odometry(site: Site) -> None
         await it.press("w")
         await it.shows("no odometry on /robot_0/odom")
         await it.press("d")
-        await it.until(lambda state: "▸○ silent" in it.text)
+        await it.until(lambda state: "▸○ " in it.text)
         assert any("▸○" in line and "/robot_0/odom" in line for line in it.text.splitlines())

@@ -208,6 +208,8 @@ async def test_the_form_is_beside_the_map_where_the_fleet_is(server: RosbridgeSe
     async with console(config_of(server.url, 2, floors=2), (80, 24)) as it:
         view, form = it.app.main.rest.map, it.app.main.rest.order_form
         await it.shows("Base", "map")
+        await it.shows("Recent")
+        await it.settled()
         before = view.region
         await it.press("o")
         await it.type("Disp")
