@@ -100,9 +100,9 @@ def next_in_trouble(state: FleetState, after: str, marked: object = None) -> str
     """Return the robot of the marked alarm. If `after` has it, or it is no robot's, return the next one in
     the order of the alarms pane, of those that need a person while there are some; after them those without
     an alarm that may need one; then around. Empty if there is none."""
-    troubled, known, silenced = by_urgency(state), acknowledged(state), shelved(state)
-    odd = [name for name, one in state.robots.items() if name in silenced or is_odd(state, one)]
-    odd = [name for name in odd if name not in troubled]
+    troubled, known = by_urgency(state), acknowledged(state)
+    unalarmed = {*shelved(state), *to_look_at(state)}.difference(troubled)
+    odd = [name for name in state.robots if name in unalarmed]
     of_marked = {name for one in state.alarms if one.key == marked for name in _whose(one)}
     # After one without an alarm, the marked alarm is the one that it came from.
     goes_on = after in of_marked or after in odd

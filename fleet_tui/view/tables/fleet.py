@@ -10,7 +10,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.alarms.trouble import acknowledged, by_urgency, is_odd, shelved, to_look_at
+from fleet_tui.rules.alarms.trouble import acknowledged, by_urgency, shelved, to_look_at
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.history.activity import activities
 from fleet_tui.text.durations import age
@@ -36,15 +36,16 @@ SEEN_FROM = 2.0
 """Seconds from which the age of a robot's last message is shown."""
 
 
-def _signed(state: FleetState, robot: Robot, troubled: bool, shelved: bool) -> Run:
-    """Return the sign at the start of a row: offline, in trouble, with its trouble shelved, or all well."""
+def _signed(state: FleetState, robot: Robot, troubled: bool, shelved: bool, odd: bool) -> Run:
+    """Return the sign at the start of a row: offline, in trouble, with its trouble shelved, worth a look,
+    or all well."""
     if not state.is_online(robot):
         if robot.last_received is None and not troubled:  # it may be switched off for today
             return "○ ", StyleRole.DIM
         return "○ ", StyleRole.WARN if is_late(state, robot) else StyleRole.ALARM
     if troubled:
         return "▲ ", StyleRole.ALARM
-    return ("◇ ", StyleRole.WARN) if shelved else ("● ", StyleRole.GOOD)
+    return ("◇ " if shelved else "● "), StyleRole.WARN if shelved or odd else StyleRole.GOOD
 
 
 def _seen_row(row: Row) -> Row:
@@ -99,8 +100,6 @@ def _row(
     role = StyleRole.TEXT if state.is_online(robot) else StyleRole.DIM
     current, order = robot.orders.current, ""
     runs = state_runs(state, robot, does, columns.state)
-    if sign[1] is StyleRole.GOOD and is_odd(state, robot):
-        sign = sign[0], StyleRole.WARN
     shown = current or next((one for one in all_orders(state, robot) if not one.is_over), None)
     if shown is not None:
         order = whose_mission(state, robot, shown)
@@ -201,8 +200,8 @@ def fleet_table(
     arrangement = arrangement or RowArrangement()
     silenced, seen, done = shelved(state), acknowledged(state), activities(state, state.robots.values())
     troubled = {name: place for place, name in enumerate(by_urgency(state))}
-    calm = partial(_calm, troubled, {*silenced, *to_look_at(state)})
-    values = _values(state, done)
+    odd = {*silenced, *to_look_at(state)}
+    values, calm = _values(state, done), partial(_calm, troubled, odd)
     robots = arrangement.arranged(state.robots.values(), values, attrgetter("name"), state.now, calm)
     columns, groups = Columns.of(state, width), arrangement.groups
     entries = groups.grouped(state, robots, selected, opens=bool(arrangement.typed))
@@ -211,7 +210,7 @@ def fleet_table(
         robot = entries[place]
         if isinstance(robot, GroupHead):
             return head_row(state, robot, robot in groups.folded and not arrangement.typed, troubled)
-        sign = _signed(state, robot, robot.name in troubled, robot.name in silenced)
+        sign = _signed(state, robot, *(robot.name in names for names in (troubled, silenced, odd)))
         made = _row(state, robot, done.get(robot.name), sign, robot.name == selected, columns)
         return _seen_row(made) if robot.name in seen else made
 
