@@ -1,6 +1,6 @@
 """The fleet state: everything known at one instant."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from msgspec import Struct, field
 from msgspec.structs import replace
@@ -134,6 +134,16 @@ class FleetState(Struct, frozen=True, eq=False):
         """Tell whether a value has arrived, and no longer holds."""
         reading: Reading[object] | None = getattr(robot, value)
         return reading is not None and not self._holds(robot, value, reading)
+
+    def has_old(self, robot: Robot, values: Iterable[str]) -> bool:
+        """Tell whether one of the values of an online robot is old."""
+        silence, usual = robot.kind.silence, self._silence(robot)
+        latest = self.now - self.behind
+        for value in values:  # a loop, as this is asked of every robot in every tick
+            reading: Reading[object] | None = getattr(robot, value)
+            if reading is not None and latest - reading.at > silence.get(value, usual):
+                return True
+        return False
 
     @property
     def unacknowledged(self) -> int:

@@ -121,7 +121,7 @@ def is_odd(state: FleetState, robot: Robot) -> bool:
     is_held = state.is_paused(robot) and own_pause(state, robot) is None
     is_held = is_held or is_held_up(state, robot) or is_stopped(state, robot)
     unknown = is_missing(state, robot, "pose") or is_news(state, robot.fault_at)
-    unknown = unknown or any(state.is_old(robot, value) for value in AGING)
+    unknown = unknown or state.has_old(robot, AGING)
     return is_held or unknown or has_lost(state, robot) or may_need_person(state, robot)
 
 
