@@ -39,7 +39,7 @@ WAITING, RETRY = 10_000, 1.0
 PATIENCE, SLOW, SLOW_TOGETHER = 0.05, 0.02, 0.1
 # Seconds more for each line: a request to a thousand robots has as many.
 FOR_LINE = 0.0005
-# Seconds at the end after which an unresponsive disk is given up.
+# Seconds without a written line after which an unresponsive disk is given up at the end.
 LAST_CHANCE = 0.5
 
 HANGS = "disk not responding"
@@ -112,7 +112,10 @@ class Audit:
         with self._changed:
             self._closed = True
             self._changed.notify_all()
-        self._thread.join(LAST_CHANCE)
+        done = -1
+        while self._thread.is_alive() and done < self._done:
+            done = self._done
+            self._thread.join(LAST_CHANCE)
         return self._taken - self._done + self._lost
 
     def _of_console(self, change: str, words: str) -> AuditRecord:

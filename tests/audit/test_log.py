@@ -70,9 +70,11 @@ def test_the_console_itself_and_what_it_leaves_open(tmp_path: Path) -> None:
 
 
 class BadDisk(AuditFile):
-    """Refuses as long as it is `full`, and keeps who writes while it `answers` not."""
+    """Refuses as long as it is `full`, keeps who writes while it `answers` not, and takes its time for each
+    line."""
 
     full = False
+    seconds = 0.0
 
     def __init__(self, path: Path) -> None:
         super().__init__(path)
@@ -81,6 +83,7 @@ class BadDisk(AuditFile):
 
     def append(self, line: bytes) -> None:
         self.answers.wait(20)
+        time.sleep(self.seconds)
         if self.full:
             raise OSError(28, "No space left on device")
         super().append(line)
@@ -127,6 +130,20 @@ def test_a_disk_is_not_tried_at_every_record(tmp_path: Path, disk: BadDisk) -> N
     assert audit.notes != [] and not (tmp_path / FILE_NAME).exists()
     assert audit.close(known_fleet()) == 0  # the last chance is taken
     assert [one.change for one in read(tmp_path)] == ["one", "two", "closed"]
+
+
+def test_a_slow_disk_has_the_end_of_every_command(
+    tmp_path: Path, disk: BadDisk, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(module, "LAST_CHANCE", 0.2)
+    disk.seconds = 0.05
+    store, audit = Store(known_fleet()), Audit(disk, ANA)
+    store.watchers.append(audit.watch)
+    for n in range(1, 11):
+        give(store, n, ORDER)
+    assert audit.close(store.state) == 0
+    found = read(tmp_path)
+    assert [one.id for one in found if one.change == "console closed"] == [*range(1, 11)]
 
 
 def test_what_waits_has_a_bound_and_what_is_lost_is_counted(
