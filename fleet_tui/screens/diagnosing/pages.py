@@ -119,7 +119,7 @@ class Pages:
             case Page.LINK:
                 return link_table(links, state.now)
             case Page.TOPICS:
-                return topic_table(state, links, wanted, state.now, self.robot)
+                return topic_table(state, links, wanted, state.now, self.robot, self.width)
             case Page.RAW:
                 return self._raw_table(state)
             case Page.LOG:

@@ -43,7 +43,7 @@ TASKS: dict[str, tuple[Step, ...]] = {
         (("bundle",), "Pack an incident for a ticket"),
     ),
     "Look back in time": (
-        (("audit",), "Audit log: all commands and alarms"),
+        (("audit", "history"), "Audit log; history of the robots"),
         (("palette",), "Type record, for fleet-tui replay"),
     ),
     "Look around on the map": (

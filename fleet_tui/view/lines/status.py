@@ -20,7 +20,8 @@ SILENT_AFTER = 2.0
 # Seconds without a first connection after which there is no link; until then the console is connecting.
 STARTING = 2.0
 # The writer ticks ten times a second. Without ticks, ages stop and everything looks live.
-BLIND_AFTER = 2.0
+BLIND_AFTER, HUNG_AFTER = 2.0, 10.0
+"""Seconds without a tick: a busy machine may cause the first, after the second only a restart helps."""
 PAUSED = "PAUSED"
 """The end of the note that robots are paused."""
 SEVERAL = 2
@@ -41,9 +42,15 @@ def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: f
         tr("read-only"): read_only,
         tr("not armed"): not armed,
         tr(behind_text(state)): state.behind >= BEHIND,
-        tr(f"no updates for {age(standstill)}: restart this console"): standstill > BLIND_AFTER,
+        _stalled(standstill): standstill > BLIND_AFTER,
     }
     return [note for note, holds in notes.items() if holds]
+
+
+def _stalled(seconds: float) -> str:
+    if seconds < HUNG_AFTER:
+        return tr(f"no updates for {age(seconds)}")
+    return tr(f"no updates for {age(seconds)}: restart this console")
 
 
 def resume_all(keys: Mapping[str, tuple[str, ...]]) -> str:

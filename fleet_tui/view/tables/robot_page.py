@@ -34,9 +34,9 @@ def robot_page(state: FleetState, name: str, width: int, clock: Callable[[float]
     """Return the page of a robot for a pane of `width` cells; `clock` formats Unix seconds as local time."""
     robot = state.robots[name]
     rows = [
-        named("State", *page_runs(state, robot)),
-        *_alarms(state, robot, width - NAME - 1),
+        named("State", *page_runs(state, robot, width - NAME - 1)),
         *value_rows(state, robot, width),
+        *_alarms(state, robot, width - NAME - 1),
     ]
     rows += [*_orders(state, robot), *command_rows(state, robot, clock)]
     listed = tuple(Row(None, runs) for runs in rows if runs)

@@ -134,8 +134,9 @@ def test_what_holds_is_said() -> None:
 
 
 def test_a_console_gone_blind_says_so() -> None:
-    (note,) = console_notes(fleet(), read_only=False, armed=True, standstill=7.2)
-    assert note == "no updates for 7 s: restart this console"
+    (busy,) = console_notes(fleet(), read_only=False, armed=True, standstill=7.2)
+    (hung,) = console_notes(fleet(), read_only=False, armed=True, standstill=12.3)
+    assert (busy, hung) == ("no updates for 7 s", "no updates for 12 s: restart this console")
 
 
 def test_several_paused_robots_are_counted_until_one_is_left() -> None:

@@ -51,6 +51,12 @@ def test_its_alarm_and_what_to_do_are_on_it_and_the_place_by_name() -> None:
     assert line(low, "Place").split()[1:] == ["at", "Base"]
 
 
+def test_what_an_alarm_says_at_length_pushes_no_value_down() -> None:
+    low = reduced(received(battery(T0 + 1, 5.0)), tick(T0 + 1))
+    names = [text_of(row.runs).split()[0] for row in robot_page(low, R0, 42, str).rows]
+    assert names.index("State") < names.index("Pose") < names.index("Battery") < names.index("Alarm")
+
+
 def test_in_few_cells_the_floor_is_told_once_and_ages_are_in_their_column() -> None:
     state = received(graph(1, 2), labels({1: "Base"}))
     rows = [text_of(row.runs) for row in robot_page(state, R0, 42, str).rows]

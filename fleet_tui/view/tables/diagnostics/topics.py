@@ -1,12 +1,15 @@
 """Every requested topic: its state, rate and age, and unreadable messages."""
 
 from collections.abc import Mapping, Sequence
+from itertools import accumulate
 
 from fleet_tui.model.counters import TopicCounter
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import LinkState, Phase
+from fleet_tui.rules.lag import is_overloaded
+from fleet_tui.text.durations import duration
 from fleet_tui.text.language import tr
-from fleet_tui.text.sanitize import fit, sanitize
+from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.text.units import ago, size_text
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.diagnostics.links import Links, down
@@ -39,9 +42,11 @@ def topic_state(link: LinkState, topic: TopicCounter, now: float, silent_after: 
         return (tr("· on demand"), StyleRole.DIM) if waits else (tr("○ none yet"), StyleRole.WARN)
     if topic.once or topic.on_demand or topic.on_change or not topic.robot:
         return tr("● received"), StyleRole.TEXT
-    return (
-        (tr("○ silent"), StyleRole.WARN) if now - topic.at > silent_after else (tr("● live"), StyleRole.GOOD)
-    )
+    if now - topic.at > silent_after:
+        return tr("○ silent"), StyleRole.WARN
+    if is_overloaded(link):
+        return tr(f"▲ {duration(link.late)} late"), StyleRole.WARN
+    return tr("● live"), StyleRole.GOOD
 
 
 def entries(state: FleetState, links: Links, wanted: str, selected: str = "") -> list[Entry]:
@@ -58,9 +63,11 @@ def entries(state: FleetState, links: Links, wanted: str, selected: str = "") ->
     return sorted(found, key=lambda one: places.get(one[1].robot, len(places)))
 
 
-def topic_table(state: FleetState, links: Links, wanted: str, now: float, selected: str = "") -> Table:
+def topic_table(
+    state: FleetState, links: Links, wanted: str, now: float, selected: str = "", width: int = 200
+) -> Table:
     """Return a row for each, those with problems first, then those of the selected robot; its key is link and
-    topic."""
+    topic. Columns beyond `width` cells are left out as a whole."""
     looked = [
         (topic_state(link, topic, now, _silent_after(state, topic)), (link, topic))
         for link, topic in entries(state, links, wanted, selected)
@@ -70,21 +77,34 @@ def topic_table(state: FleetState, links: Links, wanted: str, now: float, select
     names = column((topic.topic for _, topic in found), 10, NAMES)
     bad = BAD * any(topic.errors for _, topic in found)
     keys = [(link.name, topic.topic) for link, topic in found]
-    rows = LateRows(keys, lambda n: Row(keys[n], (*_runs(states[n], found[n][1], names, bad, now),)))
+
+    def row(n: int) -> Row:
+        topic = found[n][1]
+        why = topic.not_subscribed or (topic.bad.text if topic.bad is not None else "")
+        runs = _fitting(_runs(states[n], topic, names, bad, now), width)
+        return Row(keys[n], (*runs, (sanitize(why), StyleRole.DIM)))
+
+    rows = LateRows(keys, row)
     trouble = sum(role in (StyleRole.WARN, StyleRole.ALARM) for _, role in states)
     note = tr(f" {len(found)}, {trouble} with problems") + (
         tr(f", matching {sanitize(wanted)}") if wanted else ""
     )
     title = (tr("Topics"), StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
     empty = tr("no matching topic") if wanted else tr("console starting")
-    return Table(title, rows, empty, head=_head(names, bad))
+    return Table(title, rows, empty, head=_fitting(_head(names, bad), width))
 
 
-def _head(names: int, bad: int) -> tuple[Run, ...]:
+def _fitting(runs: Sequence[Run], width: int) -> tuple[Run, ...]:
+    """Return the columns that have space as a whole."""
+    ends = accumulate(cell_width(text) for text, _ in runs)
+    return tuple(run for run, end in zip(runs, ends, strict=True) if end <= width + 1)  # a gap is last
+
+
+def _head(names: int, bad: int) -> Sequence[Run]:
     words = map(tr, ("State", "Topic", "Rate", "At most", "Last", "Bytes", "Messages"))
     state, topic, rate, most, last, size, count = words
-    heads = f"{state:<17}{last:>10} {topic:<{names}} {rate:>8} {most:>8} {'':{bad}}{size:>9} {count:>8}"
-    return ((heads, StyleRole.DIM),)
+    columns = f"{state:<17}", f"{last:>10} ", f"{topic:<{names}} ", f"{rate:>8} ", f"{most:>8} "
+    return [(text, StyleRole.DIM) for text in (*columns, f"{'':{bad}}", f"{size:>9} ", f"{count:>8} ")]
 
 
 def _shortened(name: str, cells: int) -> str:
@@ -109,14 +129,13 @@ def _runs(state: Run, topic: TopicCounter, names: int, bad: int, now: float) -> 
     rate = "" if rates is None else f"{rates[0]:.1f} Hz"
     size = "" if rates is None else f"{size_text(rates[1])}/s"
     errors = tr(f"{topic.errors:,} bad") if topic.errors else ""
-    runs = [
+    return [
         (f"{word:<17}", role),
         (f"{tr(ago(topic.at, now)):>10} ", StyleRole.WARN if role is StyleRole.WARN else StyleRole.TEXT),
         (fit(_shortened(sanitize(topic.topic), names), names) + " ", StyleRole.TEXT),
         (f"{rate:>8} ", StyleRole.TEXT),
         (f"{asked_rate(topic.asked_ms):>8} ", StyleRole.DIM),
         (f"{errors:>{bad - 1}} " if bad else "", StyleRole.WARN),
-        (f"{size:>9} {topic.count:>8,}  ", StyleRole.DIM),
+        (f"{size:>9} ", StyleRole.DIM),
+        (f"{topic.count:>8,} ", StyleRole.DIM),
     ]
-    why = topic.not_subscribed or (topic.bad.text if topic.bad is not None else "")
-    return [*runs, (sanitize(why), StyleRole.DIM)]

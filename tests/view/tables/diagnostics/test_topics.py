@@ -1,5 +1,7 @@
 """Topics on the diagnostics screen: which are live, silent, bad, or only asked for on demand."""
 
+from msgspec.structs import replace
+
 from fleet_tui.model.counters import LinkCounter, TopicCounter
 from fleet_tui.model.kind import Kind
 from fleet_tui.view.tables.diagnostics.topics import topic_table
@@ -42,6 +44,25 @@ def test_long_names_keep_both_ends_and_the_columns_have_heads() -> None:
     assert text_of(table.head).split() == [
         *("State", "Last", "Topic", "Rate", "At", "most", "Bytes", "Messages")
     ]
+
+
+def test_columns_without_space_are_left_out_as_a_whole() -> None:
+    link = counter()
+    steady(link.topics[POSE])
+    state, links = seen(link)
+    table = topic_table(state, links, "", NOW, width=60)
+    assert text_of(table.head).split() == ["State", "Last", "Topic", "Rate"]
+    assert row(table, POSE).split()[-3:] == [POSE, "10.0", "Hz"]
+
+
+def test_behind_an_overloaded_bridge_no_topic_looks_live() -> None:
+    link = counter()
+    steady(link.topics[POSE])
+    state, _ = seen(link)
+    late = replace(state.links[LINK], late=7.0)
+    table = topic_table(state, [(late, link)], "", NOW)
+    assert row(table, POSE).startswith("▲ 7.0 s late")
+    assert text(table)[0].startswith("Topics 6, 4 with problems")  # no other has come
 
 
 def test_bad_data_marks_its_topic_for_a_while_and_its_words_stay() -> None:
