@@ -190,6 +190,17 @@ def test_unknown_free_and_wall_have_glyphs_of_their_own(drawing: Drawing, row: s
     assert cells.roles[0].tolist() == [StyleRole.UNKNOWN, StyleRole.FLOOR, wall]
 
 
+def test_ground_beyond_an_outer_wall_is_not_drawn_as_floor() -> None:
+    classes = np.full((400, 400), FREE)
+    for wide in range(160, 180):
+        beyond = np.where(np.arange(400) < wide, classes, UNKNOWN)
+        beyond[:, wide - 6 : wide] = OCCUPIED
+        cells = ground(grid_of(beyond), Camera(200.0, 200.0, 10.0, 12, 6, (400, 400)), Drawing.BRAILLE)
+        last = np.flatnonzero(cells.codes[2] != ord(" "))[-1]
+        assert (cells.roles[2, last + 1 :] == StyleRole.UNKNOWN).all()
+        assert chr(cells.codes[2, last]) != "▌" or cells.roles[2, last] == StyleRole.WALL_BEYOND
+
+
 def test_unknown_ground_is_marked_sparsely_where_colours_do_not_show_it() -> None:
     grid = grid_of(np.full((64, 64), UNKNOWN))
     camera = Camera(32.0, 32.0, 1.0, 32, 16, (64, 64))
