@@ -14,8 +14,9 @@ PAGE_BESIDE = 45
 LEAST_BESIDE, MAP_SHARE = 78, 10 / 21
 """Cells from which a narrow screen can have the tables beside its map, and the map's share of them: as in
 `fleet.tcss`."""
-LEAST_PAGE = 6
-"""Lines from which the robot's page and the last events are worth their place."""
+LEAST_PAGE, SHORT_PAGE = 6, 4
+"""Lines from which the robot's page and the last events are worth their place, and from which the page has
+lines that else were blank."""
 LEAST_EVENTS = 3
 WIDE_SHARE, LEAST_TABLES, WIDE_TABLES = 0.6, 77, 92
 """The map's share of a wide screen's cells, those that the tables keep if the map can use more, and those of
@@ -60,13 +61,16 @@ def dialog_box(events: tuple[int, int], map_width: int, width: int, lines: int, 
 
 def beside_map(lines: int, wanted: Wanted, is_queue_below: bool = False) -> tuple[int, int, int, int]:
     """Share out the column beside the map: fleet, alarms, queue (0 if it is below the map), the robot's page
-    (0 for none). Below each is a blank line, unless robots need it."""
-    blank = int(sum(wanted) + len(wanted) <= lines)
+    (0 for none). Below each is a blank line, unless robots or the page need it."""
+    queue_lines = 0 if is_queue_below else wanted.queue
+    # A short page of the robot is worth more than blanks.
+    is_short = SHORT_PAGE <= lines - wanted.fleet - wanted.alarms - queue_lines < LEAST_PAGE + len(wanted)
+    blank = int(sum(wanted) + len(wanted) <= lines and not is_short)
     alarms = _share(wanted.alarms + blank, lines // 3, LEAST_LIST - 1 + blank)
     queue = 0 if is_queue_below else _share(wanted.queue + blank, lines // 4, LEAST_LIST - 1 + blank)
-    fleet = max(LEAST_FLEET, min(wanted.fleet + 1, lines - alarms - queue))
+    fleet = max(LEAST_FLEET, min(wanted.fleet + (not is_short), lines - alarms - queue))
     left = max(0, lines - fleet - alarms - queue)
-    page = left if left >= LEAST_PAGE else 0
+    page = left if left >= (SHORT_PAGE if is_short else LEAST_PAGE) else 0
     if is_queue_below:
         return fleet, alarms + left - page, 0, page
     return fleet, alarms, queue + left - page, page

@@ -12,9 +12,9 @@ from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, build_grid
 from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
 from fleet_tui.view.map.drawing import Drawing
+from fleet_tui.view.map.ground.raster import ground
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop, picture
-from fleet_tui.view.map.raster import ground
 from fleet_tui.view.map.scene import Scene, SceneRobot
 from fleet_tui.view.roles import WALLS, StyleRole
 from tests.bench.others import others
@@ -111,7 +111,8 @@ def tick_times(grid: OccupancyGrid) -> None:
 
 
 def walls_lost(cases: int = 3300) -> tuple[int, int]:
-    """The number of one-pixel walls, at random zooms and offsets, that are not drawn within a dot."""
+    """The number of one-pixel walls, at random zooms and offsets, that are not drawn within a dot. Their ends
+    may be shorter."""
     rng = random.Random(7)
     lost = total = 0
     while total < cases:
@@ -130,7 +131,7 @@ def walls_lost(cases: int = 3300) -> tuple[int, int]:
             roles = ground(grid, camera, drawing).roles
             walls = np.isin(roles, WALLS)
             inside = (walls | (roles == StyleRole.FLOOR)).any(axis=1)
-            lost += not walls[inside][:, sorted(near)].any(axis=1).all()
+            lost += not walls[inside][1:-1, sorted(near)].any(axis=1).all()
     return lost, total
 
 

@@ -1,5 +1,6 @@
 """Lines go where rows need them; every pane keeps a place, and none is wasted."""
 
+import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
@@ -76,6 +77,18 @@ def test_thirty_robots_have_twenty_four_rows_at_120_by_40() -> None:
 def test_robots_have_the_blank_lines_if_they_need_them() -> None:
     assert beside_map(21, Wanted(32, 2, 2)) == (17, 2, 2, 0)
     assert beside_map(21, Wanted(14, 2, 2)) == (15, 3, 3, 0)
+
+
+@pytest.mark.parametrize("robots", range(2, 40))
+@pytest.mark.parametrize("lines", [21, 27, 37, 57])
+@pytest.mark.parametrize("is_below", [True, False])
+def test_no_more_than_a_few_lines_are_blank_while_the_robots_page_is_hidden(
+    lines: int, robots: int, is_below: bool
+) -> None:
+    wanted = Wanted(robots + 2, 2, 2)
+    fleet, alarms, queue, page = beside_map(lines, wanted, is_below)
+    blank = fleet + alarms + queue - sum(wanted[: 2 + (not is_below)])
+    assert page or blank <= 3
 
 
 def test_a_small_fleet_leaves_lines_to_the_robots_page() -> None:

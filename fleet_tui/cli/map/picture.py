@@ -8,7 +8,7 @@ from fleet_tui.errors import MapError
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.drawing import Drawing
-from fleet_tui.view.map.raster import ground
+from fleet_tui.view.map.ground.raster import ground
 
 SIZE = 80, 24
 """Columns and lines without a terminal."""

@@ -14,11 +14,12 @@ from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells, Roles
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.glyphs import vertex_glyph
+from fleet_tui.view.map.ground.raster import ground
 from fleet_tui.view.map.places import Place, Same, cells_of_vertices
 from fleet_tui.view.map.placing.labels import Label, draw_label
 from fleet_tui.view.map.placing.occupancy import CellOccupancy
-from fleet_tui.view.map.raster import ground
 from fleet_tui.view.map.scene import Scene, SceneVertex
+from fleet_tui.view.map.tracing import pixels_of
 from fleet_tui.view.roles import StyleRole
 
 CELLS_OF_LABEL = 48
@@ -49,7 +50,8 @@ class MapOptions:
 
 def draw_ground(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
     """Draw the occupancy map, over the previous content."""
-    below = ground(scene.grid, camera, look.drawing, look.hatched)
+    ways = pixels_of(scene, scene.edges) if scene.edges else None
+    below = ground(scene.grid, camera, look.drawing, look.hatched, ways)
     cells.codes[:] = below.codes
     cells.roles[:] = below.roles
 

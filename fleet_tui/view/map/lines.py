@@ -1,8 +1,6 @@
 """The layers made of lines and dots: edges, the remaining mission."""
 
 import math
-from functools import lru_cache
-from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,13 +9,9 @@ from fleet_tui.model.geometry import Line
 from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.layers import MapOptions
-from fleet_tui.view.map.places import Points, Same, pixels
-from fleet_tui.view.map.raster import BRAILLE, pack, thicken
 from fleet_tui.view.map.scene import Scene
+from fleet_tui.view.map.tracing import BRAILLE, Mask, blank_mask, ends_of, pack, thicken, trace, within
 from fleet_tui.view.roles import LABELS, WALLS, StyleRole
-
-Mask = NDArray[np.bool_]
-"""The dots of a view, (rows, columns)."""
 
 OFF_EDGE = 1.0
 """Metres from which a robot is off its edge."""
@@ -44,30 +38,6 @@ _THROUGH = {
 }
 
 
-def blank_mask(camera: Camera) -> Mask:
-    """Return no dots."""
-    return np.zeros((camera.height * DOTS_Y, camera.width * DOTS_X), np.bool_)
-
-
-def dots_of(scene: Scene, camera: Camera, points: Points) -> Points:
-    """Return points in metres (n x 2) as fractions of the view's dots."""
-    left, top = camera.origin
-    return pixels(scene.frame, points) / camera.scale - (left * DOTS_X, top * DOTS_Y)
-
-
-@lru_cache(maxsize=8)
-def _as_array(lines: Same[tuple[Line, ...]]) -> Points:
-    # Twice as fast as from a list of tuples.
-    numbers = np.fromiter(chain.from_iterable(lines.rows), np.float64, 4 * len(lines.rows))
-    return numbers.reshape(-1, 4)
-
-
-def ends_of(scene: Scene, camera: Camera, lines: tuple[Line, ...]) -> tuple[Points, Points]:
-    """Return the ends of lines in metres as fractions of the view's dots."""
-    ends = _as_array(Same(lines))
-    return dots_of(scene, camera, ends[:, :2]), dots_of(scene, camera, ends[:, 2:])
-
-
 def draw_edges(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
     """Draw the route graph's edges as thin lines that leave every wall visible."""
     if not (look.edges and scene.edges):
@@ -86,7 +56,7 @@ def draw_edges(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> 
 def _point(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
     """Draw an arrow head in the middle of the visible part of each one-way edge, if it fits."""
     starts, stops = ends_of(scene, camera, scene.one_way)
-    low, high = _within((camera.height * DOTS_Y, camera.width * DOTS_X), starts, stops)
+    low, high = within((camera.height * DOTS_Y, camera.width * DOTS_X), starts, stops)
     way = stops - starts
     seen = (np.abs(way).max(axis=1) * (high - low) >= _ARROW_ROOM) & np.isfinite(way).all(axis=1)
     middles = (starts + way * ((low + high) / 2)[:, None])[seen]
@@ -199,48 +169,3 @@ def stroke(
         cells.roles[through] = _THROUGH[role]
     cells.codes[drawn] = ord(plain) if look.plain else BRAILLE[bits[drawn]]
     cells.roles[drawn] = role
-
-
-@np.errstate(divide="ignore", invalid="ignore", over="ignore")
-def trace(mask: Mask, starts: Points, stops: Points, dashed: bool = False, done: float = 0.0) -> None:
-    """Set the dots (x, y) along each line, after cutting the lines to the mask and by the share `done`."""
-    low, high = _within(mask.shape, starts, stops)
-    way = stops - starts
-    # Column by column: numpy reduces many short rows several times as slowly.
-    seen = (low < high) & np.isfinite(way[:, 0]) & np.isfinite(way[:, 1])
-    starts, way, low, high = starts[seen], way[seen], low[seen], high[seen]
-    steps = (np.maximum(*np.abs(way.T)) * (high - low)).astype(np.intp) + 2
-    along = np.arange(steps.sum()) - np.repeat(np.cumsum(steps) - steps, steps)
-    # Each line repeated: several times as fast as picking its row for each dot.
-    share = np.repeat(low, steps) + np.repeat(high - low, steps) * along / np.repeat(steps - 1, steps)
-    x, y = (
-        np.repeat(start, steps) + np.repeat(length, steps) * share
-        for start, length in zip(starts.T, way.T, strict=True)
-    )
-    if done or dashed:
-        kept = share >= done
-        if dashed:
-            kept &= along % 4 < 2
-        x, y = x[kept], y[kept]
-    _set(mask, x, y)
-
-
-def set_dots(mask: Mask, dots: Points) -> None:
-    """Set the dots at x, y, as far as they are in the mask."""
-    _set(mask, dots[:, 0], dots[:, 1])
-
-
-def _set(mask: Mask, x: NDArray[np.float64], y: NDArray[np.float64]) -> None:
-    rows, columns = mask.shape
-    inside = (x >= 0) & (x < columns) & (y >= 0) & (y < rows)
-    mask[y[inside].astype(np.intp), x[inside].astype(np.intp)] = True
-
-
-def _within(shape: tuple[int, ...], starts: Points, stops: Points) -> tuple[Points, Points]:
-    """Return the shares of each line's length between which it is inside the mask (Liang-Barsky)."""
-    size = np.array([shape[1], shape[0]], np.float64)
-    one, other = -starts / (stops - starts), (size - starts) / (stops - starts)
-    # A line along an axis divides by zero: +-inf outside, nan exactly on the border (taken as inside).
-    low = np.nan_to_num(np.minimum(one, other), nan=-np.inf, neginf=-np.inf, posinf=np.inf)
-    high = np.nan_to_num(np.maximum(one, other), nan=np.inf, neginf=-np.inf, posinf=np.inf)
-    return np.maximum(low.max(axis=1), 0.0), np.minimum(high.min(axis=1), 1.0)

@@ -7,8 +7,9 @@ from fleet_tui.model.geometry import Line
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.layers import MapOptions
-from fleet_tui.view.map.lines import blank_mask, ends_of, stroke, trace
+from fleet_tui.view.map.lines import stroke
 from fleet_tui.view.map.scene import Scene, SceneRobot
+from fleet_tui.view.map.tracing import blank_mask, ends_of, trace
 from fleet_tui.view.roles import StyleRole
 
 OUTLINE = 10.0

@@ -6,9 +6,8 @@ from fleet_tui.model.set_up.streams import placed
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.layers import MapOptions
-from fleet_tui.view.map.lines import blank_mask, dots_of, set_dots, trace
-from fleet_tui.view.map.raster import BRAILLE, pack
 from fleet_tui.view.map.scene import Scene
+from fleet_tui.view.map.tracing import BRAILLE, blank_mask, dots_of, pack, set_dots, trace
 from fleet_tui.view.roles import WALLS, StyleRole
 
 
@@ -30,7 +29,8 @@ def draw_path(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> N
 
 
 def draw_scan(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
-    """Draw the ends of the laser's beams, over walls and ground, dim if their place is not certain."""
+    """Draw the ends of the laser's beams, dim if their place is not certain. On a wall of the map, where they
+    are to be, its own blocks take their colour: so it still reads as a wall."""
     if scene.beams is None or scene.beams_at is None:
         return
     points = placed(scene.beams, scene.beams_at)
@@ -38,5 +38,6 @@ def draw_scan(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> N
     set_dots(mask, dots_of(scene, camera, np.asarray(points, np.float64)))
     bits = pack(mask)
     drawn = (bits > 0) & (cells.roles < StyleRole.VERTEX_LABELLED)
-    cells.codes[drawn] = ord("%") if look.plain else BRAILLE[bits[drawn]]
+    off_wall = drawn & ~np.isin(cells.roles, WALLS)
+    cells.codes[off_wall] = ord("%") if look.plain else BRAILLE[bits[off_wall]]
     cells.roles[drawn] = StyleRole.TRAIL if scene.beams_are_old else StyleRole.SCAN

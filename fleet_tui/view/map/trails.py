@@ -8,8 +8,9 @@ from numpy.typing import NDArray
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.layers import MapOptions
-from fleet_tui.view.map.lines import blank_mask, dots_of, set_dots, stroke
+from fleet_tui.view.map.lines import stroke
 from fleet_tui.view.map.scene import Scene
+from fleet_tui.view.map.tracing import blank_mask, dots_of, set_dots
 from fleet_tui.view.roles import StyleRole
 
 SECONDS = 60.0

@@ -57,13 +57,14 @@ def _safe(label: str) -> str:
 
 def test_few_labels_cover_walls_of_many_only_an_orders_end_or_the_one_under_the_cursor() -> None:
     inside = (SceneVertex("1", 7.5, 5.8, label="Rack"),)
+    near = FIT.zoomed(2.0, SCENE.frame.to_pixel(7.5, 5.8))
     scene = replace(SCENE, vertices=inside, robots=(), target_vertices=())
-    assert "Rack" in backdrop(scene, FIT, MapOptions()).text()
-    far = tuple(SceneVertex(str(n), 1.0, 1.0 + n * 0.01, label="Bay") for n in range(2, 60))
-    scene = replace(scene, vertices=(*inside, *far))
-    assert "Rack" not in backdrop(scene, FIT, MapOptions()).text()
-    assert "Rack" in backdrop(replace(scene, target_vertices=("1",)), FIT, MapOptions()).text()
-    assert "Rack" in backdrop(scene, FIT, MapOptions(pointed="1")).text()
+    assert "Rack" in backdrop(scene, near, MapOptions()).text()
+    beside = tuple(SceneVertex(str(n), 6.0, 5.8 + n * 0.01, label="Bay") for n in range(2, 60))
+    scene = replace(scene, vertices=(*inside, *beside))
+    assert "Rack" not in backdrop(scene, near, MapOptions()).text()
+    assert "Rack" in backdrop(replace(scene, target_vertices=("1",)), near, MapOptions()).text()
+    assert "Rack" in backdrop(scene, near, MapOptions(pointed="1")).text()
 
 
 def test_the_missions_ends_get_their_labels_first() -> None:

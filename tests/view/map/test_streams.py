@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from fleet_tui.model.geometry import MapFrame, Pose
+from fleet_tui.model.occupancy import FREE, OCCUPIED, build_grid
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.drawing import Drawing
@@ -42,6 +43,18 @@ def test_beams_of_an_uncertain_pose_are_dim_and_without_a_pose_nothing_is_drawn(
     old = drawn(replace(SCENE, beams=beams, beams_at=Pose(10.0, 5.0), beams_are_old=True))
     assert StyleRole.TRAIL in old.roles and StyleRole.SCAN not in old.roles
     assert StyleRole.SCAN not in drawn(replace(SCENE, beams=beams)).roles
+
+
+def test_a_wall_on_which_beams_end_stays_a_wall_in_their_colour() -> None:
+    classes = np.full((200, 400), FREE, np.uint8)
+    classes[:, 240:260] = OCCUPIED
+    scene = replace(SCENE, grid=build_grid(FRAME, classes))
+    seen = replace(scene, beams=np.array([[2.3, 0.0], [1.0, 0.0]], np.float32), beams_at=Pose(10.0, 5.0))
+    for drawing in Drawing:
+        before, after = (drawn(one, MapOptions(drawing)) for one in (scene, seen))
+        wall, ground = cell(12.3, 5.0), cell(11.0, 5.0)
+        assert after.codes[wall] == before.codes[wall] and after.codes[ground] != before.codes[ground]
+        assert after.roles[wall] == after.roles[ground] == StyleRole.SCAN
 
 
 def test_a_path_is_a_line_of_its_points() -> None:

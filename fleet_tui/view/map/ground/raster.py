@@ -6,6 +6,7 @@ are left to routes and trails.
 """
 
 import math
+from dataclasses import replace
 from typing import TypeVar
 
 import numpy as np
@@ -16,17 +17,31 @@ from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, Classes
 from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.drawing import Drawing
+from fleet_tui.view.map.ground.walls import RIM, wall_blocks
+from fleet_tui.view.map.places import Points
+from fleet_tui.view.map.tracing import Mask, trace
 from fleet_tui.view.roles import StyleRole
 
 COARSE = 12.0
 """Pixels per dot from which nearly every dot contains some wall: then only edges stay solid, and the inside
 of walls is as dense as in the map."""
+_BLOCK = {Drawing.BRAILLE: (2, 1), Drawing.HALF_BLOCK: (2, 2), Drawing.ASCII: (4, 2)}
+"""Rows and columns of dots in a block of wall."""
+
+Lines = tuple[Points, Points]
 
 
-def ground(grid: OccupancyGrid | None, camera: Camera, drawing: Drawing, hatched: bool = False) -> Cells:
+def ground(
+    grid: OccupancyGrid | None,
+    camera: Camera,
+    drawing: Drawing,
+    hatched: bool = False,
+    ways: Lines | None = None,
+) -> Cells:
     """Return the map as the camera sees it; without a grid the extent is empty floor. `hatched`: mark unknown
-    ground with sparse dots, for terminals on which its colour doesn't show."""
-    cells = _ground(grid, camera, drawing)
+    ground with sparse dots, for terminals on which its colour doesn't show; `ways`: both ends, in map pixels,
+    of the lines along which robots drive: they stay open where the map does."""
+    cells = _ground(grid, camera, drawing, ways)
     if hatched and drawing is not Drawing.ASCII:
         left, top = camera.origin
         rows, columns = np.ogrid[top : top + camera.height, left : left + camera.width]
@@ -35,40 +50,51 @@ def ground(grid: OccupancyGrid | None, camera: Camera, drawing: Drawing, hatched
     return cells
 
 
-def _ground(grid: OccupancyGrid | None, camera: Camera, drawing: Drawing) -> Cells:
-    left, top = camera.origin
-    shape = (camera.height * DOTS_Y, camera.width * DOTS_X)
+def _ground(grid: OccupancyGrid | None, camera: Camera, drawing: Drawing, ways: Lines | None) -> Cells:
+    taller, wider = _BLOCK[drawing]
+    finer = 2 // wider
     if grid is None:
-        dots = _empty(camera, left * DOTS_X, top * DOTS_Y, shape)
-    elif camera.scale > COARSE and drawing is not Drawing.ASCII:
-        return _coarse(grid, camera, drawing)
-    else:
-        dots = sample(grid, camera.scale, left * DOTS_X, top * DOTS_Y, shape)
-    return _ascii(dots) if drawing is Drawing.ASCII else _blocks(dots, drawing)
+        floor = _empty(camera)
+        no_wall = np.zeros((floor.shape[0] // taller, floor.shape[1] // wider), np.bool_)
+        return _drawn(floor.repeat(finer, 1), no_wall, drawing)
+    # What is beyond the view decides on its rim, which is no edge of a wall.
+    around = replace(camera, width=camera.width + 2 * RIM, height=camera.height + 2 * RIM)
+    left, top = around.origin
+    part = (camera.scale, left * DOTS_X, top * DOTS_Y, (around.height * DOTS_Y, around.width * DOTS_X))
+    dots = sample(grid, *part, finer)
+    walls = _folded(dots == OCCUPIED, taller // 2, 1)
+    blocks = wall_blocks(walls, None if ways is None else _passed(ways, around, walls.shape))
+    is_coarse = camera.scale > COARSE and drawing is not Drawing.ASCII
+    shares = _shares(grid, *part) if is_coarse else None
+    cells = _drawn(dots, blocks, drawing, shares)
+    return Cells(cells.codes[RIM:-RIM, RIM:-RIM], cells.roles[RIM:-RIM, RIM:-RIM])
 
 
-def _coarse(grid: OccupancyGrid, camera: Camera, drawing: Drawing) -> Cells:
-    """Return the ground with solid edges and walls in two tones inside. Computed with one more cell on each
-    side, so that the view's own rim is no edge."""
-    left, top = camera.origin
-    shape = ((camera.height + 2) * DOTS_Y, (camera.width + 2) * DOTS_X)
-    part = (camera.scale, (left - 1) * DOTS_X, (top - 1) * DOTS_Y, shape)
-    dots, shares = sample(grid, *part), _shares(grid, *part)
-    cells = _blocks(dots, drawing, shares)
-    return Cells(cells.codes[1:-1, 1:-1], cells.roles[1:-1, 1:-1])
+def _passed(ways: Lines, camera: Camera, shape: tuple[int, ...]) -> Mask:
+    """Return the parts of the view that lines pass, given by their ends in map pixels."""
+    passed = np.zeros(shape, np.bool_)
+    pixels = (camera.width * DOTS_X * camera.scale, camera.height * DOTS_Y * camera.scale)
+    per_pixel = np.array(shape[::-1]) / pixels
+    corner = np.multiply(camera.origin, (DOTS_X * camera.scale, DOTS_Y * camera.scale))
+    starts, stops = ((ends - corner) * per_pixel for ends in ways)
+    trace(passed, starts, stops)
+    return passed
 
 
-def sample(grid: OccupancyGrid, scale: float, left: int, top: int, shape: tuple[int, int]) -> Classes:
+def sample(
+    grid: OccupancyGrid, scale: float, left: int, top: int, shape: tuple[int, int], finer: int = 1
+) -> Classes:
     """Classes of the dots from (left, top) on, shape (rows, columns); unknown outside the map.
 
-    scale: map pixels per dot; dot k covers pixels k * scale to (k + 1) * scale.
+    scale: map pixels per dot; dot k covers pixels k * scale to (k + 1) * scale. finer: columns of each dot.
     """
-    depth = min(max(math.floor(math.log2(scale)), 0), len(grid.levels) - 1)
+    depth = min(max(math.floor(math.log2(scale)) - 1, 0), len(grid.levels) - 1)
     level = grid.levels[depth]
     step = scale / 2**depth
+    left, shape = left * finer, (shape[0], shape[1] * finer)
     rows, columns = shape
     top_in, first_y, last_y = _partition(top, rows, step, level.shape[0])
-    left_in, first_x, last_x = _partition(left, columns, step, level.shape[1])
+    left_in, first_x, last_x = _partition(left, columns, step / finer, level.shape[1])
     if not (first_y.size and first_x.size):
         return np.zeros(shape, np.uint8)
     seen = level[first_y[0] : last_y[-1] + 1, first_x[0] : last_x[-1] + 1]
@@ -118,10 +144,11 @@ def _shares(grid: OccupancyGrid, scale: float, left: int, top: int, shape: tuple
     return tall[:, 0::2] + tall[:, 1::2]
 
 
-def _empty(camera: Camera, left: int, top: int, shape: tuple[int, int]) -> Classes:
+def _empty(camera: Camera) -> Classes:
     """Return floor over the whole extent of a missing map."""
-    rows = (np.arange(top, top + shape[0]) + 0.5) * camera.scale
-    columns = (np.arange(left, left + shape[1]) + 0.5) * camera.scale
+    left, top = camera.origin
+    rows = (np.arange(camera.height * DOTS_Y) + top * DOTS_Y + 0.5) * camera.scale
+    columns = (np.arange(camera.width * DOTS_X) + left * DOTS_X + 0.5) * camera.scale
     in_rows = (rows >= 0) & (rows < camera.extent[1])
     in_columns = (columns >= 0) & (columns < camera.extent[0])
     return (in_rows[:, None] & in_columns).astype(np.uint8) * np.uint8(FREE)
@@ -148,47 +175,18 @@ def _summed(shares: Classes) -> Classes:
     return tall[:, 0::2] + tall[:, 1::2]
 
 
-# Unicode numbers a braille cell's dots 0 3 / 1 4 / 2 5 / 6 7; seen as bits.
-_BITS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
-BRAILLE = np.arange(0x2800, 0x2900, dtype=np.uint32)
-BRAILLE[0] = ord(" ")  # some fonts draw rings for the empty pattern
 _HATCH, _SOLID = ord("·"), ord("█")
 _WALLS = np.array([StyleRole.UNKNOWN, StyleRole.FLOOR, StyleRole.WALL_BEYOND, StyleRole.WALL], np.uint8)
 
 
-def pack(mask: NDArray[np.bool_]) -> Classes:
-    """A mask of dots to the bits of its braille cells (uint8, a quarter as high, half as wide)."""
-    dots = mask.view(np.uint8)
-    bits = dots[0::DOTS_Y, 0::DOTS_X] * np.uint8(_BITS[0][0])
-    for y in range(DOTS_Y):
-        for x in range(DOTS_X):
-            if x or y:
-                bits |= dots[y::DOTS_Y, x::DOTS_X] * np.uint8(_BITS[y][x])
-    return bits
-
-
-def thicken(mask: NDArray[np.bool_], straight: NDArray[np.bool_]) -> Classes:
-    """Return lines of two dots' width, as the bits of braille cells. The `straight` ones among them, along an
-    axis, take one row of cells, not two."""
-    thick, slanted = mask.copy(), mask & ~straight
-    thick[:-1] |= slanted[1:]
-    thick[:, :-1] |= slanted[:, 1:]
-    for row in range(DOTS_Y):
-        thick[row - 1 if row else 1 :: DOTS_Y] |= straight[row::DOTS_Y]
-    thick[:, ::DOTS_X] |= straight[:, 1::DOTS_X]
-    thick[:, 1::DOTS_X] |= straight[:, ::DOTS_X]
-    return pack(thick)
-
-
-def _known(dots: Classes) -> NDArray[np.bool_]:
-    """Return the cells on known ground: of their dots without a wall at least half are free."""
-    free, unknown = (_counts(dots == one) for one in (FREE, UNKNOWN))
-    return free >= unknown
-
-
-def _counts(dots: NDArray[np.bool_]) -> Classes:
-    """Return the number of set dots per cell."""
-    return _summed(dots.view(np.uint8))
+def _known(dots: Classes, walls: Mask, columns: int) -> Mask:
+    """Return the cells, of 2 rows and so many `columns` of blocks, on known ground: beside their drawn walls
+    at least half is free."""
+    free = (dots == FREE).view(np.int8) - (dots == UNKNOWN).view(np.int8)
+    tall = free[0::2] + free[1::2]
+    seen = (tall[:, 0::2] + tall[:, 1::2]) * ~walls
+    known = seen[0::2] + seen[1::2]
+    return np.asarray(sum(known[:, column::columns] for column in range(columns)) >= 0)
 
 
 def _inside(walls: NDArray[np.bool_]) -> NDArray[np.bool_]:
@@ -207,11 +205,12 @@ _QUADRANTS = _letters(" ▘▝▀▖▌▞▛▗▚▐▜▄▙▟█")
 _TONES = _letters("▒▓")
 
 
-def _blocks(dots: Classes, drawing: Drawing, shares: Classes | None = None) -> Cells:
-    """Return blocks of 2 x 2 quadrants per cell, or of halves. With `shares` the inside of walls is in two
-    tones."""
+def _drawn(dots: Classes, walls: Mask, drawing: Drawing, shares: Classes | None = None) -> Cells:
+    """Return blocks of 2 x 2 quadrants per cell, of halves, or letters. With `shares` the inside of walls is
+    in two tones."""
+    if drawing is Drawing.ASCII:
+        return _ascii(dots, walls)
     columns = DOTS_X if drawing is Drawing.BRAILLE else 1
-    walls = _folded(dots, DOTS_Y // 2, DOTS_X // columns) == OCCUPIED
     bits = np.zeros((walls.shape[0] // 2, walls.shape[1] // columns), np.uint8)
     for bit in range(2 * columns):
         bits |= walls[bit // columns :: 2, bit % columns :: columns].view(np.uint8) << np.uint8(bit)
@@ -220,7 +219,7 @@ def _blocks(dots: Classes, drawing: Drawing, shares: Classes | None = None) -> C
         toned = ~_folded(~_inside(walls), 2, columns)
         full = DOTS_X * DOTS_Y * 4
         codes[toned] = _TONES[(_summed(shares)[toned] * 2 >= full).astype(np.intp)]
-    roles = _WALLS[(bits > 0) * np.uint8(2) + _known(dots)]
+    roles = _WALLS[(bits > 0) * np.uint8(2) + _known(dots, walls, columns)]
     roles[codes == _SOLID] = StyleRole.WALL_SOLID
     return Cells(codes, roles)
 
@@ -231,6 +230,7 @@ _ASCII_ROLES = np.zeros(3, np.uint8)
 _ASCII_ROLES[[UNKNOWN, FREE, OCCUPIED]] = [StyleRole.UNKNOWN, StyleRole.FLOOR, StyleRole.WALL]
 
 
-def _ascii(dots: Classes) -> Cells:
-    classes = _folded(dots, DOTS_Y, DOTS_X)
+def _ascii(dots: Classes, walls: Mask) -> Cells:
+    classes = _folded(np.where(dots == OCCUPIED, UNKNOWN, dots).astype(np.uint8), DOTS_Y, DOTS_X)
+    classes[walls] = OCCUPIED
     return Cells(_ASCII[classes], _ASCII_ROLES[classes])

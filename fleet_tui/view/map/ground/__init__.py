@@ -1,0 +1,1 @@
+"""The occupancy map as the ground of the picture."""
