@@ -2,21 +2,60 @@
 
 from functools import lru_cache
 
+from msgspec.structs import replace
+
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.grid import FREE, OCCUPIED, OccupancyGrid
-from fleet_tui.model.robot import Robot
+from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.commands.set_up.mode import mapping_text
+from fleet_tui.text.durations import age
 
 SIZE = 1.0, 1.0
 """Length and width in metres of a robot that tells none."""
 BESIDE = 0.1
 """Metres from free ground at which a pose in a wall may be one beside it."""
 
+HELD = 30.0
+"""Seconds for which such a pose counts after the robot has left it: a wrong one crosses shelf after shelf."""
+
+
+def with_misplaced(state: FleetState) -> FleetState:
+    """Return the state with the newest misplaced pose of each robot. Called once a tick."""
+    changed = {
+        name: replace(robot, misplaced=seen)
+        for name, robot in state.robots.items()
+        if (seen := _newest(state, robot)) is not robot.misplaced
+    }
+    return replace(state, robots={**state.robots, **changed}) if changed else state
+
+
+def _newest(state: FleetState, robot: Robot) -> Reading[str] | None:
+    text, seen = _text(state, robot), robot.misplaced
+    if robot.pose is None or (not text and is_misplaced(robot)):
+        return None
+    return Reading(text, robot.pose.at) if text and seen != Reading(text, robot.pose.at) else seen
+
+
+def is_misplaced(robot: Robot) -> bool:
+    """Tell whether the last pose of a robot is no place on its floor."""
+    return robot.misplaced is not None and robot.pose is not None and robot.misplaced.at == robot.pose.at
+
 
 def misplaced_text(state: FleetState, robot: Robot) -> str:
-    """Return why the last pose of a robot is no place on its floor, empty if it may be one, or no map is
-    known. Whoever makes a map is beyond it."""
+    """Return why the last pose of a robot is no place on its floor, or one a short while ago was none; empty
+    otherwise, and once its localisation has found it elsewhere."""
+    seen = robot.misplaced
+    if seen is None or is_misplaced(robot):
+        return seen.value if seen is not None else ""
+    is_over = state.now - seen.at >= HELD or (robot.relocated is not None and robot.relocated.at > seen.at)
+    text = seen.value
+    return "" if is_over else f"{text} {age(state.now - seen.at)} ago"
+
+
+def _text(state: FleetState, robot: Robot) -> str:
+    """Return why the last pose of a robot is no place, empty if it may be one, or no map is known. Whoever
+    makes a map is beyond it."""
     ground = _ground(state, robot) if robot.pose is not None else None
     if robot.pose is None or ground is None:
         return ""
