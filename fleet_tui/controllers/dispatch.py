@@ -64,7 +64,8 @@ class Dispatch:
     def objections(self, request: Request) -> list[Problem]:
         """Return what speaks against a request, errors first."""
         found = problems(self._store.state, request, self.permissions)
-        return [*repeated(request, self.given, time.monotonic()), *found]
+        doubts = [Problem("doubtful", request.doubt, blocks=False)] if request.doubt else []
+        return [*repeated(request, self.given, time.monotonic()), *found, *doubts]
 
     def objection(self, request: Request) -> str:
         """Return the reason not to send a request, warnings aside; empty if it may be sent."""

@@ -12,11 +12,13 @@ from fleet_tui.model.order import at_vertices
 
 class Request(Struct, frozen=True):
     """One request of an operator: commands in sequence. `floors`: the floor of each vertex chosen by name,
-    since the wire has only ids, and floors may share ids. `alone`: only for robots without orders."""
+    since the wire has only ids, and floors may share ids. `alone`: only for robots without orders. `doubt`: a
+    warning for its question."""
 
     commands: tuple[Command, ...]
     floors: Mapping[str, str] = field(default_factory=dict)
     alone: bool = False
+    doubt: str = ""
 
 
 def chain(

@@ -19,6 +19,7 @@ from fleet_tui.rules.alarms.conditions import conditions
 from fleet_tui.rules.alarms.floods import without_floods
 from fleet_tui.rules.commands.local_queue import with_held_queues
 from fleet_tui.rules.lag import with_lags
+from fleet_tui.rules.localisation.misplaced import with_misplaced
 from fleet_tui.rules.routes.blocked import with_blocked_edges
 from fleet_tui.state.command_events import (
     advance_command,
@@ -53,7 +54,7 @@ def _pass_time(state: FleetState, event: events.TimePassed) -> FleetState:
     if state.desk.acted:  # what time changes, nobody did
         state = replace(state, desk=replace(state.desk, acted=""))
     state = _without_ended(state)
-    state = with_held_queues(confirm_commands(state))
+    state = with_misplaced(with_held_queues(confirm_commands(state)))
     held = {alarm.key: alarm.condition for alarm in state.alarms if alarm.holds}
     found = list(conditions(state, held))
     began = {one.key: state.began.get(one.key, event.at) for one in found}

@@ -107,6 +107,7 @@ def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
         place=_place(robot, pose, frame_id),
         jumps=_jumps(robot, event.pose, frame_id, true_at),
         relocated=relocation(robot, event.pose, frame_id, true_at),
+        misplaced=robot.misplaced if frame_id == robot.frame_id else None,  # may be another floor
         pace=_pace(robot, event.pose, frame_id, true_at),
         frame_id=frame_id,
         clock=clock,

@@ -3,9 +3,10 @@
 from fleet_tui.backend import Backend
 from fleet_tui.controllers.notices import Notices
 from fleet_tui.model.commands import CommandRecord
+from fleet_tui.model.geometry import Pose
 from fleet_tui.model.kind import SCAN
 from fleet_tui.model.set_up.commands import SetPose
-from fleet_tui.rules.localisation.match import DOUBTFUL, Match
+from fleet_tui.rules.localisation.match import DOUBTFUL, FEWEST, Match
 from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import percent
@@ -30,6 +31,14 @@ class ScanComparison:
         state = self._store.state
         self.robot, self._floor, self._began = robot, floor, state.now
         self._before = scan_match(state, state.robots[robot], floor, self._backend.streams)
+
+    def doubt(self, robot: str, floor: str, pose: Pose) -> str:
+        """Return what its newest scan has against a pose, empty for nothing or without one."""
+        state = self._store.state
+        fit = scan_match(state, state.robots[robot], floor, self._backend.streams, pose)
+        if fit is None or fit.beams < FEWEST or fit.share >= DOUBTFUL:
+            return ""
+        return f"Only {percent(fit.share)} of the scan fits here. Send it anyway?"
 
     def look(self) -> None:
         """Say how it fits once a scan was taken after the outcome."""

@@ -97,7 +97,8 @@ class PoseRequests:
             self._notices.say(f"the place is on {sanitize(mode.floor)}: go to that floor first")
             return
         if mode.title == SET_POSE:
-            self._give(Request((SetPose(mode.robot, mode.floor, mode.pose),)))
+            doubt = self._comparison.doubt(mode.robot, mode.floor, mode.pose)
+            self._give(Request((SetPose(mode.robot, mode.floor, mode.pose),), doubt=doubt))
             return
         pose = mode.pose
         if self._goal(mode, pose) is not None:

@@ -3,13 +3,15 @@
 from collections.abc import Iterable
 from functools import lru_cache
 
-from fleet_tui.model.alarm import Alarm, AlarmStage
+from fleet_tui.model.alarm import Alarm, AlarmStage, Priority
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState, is_missing
 from fleet_tui.model.link import Phase
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.conditions import is_news
+from fleet_tui.rules.alarms.members import FAILED_MODES
+from fleet_tui.rules.alarms.vehicles import priority_of
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.localisation.jumps import is_jumping
@@ -135,6 +137,17 @@ def to_look_at(state: FleetState) -> tuple[str, ...]:
 def is_stopped(state: FleetState, robot: Robot) -> bool:
     """Tell whether its collision monitor stops a robot."""
     return robot.blocked is not None and robot.blocked.value.is_stopped and state.is_fresh(robot, "blocked")
+
+
+def is_halted(state: FleetState, robot: Robot) -> bool:
+    """Tell whether a robot cannot drive by its own fresh reports: an obstacle, its collision monitor, an
+    emergency stop, a grave error, a mode of its driver."""
+    if state.is_obstructed(robot) or is_stopped(state, robot):
+        return True
+    if robot.vehicle is not None and state.is_fresh(robot, "vehicle"):
+        vehicle = robot.vehicle.value
+        return vehicle.e_stop != "" or any(priority_of(error) is Priority.HIGH for error in vehicle.errors)
+    return robot.member is not None and robot.member.value.mode in FAILED_MODES and state.is_online(robot)
 
 
 def has_lost(state: FleetState, robot: Robot) -> bool:

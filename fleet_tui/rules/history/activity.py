@@ -6,6 +6,7 @@ from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.alarms.trouble import is_halted
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.why.orders import at_stop
 from fleet_tui.rules.why.robot import charges
@@ -35,7 +36,7 @@ def _activity(state: FleetState, robot: Robot, blocked: Set[str], kept: Set[str]
         return Activity.OFFLINE
     if state.is_paused(robot):
         return Activity.PAUSED
-    if robot.name in blocked or state.is_obstructed(robot):
+    if robot.name in blocked or is_halted(state, robot):
         return Activity.BLOCKED
     drives = robot.standing is not None and robot.still_for < MOVES_WITHIN
     # The first pose of one without an order is no movement.
@@ -49,7 +50,7 @@ def _activity(state: FleetState, robot: Robot, blocked: Set[str], kept: Set[str]
 
 def _is_known(state: FleetState, robot: Robot, does: Activity) -> bool:
     """Tell whether fresh reports show what a robot does: its pose that it stands, its queue why."""
-    if does in (Activity.OFFLINE, Activity.PAUSED) or state.is_obstructed(robot):
+    if does in (Activity.OFFLINE, Activity.PAUSED) or is_halted(state, robot):
         return True
     if "pose" in robot.kind.reports and not state.is_fresh(robot, "pose"):
         return False

@@ -2,21 +2,70 @@
 
 from functools import lru_cache
 
+from msgspec.structs import replace
+
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.grid import FREE, OCCUPIED, OccupancyGrid
-from fleet_tui.model.robot import Robot
+from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.commands.set_up.mode import mapping_text
+from fleet_tui.text.durations import age
 
 SIZE = 1.0, 1.0
 """Length and width in metres of a robot that tells none."""
 BESIDE = 0.1
 """Metres from free ground at which a pose in a wall may be one beside it."""
 
+WALL = "pose inside a wall"
+NOW = 1.0
+"""Seconds to the newest pose within which such a pose is one of this moment."""
+HELD = 30.0
+"""Seconds for which such a pose counts after the robot has left it: a wrong one crosses shelf after shelf."""
+
+
+def with_misplaced(state: FleetState) -> FleetState:
+    """Return the state with the newest misplaced pose of each robot. Called once a tick."""
+    changed = {
+        name: replace(robot, misplaced=seen)
+        for name, robot in state.robots.items()
+        if (seen := _newest(state, robot)) is not robot.misplaced
+    }
+    return replace(state, robots={**state.robots, **changed}) if changed else state
+
+
+def _newest(state: FleetState, robot: Robot) -> Reading[str] | None:
+    text, seen = _text(state, robot), robot.misplaced
+    if robot.pose is None or (not text and seen is not None and seen.at == robot.pose.at):
+        return None  # the map has changed
+    return Reading(text, robot.pose.at) if text and seen != Reading(text, robot.pose.at) else seen
+
+
+def is_misplaced(robot: Robot) -> bool:
+    """Tell whether the last pose of a robot is no place on its floor; poses are looked at once a tick."""
+    seen, pose = robot.misplaced, robot.pose
+    return seen is not None and pose is not None and pose.at - seen.at < NOW
+
 
 def misplaced_text(state: FleetState, robot: Robot) -> str:
-    """Return why the last pose of a robot is no place on its floor, empty if it may be one, or no map is
-    known. Whoever makes a map is beyond it."""
+    """Return why the last pose of a robot is no place on its floor, or one a short while ago was none; empty
+    otherwise, and once its localisation has found it elsewhere."""
+    seen = robot.misplaced
+    if seen is None or (robot.relocated is not None and robot.relocated.at > seen.at):
+        return ""
+    if is_misplaced(robot):
+        return seen.value
+    if state.now - seen.at >= HELD:
+        return ""
+    return (
+        f"inside a wall {age(state.now - seen.at)} ago"
+        if seen.value == WALL
+        else f"off the map {age(state.now - seen.at)} ago"
+    )
+
+
+def _text(state: FleetState, robot: Robot) -> str:
+    """Return why the last pose of a robot is no place, empty if it may be one, or no map is known. Whoever
+    makes a map is beyond it."""
     ground = _ground(state, robot) if robot.pose is not None else None
     if robot.pose is None or ground is None:
         return ""
@@ -31,7 +80,7 @@ def misplaced_text(state: FleetState, robot: Robot) -> str:
         if here == FREE:  # nearly always: this is asked of every robot in every tick
             return ""
     if here == OCCUPIED:
-        return "" if _is_free(grid, frame, column, row, BESIDE) else "pose inside a wall"
+        return "" if _is_free(grid, frame, column, row, BESIDE) else WALL
     reach = max(robot.size or SIZE)
     away = max(-column, column - frame.width, -row, row - frame.height) * frame.resolution
     is_off = away > reach or not _is_free(grid, frame, column, row, reach)

@@ -123,6 +123,25 @@ def same_frame(state: FleetState, one: Robot, other: Robot) -> bool:
     return None in frames or frames[0] == frames[1]
 
 
+def metres_off(robot: Robot) -> float:
+    """Return the metres from a robot to the nearest edge of its graph here, 0 without one."""
+    graph = graph_here(robot)
+    if graph is None or robot.pose is None:
+        return 0.0
+    at, places = (robot.pose.value.x, robot.pose.value.y), graph.vertices
+    edges = (one for one in graph.edges if one.start in places and one.end in places)
+    ends = ((places[one.start], places[one.end]) for one in edges)
+    return min((_beside((one.x, one.y), (end.x, end.y), at) for one, end in ends), default=0.0)
+
+
+def _beside(start: Point, end: Point, at: Point) -> float:
+    """Return the distance of a point from a line between two others."""
+    (x, y), along = start, (end[0] - start[0], end[1] - start[1])
+    square = max(along[0] ** 2 + along[1] ** 2, 1e-12)
+    share = min(max(((at[0] - x) * along[0] + (at[1] - y) * along[1]) / square, 0.0), 1.0)
+    return math.dist(at, (x + share * along[0], y + share * along[1]))
+
+
 def _along(points: list[Point], at: Point) -> tuple[float, int] | None:
     """Return the distance of a point along a line, and its part of the line; None beside or behind it."""
     before = 0.0

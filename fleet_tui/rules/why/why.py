@@ -45,6 +45,7 @@ from fleet_tui.rules.why.robot import (
     moves,
     no_link,
     obstacle,
+    off_graph,
     own_late_pause,
     paused,
     silent_robot,
@@ -57,6 +58,9 @@ if TYPE_CHECKING:  # numpy
 
 DEAF: tuple[Rule, ...] = (no_link, late_link, silent_robot)
 """If one of these holds, everything else is an earlier report."""
+
+ASTRAY: tuple[Rule, ...] = (misplaced, jumps, off_graph)
+"""Of a robot that moves, too."""
 
 FOLLOWING: tuple[Rule, ...] = (none_current, no_orders)
 """Of another certain reason, they are only the consequence."""
@@ -71,6 +75,7 @@ RULES: tuple[Rule, ...] = (
     own_late_pause,
     stale_pose,
     jumps,
+    off_graph,
     command,
     failed_order,
     cargo,
@@ -100,7 +105,7 @@ def _is_told(robot: Robot, complaint: Complaint, found: list[Reason]) -> bool:
     return cause != "" and complaint.text.endswith(cause) and any(cause in reason.name for reason in found)
 
 
-def _misplaced(match: "Match | None") -> list[Reason]:
+def _unfit(match: "Match | None") -> list[Reason]:
     """Return the reason of a scan that does not fit the map: only while a scan is watched."""
     return (
         [Reason("not localised", match.text, keys=("pose",))] if match is not None and match.is_poor else []
@@ -127,10 +132,10 @@ def reasons(
     deaf, others = _held(DEAF, state, robot), _held(RULES, state, robot)
     if deaf:
         return _of_deaf(deaf, load, others)
-    moving = moves(state, robot)
-    if moving is not None and not _held((jumps, misplaced), state, robot):
+    moving, unfit = moves(state, robot), _unfit(match)
+    if moving is not None and not (unfit or _held(ASTRAY, state, robot)):
         return [moving]
-    others = _misplaced(match) + others
+    others = unfit + others
     following = [] if _has_certain(others) else _held(FOLLOWING, state, robot)
     others += following
     complaints = [one for one in complaints if not _is_told(robot, one, others)]

@@ -66,8 +66,9 @@ def state_runs(state: FleetState, robot: Robot, does: Activity | None, cells: in
     doing = doing_text(robot, does), doing_role(state, robot)
     if not news_runs:
         return [(missing(state, robot) or doing[0], doing[1]) if does is None else doing, _GAP]
-    # "lost idle" would read as one.
-    is_said = does in (None, Activity.OFFLINE, Activity.PAUSED, *CALM * bool(failed))
+    # "lost idle" would read as one, and an emergency stop says that it is blocked.
+    is_grave = any(role is StyleRole.ALARM for _, role in news_runs)
+    is_said = does in (None, Activity.OFFLINE, Activity.PAUSED, *(*CALM, Activity.BLOCKED) * is_grave)
     is_said = is_said or any(text.startswith((word(does), OBSTACLE)) for text, _ in news_runs)
     both = [*news_runs, doing, _GAP]
     return news_runs if is_said or width_of(both) - 1 > cells else both

@@ -7,6 +7,7 @@ from fleet_tui.model.fleet import FleetState, is_missing, missing_text, obstacle
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.conditions import is_news, obstacle_lasts
+from fleet_tui.rules.alarms.members import issue_text
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
 from fleet_tui.rules.alarms.trouble import AGING, has_lost, in_trouble, is_held_up, is_stopped, shelved
 from fleet_tui.rules.alarms.vehicles import priority_of, sorted_errors
@@ -83,6 +84,7 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
         yield tr(obstacle_text(state, robot, contact)), _contact_role(state, robot)
     yield from _navigation(state, robot)
     yield from _vehicle(state, robot)
+    yield from _member(state, robot)
     if state.is_paused(robot) and robot.last_received is not None:
         yield _paused(state, robot), StyleRole.WARN
     if contact is not None and is_old:
@@ -110,7 +112,9 @@ def _lost(state: FleetState, robot: Robot) -> Iterator[Run]:
 
 def _navigation(state: FleetState, robot: Robot) -> Iterator[Run]:
     if robot.blocked is not None and is_stopped(state, robot):
-        yield tr(blocked_text(robot.blocked.value, state.now)), StyleRole.ALARM
+        has_alarm = any(one.holds and one.key == (robot.name, "blocked") for one in state.alarms)
+        role = StyleRole.ALARM if has_alarm else StyleRole.WARN
+        yield tr(blocked_text(robot.blocked.value, state.now)), role
     if feedback_ceased_at(state, robot) is not None or is_unsteady(state, robot):
         yield tr("navigation silent"), StyleRole.ALARM
     if robot.variance is not None and robot.variance.value > LOST_ABOVE:
@@ -137,6 +141,12 @@ def _vehicle(state: FleetState, robot: Robot) -> Iterator[Run]:
         "not localised": vehicle.localised is False,
     }
     yield from ((tr(sanitize(text)), StyleRole.WARN) for text, holds in texts.items() if holds)
+
+
+def _member(state: FleetState, robot: Robot) -> Iterator[Run]:
+    """Yield what the adapter of a fleet reports about a robot."""
+    if state.is_online(robot) and robot.member is not None and (text := issue_text(robot.member.value)):
+        yield tr(sanitize(text)), StyleRole.ALARM
 
 
 def _short(text: str) -> str:

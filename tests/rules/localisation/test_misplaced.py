@@ -10,7 +10,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.occupancy import grid_from_ros
 from fleet_tui.rules.alarms.trouble import next_in_trouble, to_look_at
-from fleet_tui.rules.localisation.misplaced import misplaced_text
+from fleet_tui.rules.localisation.misplaced import HELD, misplaced_text
 from fleet_tui.rules.why.reason import Strength
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.view.tables.news import news
@@ -26,7 +26,7 @@ def at(x: float, y: float, *more: events.Event) -> FleetState:
     above, below = bytes([255] * 100) * 60, bytes([0] * 40 + [100] * 10 + [255] * 50) * 40
     loaded = events.FloorMapLoaded(F0, grid_from_ros(FRAME, below + above))
     places = pose(T0, x, y), pose(T0, 1.0, 1.0, robot="robot_1")
-    return reduced(fleet(2), link_up(T0 - 9), loaded, *places, *more)
+    return reduced(fleet(2), link_up(T0 - 9), loaded, *places, *(more or [tick(T0)]))
 
 
 @pytest.mark.parametrize(
@@ -50,7 +50,7 @@ def test_a_pose_in_a_wall_or_away_from_known_ground_is_none(x: float, y: float, 
 
 
 def test_who_is_off_the_map_is_in_its_row_found_and_explained_first() -> None:
-    state = at(-3.0, 1.0, PausedReported(R0, T0, True))
+    state = at(-3.0, 1.0, PausedReported(R0, T0, True), tick(T0))
     robot = state.robots[R0]
     assert OFF in [text for text, _ in news(state, robot)]
     assert next_in_trouble(state, "") == R0
@@ -60,15 +60,47 @@ def test_who_is_off_the_map_is_in_its_row_found_and_explained_first() -> None:
 
 
 def test_an_old_pose_off_the_map_is_no_news_of_today() -> None:
-    state = at(-3.0, 1.0, tick(T0 + 60))
+    state = at(-3.0, 1.0, tick(T0), tick(T0 + 60))
     assert OFF not in [text for text, _ in news(state, state.robots[R0])]
 
 
 def test_without_a_map_no_pose_is_wrong() -> None:
-    state = reduced(fleet(), link_up(T0 - 9), pose(T0, -300.0, 1.0))
+    state = reduced(fleet(), link_up(T0 - 9), pose(T0, -300.0, 1.0), tick(T0))
     assert misplaced_text(state, state.robots[R0]) == "" and not to_look_at(state)
 
 
 def test_it_is_told_also_of_a_robot_that_moves() -> None:
     state = at(-3.0, 1.0, pose(T0 + 0.5, -3.2, 1.0), tick(T0 + 0.5))
     assert reasons(state, state.robots[R0])[0].name == OFF
+
+
+def left(seconds: float) -> FleetState:
+    """A robot that drove out of the wall, some seconds ago."""
+    drives: list[events.Event] = [pose(T0 + 0.5, 1.8, 1.0), tick(T0 + 0.5), pose(T0 + seconds, 1.7, 1.0)]
+    return at(2.25, 1.0, tick(T0), *drives, tick(T0 + seconds))
+
+
+def test_a_pose_that_crosses_walls_stays_worth_a_look_with_its_age() -> None:
+    state = left(12.0)
+    robot = state.robots[R0]
+    assert "inside a wall 12 s ago" in [text for text, _ in news(state, robot)]
+    assert to_look_at(state) == (R0,)
+    between = left(0.6).robots[R0]  # poses come between ticks
+    assert misplaced_text(left(0.6), between) == WALL
+    first = reasons(state, robot)[0]
+    assert (first.name, first.strength) == ("inside a wall 12 s ago", Strength.LIKELY)
+    assert "has just been" in first.evidence and first.remedy.startswith("Set its pose")
+    over = left(HELD + 1.0)
+    assert misplaced_text(over, over.robots[R0]) == "" and not to_look_at(over)
+
+
+def test_a_pose_put_right_is_right_at_once() -> None:
+    state = at(2.25, 1.0, tick(T0), pose(T0 + 0.1, 0.2, 1.0), tick(T0 + 0.1))
+    assert state.robots[R0].relocated is not None
+    assert misplaced_text(state, state.robots[R0]) == ""
+
+
+def test_a_map_that_changes_under_a_standing_robot_ends_it() -> None:
+    free = grid_from_ros(FRAME, bytes(100 * 100))
+    state = at(2.25, 1.0, tick(T0), events.FloorMapLoaded(F0, free), tick(T0 + 0.1))
+    assert misplaced_text(state, state.robots[R0]) == ""

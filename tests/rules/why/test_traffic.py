@@ -93,3 +93,15 @@ def test_only_a_near_robot_or_one_under_way_on_the_next_edge_is_in_the_way() -> 
     assert found(8.0, drives=False)[0] == "cause unknown NONE"
     assert found(8.0, drives=True, keeps_goals=True)[0] == "cause unknown NONE"
     assert found(3.0, drives=False) == ["waiting behind robot_1 POSSIBLE", "cause unknown NONE"]
+
+
+def test_a_robot_with_an_order_and_a_pose_beside_all_edges_is_said_to_be_off_the_graph() -> None:
+    """It drives: its localisation is wrong, not its way."""
+    drives: list[Event] = [link_up(T0 - 9), graph(1, 2, 3), pose(T0 - 0.5, 1.0, 2.5), pose(T0, 1.4, 2.6)]
+    busy = reduced(fleet(), *drives, queue(T0, (1, 3, 1, "W"), current=1), tick(T0))
+    found = reasons(busy, busy.robots[R0])[0]
+    assert found.name == "pose 2.6 m off the route graph" and found.keys[0] == "pose"
+    idle = reduced(fleet(), *drives, queue(T0), tick(T0))
+    near = reduced(busy, pose(T0 + 0.1, 1.4, 1.9), tick(T0 + 0.1))
+    for state in (idle, near):
+        assert reasons(state, state.robots[R0])[0].name == "robot_0 is driving"

@@ -211,6 +211,13 @@ def test_a_scan_that_does_not_fit_comes_first_and_without_one_nothing_is_said() 
     assert first.evidence == "10 % of 600 beams fit the map, median 1.50 m"
 
 
+def test_a_scan_that_does_not_fit_is_told_also_of_a_robot_that_moves() -> None:
+    state = reduced(fleet(), link_up(T0 - 100), pose(T0 - 0.5), pose(T0 - 0.1, 0.4), queue(T0), tick(T0))
+    robot = state.robots[R0]
+    assert reasons(state, robot)[0].name == "robot_0 is driving"
+    assert reasons(state, robot, Match(0.1, 1.5, 600))[0].name == "not localised"
+
+
 def test_what_a_robot_reports_about_itself_comes_after_jumps_of_its_pose() -> None:
     planted = driving(then="jumping:robot_0").run(12)
     own = Complaint("drive: ERROR no odometry", "diagnostics", True, planted.now)

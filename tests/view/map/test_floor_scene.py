@@ -97,7 +97,7 @@ def test_a_robot_inside_a_wall_or_off_the_map_by_more_than_its_size_is_marked() 
         (0.2, -1.5, True),
         (math.nan, 0.2, False),
     ):
-        state = reduced(fleet(), pose(T0, x, y), events.FloorMapLoaded(F0, grid))
+        state = reduced(fleet(), pose(T0, x, y), events.FloorMapLoaded(F0, grid), tick(T0))
         assert placed(state, R0).misplaced == is_misplaced, (x, y)
         assert ("?" in robot_tag(placed(state, R0), plain=True)) == is_misplaced
 

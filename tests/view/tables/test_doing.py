@@ -1,14 +1,27 @@
 """What a robot does, in the one word of the screen."""
 
+from typing import Any
+
 import pytest
+from msgspec.structs import replace
 
 from fleet_tui.model.events import ObstacleReported, PausedReported
-from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.fleet import FleetState, with_robot
+from fleet_tui.model.fleets.member import Member
 from fleet_tui.model.history.facts import Activity
+from fleet_tui.model.navigation_events import BlockedReported
+from fleet_tui.model.robot import Reading
+from fleet_tui.model.vehicles.events import VehicleReported
+from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleError
 from fleet_tui.rules.history.activity import activities
+from fleet_tui.view.map.floor_scene import floor_scene
+from fleet_tui.view.map.glyphs import robot_tag
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.selection import Selection
 from fleet_tui.view.tables.doing import OBSTACLE, count_word, counted, doing_text, told_text, word
 from fleet_tui.view.tables.fleet import fleet_table
-from tests.support.fleets import R0, T0, battery, fleet, link_up, pose, queue, reduced, text_of, tick
+from fleet_tui.view.tables.news import news
+from tests.support.fleets import F0, R0, T0, battery, fleet, link_up, pose, queue, reduced, text_of, tick
 
 AT = T0 + 40.0
 
@@ -26,6 +39,49 @@ SITUATIONS = {
     "paused (elsewhere)": standing(PausedReported(R0, AT, True)),
     "unknown": reduced(fleet(), link_up(AT), queue(AT, (1, 1, 2, "W"), current=1), tick(AT)),
 }
+
+
+def vehicle(**state: Any) -> VehicleReported:
+    return VehicleReported(R0, AT, Vehicle("a", "2.0.0", **state))
+
+
+BLOCKED = {
+    "blocked 0.0 s (seen)": BlockedReported(R0, AT, "stop", "front"),
+    "e-stop (manual)": vehicle(e_stop="MANUAL"),
+    "motor": vehicle(errors=(VehicleError("motor", "FATAL"),)),
+}
+
+
+@pytest.mark.parametrize("said", BLOCKED)
+def test_who_cannot_drive_is_blocked_in_title_activity_and_on_the_map(said: str) -> None:
+    state = reduced(standing(ordered=False), BLOCKED[said], tick(AT))
+    robot = state.robots[R0]
+    assert activities(state, [robot]) == {R0: Activity.BLOCKED}
+    table = fleet_table(state, R0, 100)
+    assert text_of(table.title).endswith(": 1 blocked")
+    row = text_of(table.rows[0].runs)
+    assert said in row and "idle" not in row and row.count("blocked") == said.count("blocked")
+    drawn = floor_scene(state, Selection(R0, F0)).robots[0]
+    assert "!" in robot_tag(drawn, plain=True)
+
+
+def test_what_stops_a_vehicle_is_red_once_it_is_an_alarm() -> None:
+    state = reduced(standing(ordered=False), BLOCKED["blocked 0.0 s (seen)"], tick(AT))
+    assert [role for text, role in news(state, state.robots[R0]) if "blocked" in text] == [StyleRole.WARN]
+    last = AT + 31.0
+    again = (pose(last), queue(last), BlockedReported(R0, last, "stop", "front"), tick(last))
+    state = reduced(state, *again)
+    assert [role for text, role in news(state, state.robots[R0]) if "blocked" in text] == [StyleRole.ALARM]
+
+
+def test_an_emergency_of_a_fleet_and_an_issue_are_told_in_the_row() -> None:
+    robot = standing(ordered=False).robots[R0]
+    for member, does in ((Member(mode="emergency"), "blocked"), (Member(issues=("lift_1 silent",)), "idle")):
+        known = replace(robot, member=Reading(member, AT))
+        state = reduced(with_robot(standing(ordered=False), known), tick(AT))
+        table, said = fleet_table(state, R0, 100), member.mode or member.issues[0]
+        assert text_of(table.title).endswith(f": 1 {does}")
+        assert said in text_of(table.rows[0].runs) and does not in text_of(table.rows[0].runs)
 
 
 @pytest.mark.parametrize("said", SITUATIONS)
