@@ -88,11 +88,11 @@ def with_progress(runs: list[Run], progress: str, cells: int) -> list[Run]:
     return runs
 
 
-def page_runs(state: FleetState, robot: Robot) -> list[Run]:
+def page_runs(state: FleetState, robot: Robot, cells: int = PAGE) -> list[Run]:
     """Return what a robot does and its news for its page: without red if all its alarms are acknowledged, as
     the tables have it."""
     does = activities(state, [robot]).get(robot.name)
-    runs = state_runs(state, robot, does, PAGE)
+    runs = state_runs(state, robot, does, cells)
     is_known = robot.name in acknowledged(state)
     told = [(text, StyleRole.WARN if is_known and role is StyleRole.ALARM else role) for text, role in runs]
     return [(text, StyleRole.TEXT if role is StyleRole.DIM else role) for text, role in told if text != " "]
