@@ -140,7 +140,7 @@ def test_an_order_that_is_listed_as_over_ended_so(state: OrderState, stage: Stag
     alarms = [alarm.text for alarm in ended.alarms if alarm.condition.kind == "command"]
     assert bool(alarms) == (stage in FAILURES)
     if stage is Stage.FAILED:
-        assert alarms == ["failed: as reported by the robot (order dock A -> 7b)"]
+        assert alarms == ["order dock A -> 7b failed: no reason reported"]
     if stage is Stage.REPLACED:
         assert alarms == [f"replaced: order dock A -> 7b (order {GOAL}: as reported by the robot)"]
 

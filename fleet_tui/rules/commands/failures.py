@@ -12,6 +12,7 @@ from fleet_tui.model import commands
 from fleet_tui.model.alarm import Condition, Key, Priority
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import route_text
+from fleet_tui.model.order_life import UNSAID
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetUpCommand
 from fleet_tui.rules.causes import remedy_of
@@ -71,6 +72,20 @@ def failed_commands(state: FleetState) -> Iterator[Condition]:
         yield _failed(state, key, records)
 
 
+def _texts(last: commands.CommandRecord, request: str) -> tuple[str, str]:
+    """Return the text of a failure while it is news, and after."""
+    detail = last.detail.removeprefix(f"order {last.order_id}: ")
+    if last.stage is commands.Stage.FAILED and isinstance(last.command, commands.PlaceOrder):
+        # In the form of an order of another client.
+        cause = "no reason reported" if detail in ("", UNSAID) else detail
+        return f"{request} failed: {cause}", f"{request} failed"
+    told = f"{request}{detail_text(last.detail)}"
+    if last.stage in _CAUSED and last.detail:
+        told = f"{detail} ({request})"
+    # The failure and its cause are first: they must not be cut at the right end.
+    return f"{last.stage.value}: {told}", f"{_OVER.get(last.stage, 'failed')}: {request}"
+
+
 def _failed(state: FleetState, key: Key, records: Sequence[commands.CommandRecord]) -> Condition:
     last = records[-1]
     request = _request_text(state.robots[last.command.robot], last.command)
@@ -80,18 +95,15 @@ def _failed(state: FleetState, key: Key, records: Sequence[commands.CommandRecor
     # The only one of many is named first: the alarm is the link's.
     whose = f"{last.command.robot} " if len(robots) == 1 and key[0] not in robots else ""
     high = any(isinstance(record.command, commands.PauseRobot) for record in records)
-    told = f"{request}{detail_text(last.detail)}"
-    if last.stage in _CAUSED and last.detail:
-        told = f"{last.detail.removeprefix(f'order {last.order_id}: ')} ({request})"
+    told, over = _texts(last, request)
     drives_on = isinstance(last.command, commands.CancelOrder | commands.ClearOrders)
     drives_on = drives_on and state.robots[last.command.robot].orders.current is not None
     remedy = remedy_of(last.detail) if last.stage is commands.Stage.FAILED else ""
     return Condition(
         *key,
         Priority.HIGH if high else Priority.MEDIUM,
-        # The failure and its cause are first: they must not be cut at the right end.
-        f"{whose}{last.stage.value}: {told}",
-        f"{whose}{_OVER.get(last.stage, 'failed')}: {request}",
+        f"{whose}{told}",
+        f"{whose}{over}",
         # A failure that changes into another one is news.
         parts=frozenset(f"{record.id} {record.stage.value}" for record in records),
         remedy=DRIVES_ON if drives_on else remedy,

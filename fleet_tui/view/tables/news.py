@@ -23,6 +23,7 @@ from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, width_of
 
+FAILED = " failed"
 _NAMES = {name: name for name in AGING} | {"paused": "pause"}
 """Values that may be old, with their names."""
 
@@ -43,13 +44,19 @@ def _paused(state: FleetState, robot: Robot) -> str:
     return tr("paused") if own_pause(state, robot) else tr("paused (elsewhere)")
 
 
+def without_cause(text: str) -> str:
+    """Return `order A -> B failed` of `order A -> B failed: no path`, another text as it is."""
+    what, failed, _ = text.partition(FAILED)
+    return f"{what}{failed}"
+
+
 def failed_command(state: FleetState, robot: Robot, short: bool = False) -> Iterator[Run]:
     """Return the alarms of a command and of an order that failed, as far as there are any; `short`: without
     the name of the order, which stands before what happened to it."""
     keys = (robot.name, "command"), (robot.name, "order")
     for alarm in state.alarms:
         if alarm.key in keys and alarm.holds and alarm.stage is not AlarmStage.SHELVED:
-            is_named = alarm.key == keys[0] or not short
+            is_named = not (short and without_cause(alarm.text).endswith(FAILED))
             yield tr(sanitize(alarm.text) if is_named else "order failed"), StyleRole.ALARM
 
 

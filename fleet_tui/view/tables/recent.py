@@ -21,6 +21,7 @@ from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.view.lines.commands import TROUBLE, command_text, stage_text
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.missions import destinations, mission, whose_mission
+from fleet_tui.view.tables.news import without_cause
 from fleet_tui.view.tables.table import Row, Run, Table, column
 
 Event = tuple[float, str, Callable[[], tuple[Run, ...]]]
@@ -89,7 +90,8 @@ def _alarm(alarm: Alarm) -> tuple[Run, ...]:
     is_quiet = not alarm.holds or alarm.stage is AlarmStage.SHELVED
     # As it was at its time: a duration that counts on would contradict that.
     text = (alarm.holds and alarm.first_text) or alarm.text
-    return ((tr(sanitize(text)), StyleRole.DIM if is_quiet else StyleRole.ALARM),)
+    # The alarms pane has the cause.
+    return ((tr(sanitize(without_cause(text))), StyleRole.DIM if is_quiet else StyleRole.ALARM),)
 
 
 def _commands(state: FleetState) -> Iterator[Event]:

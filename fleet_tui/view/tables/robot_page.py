@@ -18,9 +18,11 @@ from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import command_text, stage_text
 from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.alarms import FEW
 from fleet_tui.view.tables.doing import page_runs
 from fleet_tui.view.tables.fleet_columns import floor_text
 from fleet_tui.view.tables.missions import whose_mission
+from fleet_tui.view.tables.news import without_cause
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import Row, Run, Table
 
@@ -56,13 +58,16 @@ def named(name: str, *runs: Run) -> tuple[Run, ...]:
 
 
 def _alarms(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Run, ...]]:
-    """Yield each alarm as a whole, and what to do."""
-    for alarm in state.alarms:
-        if alarm.holds and alarm.condition.source == robot.name:
-            for n, line in enumerate(wrap(tr(sanitize(alarm.text)), max(20, width))):
-                yield named("" if n else "Alarm", (line, StyleRole.TEXT))
-            for line in wrap(tr(action_of(alarm.condition)), max(20, width)):
-                yield named("", (line, StyleRole.DIM))
+    """Yield each alarm as a whole, and what to do; of a few, which the alarms pane explains, the name."""
+    own = [one for one in state.alarms if one.holds and one.condition.source == robot.name]
+    for alarm in own:
+        if len(state.alarms) <= FEW:
+            yield named("Alarm", (tr(sanitize(without_cause(alarm.text))), StyleRole.TEXT))
+            continue
+        for n, line in enumerate(wrap(tr(sanitize(alarm.text)), max(20, width))):
+            yield named("" if n else "Alarm", (line, StyleRole.TEXT))
+        for line in wrap(tr(action_of(alarm.condition)), max(20, width)):
+            yield named("", (line, StyleRole.DIM))
 
 
 def value_rows(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Run, ...]]:

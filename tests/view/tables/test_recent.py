@@ -6,7 +6,9 @@ from fleet_tui.model.commands import CancelOrder, PauseRobot, Stage
 from fleet_tui.model.events import CommandAdvanced, CommandIssued, ObstacleReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.news import failed_command
 from fleet_tui.view.tables.recent import recent_table
+from fleet_tui.view.tables.robot_page import robot_page
 from tests.support.alarms import without_poses
 from tests.support.fleets import (
     R0,
@@ -123,6 +125,20 @@ def test_the_return_of_a_link_stays_with_its_outage_after_its_alarm_is_gone() ->
     back = reduced(fleet(), link_up(T0), link_lost(T0 + 5), tick(T0 + 9), link_up(T0 + 27), tick(T0 + 60))
     assert not [alarm for alarm in back.alarms if alarm.condition.kind == "link"]
     assert "27 rosbridge link restored after 22 s" in lines(back)
+
+
+def test_of_an_order_that_failed_the_alarm_alone_has_the_cause() -> None:
+    given = commanded(1, place_order(R0, 1, 2), Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED, at=T0)
+    end = CommandAdvanced(1, Stage.FAILED, T0 + 1, detail="Failed to find a valid control")
+    failed = reduced(fleet(), link_up(T0), *NAMED, *given, end, tick(T0 + 2))
+    told = "order Base -> Store failed"
+    assert [alarm.text for alarm in failed.alarms] == [f"{told}: Failed to find a valid control"]
+    line = next(one for one in lines(failed) if told in one)
+    assert line.endswith(f"{R0} {told}")
+    robot = failed.robots[R0]
+    assert [text for text, _ in failed_command(failed, robot, short=True)] == ["order failed"]
+    page = "\n".join(text_of(row.runs) for row in robot_page(failed, R0, 42, clock).rows)
+    assert "order failed" in page and "Pose" in page and "valid control" not in page
 
 
 def test_the_cause_at_the_end_of_an_event_goes_on_in_a_second_line() -> None:

@@ -1,5 +1,7 @@
 """The selected robot's page shows each value with its age, and what was done with it."""
 
+from msgspec import structs
+
 from fleet_tui.model import events
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.desk.events import RobotClaimed
@@ -47,7 +49,10 @@ def test_each_value_has_its_age_and_an_old_one_is_marked() -> None:
 
 def test_its_alarm_and_what_to_do_are_on_it_and_the_place_by_name() -> None:
     low = reduced(received(graph(1, 2), labels({1: "Base"}), battery(T0 + 1, 5.0)), tick(T0 + 1))
-    assert "battery 5 %" in line(low, "Alarm") and "Send it to a charger" in page(low)
+    assert "battery 5 %" in line(low, "Alarm")
+    assert "Send it to a charger" not in page(low), "the alarms pane explains the marked one of a few"
+    many = structs.replace(low, alarms=low.alarms * 5)
+    assert "Send it to a charger" in page(many)
     assert line(low, "Place").split()[1:] == ["at", "Base"]
 
 
