@@ -73,8 +73,7 @@ class Condition(Struct, frozen=True):
     """A condition that needs a person now. `text` describes it while it holds, `over` afterwards.
 
     It is an alarm after the monotonic second `due`. `parts` are the members of a group (robots, failed
-    commands): a new one is news. `remedy` is what to do, empty for the action of its class. If it `passes`, its
-    alarm ends with it, whatever its class: nothing was lost."""
+    commands): a new one is news. `remedy` is what to do, empty for the action of its class."""
 
     source: str
     kind: str
@@ -84,7 +83,6 @@ class Condition(Struct, frozen=True):
     due: float = float("-inf")
     parts: frozenset[str] = frozenset()
     remedy: str = ""
-    passes: bool = False
 
     @property
     def key(self) -> Key:
@@ -178,7 +176,6 @@ def advance(
             alarm = _holding(alarm, condition, at, wall)
         else:
             stays = latched is None or class_of(alarm.condition.kind) in latched
-            stays = stays and not alarm.condition.passes
             alarm = _not_holding(alarm, at, clear_after, stays)
         if alarm.stage is AlarmStage.SHELVED and at >= alarm.shelved_until:
             alarm = _off_the_shelf(alarm)

@@ -129,15 +129,6 @@ def test_since_stays_the_moment_of_the_loss_while_it_is_tried_again() -> None:
     assert reduced(state, link_up(T0 + 40)).links[LINK].since == T0 + 30
 
 
-def test_a_first_connection_that_took_its_time_leaves_no_alarm() -> None:
-    state = reduced(fleet(), link_lost(T0), tick(T0 + 4))
-    assert list(alarms(state)) == [(LINK, "link")]
-    state = reduced(state, link_up(T0 + 5), tick(T0 + 5.1), tick(T0 + 9))
-    assert alarms(state) == {}
-    lost = reduced(state, link_lost(T0 + 10), tick(T0 + 13), link_up(T0 + 14), tick(T0 + 20))
-    assert list(alarms(lost)) == [(LINK, "link")], "one that was lost is for somebody to see"
-
-
 def test_a_link_that_is_heard_and_commands_that_are_dead() -> None:
     state = reduced(fleet(), link_up(T0), events.MessageArrived(LINK, T0 + 3.0))
     assert state.links[LINK].last_received == T0 + 3.0

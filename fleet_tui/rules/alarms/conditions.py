@@ -134,7 +134,7 @@ def no_link(state: FleetState, link: LinkState, _active: ActiveConditions) -> Co
         return None
     text = f"no link: {link.reason}" if link.reason else "no link"
     over = "link restored" if link.was_up else f"connected after {age(state.now - link.since)}"
-    return Condition(link.name, "link", Priority.HIGH, text, over, passes=not link.was_up)
+    return Condition(link.name, "link", Priority.HIGH, text, over)
 
 
 def dead_commands(state: FleetState, link: LinkState, active: ActiveConditions) -> Condition | None:
