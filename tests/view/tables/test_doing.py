@@ -5,7 +5,7 @@ from typing import Any
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.model.events import ObstacleReported, PausedReported
+from fleet_tui.model.events import Event, ObstacleReported, PausedReported
 from fleet_tui.model.fleet import FleetState, with_robot
 from fleet_tui.model.fleets.member import Member
 from fleet_tui.model.history.facts import Activity
@@ -45,7 +45,7 @@ def vehicle(**state: Any) -> VehicleReported:
     return VehicleReported(R0, AT, Vehicle("a", "2.0.0", **state))
 
 
-BLOCKED = {
+BLOCKED: dict[str, Event] = {
     "blocked 0.0 s (seen)": BlockedReported(R0, AT, "stop", "front"),
     "e-stop (manual)": vehicle(e_stop="MANUAL"),
     "motor": vehicle(errors=(VehicleError("motor", "FATAL"),)),
