@@ -138,6 +138,8 @@ class Pages:
         return robot_log_table(self._lines, links, state, self._clock, self.least, wanted, *opened)
 
     def _raw_table(self, state: FleetState) -> Table:
+        if self.topic is None:
+            self.topic = self.worst_topic(self.robot)
         topic = self._topic()
         if topic is None:
             return Table((), (), tr("no topic selected: press Enter on a row of Topics"))

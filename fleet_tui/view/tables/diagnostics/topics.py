@@ -1,27 +1,31 @@
 """Every requested topic: its state, rate and age, and unreadable messages."""
 
 from collections.abc import Mapping, Sequence
-from itertools import accumulate
 
 from fleet_tui.model.counters import TopicCounter
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.rules.lag import is_overloaded
-from fleet_tui.text.durations import duration
 from fleet_tui.text.language import tr
-from fleet_tui.text.sanitize import cell_width, fit, sanitize
+from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.text.units import ago, size_text
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.diagnostics.links import Links, down
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
 
+UNBOUNDED = 10_000
 BAD_FOR = 10.0
 """Seconds for which a bad message marks its topic."""
 
-NAMES = 34
-"""Cells of the longest topic."""
+LEAST = 10
+"""Cells that a topic has at least."""
 BAD = 8
 """Cells of the number of bad messages, if there are any."""
+FIXED, SIZES, WHY = 47, 20, 10
+"""Cells of state, age and rates with their gaps, of bytes and messages, which a narrow pane has not, and from
+which a reason is shown."""
+SLOW = 0.5
+"""Of the rate that was requested: below it a topic of an overloaded bridge is slow."""
 _FIRST = {StyleRole.ALARM: 0, StyleRole.WARN: 1}
 
 Entry = tuple[LinkState, TopicCounter]
@@ -45,8 +49,13 @@ def topic_state(link: LinkState, topic: TopicCounter, now: float, silent_after: 
     if now - topic.at > silent_after:
         return tr("○ silent"), StyleRole.WARN
     if is_overloaded(link):
-        return tr(f"▲ {duration(link.late)} late"), StyleRole.WARN
+        return tr("▲ slow" if _is_slow(topic, now) else "▲ late"), StyleRole.WARN
     return tr("● live"), StyleRole.GOOD
+
+
+def _is_slow(topic: TopicCounter, now: float) -> bool:
+    rates = topic.rates(now)
+    return rates is not None and bool(topic.asked_ms) and rates[0] < SLOW * 1000 / (topic.asked_ms or 1)
 
 
 def entries(state: FleetState, links: Links, wanted: str, selected: str = "") -> list[Entry]:
@@ -64,53 +73,51 @@ def entries(state: FleetState, links: Links, wanted: str, selected: str = "") ->
 
 
 def topic_table(
-    state: FleetState, links: Links, wanted: str, now: float, selected: str = "", width: int = 200
+    state: FleetState, links: Links, wanted: str, now: float, selected: str = "", width: int = UNBOUNDED
 ) -> Table:
-    """Return a row for each, those with problems first, then those of the selected robot; its key is link and
-    topic. Columns beyond `width` cells are left out as a whole."""
+    """Return a row for each in `width` cells, those with problems first, then those of the selected robot;
+    its key is link and topic."""
     looked = [
         (topic_state(link, topic, now, _silent_after(state, topic)), (link, topic))
         for link, topic in entries(state, links, wanted, selected)
     ]
-    looked.sort(key=lambda one: _FIRST.get(one[0][1], len(_FIRST)))
+    late = tr("▲ late")
+    looked.sort(key=lambda one: (_FIRST.get(one[0][1], len(_FIRST)), one[0][0] == late))
     states, found = [one for one, _ in looked], [entry for _, entry in looked]
-    names = column((topic.topic for _, topic in found), 10, NAMES)
     bad = BAD * any(topic.errors for _, topic in found)
+    longest = column((topic.topic for _, topic in found), LEAST, UNBOUNDED)
+    has_sizes = FIXED + longest + bad + SIZES <= width
+    has_why = FIXED + longest + bad + SIZES + WHY <= width
+    names = max(LEAST, min(longest, width - FIXED - bad - SIZES * has_sizes))
     keys = [(link.name, topic.topic) for link, topic in found]
-
-    def row(n: int) -> Row:
-        topic = found[n][1]
-        why = topic.not_subscribed or (topic.bad.text if topic.bad is not None else "")
-        runs = _fitting(_runs(states[n], topic, names, bad, now), width)
-        return Row(keys[n], (*runs, (sanitize(why), StyleRole.DIM)))
-
-    rows = LateRows(keys, row)
+    rows = LateRows(
+        keys, lambda n: Row(keys[n], (*_runs(states[n], found[n][1], names, bad, now, has_sizes, has_why),))
+    )
     trouble = sum(role in (StyleRole.WARN, StyleRole.ALARM) for _, role in states)
     note = tr(f" {len(found)}, {trouble} with problems") + (
         tr(f", matching {sanitize(wanted)}") if wanted else ""
     )
     title = (tr("Topics"), StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
+    if any(is_overloaded(link) for link, _ in links):
+        title = (*title, (tr(": lower the rates"), StyleRole.WARN))
     empty = tr("no matching topic") if wanted else tr("console starting")
-    return Table(title, rows, empty, head=_fitting(_head(names, bad), width))
+    return Table(title, rows, empty, head=_head(names, bad, has_sizes))
 
 
-def _fitting(runs: Sequence[Run], width: int) -> tuple[Run, ...]:
-    """Return the columns that have space as a whole."""
-    ends = accumulate(cell_width(text) for text, _ in runs)
-    return tuple(run for run, end in zip(runs, ends, strict=True) if end <= width + 1)  # a gap is last
-
-
-def _head(names: int, bad: int) -> Sequence[Run]:
+def _head(names: int, bad: int, has_sizes: bool) -> tuple[Run, ...]:
     words = map(tr, ("State", "Topic", "Rate", "At most", "Last", "Bytes", "Messages"))
     state, topic, rate, most, last, size, count = words
-    columns = f"{state:<17}", f"{last:>10} ", f"{topic:<{names}} ", f"{rate:>8} ", f"{most:>8} "
-    return [(text, StyleRole.DIM) for text in (*columns, f"{'':{bad}}", f"{size:>9} ", f"{count:>8} ")]
+    heads = f"{state:<17}{last:>10} {topic:<{names}} {rate:>8} {most:>8} {'':{bad}}"
+    heads += f"{size:>9} {count:>8}" * has_sizes
+    return ((heads, StyleRole.DIM),)
 
 
 def _shortened(name: str, cells: int) -> str:
-    """Return a name of at most so many letters: topics of a robot differ at their ends."""
-    kept = cells - 1
-    return name if len(name) <= cells else f"{name[: kept // 3]}…{name[len(name) - kept + kept // 3 :]}"
+    """Return a name of at most so many letters, cut at its front, before a part: `…/scan`."""
+    if len(name) <= cells:
+        return name
+    end = name[1 - cells :]
+    return f"…{end[max(0, end.find('/')) :]}"
 
 
 def _silent_after(state: FleetState, topic: TopicCounter) -> float:
@@ -123,19 +130,24 @@ def asked_rate(ms: int | None) -> str:
     return f"{1000 / ms:.1f} Hz" if ms else ""
 
 
-def _runs(state: Run, topic: TopicCounter, names: int, bad: int, now: float) -> Sequence[Run]:
+def _runs(
+    state: Run, topic: TopicCounter, names: int, bad: int, now: float, has_sizes: bool, has_why: bool
+) -> Sequence[Run]:
     word, role = state
     rates = topic.rates(now)
     rate = "" if rates is None else f"{rates[0]:.1f} Hz"
     size = "" if rates is None else f"{size_text(rates[1])}/s"
     errors = tr(f"{topic.errors:,} bad") if topic.errors else ""
-    return [
+    runs = [
         (f"{word:<17}", role),
         (f"{tr(ago(topic.at, now)):>10} ", StyleRole.WARN if role is StyleRole.WARN else StyleRole.TEXT),
         (fit(_shortened(sanitize(topic.topic), names), names) + " ", StyleRole.TEXT),
         (f"{rate:>8} ", StyleRole.TEXT),
         (f"{asked_rate(topic.asked_ms):>8} ", StyleRole.DIM),
         (f"{errors:>{bad - 1}} " if bad else "", StyleRole.WARN),
-        (f"{size:>9} ", StyleRole.DIM),
-        (f"{topic.count:>8,} ", StyleRole.DIM),
+        (f"{size:>9} {topic.count:>8,}  " * has_sizes, StyleRole.DIM),
     ]
+    why = topic.not_subscribed or (topic.bad.text if topic.bad is not None else "")
+    if topic.not_subscribed and not has_why:
+        runs = runs[:3]  # it has no rate
+    return [*runs, (sanitize(why), StyleRole.DIM)] if has_why or topic.not_subscribed else runs

@@ -34,35 +34,47 @@ def test_topics_with_problems_first_then_in_the_order_of_the_config_each_with_ho
     assert row(table, "/rosout").startswith("· on demand")
 
 
-def test_long_names_keep_both_ends_and_the_columns_have_heads() -> None:
+def test_a_long_name_is_cut_at_its_front_where_it_must_and_the_columns_have_heads() -> None:
     long = "/robot_0/follow_waypoints/_action/feedback"
     link = LinkCounter(LINK, [TopicCounter(long, R0, "pose"), TopicCounter(POSE, R0, "pose")])
     state, links = seen(link)
     table = topic_table(state, links, "", NOW)
     assert POSE in row(table, POSE).split()
-    assert "/robot_0/fo…oints/_action/feedback" in row(table, "feedback")
+    assert long in row(table, "feedback").split()
     assert text_of(table.head).split() == [
         *("State", "Last", "Topic", "Rate", "At", "most", "Bytes", "Messages")
     ]
 
 
-def test_columns_without_space_are_left_out_as_a_whole() -> None:
+def test_a_narrow_pane_has_whole_columns_and_names_from_a_part_on() -> None:
+    long = TopicCounter("/robot_0/follow_waypoints/_action/feedback", R0, "pose")
+    long.asked_ms = 100
+    steady(long)
+    long.failed("Object missing required field `pose`")
+    refused = TopicCounter("/robot_0/goals", R0, "queue")
+    refused.not_subscribed = "has type std_msgs/Float64"
+    state, links = seen(LinkCounter(LINK, [long, refused]))
+    table = topic_table(state, links, "", NOW, width=76)
+    told = row(table, "feedback")
+    assert len(told) <= 76
+    assert "…/_action/feedback " in told and "10.0 Hz  10.0 Hz" in told and "missing" not in told
+    assert "has type std_msgs" in row(table, "goals")[:76]
+    assert len(text_of(table.head)) <= 76 and "Bytes" not in text_of(table.head)
+
+
+def test_topics_of_an_overloaded_bridge_are_late_and_far_below_their_rate_slow() -> None:
     link = counter()
-    steady(link.topics[POSE])
+    steady(link.topics["/robot_1/pose"], rate=9.0)
+    steady(link.topics[POSE], rate=1.6)
+    for topic in link.topics.values():
+        topic.asked_ms = 100
     state, links = seen(link)
-    table = topic_table(state, links, "", NOW, width=60)
-    assert text_of(table.head).split() == ["State", "Last", "Topic", "Rate"]
-    assert row(table, POSE).split()[-3:] == [POSE, "10.0", "Hz"]
-
-
-def test_behind_an_overloaded_bridge_no_topic_looks_live() -> None:
-    link = counter()
-    steady(link.topics[POSE])
-    state, _ = seen(link)
-    late = replace(state.links[LINK], late=7.0)
-    table = topic_table(state, [(late, link)], "", NOW)
-    assert row(table, POSE).startswith("▲ 7.0 s late")
-    assert text(table)[0].startswith("Topics 6, 4 with problems")  # no other has come
+    assert row(topic_table(state, links, "", NOW), POSE).startswith("● live"), "the robot may send no more"
+    table = topic_table(state, [(replace(links[0][0], late=12.0), link)], "robot", NOW)
+    keys = [key[1] for key in table.keys if isinstance(key, tuple)]
+    assert row(table, POSE).startswith("▲ slow") and row(table, "/robot_1/pose").startswith("▲ late")
+    assert keys.index(POSE) < keys.index("/robot_1/pose")
+    assert text(table)[0].endswith(" messages 12 s late: lower the rates")
 
 
 def test_bad_data_marks_its_topic_for_a_while_and_its_words_stay() -> None:
