@@ -1,6 +1,6 @@
 """Actions of keys on this screen: a row in `keys/` picks one of them."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -19,7 +19,8 @@ from fleet_tui.actions import (
 from fleet_tui.controllers.incident import Cancelled, IncidentPacking
 from fleet_tui.controllers.recording import RecordingSwitch
 from fleet_tui.keys import KEYS
-from fleet_tui.rules.alarms.trouble import next_in_trouble
+from fleet_tui.model.alarm import Key
+from fleet_tui.rules.alarms.trouble import alarms_of_none, in_turn, next_in_trouble
 from fleet_tui.rules.battery.charging import has_low_battery
 from fleet_tui.rules.marks import marks_of
 from fleet_tui.screens.driving import after_a_drive, drive_actions
@@ -163,17 +164,33 @@ def _choose_robot(screen: "MainScreen", number: int) -> None:
 
 
 def _next_trouble(screen: "MainScreen") -> None:
-    state, marked = screen.store.state, screen.alarms.listing.cursor
-    robot = next_in_trouble(state, screen.navigation.robot, marked)
-    if robot:
-        screen.navigation.find_robot(robot)
+    """Go to the next robot, after the last one to the alarms that are no robot's: of lifts, doors, links."""
+    state, pane, robot = screen.store.state, screen.alarms, screen.navigation.robot
+    marked, lone, names = pane.listing.cursor, alarms_of_none(state), in_turn(state)
+    is_at_alarm = pane.has_focus and marked in lone
+    if is_at_alarm:
+        after = [key == marked for key in lone].index(True) + 1
+        following, found = lone[after:], "".join(names[:1])
     else:
-        # Those of links: their robots have none of their own.
-        others = [f"{one.condition.source} {one.text}" for one in state.alarms if one.holds]
-        if others:
-            screen.notices.say(sanitize(others[0]))
-        else:
-            screen.notices.hint("no robot has an alarm or may need a person")
+        found = next_in_trouble(state, robot, marked)
+        following = lone if not names or (robot, found) == (names[-1], names[0]) else []
+    if following or not found:
+        _mark_alarm(screen, [*following, *lone][:1])
+        return
+    if is_at_alarm:
+        screen.set_focus(screen.fleet)
+    screen.navigation.find_robot(found)
+
+
+def _mark_alarm(screen: "MainScreen", keys: Sequence[Key]) -> None:
+    """Mark the first of these alarms, if any, and say it."""
+    for one in screen.store.state.alarms:
+        if one.key in keys:
+            screen.alarms.listing.cursor = one.key
+            screen.set_focus(screen.alarms)
+            screen.notices.say(sanitize(f"{one.condition.source} {one.text}"))
+    if not keys:
+        screen.notices.hint("no robot has an alarm or may need a person")
 
 
 def _place_actions(rest: "Rest") -> PlaceActions:

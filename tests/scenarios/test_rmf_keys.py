@@ -3,6 +3,7 @@ cancelled."""
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import at_vertices
+from fleet_tui.simulator.faults import play
 from tests.support.console_pilot import console
 from tests.support.rmf_site import FIRST, hospital, rmf_ready
 
@@ -61,3 +62,24 @@ async def test_an_idle_robot_says_that_it_can_not_be_paused() -> None:
         await it.press("p")
         await it.shows("an idle robot can't be paused")
     assert not site.sent()
+
+
+async def test_the_key_for_trouble_goes_on_to_the_alarms_of_lifts_and_doors() -> None:
+    async with hospital(robots=1, floors=2, speed=1.0) as site, console(site.config) as it:
+        await it.until(rmf_ready)
+        play(site.server, [("fire", FIRST), ("door", FIRST)])
+        state = await it.until(lambda state: len(state.alarms) >= 2)
+        alarms = [one.key for one in state.alarms if one.condition.kind == "facility"]
+        listing = it.app.main.alarms.listing
+        met = list[object]()
+        for _ in range(3):
+            await it.press("exclamation_mark")
+            assert it.app.main.alarms.has_focus
+            met.append(listing.cursor)
+        assert sorted(map(str, met[:2])) == sorted(map(str, alarms)) and met[2] == met[0]
+        play(site.server, [("issue", FIRST)])
+        await it.until(lambda state: any(one.condition.kind == "issue" for one in state.alarms))
+        await it.press("exclamation_mark", "exclamation_mark")
+        assert not it.app.main.alarms.has_focus and it.app.main.navigation.robot == FIRST
+        await it.press("exclamation_mark")
+        assert listing.cursor in alarms

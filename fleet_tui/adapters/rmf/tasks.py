@@ -1,5 +1,6 @@
 """States of tasks as events: one message has one task."""
 
+import re
 from collections.abc import Iterable
 from typing import Any
 
@@ -25,6 +26,8 @@ STATES = {
     "completed": OrderState.DONE,
 }
 """States of a task. One that is blocked or in error may still go on."""
+PLACE = re.compile(r"\[place:([^\]]*)\]")
+"""A place in the words of a phase."""
 EMERGENCY = "emergency pullover"
 """The label of an interruption that only the end of an emergency ends."""
 LONGEST_TASK = 1e7
@@ -122,5 +125,5 @@ def _label(task: TaskMessage) -> str:
     phase = task.phases.get(str(task.active)) if task.active is not None else None
     detail = line_of(phase.detail) if phase else ""
     detail = detail or line_of(task.detail)
-    category = line_of(task.category)
-    return truncate(": ".join(filter(None, (category, detail))) or "task", LONGEST_NAME)
+    category, told = line_of(task.category), PLACE.sub(r"\1", detail)
+    return truncate(": ".join(filter(None, (category, told))) or "task", LONGEST_NAME)

@@ -62,7 +62,7 @@ CLASSES = {
         "high",
         "an error that a vehicle reports about itself: high if fatal or critical, medium if urgent, else low",
         "after a fatal one its order is not carried out",
-        "Read its hint on the robot's page; go to the vehicle if it stands",
+        "Go to the vehicle if it stands",
         10,
     ),
     "offline": AlarmClass(

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from functools import lru_cache
 
-from fleet_tui.model.alarm import Alarm, AlarmStage, Priority
+from fleet_tui.model.alarm import Alarm, AlarmStage, Key, Priority
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState, is_missing
 from fleet_tui.model.link import Phase
@@ -102,17 +102,34 @@ def next_in_trouble(state: FleetState, after: str, marked: object = None) -> str
     """Return the robot of the marked alarm. If `after` has it, or it is no robot's, return the next one in
     the order of the alarms pane, of those that need a person while there are some; after them those without
     an alarm that may need one; then around. Empty if there is none."""
-    troubled, known = by_urgency(state), acknowledged(state)
-    unalarmed = {*shelved(state), *to_look_at(state)}.difference(troubled)
-    odd = [name for name in state.robots if name in unalarmed]
+    troubled, odd = by_urgency(state), _odd(state)
     of_marked = {name for one in state.alarms if one.key == marked for name in _whose(one)}
     # After one without an alarm, the marked alarm is the one that it came from.
     goes_on = after in of_marked or after in odd
     if not goes_on and (found := [name for name in troubled if name in of_marked]):
         return found[0]
-    names = [*([name for name in troubled if name not in known] or troubled), *odd]
+    names = in_turn(state)
     start = names.index(after) + 1 if after in names else 0
     return names[start % len(names)] if names else ""
+
+
+def in_turn(state: FleetState) -> list[str]:
+    """Return the robots to go to, one after the other: those in trouble, of whom nobody knows while there are
+    some, then those without an alarm that may need a person."""
+    troubled, known = by_urgency(state), acknowledged(state)
+    return [*([name for name in troubled if name not in known] or troubled), *_odd(state)]
+
+
+def _odd(state: FleetState) -> list[str]:
+    unalarmed = {*shelved(state), *to_look_at(state)} - in_trouble(state)
+    return [name for name in state.robots if name in unalarmed]
+
+
+def alarms_of_none(state: FleetState) -> list[Key]:
+    """Return the alarms that hold and are no robot's, of lifts, doors or links, in the order of the alarms
+    pane."""
+    lone = (one for one in sorted(state.alarms, key=urgency) if one.holds and not _robots(state, [one]))
+    return [one.key for one in lone if one.stage is not AlarmStage.SHELVED]
 
 
 def is_odd(state: FleetState, robot: Robot) -> bool:

@@ -30,11 +30,11 @@ def sorted_errors(vehicle: Vehicle) -> list[VehicleError]:
     return sorted(vehicle.errors, key=lambda error: priority_of(error).value)
 
 
-def fault_text(vehicle: Vehicle) -> str:
-    """Return the most urgent error of a vehicle, with its hint, and how many more there are."""
+def fault_text(vehicle: Vehicle, has_hint: bool = True) -> str:
+    """Return the most urgent error of a vehicle, with its hint (`has_hint`), and how many more there are."""
     first, *more = sorted_errors(vehicle)
     told = ": ".join(part for part in (first.type, first.text) if part)
-    hint = f" ({first.hint})" if first.hint else ""
+    hint = f" ({first.hint})" if first.hint and has_hint else ""
     level = f"{first.level.lower()} " if first.level else ""
     return f"{level}{told}{hint}" + (f", and {len(more)} more" if more else "")
 

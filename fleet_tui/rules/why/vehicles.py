@@ -52,9 +52,8 @@ def faulty(state: FleetState, robot: Robot) -> Reason | None:
         return None
     worst = sorted_errors(reading.value)[0]
     strength = Strength.CERTAIN if worst.level in HIGH else Strength.POSSIBLE
-    return Reason(
-        worst.type, fault_text(reading.value), strength, seen=reading.at, keys=LOOK_AT, remedy=worst.hint
-    )
+    evidence = fault_text(reading.value, has_hint=False)  # that is the remedy
+    return Reason(worst.type, evidence, strength, seen=reading.at, keys=LOOK_AT, remedy=worst.hint)
 
 
 def unlocalised(state: FleetState, robot: Robot) -> Reason | None:

@@ -1,6 +1,7 @@
 """The alarm pane: conditions that need a person, and unacknowledged alarms."""
 
-from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
+from collections import Counter
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from textwrap import wrap
 
 from msgspec.structs import replace
@@ -48,7 +49,9 @@ def _role(alarm: Alarm) -> StyleRole:
     return StyleRole.TEXT if alarm.stage is AlarmStage.ACKNOWLEDGED else StyleRole.DIM
 
 
-def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float], str], width: int) -> Row:
+def _row(
+    state: FleetState, alarm: Alarm, names: Mapping[str, str], clock: Callable[[float], str], width: int
+) -> Row:
     role = _role(alarm)
     count = f" x{alarm.count}" if alarm.count > 1 else ""
     shelf = ""
@@ -57,7 +60,7 @@ def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float],
     is_wide = width >= WITH_PRIORITY
     at = clock(_at(alarm))
     runs = _signs(alarm, shelf, is_wide, role)
-    runs.append((fit(alarm.condition.source, sources) + " ", StyleRole.TEXT))
+    runs.append((names[alarm.condition.source] + " ", StyleRole.TEXT))
     left = width - 1 - sum(cell_width(text) for text, _ in runs)
     text = _short(tr(sanitize(alarm.text)), left)
     since = f" {at if is_wide else at[:HOURS_MINUTES]}"
@@ -65,6 +68,20 @@ def _row(state: FleetState, alarm: Alarm, sources: int, clock: Callable[[float],
     since = since if cell_width(text + since + count) <= left else ""
     runs += [(text, role), (since + count, StyleRole.DIM)]
     return Row(alarm.key, tuple(runs))
+
+
+def _names(state: FleetState, alarms: Sequence[Alarm], width: int) -> Mapping[str, str]:
+    """Return the name of each source in the cells of their column: if one is too long, those of fleets have
+    the robot's own part alone where it tells the robots apart."""
+    most = max(14, width // 3) if width >= WITH_PRIORITY else 9
+    sources = {alarm.condition.source for alarm in alarms}
+    names = {source: source for source in sources}
+    if max(map(cell_width, sources), default=0) > most:
+        ends = Counter(name.rpartition("/")[2] for name in state.robots)
+        own = {one: one.rpartition("/")[2] for one in sources if one in state.robots}
+        names |= {one: name for one, name in own.items() if ends[name] == 1}
+    cells = column(names.values(), 7, most)
+    return {one: fit(name, cells) for one, name in names.items()}
 
 
 def _signs(alarm: Alarm, shelf: str, is_wide: bool, role: StyleRole) -> list[Run]:
@@ -204,9 +221,9 @@ def alarm_table(
     them; `key` goes to the next robot in trouble."""
     arrangement = arrangement or RowArrangement()
     alarms = arrangement.arranged(sorted(state.alarms, key=urgency), _values(clock))
-    sources = column((alarm.condition.source for alarm in alarms), 7, 14 if width >= WITH_PRIORITY else 9)
+    names = _names(state, alarms, width)
     keys = [alarm.key for alarm in alarms]
-    rows: Sequence[Row] = LateRows(keys, lambda place: _row(state, alarms[place], sources, clock, width))
+    rows: Sequence[Row] = LateRows(keys, lambda place: _row(state, alarms[place], names, clock, width))
     if 1 <= len(alarms) <= FEW:
         rows = _explained(rows, alarms, marked, width)
     empty = arrangement.no_match if state.alarms else _without_alarms(state, key)

@@ -1,6 +1,7 @@
 """The pane of the last events: current alarms, links that returned, commands given here, orders that began
 or ended."""
 
+import re
 from collections.abc import Callable, Iterator
 from functools import partial
 from heapq import nlargest
@@ -29,6 +30,7 @@ Event = tuple[float, str, Callable[[], tuple[Run, ...]]]
 
 WHOLE, HOURS_MINUTES = 60, 5
 """Cells of a pane from which times have seconds, and those of a time without them."""
+_FIGURE = re.compile(r"(?<![\w.])[\d.]+ (?:s|min|h|%)(?!\w)")
 LEAST_TEXT = 10
 """Cells that a line of text has at least."""
 FAILED = frozenset({*TROUBLE, Stage.LOST, Stage.FAILED})
@@ -88,10 +90,11 @@ def _returned(text: str) -> tuple[Run, ...]:
 
 def _alarm(alarm: Alarm) -> tuple[Run, ...]:
     is_quiet = not alarm.holds or alarm.stage is AlarmStage.SHELVED
-    # As it was at its time: a duration that counts on would contradict that.
-    text = (alarm.holds and alarm.first_text) or alarm.text
-    # The alarms pane has the cause.
-    return ((tr(sanitize(without_cause(text))), StyleRole.DIM if is_quiet else StyleRole.ALARM),)
+    # As it was at its time, unless its cause came later: a duration that counts on would contradict that.
+    has_news = _FIGURE.sub("", alarm.first_text) != _FIGURE.sub("", alarm.text)
+    text = alarm.text if has_news else alarm.first_text
+    told = text if is_quiet else without_cause(text)  # the alarms pane has the cause
+    return ((tr(sanitize(told)), StyleRole.DIM if is_quiet else StyleRole.ALARM),)
 
 
 def _commands(state: FleetState) -> Iterator[Event]:

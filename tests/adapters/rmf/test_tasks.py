@@ -55,7 +55,7 @@ def test_an_emergency_holds_a_task_and_no_console_resumes_it() -> None:
 
 def test_it_is_described_by_its_active_phase_else_by_itself() -> None:
     phases = {"2": {"id": 2, "category": "Go", "detail": "to [place:A]"}}
-    assert taken(detail="all of it", phases=phases, active=2).task.label == "patrol: to [place:A]"
+    assert taken(detail="all of it", phases=phases, active=2).task.label == "patrol: to A"
     assert taken(detail={"places": ["A", "B"]}).task.label == "patrol: places: A, B"
     assert taken(category="").task.label == "task"
 

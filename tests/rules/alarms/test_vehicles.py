@@ -1,6 +1,7 @@
 """Tests of fleet_tui/rules/alarms/vehicles.py."""
 
 from fleet_tui.model.alarm import Priority
+from fleet_tui.rules.alarms.classes import action_of
 from tests.support.vda_fleet import VehicleSite
 from tests.support.vda_messages import error, message, position, state
 
@@ -16,6 +17,8 @@ def test_errors_are_alarms_with_their_hint() -> None:
     site.wait(1)
     assert site.alarms["fault"] == "fatal motorError: too hot (let it cool), and 1 more"
     assert priority(site, "fault") is Priority.HIGH
+    (alarm,) = site.state.alarms
+    assert "hint" not in action_of(alarm.condition)  # its text has it
     site.read("state", state())
     site.wait(5)
     assert "fault" not in site.alarms

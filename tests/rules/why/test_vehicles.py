@@ -66,3 +66,8 @@ def test_charging_is_a_reason_and_a_node_a_place() -> None:
     site.wait(4)
     assert any(one.name == "charging" for one in reasons(site.state, site.agv))
     assert place_text(site.agv) == "at node n0"
+
+
+def test_the_hint_of_an_error_is_told_once_as_what_to_do() -> None:
+    found = first(errors=[error("FATAL", text="hot", hint="cool it")])
+    assert (found.evidence, found.remedy) == ("fatal motorError: hot", "cool it")

@@ -208,3 +208,22 @@ def test_of_a_few_alarms_the_marked_one_has_its_whole_text() -> None:
     assert "again" in text_of(rows[place + 1].runs)
     rows = alarm_table(lost, clock, 38, marked=keys[1 - place]).rows
     assert not any("again" in text_of(row.runs) for row in rows if row.key is None)
+
+
+def test_names_of_fleets_are_whole_where_there_is_room_else_the_robots_own_if_it_is_unique() -> None:
+    first = fleet().robots[R0]
+    named = {
+        name: replace(first, name=name) for name in ("carriers/robot_1", "carriers/robot_2", "tiny/robot_2")
+    }
+    state = reduced(
+        replace(fleet(), robots=named), link_up(T0), *(battery(T0, 5.0, one) for one in named), tick(T0)
+    )
+
+    def sources(width: int) -> list[str]:
+        rows = alarm_table(state, clock, width).rows
+        return [
+            text_of(row.runs[1:2]).strip() for row in rows if row.key in [one.key for one in state.alarms]
+        ]
+
+    assert sources(90) == list(named)
+    assert sources(44) == ["robot_1", "carriers/robo…", "tiny/robot_2"]
