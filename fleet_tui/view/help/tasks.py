@@ -43,6 +43,7 @@ TASKS: dict[str, tuple[Step, ...]] = {
         (("bundle",), "Pack an incident for a ticket"),
     ),
     "Look back in time": (
+        (("history",), "History of the shift, robot by robot"),
         (("audit",), "Audit log: all commands and alarms"),
         (("palette",), "Type record, for fleet-tui replay"),
     ),
@@ -51,8 +52,7 @@ TASKS: dict[str, tuple[Step, ...]] = {
         (("pan_left", "pan_right", "pan_up", "pan_down"), "Pan (mouse drag)"),
         (("follow", "centre"), "Follow, or centre on the robot"),
         (("edges", "labels", "trails"), "Show edges, labels, trails"),
-        (("laser",), "Show the laser scan"),
-        (("path",), "Show the planned path"),
+        (("laser", "path"), "Show laser scan, planned path"),
         (("next_vertex", "previous_vertex"), "Next, previous labelled vertex"),
     ),
     "Set up a site": (

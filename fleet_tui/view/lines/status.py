@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fleet_tui.keys.key import key_name
 from fleet_tui.model.fleet import FleetState, behind_text
 from fleet_tui.model.kind import PAUSE
-from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
+from fleet_tui.model.link import FIRST_LINK, NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.rules.alarms.trouble import to_look_at
 from fleet_tui.rules.lag import BEHIND
 from fleet_tui.rules.sites import alarms_by_site, site_of, sites_of
@@ -41,7 +41,8 @@ def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: f
         tr("read-only"): read_only,
         tr("not armed"): not armed,
         tr(behind_text(state)): state.behind >= BEHIND,
-        tr(f"no updates for {age(standstill)}: restart this console"): standstill > BLIND_AFTER,
+        tr(f"no updates for {age(standstill)}: restart this console"): standstill
+        > (BLIND_AFTER if any(link.was_up for link in state.links.values()) else FIRST_LINK),
     }
     return [note for note, holds in notes.items() if holds]
 

@@ -23,7 +23,7 @@ def test_keys_are_shown_as_they_are_set() -> None:
     assert ". , F2 2 3 4 5 6 7 8 9" in found["Choose a robot or a floor"]
     usual = marks(tasks(KEYS, ()))
     assert ". , 1..9" in usual["Choose a robot or a floor"] and "arrows" in usual["Look around on the map"]
-    assert usual["Look back in time"] == ["L", ":"]
+    assert usual["Look back in time"] == ["H", "L", ":"]
 
 
 def test_steps_without_a_key_of_use_are_left_out() -> None:

@@ -134,7 +134,9 @@ def test_what_holds_is_said() -> None:
 
 
 def test_a_console_gone_blind_says_so() -> None:
-    (note,) = console_notes(fleet(), read_only=False, armed=True, standstill=7.2)
+    (note,) = console_notes(reduced(fleet(), link_up(T0)), read_only=False, armed=True, standstill=7.2)
+    assert not console_notes(fleet(), read_only=False, armed=True, standstill=7.2), "it has shown none yet"
+    assert console_notes(fleet(), read_only=False, armed=True, standstill=11.0)
     assert note == "no updates for 7 s: restart this console"
 
 
