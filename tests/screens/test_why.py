@@ -1,5 +1,7 @@
 """`w`: the panel on the selected robot, live, and the keys in it."""
 
+import re
+
 import msgspec
 import pytest
 from msgspec.structs import replace
@@ -15,6 +17,9 @@ from tests.support.fleets import place_order
 from tests.support.scenario import plant
 from tests.support.situations import BASE, CONSUMIDORES
 from tests.support.watched_store import config_of
+
+REPORTED = re.compile(r"reported \d")
+"""The age of evidence."""
 
 
 def is_open(it: Console) -> bool:
@@ -196,20 +201,18 @@ async def test_diagnostics_open_where_the_first_cause_is(server: RosbridgeServer
 async def test_in_a_small_box_evidence_gives_way_to_further_causes_and_a_sign_tells_of_more(
     server: RosbridgeServer,
 ) -> None:
-    plant(server, "obstacle:robot_0,paused:robot_0")
+    plant(server, "obstacle:robot_1,paused:robot_1,battery:robot_1")
     async with console(config_of(server.url, 2, 2), (80, 24)) as it:
-        why = it.app.main.query_one(Why)
-        await it.press("w")
-        await it.shows("▶ 1. ")
-        await it.until(lambda _: why.size.height > 0)
-        causes = [f"{n}. cause" for n in range(1, 6)]
-        whole = [line for cause in causes for line in ("", cause, "    evidence", "    more evidence")]
-        assert why._fitted("a", lambda is_brief: causes if is_brief else whole) == causes
-        assert why._fitted("a", lambda is_brief: causes if is_brief else whole[:3]) == causes, (
-            "it never dances"
-        )
-        assert why._fitted("b", lambda is_brief: [] if is_brief else whole[:12]) == whole[:12]
-        why._show_position(why.size.height + 3)
-        assert why.border_subtitle == f"1-{why.size.height} of {why.size.height + 3}, PgUp PgDn"
-        why._show_position(why.size.height)
-        assert not why.border_subtitle
+        await it.press("2", "w")
+        await it.shows("▶ 1. paused")
+        await it.shows("3. battery")
+        await it.shows(", PgUp PgDn")
+        assert " 1-12 of " in it.text
+        assert len(REPORTED.findall(it.text)) == 1, "further causes are without evidence"
+        await it.press("pagedown")
+        await it.hides("▶ 1. paused")
+        await it.hides(" 1-12 of ")
+        await it.pilot.resize_terminal(160, 50)
+        await it.shows("▶ 1. paused")
+        await it.hides("PgUp PgDn")
+        assert len(REPORTED.findall(it.text)) > 1

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 
 from fleet_tui.model.alarm import Condition, Priority
 from fleet_tui.model.fleet import FleetState, behind_text, obstacle_text, offline_text
-from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
+from fleet_tui.model.link import FIRST_LINK, NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.facilities import facility_conditions
 from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
@@ -130,7 +130,9 @@ def bad_data(state: FleetState, source: Robot | LinkState, _active: ActiveCondit
 
 def no_link(state: FleetState, link: LinkState, _active: ActiveConditions) -> Condition | None:
     """Raise without a link in either direction."""
-    if link.phase is Phase.UP or state.now - link.since <= state.limits.link_after:
+    is_first = not (link.was_up or link.reason)
+    after = max(state.limits.link_after, FIRST_LINK) if is_first else state.limits.link_after
+    if link.phase is Phase.UP or state.now - link.since <= after:
         return None
     text = f"no link: {link.reason}" if link.reason else "no link"
     over = "link restored" if link.was_up else f"connected after {age(state.now - link.since)}"

@@ -48,8 +48,8 @@ def command(state: FleetState, robot: Robot) -> Reason | None:
     strength = Strength.LIKELY if robot.orders.open else Strength.CERTAIN
     keys = (verb,) if failed else ()
     remedy = {Stage.FAILED: CLASSES["command"].action, Stage.LOST: CHECK_DELIVERY}.get(record.stage, "")
-    if record.stage is Stage.FAILED:
-        remedy = remedy_of(evidence) or remedy
+    if record.stage is Stage.FAILED and (held := remedy_of(evidence)):
+        remedy, keys = held, (*LOOK_AT, *keys, "diagnostics")
     if robot.kind.keeps_goals and record.stage is Stage.REFUSED:
         remedy = REJECTED
     return Reason(

@@ -51,8 +51,7 @@ TASKS: dict[str, tuple[Step, ...]] = {
         (("pan_left", "pan_right", "pan_up", "pan_down"), "Pan (mouse drag)"),
         (("follow", "centre"), "Follow, or centre on the robot"),
         (("edges", "labels", "trails"), "Show edges, labels, trails"),
-        (("laser",), "Show the laser scan"),
-        (("path",), "Show the planned path"),
+        (("laser", "path"), "Show laser scan, planned path"),
         (("next_vertex", "previous_vertex"), "Next, previous labelled vertex"),
     ),
     "Set up a site": (

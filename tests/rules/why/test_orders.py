@@ -6,11 +6,12 @@ from fleet_tui.model.commands import (
     ClearOrders,
     Stage,
 )
+from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.order import Order, at_vertices
 from fleet_tui.model.order_life import GoneOrder
 from fleet_tui.rules.causes import HELD_FAST, NO_WAY
 from fleet_tui.rules.why.orders import CHECK_DELIVERY, REJECTED
-from fleet_tui.rules.why.reason import Reason
+from fleet_tui.rules.why.reason import LOOK_AT, Reason
 from fleet_tui.rules.why.why import reasons
 from tests.support.fleets import (
     R0,
@@ -40,6 +41,16 @@ def test_a_rejected_goal_has_the_remedy_for_navigation_that_is_not_active() -> N
         refused = reduced(moved(kind), pose(T0 + 9), queue(T0 + 9), *given, tick(T0 + 9))
         found = reasons(refused, refused.robots[R0])[0]
         assert (found.name, found.remedy) == ("order: refused", remedy)
+
+
+def test_after_an_own_order_without_progress_w_offers_to_look_at_the_robot() -> None:
+    given = commanded(1, place_order(R0, 1, 2), Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED, at=T0 + 8)
+    cause = "Failed to find a valid control. Even after executing recovery behaviors."
+    for detail, offered in ((cause, True), ("unplugged", False)):
+        end = CommandAdvanced(1, Stage.FAILED, T0 + 9, detail=detail)
+        failed = reduced(moved(GOALS), pose(T0 + 9), queue(T0 + 9), *given, end, tick(T0 + 9))
+        keys = reasons(failed, failed.robots[R0])[0].keys
+        assert ({*LOOK_AT, "diagnostics"} <= {*keys}) == offered and "order" in keys
 
 
 def test_an_idle_robot_at_the_charger_has_no_orders_first() -> None:

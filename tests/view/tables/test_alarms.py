@@ -80,6 +80,14 @@ def test_no_link_stands_there_with_its_reason_only_while_it_is_so() -> None:
     assert texts(back)[0].endswith(f" {WALL + T0 + 60:.0f}")  # it held at the last look before
 
 
+def test_a_first_connection_that_is_slow_is_no_alarm() -> None:
+    state = reduced(fleet(), tick(T0), tick(T0 + 5))
+    assert not state.alarms and not reduced(state, link_up(T0 + 5), tick(T0 + 6)).alarms
+    assert reduced(state, tick(T0 + 20)).alarms
+    refused = reduced(fleet(), link_lost(T0), tick(T0 + 5))
+    assert refused.alarms, "with a reason it needs a person at once"
+
+
 def test_what_nobody_has_seen_stands_first_by_priority_then_age() -> None:
     state = reduced(fleet(4), link_up(T0))
     for n in range(4):
