@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fleet_tui.keys.key import key_name
 from fleet_tui.model.fleet import FleetState, behind_text
 from fleet_tui.model.kind import PAUSE
-from fleet_tui.model.link import FIRST_LINK, NO_WAY, CommandPath, LinkState, Phase
+from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.rules.alarms.trouble import to_look_at
 from fleet_tui.rules.lag import BEHIND
 from fleet_tui.rules.sites import alarms_by_site, site_of, sites_of
