@@ -126,8 +126,10 @@ def test_an_alarm_whose_cause_came_later_names_it() -> None:
     (alarm,) = state.alarms
     unknown, known = "order 4 failed: no reason reported", "order 4 failed: no path after 3 s"
     condition = structs.replace(alarm.condition, text=known)
-    state = structs.replace(state, alarms=(structs.replace(alarm, condition=condition, first_text=unknown),))
-    assert lines(state) == [f"0 robot_0 {known}"]
+    held = structs.replace(alarm, condition=condition, first_text=unknown)
+    over = structs.replace(held, holds=False)
+    assert lines(structs.replace(state, alarms=(over,))) == [f"0 robot_0 {known}"]
+    assert lines(structs.replace(state, alarms=(held,))) == ["0 robot_0 order 4 failed"], "the alarm has it"
 
 
 def test_the_return_of_a_link_stays_with_its_outage_after_its_alarm_is_gone() -> None:
