@@ -16,7 +16,7 @@ from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
 from fleet_tui.rules.alarms.members import MEMBER_RULES
 from fleet_tui.rules.alarms.navigation import NAVIGATION_RULES
 from fleet_tui.rules.alarms.vehicles import VEHICLE_RULES
-from fleet_tui.rules.battery.charging import charger_of
+from fleet_tui.rules.battery.charging import charger_of, charging_remedy
 from fleet_tui.rules.causes import cause_of_standing
 from fleet_tui.rules.commands.failures import failed_commands
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
@@ -68,7 +68,8 @@ def battery(state: FleetState, robot: Robot, active: ActiveConditions) -> Condit
         due = robot.standing.at + CHARGES_WITHIN
         text += f" after {age(state.now - robot.standing.at)} at the charger"
     priority = Priority.MEDIUM if reading.value < critical else Priority.LOW
-    return Condition(robot.name, "battery", priority, text, "battery charging or recovered", due)
+    over, remedy = "battery charging or recovered", charging_remedy(robot)
+    return Condition(robot.name, "battery", priority, text, over, due, remedy=remedy)
 
 
 def pause(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:

@@ -6,6 +6,10 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import Vertex
 from fleet_tui.model.robot import Robot, RobotMap
 
+ON_ITS_WAY = "Wait: it is on its way to a charger"
+"""The action at a low battery of a robot that needs no further order."""
+DOCKING = "docking"
+"""The label of an order to a dock, which has no stop."""
 AT_CHARGER = 0.5
 """Metres within which a robot is at a charger."""
 
@@ -24,3 +28,14 @@ def charger_of(state: FleetState, robot: Robot) -> Vertex | None:
     near = (one for one in graph.chargers if math.dist((one.x, one.y), (here.x, here.y)) <= AT_CHARGER)
     charger = next(near, None)
     return charger if charger is not None and state.is_fresh(robot, "pose") else None
+
+
+def charging_remedy(robot: Robot) -> str:
+    """Return what to do at a low battery, empty for the action of its class: one of its orders may end at a
+    charger."""
+    graphs = (one.graph for one in robot.maps.values() if one.graph is not None)
+    chargers = {vertex.id for graph in graphs for vertex in graph.chargers}
+    for order in robot.orders.open:
+        if order.label == DOCKING or (order.end is not None and order.end.vertex in chargers):
+            return ON_ITS_WAY
+    return ""

@@ -57,9 +57,9 @@ def misplaced_text(state: FleetState, robot: Robot) -> str:
     if state.now - seen.at >= HELD:
         return ""
     return (
-        f"inside a wall {age(state.now - seen.at)} ago"
+        f"in a wall {age(state.now - seen.at)} ago"
         if seen.value == WALL
-        else f"off the map {age(state.now - seen.at)} ago"
+        else f"off map {age(state.now - seen.at)} ago"
     )
 
 

@@ -6,7 +6,7 @@ from fleet_tui.model.link import Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.alarms.navigation import NO_ODOMETRY, lacks_odometry
-from fleet_tui.rules.battery.charging import charger_of
+from fleet_tui.rules.battery.charging import charger_of, charging_remedy
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import STANDS_AFTER, own_pause_text
 from fleet_tui.rules.lag import is_overloaded
@@ -211,5 +211,6 @@ def battery(state: FleetState, robot: Robot) -> Reason | None:
     limit = limits.battery_critical if critical else limits.battery_low
     strength = Strength.LIKELY if critical else Strength.POSSIBLE
     evidence = f"below {limit:.0f} %: the robot may reserve the rest to reach a charger"
-    name, remedy = f"battery {int(charge.value)} %", CLASSES["battery"].action
-    return Reason(name, evidence, strength, seen=charge.at, keys=("order",), remedy=remedy)
+    name, on_its_way = f"battery {int(charge.value)} %", charging_remedy(robot)
+    remedy, keys = (on_its_way, ()) if on_its_way else (CLASSES["battery"].action, ("order",))
+    return Reason(name, evidence, strength, seen=charge.at, keys=keys, remedy=remedy)

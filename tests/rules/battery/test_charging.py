@@ -5,8 +5,10 @@ from msgspec.structs import replace
 from fleet_tui.model.events import Event, GraphReceived
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import Role, RouteGraph, Vertex
+from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.alarms.conditions import CHARGES_WITHIN
 from fleet_tui.rules.battery.charging import AT_CHARGER, charger_of, has_low_battery
+from fleet_tui.rules.why.why import reasons
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.fleet import fleet_table
 from tests.support.fleets import F0, R0, T0, battery, fleet, link_up, pose, queue, reduced, text_of, tick
@@ -42,6 +44,21 @@ def test_a_low_battery_is_no_alarm_at_a_charger_and_one_beside_it() -> None:
 def test_a_battery_still_low_after_long_charging_is_an_alarm() -> None:
     (alarm,) = standing(0.0, seconds=CHARGES_WITHIN + 60).alarms
     assert alarm.text == "battery 12 % after 31 min at the charger"
+
+
+def test_a_robot_on_its_way_to_a_charger_needs_no_order() -> None:
+    ordered, elsewhere = (
+        standing(5.0, queue(T0 + 10, (7, *way, "W"), current=7)) for way in ((2, 1), (1, 2))
+    )
+    (alarm,), (other,) = ordered.alarms, elsewhere.alarms
+    assert action_of(alarm.condition) == "Wait: it is on its way to a charger"
+    assert action_of(other.condition) == "Send it to a charger"
+    told, beside = (
+        next(one for one in reasons(state, state.robots[R0]) if one.name == "battery 12 %")
+        for state in (ordered, elsewhere)
+    )
+    assert (told.remedy, told.keys) == ("Wait: it is on its way to a charger", ())
+    assert beside.keys == ("order",)
 
 
 def test_the_row_of_a_charging_robot_is_calm() -> None:

@@ -83,12 +83,12 @@ def left(seconds: float) -> FleetState:
 def test_a_pose_that_crosses_walls_stays_worth_a_look_with_its_age() -> None:
     state = left(12.0)
     robot = state.robots[R0]
-    assert "inside a wall 12 s ago" in [text for text, _ in news(state, robot)]
+    assert "in a wall 12 s ago" in [text for text, _ in news(state, robot)]
     assert to_look_at(state) == (R0,)
     between = left(0.6).robots[R0]  # poses come between ticks
     assert misplaced_text(left(0.6), between) == WALL
     first = reasons(state, robot)[0]
-    assert (first.name, first.strength) == ("inside a wall 12 s ago", Strength.LIKELY)
+    assert (first.name, first.strength) == ("in a wall 12 s ago", Strength.LIKELY)
     assert "has just been" in first.evidence and first.remedy.startswith("Set its pose")
     over = left(HELD + 1.0)
     assert misplaced_text(over, over.robots[R0]) == "" and not to_look_at(over)
