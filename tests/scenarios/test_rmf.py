@@ -122,7 +122,7 @@ async def test_a_clear_leaves_the_tasks_of_others(site: Hospital) -> None:
         cleared = await finished(link, store, ClearOrders(FIRST))
         assert cleared.stage is Stage.CONFIRMED
         (left,) = store.state.robots[FIRST].orders.open
-    assert left.label.startswith("patrol: [place:")
+    assert left.label == "patrol: Store"
 
 
 async def test_another_console_finds_the_token_of_an_interruption(site: Hospital) -> None:

@@ -1,6 +1,6 @@
 """Poses at which no robot can be: inside a wall, or away from all known ground of the map."""
 
-from functools import lru_cache
+from collections.abc import Mapping
 
 from msgspec.structs import replace
 
@@ -16,6 +16,8 @@ SIZE = 1.0, 1.0
 BESIDE = 0.1
 """Metres from free ground at which a pose in a wall may be one beside it."""
 
+LiveMaps = Mapping[str, OccupancyGrid]
+"""By floors."""
 WALL = "pose inside a wall"
 NOW = 1.0
 """Seconds to the newest pose within which such a pose is one of this moment."""
@@ -25,16 +27,17 @@ HELD = 30.0
 
 def with_misplaced(state: FleetState) -> FleetState:
     """Return the state with the newest misplaced pose of each robot. Called once a tick."""
+    live = _live(state)
     changed = {
         name: replace(robot, misplaced=seen)
         for name, robot in state.robots.items()
-        if (seen := _newest(state, robot)) is not robot.misplaced
+        if (seen := _newest(state, robot, live)) is not robot.misplaced
     }
     return replace(state, robots={**state.robots, **changed}) if changed else state
 
 
-def _newest(state: FleetState, robot: Robot) -> Reading[str] | None:
-    text, seen = _text(state, robot), robot.misplaced
+def _newest(state: FleetState, robot: Robot, live: LiveMaps) -> Reading[str] | None:
+    text, seen = _text(state, robot, live), robot.misplaced
     if robot.pose is None or (not text and seen is not None and seen.at == robot.pose.at):
         return None  # the map has changed
     return Reading(text, robot.pose.at) if text and seen != Reading(text, robot.pose.at) else seen
@@ -63,10 +66,10 @@ def misplaced_text(state: FleetState, robot: Robot) -> str:
     )
 
 
-def _text(state: FleetState, robot: Robot) -> str:
+def _text(state: FleetState, robot: Robot, live: LiveMaps) -> str:
     """Return why the last pose of a robot is no place, empty if it may be one, or no map is known. Whoever
     makes a map is beyond it."""
-    ground = _ground(state, robot) if robot.pose is not None else None
+    ground = _ground(state, robot, live) if robot.pose is not None else None
     if robot.pose is None or ground is None:
         return ""
     (grid, frame), pose = ground, robot.pose.value
@@ -94,9 +97,9 @@ def _is_free(grid: OccupancyGrid, frame: MapFrame, column: float, row: float, re
     return bool((grid.levels[0][rows, columns] == FREE).any())
 
 
-def _ground(state: FleetState, robot: Robot) -> tuple[OccupancyGrid, MapFrame] | None:
+def _ground(state: FleetState, robot: Robot, others: LiveMaps) -> tuple[OccupancyGrid, MapFrame] | None:
     """Return the map of a robot's floor, and where the robot has it: as the picture shows it, the file first,
-    then a live map."""
+    then a live map, its own or that of `others`."""
     floor = state.floors.get(robot.floor or "")
     if floor is None:
         return None
@@ -105,14 +108,15 @@ def _ground(state: FleetState, robot: Robot) -> tuple[OccupancyGrid, MapFrame] |
         frame = floor.grid.frame if floor.tied else own.frame if own is not None else None
         size = floor.grid.frame.width, floor.grid.frame.height
         return (floor.grid, frame) if frame is not None and (frame.width, frame.height) == size else None
-    live = (own.grid if own is not None else None) or floor.live or _live(state).get(floor.name)
+    live = (own.grid if own is not None else None) or floor.live or others.get(floor.name)
     if live is None or (own is not None and own.frame not in (None, live.frame)):
         return None
     return live, live.frame
 
 
-@lru_cache(maxsize=1)  # asked for each robot of a tick
-def _live(state: FleetState) -> dict[str, OccupancyGrid]:
-    """Return a live map of each floor of which a robot has one."""
+def _live(state: FleetState) -> LiveMaps:
+    """Return a live map of each floor of which a robot has one, where floors have no file."""
+    if all(floor.grid is not None for floor in state.floors.values()):
+        return {}
     maps = ((name, one.grid) for robot in state.robots.values() for name, one in robot.maps.items())
     return {name: grid for name, grid in maps if grid is not None}
