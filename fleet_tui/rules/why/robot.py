@@ -166,15 +166,15 @@ def jumps(state: FleetState, robot: Robot) -> Reason | None:
 
 def misplaced(state: FleetState, robot: Robot) -> Reason | None:
     """Report a pose at which it cannot be: its localisation is wrong, or it is on another floor."""
-    text = misplaced_text(state, robot)
-    if not text or robot.pose is None:
+    text, found = misplaced_text(state, robot), robot.misplaced
+    if not text or robot.pose is None or found is None:
         return None
     pose, is_now = robot.pose.value, is_misplaced(robot)
     evidence = f"at {pose.x:.1f}, {pose.y:.1f} m on {robot.floor} no robot can be"
     evidence = evidence if is_now else "its pose has just been where no robot can be"
     strength = Strength.CERTAIN if is_now else Strength.LIKELY
     strength = strength if state.is_fresh(robot, "pose") else Strength.POSSIBLE
-    return Reason(text, evidence, strength, seen=robot.pose.at, keys=("pose", "centre"), remedy=WRONG_POSE)
+    return Reason(text, evidence, strength, seen=found.at, keys=("pose", "centre"), remedy=WRONG_POSE)
 
 
 def off_graph(state: FleetState, robot: Robot) -> Reason | None:
