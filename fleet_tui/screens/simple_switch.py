@@ -25,6 +25,7 @@ class SimpleSwitch:
     ) -> None:
         self._panes, self._map, self._make, self._may_order = panes, map_view, make, may_order
         self._simple: Simple | None = None
+        self._parts = 0
 
     async def turn(self) -> None:
         """Show or hide the simple interface."""
@@ -35,6 +36,7 @@ class SimpleSwitch:
             simple = self._make(self._leave)
             await panes.floor.mount(simple, before=0)
             self._simple = simple  # not before: ticks during the mounting would query missing widgets
+            self._parts = len(simple.children)
         if panes.has_class("-simple"):
             self._leave()
         else:
@@ -49,7 +51,8 @@ class SimpleSwitch:
 
     def show(self) -> None:
         """Show the newest state."""
-        if self._simple is not None and self._simple.children:  # no screen while the console ends
+        # While the console ends, its widgets go one after the other.
+        if self._simple is not None and len(self._simple.children) == self._parts:
             self._simple.show()
 
 

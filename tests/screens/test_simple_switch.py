@@ -48,3 +48,13 @@ async def test_a_tick_while_it_is_being_made(
         monkeypatch.setattr(Simple, "compose", compose)
         await it.press("s")
         await it.shows("Robot: robot_0")
+
+
+async def test_a_tick_while_its_widgets_go(server: RosbridgeServer) -> None:
+    """As when the console ends on a busy machine: one after the other."""
+    async with console(config_of(server.url, 2)) as it:
+        await it.press("s")
+        await it.shows("From: choose")
+        await it.app.main.query_one("#simple-robot").remove()
+        await it.press(".")
+        it.app.main.rest.simple.show()
