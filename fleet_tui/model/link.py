@@ -30,10 +30,6 @@ OF_BAG = "rosbag://"
 """Prefix of the address of a recorded file, instead of a bridge."""
 
 
-FIRST_LINK = 10.0
-"""Seconds that a first connection, which nothing refuses, may take: on a busy machine it is slow."""
-
-
 class LinkState(Struct, frozen=True):
     """A bridge: `since` is the start of the phase, `next_try` the next attempt, both monotonic seconds;
     `reason` is the reason for no link in plain words; `commands_connected`: there is a connection for

@@ -12,6 +12,10 @@ from fleet_tui.model.geometry import Pose
 _DIGITS = re.compile(r"([0-9]+)")
 
 
+DOCKING = "docking"
+"""The label of an order to a dock, which has no stop."""
+
+
 class OrderState(Enum):
     """The state of an order; the value is shown to the operator."""
 

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fleet_tui.model.geometry import MapFrame, Pose, yaw_of_quaternion
+from fleet_tui.model.geometry import MapFrame, Pose, metres_from, yaw_of_quaternion
 
 ANGLES = st.floats(-math.pi + 1e-3, math.pi - 1e-3)
 METRES = st.floats(-1e4, 1e4)
@@ -86,3 +86,11 @@ def test_the_sources_own_stack_adds_the_origin() -> None:
     added = MapFrame(1.0, 10, 10, Pose(3.0, 4.0), added=True)
     assert added.to_pixel(0.0, 0.0) == pytest.approx((3.0, 6.0))
     assert added.to_world(3.0, 6.0) == pytest.approx((0.0, 0.0))
+
+
+@pytest.mark.parametrize(
+    ("at", "metres"), [((2.0, 3.0), 3.0), ((-3.0, 4.0), 5.0), ((7.0, 0.0), 3.0), ((1.0, 0.0), 0.0)]
+)
+def test_a_line_is_as_far_as_its_nearest_place(at: tuple[float, float], metres: float) -> None:
+    assert metres_from(at, (0.0, 0.0, 4.0, 0.0)) == pytest.approx(metres)
+    assert metres_from(at, (0.0, 0.0, 0.0, 0.0)) == pytest.approx(math.hypot(*at))

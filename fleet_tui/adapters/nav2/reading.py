@@ -12,7 +12,7 @@ from fleet_tui.adapters.ros_navigation.reading import Read
 from fleet_tui.errors import WireError
 from fleet_tui.model import events, navigation_events
 from fleet_tui.model.navigation import Goal, Progress
-from fleet_tui.model.order import OrderState
+from fleet_tui.model.order import DOCKING, OrderState
 from fleet_tui.text.limits import LONGEST_NAME, MOST_ORDERS, truncate
 
 STATES = {
@@ -30,7 +30,7 @@ CANCELLING = 3
 WORDS = {1: "accepted", 2: "executing", 3: "cancelling", 4: "succeeded", 5: "cancelled", 6: "aborted"}
 LEADING = "follow_waypoints"
 """The action that drives by goals of another one."""
-LABELS = {"dock_robot": "docking", "undock_robot": "undocking"}
+LABELS = {"dock_robot": DOCKING, "undock_robot": "undocking"}
 """Goals without a stop."""
 MONITOR = {0: "", 1: "stop", 2: "slowdown", 3: "approach", 4: "limit"}
 """Actions of a collision monitor (nav2_msgs/CollisionMonitorState)."""

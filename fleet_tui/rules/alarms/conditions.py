@@ -9,7 +9,7 @@ from collections.abc import Iterator
 
 from fleet_tui.model.alarm import Condition, Priority
 from fleet_tui.model.fleet import FleetState, behind_text, obstacle_text, offline_text
-from fleet_tui.model.link import FIRST_LINK, NO_WAY, CommandPath, LinkState, Phase
+from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.facilities import facility_conditions
 from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
@@ -24,6 +24,8 @@ from fleet_tui.rules.lag import BEHIND, is_overloaded
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.units import counted
 
+FIRST_LINK = 10.0
+"""Seconds that a first connection, which nothing refuses, may take: on a busy machine it is slow."""
 BAD_AFTER, BAD_FOR = 1.0, 10.0
 """Seconds from bad data to its alarm (other robots may send some, too), and without any until it counts as
 over."""

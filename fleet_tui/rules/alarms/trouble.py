@@ -12,6 +12,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.conditions import is_news
 from fleet_tui.rules.alarms.members import FAILED_MODES
 from fleet_tui.rules.alarms.vehicles import priority_of
+from fleet_tui.rules.commands.follow_up import seen_end
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.localisation.jumps import is_jumping
@@ -169,10 +170,11 @@ def is_halted(state: FleetState, robot: Robot) -> bool:
 
 def has_lost(state: FleetState, robot: Robot) -> bool:
     """Tell whether a robot without an order lost one a short while ago: somebody has to see where its load
-    is."""
+    is. One that was cancelled here is not lost."""
     if robot.orders.current is not None:
         return False
-    return any(one.stage is Stage.LOST and state.now - one.at < LOST_FOR for one in robot.gone)
+    late = (one for one in robot.gone if one.stage is Stage.LOST and state.now - one.at < LOST_FOR)
+    return any(seen_end(state, robot.name, one) is Stage.LOST for one in late)
 
 
 def _is_unexpectedly_offline(state: FleetState, robot: Robot) -> bool:

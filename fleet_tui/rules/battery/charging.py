@@ -4,12 +4,11 @@ import math
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import Vertex
+from fleet_tui.model.order import DOCKING
 from fleet_tui.model.robot import Robot, RobotMap
 
 ON_ITS_WAY = "Wait: it is on its way to a charger"
 """The action at a low battery of a robot that needs no further order."""
-DOCKING = "docking"
-"""The label of an order to a dock, which has no stop."""
 AT_CHARGER = 0.5
 """Metres within which a robot is at a charger."""
 

@@ -40,7 +40,8 @@ def _newest(state: FleetState, robot: Robot, live: LiveMaps) -> Reading[str] | N
     text, seen = _text(state, robot, live), robot.misplaced
     if robot.pose is None or (not text and seen is not None and seen.at == robot.pose.at):
         return None  # the map has changed
-    return Reading(text, robot.pose.at) if text and seen != Reading(text, robot.pose.at) else seen
+    found = Reading(text, robot.pose.at)
+    return found if text and seen != found else seen
 
 
 def is_misplaced(robot: Robot) -> bool:

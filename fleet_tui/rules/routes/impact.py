@@ -9,7 +9,7 @@ from msgspec.structs import replace
 
 from fleet_tui.model.desk.desk import ClosedEdge, Ends, ends_of
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.geometry import Line
+from fleet_tui.model.geometry import Line, metres_from
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.order import Order
 from fleet_tui.model.robot import Robot, RobotMap
@@ -52,7 +52,7 @@ def closed_edge_at(
 ) -> ClosedEdge | None:
     """Return the closed edge nearest to a place in metres, None without one within reach."""
     known = [edge for edge in closed if graph.vertices.keys() >= set(edge.ends[1:])]
-    far = {edge: _metres_from(at, _line(graph, edge.ends[1:])) for edge in known}
+    far = {edge: metres_from(at, _line(graph, edge.ends[1:])) for edge in known}
     nearest = min(far, key=lambda edge: far[edge], default=None)
     return nearest if nearest is not None and far[nearest] <= IN_REACH else None
 
@@ -75,15 +75,6 @@ def _is_on(robot: Robot, ends: Ends, lines: Mapping[str, Sequence[Line]]) -> boo
 def _has(lines: Sequence[Line], line: Line) -> bool:
     """Tell whether a line is among others, in any direction."""
     return line in lines or (*line[2:], *line[:2]) in lines
-
-
-def _metres_from(at: tuple[float, float], line: Line) -> float:
-    """Return the metres from a place to a line."""
-    (x, y), (x0, y0, x1, y1) = at, line
-    square = (x1 - x0) ** 2 + (y1 - y0) ** 2
-    share = ((x - x0) * (x1 - x0) + (y - y0) * (y1 - y0)) / square if square else 0.0
-    share = min(1.0, max(0.0, share))
-    return math.dist(at, (x0 + share * (x1 - x0), y0 + share * (y1 - y0)))
 
 
 def cut_orders(state: FleetState, ends: Ends) -> list[CutOrder]:

@@ -6,7 +6,7 @@ from itertools import pairwise
 from msgspec import Struct
 
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.geometry import Pose
+from fleet_tui.model.geometry import Pose, metres_from
 from fleet_tui.model.graph import Role, RouteGraph
 from fleet_tui.model.order import Order, Stop
 from fleet_tui.model.robot import Robot, RobotMap
@@ -131,15 +131,7 @@ def metres_off(robot: Robot) -> float:
     at, places = (robot.pose.value.x, robot.pose.value.y), graph.vertices
     edges = (one for one in graph.edges if one.start in places and one.end in places)
     ends = ((places[one.start], places[one.end]) for one in edges)
-    return min((_beside((one.x, one.y), (end.x, end.y), at) for one, end in ends), default=0.0)
-
-
-def _beside(start: Point, end: Point, at: Point) -> float:
-    """Return the distance of a point from a line between two others."""
-    (x, y), along = start, (end[0] - start[0], end[1] - start[1])
-    square = max(along[0] ** 2 + along[1] ** 2, 1e-12)
-    share = min(max(((at[0] - x) * along[0] + (at[1] - y) * along[1]) / square, 0.0), 1.0)
-    return math.dist(at, (x + share * along[0], y + share * along[1]))
+    return min((metres_from(at, (one.x, one.y, end.x, end.y)) for one, end in ends), default=0.0)
 
 
 def _along(points: list[Point], at: Point) -> tuple[float, int] | None:

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from fleet_tui.model.alarm import AlarmStage, Priority
+from fleet_tui.model.alarm import Alarm, AlarmStage, Priority
 from fleet_tui.model.fleet import FleetState, is_missing, missing_text, obstacle_text, offline_text
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Reading, Robot
@@ -23,7 +23,6 @@ from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, width_of
 
-FAILED = " failed"
 _NAMES = {name: name for name in AGING} | {"paused": "pause"}
 """Values that may be old, with their names."""
 
@@ -44,10 +43,10 @@ def _paused(state: FleetState, robot: Robot) -> str:
     return tr("paused") if own_pause(state, robot) else tr("paused (elsewhere)")
 
 
-def without_cause(text: str) -> str:
-    """Return `order A -> B failed` of `order A -> B failed: no path`, another text as it is."""
-    what, failed, _ = text.partition(FAILED)
-    return f"{what}{failed}"
+def without_cause(alarm: Alarm, text: str) -> str:
+    """Return `order A -> B failed` of `order A -> B failed: no path`, another text of an alarm as it is."""
+    over = alarm.condition.over
+    return over if text.startswith(f"{over}: ") else text
 
 
 def failed_command(state: FleetState, robot: Robot, short: bool = False) -> Iterator[Run]:
@@ -56,8 +55,8 @@ def failed_command(state: FleetState, robot: Robot, short: bool = False) -> Iter
     keys = (robot.name, "command"), (robot.name, "order")
     for alarm in state.alarms:
         if alarm.key in keys and alarm.holds and alarm.stage is not AlarmStage.SHELVED:
-            is_named = not (short and without_cause(alarm.text).endswith(FAILED))
-            yield tr(sanitize(alarm.text) if is_named else "order failed"), StyleRole.ALARM
+            is_of_order = alarm.key == keys[1] or without_cause(alarm, alarm.text) != alarm.text
+            yield tr("order failed" if short and is_of_order else sanitize(alarm.text)), StyleRole.ALARM
 
 
 def is_late(state: FleetState, robot: Robot) -> bool:

@@ -93,7 +93,7 @@ def _alarm(alarm: Alarm) -> tuple[Run, ...]:
     # As it was at its time, unless its cause came later: a duration that counts on would contradict that.
     has_news = _FIGURE.sub("", alarm.first_text) != _FIGURE.sub("", alarm.text)
     text = alarm.text if has_news else alarm.first_text
-    told = without_cause(text)  # the alarms pane has that of an order
+    told = without_cause(alarm, text)  # the alarms pane has that of an order
     return ((tr(sanitize(told)), StyleRole.DIM if is_quiet else StyleRole.ALARM),)
 
 

@@ -62,7 +62,7 @@ def _alarms(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Run, 
     own = [one for one in state.alarms if one.holds and one.condition.source == robot.name]
     for alarm in own:
         if len(state.alarms) <= FEW:
-            yield named("Alarm", (tr(sanitize(without_cause(alarm.text))), StyleRole.TEXT))
+            yield named("Alarm", (tr(sanitize(without_cause(alarm, alarm.text))), StyleRole.TEXT))
             continue
         for n, line in enumerate(wrap(tr(sanitize(alarm.text)), max(20, width))):
             yield named("" if n else "Alarm", (line, StyleRole.TEXT))

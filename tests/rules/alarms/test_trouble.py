@@ -2,7 +2,7 @@
 
 from msgspec.structs import replace
 
-from fleet_tui.model.commands import Stage
+from fleet_tui.model.commands import CancelOrder, Stage
 from fleet_tui.model.desk.events import AlarmAcknowledged, AlarmShelved
 from fleet_tui.model.events import Event, PausedReported
 from fleet_tui.model.fleet import FleetState, with_robot
@@ -16,6 +16,7 @@ from fleet_tui.rules.alarms.trouble import (
     may_need_person,
     next_in_trouble,
     shelved,
+    to_look_at,
     trouble_elsewhere,
 )
 from tests.support.fleets import (
@@ -24,6 +25,7 @@ from tests.support.fleets import (
     R0,
     T0,
     battery,
+    commanded,
     fleet,
     link_lost,
     link_up,
@@ -166,6 +168,15 @@ def test_a_pause_from_elsewhere_is_unexpected() -> None:
     state = reduced(fleet(2), link_up(T0), pose(T0), pose(T0, robot="robot_1"), tick(T0))
     assert next_in_trouble(state, R0) == ""
     assert next_in_trouble(reduced(state, PausedReported("robot_1", T0, True)), R0) == "robot_1"
+
+
+def test_an_order_that_was_cancelled_here_is_not_lost() -> None:
+    lost = GoneOrder(Order("7", (), None, "", 1), T0 + 3, Stage.LOST, "not listed any more")
+    state = low()
+    gone = with_robot(state, replace(state.robots["robot_1"], gone=(lost,)))
+    assert to_look_at(reduced(gone, tick(T0 + 4))) == ("robot_1",)
+    cancelled = commanded(1, CancelOrder("robot_1", "7"), Stage.SENT, Stage.ACCEPTED, at=T0 + 1)
+    assert to_look_at(reduced(gone, *cancelled, tick(T0 + 4))) == ()
 
 
 def test_a_robot_that_has_just_lost_its_order_is_found_until_it_drives_another() -> None:

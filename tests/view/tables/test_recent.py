@@ -130,6 +130,15 @@ def test_an_alarm_whose_cause_came_later_names_it() -> None:
     assert lines(state) == [f"0 robot_0 {known}"]
 
 
+def test_another_alarm_in_which_something_failed_is_whole() -> None:
+    state = reduced(without_poses(fleet()), link_up(T0), ObstacleReported(R0, T0, 40.0), tick(T0))
+    (alarm,) = state.alarms
+    text = "motor: brake test failed: replace the brake"
+    condition = structs.replace(alarm.condition, text=text)
+    state = structs.replace(state, alarms=(structs.replace(alarm, condition=condition, first_text=text),))
+    assert lines(state) == [f"0 robot_0 {text}"]
+
+
 def test_the_return_of_a_link_stays_with_its_outage_after_its_alarm_is_gone() -> None:
     back = reduced(fleet(), link_up(T0), link_lost(T0 + 5), tick(T0 + 9), link_up(T0 + 27), tick(T0 + 60))
     assert not [alarm for alarm in back.alarms if alarm.condition.kind == "link"]

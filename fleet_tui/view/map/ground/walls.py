@@ -5,7 +5,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-Mask = NDArray[np.bool_]
+from fleet_tui.view.map.tracing import Mask
+
 REACH = 2
 """Blocks from which a thin wall goes on along the rim of another."""
 Blocks = NDArray[np.uint8]

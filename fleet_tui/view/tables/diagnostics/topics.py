@@ -55,7 +55,7 @@ def topic_state(link: LinkState, topic: TopicCounter, now: float, silent_after: 
 
 def _is_slow(topic: TopicCounter, now: float) -> bool:
     rates = topic.rates(now)
-    return rates is not None and bool(topic.asked_ms) and rates[0] < SLOW * 1000 / (topic.asked_ms or 1)
+    return bool(rates and topic.asked_ms and rates[0] < SLOW * 1000 / topic.asked_ms)
 
 
 def entries(state: FleetState, links: Links, wanted: str, selected: str = "") -> list[Entry]:
