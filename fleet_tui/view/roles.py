@@ -32,6 +32,9 @@ class StyleRole(IntEnum):
     LABEL = auto()
     LABEL_BEYOND = auto()
     """A label on unknown ground."""
+    LABEL_THROUGH = auto()
+    """A label over a wall, on the wall's colour: it hides none."""
+    TARGET_THROUGH = auto()
     TARGET_BEYOND = auto()
     TARGET = auto()
     """The ends of the selected robot's order, vertex and label."""
@@ -62,5 +65,12 @@ class StyleRole(IntEnum):
 WALLS = (StyleRole.WALL, StyleRole.WALL_BEYOND, StyleRole.WALL_SOLID)
 """All roles of walls with nothing over them."""
 
-LABELS = (StyleRole.LABEL, StyleRole.LABEL_BEYOND, StyleRole.TARGET, StyleRole.TARGET_BEYOND)
+LABELS = (
+    StyleRole.LABEL,
+    StyleRole.LABEL_BEYOND,
+    StyleRole.LABEL_THROUGH,
+    StyleRole.TARGET_THROUGH,
+    StyleRole.TARGET_BEYOND,
+    StyleRole.TARGET,
+)
 """Roles of labels, and of the order's ends."""

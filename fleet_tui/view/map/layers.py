@@ -24,7 +24,7 @@ from fleet_tui.view.roles import StyleRole
 
 CELLS_OF_LABEL = 48
 """Cells of the view for each label that is tried: more would fill it, and take long."""
-CELLS_OF_FEW = 60
+CELLS_OF_FEW = 45
 """Cells of the view for each label from which one rather covers walls than is left out."""
 
 

@@ -9,10 +9,10 @@ from fleet_tui.text.sanitize import cell_width
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.places import Place
 from fleet_tui.view.map.placing.occupancy import CellOccupancy
-from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.roles import WALLS, StyleRole
 
 PASSING = 3.0
-"""Seconds for which a label below a robot is only left out: that is calmer than one that moves."""
+"""Seconds for which a label below a robot that stays is only left out: that is calmer than one that moves."""
 VACANT = 10.0
 """Seconds without a robot after which a label goes back to its usual place."""
 
@@ -28,13 +28,15 @@ class Label(NamedTuple):
 
 
 def draw_label(cells: Cells, label: Label) -> None:
-    """Draw a label in the role for the ground that it covers most of."""
+    """Draw a label in the role for the ground that it covers most of, and over walls in theirs."""
     x, y = label.at
-    below = cells.roles[y, x : x + cell_width(label.text)]
+    below = cells.roles[y, x : x + cell_width(label.text)].copy()
     role = StyleRole.TARGET if label.is_target else StyleRole.LABEL
     if np.count_nonzero(below == StyleRole.UNKNOWN) * 2 > below.size:
         role = StyleRole.TARGET_BEYOND if label.is_target else StyleRole.LABEL_BEYOND
     cells.write(x, y, label.text, role)
+    over_wall = StyleRole.TARGET_THROUGH if label.is_target else StyleRole.LABEL_THROUGH
+    cells.roles[y, x : x + below.size][np.isin(below, WALLS)] = over_wall
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -52,8 +54,9 @@ class LabelPlaces:
     aside: dict[Place, Place] = field(default_factory=dict)
     """First cells of the labels that gave way to robots. They stay there until they are covered again, or
     their usual place has been free for a while."""
-    since: dict[Place, float] = field(default_factory=dict)
-    """The second since which a robot is over a label, or none over the usual place of one that gave way."""
+    since: dict[Place, tuple[int, float]] = field(default_factory=dict)
+    """Which cells of the usual place of a label that is not there are covered, as bits, and the second since
+    which they are: with robots that drive they change."""
     begun: bool = False
     """Some picture was drawn with these places."""
 
@@ -78,12 +81,15 @@ def _place(
     """Return and occupy a label's place now, None for none."""
     usual, size = label.at, cell_width(label.text)
     at = places.aside.get(usual, usual)
-    is_free = not occupancy.is_taken(*usual, size)
-    stands = is_free if at == usual else occupancy.free(*at, size)
-    if stands and (at == usual or not is_free):
+    covered = occupancy.taken(*usual, size)
+    stands = not covered if at == usual else occupancy.free(*at, size)
+    if stands and (at == usual or covered):
         places.since.pop(usual, None)
     else:
-        waited = now - places.since.setdefault(usual, now)
+        before, since = places.since.get(usual, (covered, now))
+        since = since if before == covered else now
+        places.since[usual] = covered, since
+        waited = now - since
         if not places.begun or not 0 <= waited < (VACANT if stands else PASSING):
             return _moved(label, behind, occupancy, places)
     if stands and at != usual:

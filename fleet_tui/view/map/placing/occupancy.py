@@ -17,14 +17,23 @@ _HELD = np.zeros(len(StyleRole), np.bool_)
 _HELD[StyleRole.VERTEX : StyleRole.TARGET + 1] = True  # vertices and labels
 
 
-_WALL, _FAR, _ASTRAY = 255, 3, 60
-"""Costs of a label: for each wall's cell that it covers, two rows off its vertex, and there on the floor."""
-_WALLS = (*WALLS, StyleRole.MISSION_THROUGH, StyleRole.MISSION_NEXT_THROUGH)
-# Along edges robots drive, over a label. As bytes: of so few cells it is several times as fast.
-_WEIGHTS = bytes(
-    _WALL if role in _WALLS else 4 if role == StyleRole.EDGE else role > StyleRole.UNKNOWN
-    for role in range(256)
-)
+_WALL, _AMONG, _FAR, _ASTRAY, _NOWHERE = 255, 70, 60, 60, 10_000
+"""Costs of a label: for each wall's cell if it is to cover none, beside a wall in another row than its
+vertex, where it reads as the name of what the wall encloses, two rows off its vertex, and there on the
+floor, or behind a wall."""
+_WALLED = frozenset((*WALLS, StyleRole.MISSION_THROUGH, StyleRole.MISSION_NEXT_THROUGH))
+
+
+def _weights(wall: int, unknown: int = 0) -> bytes:
+    """Return the costs of a label by the role of what it covers: along edges robots drive, over it. As bytes:
+    of so few cells it is several times as fast."""
+    costs = {StyleRole.EDGE: 4, StyleRole.FLOOR: 0, StyleRole.UNKNOWN: unknown}
+    return bytes(wall if role in _WALLED else costs.get(role, 1) for role in StyleRole) + bytes(
+        256 - len(StyleRole)
+    )
+
+
+_BESIDE_WALLS, _OVER_WALLS, _OVER_OUTER_WALLS = _weights(_WALL), _weights(10), _weights(3, unknown=6)
 _STAYS, _TOUCHES = 3, 2
 """Costs of a chip: by how much another place must be better, and at a label."""
 _END = 16
@@ -35,7 +44,7 @@ _OUTSIDE = 6
 # A chip may hide ground and lines; it rather keeps off walls, and names give way to it.
 _HIDDEN = np.array(
     [
-        _OUTSIDE if role in _BEYOND else 2 if role in _WALLS else int(role in LABELS)
+        _OUTSIDE if role in _BEYOND else 2 if role in _WALLED else int(role in LABELS)
         for role in range(len(StyleRole))
     ],
     np.uint8,
@@ -86,7 +95,11 @@ class CellOccupancy:
 
     def is_taken(self, x: int, y: int, cells: int) -> bool:
         """Tell whether one of these cells, all in the view, is occupied."""
-        return bool(self._taken >> self._bit(x, y) & (1 << cells) - 1)
+        return self.taken(x, y, cells) > 0
+
+    def taken(self, x: int, y: int, cells: int) -> int:
+        """Return which of these cells, all in the view, are occupied, as bits."""
+        return self._taken >> self._bit(x, y) & (1 << cells) - 1
 
     def chip_shift(
         self, x: int, y: int, chip: ChipSize, before: Place | None, far: bool = False
@@ -148,26 +161,20 @@ class CellOccupancy:
         self, x: int, y: int, text: str, roles: Roles, covers_walls: bool = False, in_row: bool = True
     ) -> tuple[int, int] | None:
         """Occupy the place for a label near its vertex at (x, y), in its row if `in_row`. Return None if it
-        doesn't fit, or only over a wall unless it `covers_walls`.
+        doesn't fit, or only over a wall inside the building unless it `covers_walls`.
 
         Of the free places it is the one that hides least of the map, rather beside the vertex; a label keeps
         two cells' distance from its neighbours, so that two labels never read as one."""
         cells = cell_width(text)
         best: Place | None = None
-        least = sys.maxsize if covers_walls else _WALL
+        least, over_walls = (sys.maxsize, _OVER_WALLS) if covers_walls else (_WALL, _BESIDE_WALLS)
         for right, down, further in _spots(cells, in_row):
             if least <= further:
                 break
-            column, row = x + right, y + down
-            if not self._apart(column, row, cells):
-                continue
-            cost = further + sum(roles[row, column : column + cells].tobytes().translate(_WEIGHTS))
-            if further == _FAR and roles[row, x] != StyleRole.UNKNOWN:
-                # On the floor it is read as of its vertex only without a wall below it or between.
-                if cost >= _WALL or roles[(y + row) // 2, x] in _WALLS:
-                    continue
-                cost += _ASTRAY
-            best, least = ((column, row), cost) if cost < least else (best, least)
+            at = x + right, y + down
+            if self._apart(*at, cells):
+                cost = further + _label_cost((x, y), at, cells, roles, over_walls)
+                best, least = (at, cost) if cost < least else (best, least)
         if best is not None:
             self.take(best[0] - 1, best[1], cells + 2)
         return best
@@ -179,6 +186,21 @@ class CellOccupancy:
         # As `free`, without its call: this is asked a dozen times for each label.
         held = (self._taken | self._texts) >> y * self._stride + _MARGIN + start
         return not held & (1 << end - start) - 1
+
+
+def _label_cost(vertex: Place, at: Place, cells: int, roles: Roles, over_walls: bytes) -> int:
+    """Return what a label of a vertex hides there, and how much it would read as another one's."""
+    (x, y), (column, row) = vertex, at
+    down, is_floor = row - y, roles[row, x] != StyleRole.UNKNOWN
+    if abs(down) == 1 and 0 <= row + down < len(roles) and roles[row + down, x] == StyleRole.UNKNOWN:
+        return sum(roles[row, column : column + cells].tobytes().translate(_OVER_OUTER_WALLS))
+    cost = sum(roles[row, column : column + cells].tobytes().translate(over_walls))
+    if down and not _WALLED.isdisjoint(roles[row, max(column - 1, 0) : column + cells + 1].tobytes()):
+        cost += _AMONG
+    if abs(down) == 2 and is_floor:
+        # There it is read as of its vertex only without a wall below it or between.
+        cost += _ASTRAY if cost < _AMONG and roles[(y + row) // 2, x] not in _WALLED else _NOWHERE
+    return cost
 
 
 def _hidden(below: Roles) -> NDArray[np.uint8]:
@@ -214,7 +236,8 @@ def _spots(cells: int, in_row: bool) -> tuple[tuple[int, int, int], ...]:
     middle, end, right, left = -(cells // 2), 1 - cells, 2, -1 - cells
     beside = [(right, 0), (left, 0)] if in_row else []
     beside += [(middle, -1), (middle, 1)]
-    shifted = [(0, -1), (0, 1), (end, -1), (end, 1)]
+    shifted = [(column, row) for column in (0, end, -1, end + 1) for row in (-1, 1)]
     corners = [(right, -1), (right, 1), (left, -1), (left, 1)]
     far = [(column, row) for column in (0, end, middle, -1, end + 1) for row in (-2, 2)]
-    return tuple((*at, cost) for cost, places in enumerate((beside, shifted, corners, far)) for at in places)
+    ranked = ((0, beside), (1, shifted), (2, corners), (_FAR, far))
+    return tuple((*at, cost) for cost, places in ranked for at in places)

@@ -58,14 +58,21 @@ def test_it_is_away_while_a_robot_passes_and_at_its_place_again_then() -> None:
     assert places[0] == places[-1] == usual and set(places) == {usual, None}
 
 
+def test_it_waits_for_a_robot_that_drives_along_it_however_slowly() -> None:
+    before = Arrangement()
+    places = [place(drawn(12 - step, before=before, at=step * PASSING / 2)) for step in range(24)]
+    usual = place(BEHIND)
+    assert places.count(None) * PASSING / 2 > PASSING and set(places) == {usual, None}
+
+
 def test_it_gives_way_to_a_robot_that_stays_and_stays_where_it_is_then() -> None:
     before = Arrangement()
     places = [place(drawn(max(10 - step, 4), before=before, at=step)) for step in range(20)]
     usual = place(BEHIND)
-    aside = places[-1]
+    arrived, aside = 6, places[-1]
     assert aside not in {usual, None} and places == [
         *[usual] * places.count(usual),
-        *[None] * round(PASSING),
+        *[None] * (arrived + round(PASSING) - places.count(usual)),
         *[aside] * places.count(aside),
     ]
     assert place(drawn(-10, before=before, at=20.0)) == aside

@@ -14,7 +14,7 @@ from fleet_tui.view.map.picture import backdrop, picture
 from fleet_tui.view.map.placing.chips import ChipSize
 from fleet_tui.view.map.placing.occupancy import CellOccupancy
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
-from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.roles import LABELS, StyleRole
 
 WIDTH, HEIGHT = 24, 9
 places = st.tuples(st.integers(0, WIDTH - 1), st.integers(0, HEIGHT - 1))
@@ -116,7 +116,7 @@ def ground(*walls: slice) -> np.ndarray:
 
 
 @given(st.sets(places, max_size=WIDTH * HEIGHT), places, st.booleans())
-def test_only_a_wanted_label_covers_a_wall(
+def test_only_a_wanted_label_covers_a_wall_inside_and_finds_a_place_always(
     walls: set[tuple[int, int]], at: tuple[int, int], covers_walls: bool
 ) -> None:
     roles = ground()
@@ -124,16 +124,33 @@ def test_only_a_wanted_label_covers_a_wall(
         roles[y, x] = StyleRole.WALL
     spot = CellOccupancy(WIDTH, HEIGHT).label_spot(*at, "Base", roles, covers_walls=covers_walls)
     assert spot or not covers_walls
-    free = CellOccupancy(WIDTH, HEIGHT).label_spot(*at, "Base", roles)
-    if spot and (free or not covers_walls):
-        assert spot == free and (roles[spot[1], spot[0] : spot[0] + 4] == StyleRole.FLOOR).all()
+    if spot and not covers_walls:
+        assert (roles[spot[1], spot[0] : spot[0] + 4] == StyleRole.FLOOR).all()
+
+
+def test_a_label_is_over_the_outer_wall_inside_its_corners_rather_than_over_an_edge_or_beyond() -> None:
+    roles = ground(slice(2, 3), slice(4, 5))
+    roles[3], roles[:2], roles[:, :3] = StyleRole.EDGE, StyleRole.UNKNOWN, StyleRole.UNKNOWN
+    roles[2:, 3] = StyleRole.WALL
+    for at, first in ((10, 8), (4, 4)):
+        assert CellOccupancy(WIDTH, HEIGHT).label_spot(at, 3, "Base", roles) == (first, 2)
 
 
 def test_a_label_without_space_at_its_vertex_is_behind_the_wall_around_the_floor() -> None:
-    roles = ground(slice(2, 3), slice(4, 5))
-    roles[3] = StyleRole.EDGE
+    roles = ground(slice(2, 5))
+    roles[3, 10] = StyleRole.EDGE
     roles[:2] = StyleRole.UNKNOWN
-    assert CellOccupancy(WIDTH, HEIGHT).label_spot(10, 3, "Base", roles) == (10, 1)
+    occupancy = CellOccupancy(WIDTH, HEIGHT)
+    occupancy.take(0, 2, WIDTH)
+    assert occupancy.label_spot(10, 3, "Base", roles) == (10, 1)
+
+
+def test_a_label_is_rather_over_an_edge_beside_its_vertex_than_where_it_would_name_a_room() -> None:
+    roles = ground()
+    roles[3] = StyleRole.EDGE
+    assert CellOccupancy(WIDTH, HEIGHT).label_spot(10, 3, "Base", roles) == (8, 2), "there is space above"
+    roles[2:5:2, 2::5] = StyleRole.WALL
+    assert CellOccupancy(WIDTH, HEIGHT).label_spot(10, 3, "Base", roles) == (12, 3)
 
 
 def test_a_label_in_another_aisle_would_be_read_as_of_another_vertex() -> None:
@@ -154,9 +171,7 @@ def names(scene: Scene, camera: Camera) -> set[int]:
     """The ids of the vertices whose labels stand; a label is its vertex' id."""
     cells = backdrop(scene, camera, MapOptions())
     texts = np.where(
-        np.isin(
-            cells.roles, (StyleRole.LABEL, StyleRole.TARGET, StyleRole.LABEL_BEYOND, StyleRole.TARGET_BEYOND)
-        ),
+        np.isin(cells.roles, LABELS),
         cells.codes,
         ord(" "),
     )
