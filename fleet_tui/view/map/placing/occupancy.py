@@ -21,6 +21,7 @@ _WALL, _AMONG, _FAR, _ASTRAY, _NOWHERE = 255, 70, 60, 60, 10_000
 """Costs of a label: for each wall's cell if it is to cover none, beside a wall in another row than its
 vertex, where it reads as the name of what the wall encloses, two rows off its vertex, and there on the
 floor, or behind a wall."""
+_THROUGH = StyleRole.LABEL_THROUGH, StyleRole.TARGET_THROUGH
 _WALLED = frozenset((*WALLS, StyleRole.MISSION_THROUGH, StyleRole.MISSION_NEXT_THROUGH))
 
 
@@ -44,7 +45,7 @@ _OUTSIDE = 6
 # A chip may hide ground and lines; it rather keeps off walls, and names give way to it.
 _HIDDEN = np.array(
     [
-        _OUTSIDE if role in _BEYOND else 2 if role in _WALLED else int(role in LABELS)
+        _OUTSIDE if role in _BEYOND else 2 if role in _WALLED or role in _THROUGH else int(role in LABELS)
         for role in range(len(StyleRole))
     ],
     np.uint8,

@@ -91,6 +91,11 @@ def test_a_chip_grows_toward_the_inside_of_a_building_and_leaves_its_row_that_wa
     occupancy.take(0, 3, WIDTH)
     shift = occupancy.chip_shift(12, 3, ChipSize(3, 3), None)
     assert shift is not None and shift[1] == 1, "over the rack, not over the outer wall"
+    roles[2] = StyleRole.LABEL_THROUGH
+    occupancy = CellOccupancy(WIDTH, HEIGHT, roles)
+    occupancy.take(0, 3, WIDTH)
+    shift = occupancy.chip_shift(12, 3, ChipSize(3, 3), None)
+    assert shift is not None and shift[1] == 1, "nor over a name on it"
 
 
 def test_a_long_chip_covers_no_name() -> None:
