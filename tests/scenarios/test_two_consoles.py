@@ -109,7 +109,7 @@ async def test_a_pause_from_the_other_one_is_named_as_such(server: RosbridgeServ
         assert stages(await other.ended()) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
         await it.shows("paused", "fleet")
         await it.press("w")
-        await it.shows("reported by the robot, not sent by this console")
+        await it.shows("not sent by this console")
         await it.press("r")
         record = await ended(it)
         assert stages(record) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]

@@ -92,11 +92,7 @@ def paused(state: FleetState, robot: Robot) -> Reason | None:
     if robot.paused is None:
         name = own_pause_text(state, robot)
         return Reason(name, "pause accepted by the robot", since=since, keys=("resume",))
-    by = (
-        "reported by the robot, sent by this console"
-        if since is not None
-        else "reported by the robot, not sent by this console"
-    )
+    by = "sent by this console" if since is not None else "not sent by this console"
     return Reason("paused", by, since=since, seen=robot.paused.at, keys=("resume",))
 
 

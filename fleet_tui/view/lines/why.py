@@ -77,8 +77,9 @@ def _numbered(state: FleetState, robot: Robot, reason: Reason, number: int, is_b
     mark = "▶" if number == 1 else " "
     strength = "" if reason.strength is Strength.NONE else f"  ({tr(reason.strength.name.lower())})"
     yield f"{mark} {number}. {tr(sanitize(reason.name))}{strength}"
-    known = () if is_brief else (tr(sanitize(reason.evidence)), _age(state, robot, reason))
-    yield from (f"    {line}" for line in (*known, tr(reason.remedy)) if line)
+    known = (tr(sanitize(reason.evidence)), _age(state, robot, reason))
+    evidence = "" if is_brief else ", ".join(filter(None, known))
+    yield from (f"    {line}" for line in (evidence, tr(reason.remedy)) if line)
 
 
 def _alarms(
@@ -139,7 +140,7 @@ def _age(state: FleetState, robot: Robot, reason: Reason) -> str:
         parts.append(tr(f"for {age(state.now - reason.since)}"))
     if reason.seen is not None:
         parts.append(tr(f"reported {ago(reason.seen, state.now)}"))
-    return ", ".join(parts)
+    return ", ".join(part.replace(" ", UNBROKEN) for part in parts)
 
 
 def _help_lines(
@@ -150,7 +151,7 @@ def _help_lines(
     named = [
         (
             key_name(pressed[0]) if pressed else tr("(palette)"),
-            tr(key.hint).replace(" ", UNBROKEN) or tr(key.text),
+            tr(key.hint).replace(" ", UNBROKEN) or tr(key.text).partition(":")[0],
         )
         for pressed, key in shown
     ]

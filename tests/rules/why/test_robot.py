@@ -39,13 +39,13 @@ from tests.support.situations import driving, first, names
 def test_a_pause_names_where_it_came_from_and_the_key() -> None:
     elsewhere = first(driving(then="paused").run(3))
     assert (elsewhere.evidence, elsewhere.keys) == (
-        "reported by the robot, not sent by this console",
+        "not sent by this console",
         ("resume",),
     )
     planted = driving().command(PauseRobot(R0))
     at = planted.now
     here = first(planted.run(3))
-    assert here.evidence == "reported by the robot, sent by this console"
+    assert here.evidence == "sent by this console"
     assert here.since == pytest.approx(at)
 
 
