@@ -90,7 +90,8 @@ CLASSES = {
     ),
     "localisation": AlarmClass(
         "medium",
-        "the robot does not know where it is on its map, or reports without a pose",
+        "the robot does not know where it is on its map, reports without a pose, or for 20 s poses in walls,"
+        " off the map or off its route graph",
         "it may drive into something, or stop; nobody sees where",
         "Pause it and set its pose; without a pose check its localisation",
         2,
