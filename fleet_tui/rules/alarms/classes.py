@@ -55,7 +55,7 @@ CLASSES = {
         "high",
         "an emergency stop of a vehicle is active",
         "the vehicle does not move; others queue behind it",
-        "Go to the vehicle, see why it was stopped, and release it there",
+        "Go to the vehicle, check the area around it, then release it there",
         5,
     ),
     "fault": AlarmClass(

@@ -52,7 +52,7 @@ def test_robots_in_different_frames_are_not_compared() -> None:
     planted.run(3)
     assert first(planted).name == "waiting behind robot_1"
     planted.tell(FrameReceived("robot_1", "floor_0", moved))
-    assert first(planted).name == "cause unknown"
+    assert first(planted).name == "stopped 3 s ago, nothing wrong so far"
 
 
 def test_a_robot_that_drives_through_is_not_the_cause_of_a_long_standstill() -> None:
@@ -92,9 +92,9 @@ def test_only_a_near_robot_or_one_under_way_on_the_next_edge_is_in_the_way() -> 
         return [f"{one.name} {one.strength.name}" for one in reasons(state, state.robots[R0])]
 
     assert found(8.0, drives=True)[0] == "waiting behind robot_1 LIKELY"
-    assert found(8.0, drives=False)[0] == "cause unknown NONE"
-    assert found(8.0, drives=True, keeps_goals=True)[0] == "cause unknown NONE"
-    assert found(3.0, drives=False) == ["waiting behind robot_1 POSSIBLE", "cause unknown NONE"]
+    unknown = "stopped 2 s ago, nothing wrong so far NONE"
+    assert found(8.0, drives=False)[0] == found(8.0, drives=True, keeps_goals=True)[0] == unknown
+    assert found(3.0, drives=False) == ["waiting behind robot_1 POSSIBLE", unknown]
 
 
 def test_a_robot_with_an_order_and_a_pose_beside_all_edges_is_said_to_be_off_the_graph() -> None:
