@@ -100,7 +100,9 @@ def _view_actions(screen: "MainScreen", rest: "Rest") -> ViewActions:
         robot_page=rest.robot_page.show,
         all_orders=partial(_all_orders, screen),
         enlarge=screen.panes.enlarge,
-        diagnostics=lambda: rest.diagnostics.show(navigation.robot, rest.why.cause),
+        diagnostics=lambda: rest.diagnostics.show(
+            navigation.robot, rest.why.cause or rest.why.first_reason(in_need=True)
+        ),
         audit=rest.audit_log.show,
         history=rest.history.show,
         programs=rest.programs.show,

@@ -14,6 +14,7 @@ from textual.widgets import Static
 from fleet_tui.backend import Backend
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.alarms.trouble import in_trouble, to_look_at
 from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.localisation.match import Match
 from fleet_tui.rules.why.complaints import Complaint, complaints
@@ -135,11 +136,17 @@ class Why(RobotOverlay):
 
     async def action_help_it(self, id_: str) -> None:
         """Run the key's usual action, about the first reason."""
-        state, name = self._looked_at()
-        robot = state.robots[name]
-        self.cause = reasons(state, robot, self._match(), self._complaints(state, robot))[0]
+        self.cause = self.first_reason()
         await super().action_help_it(id_)
         self.cause = None
+
+    def first_reason(self, in_need: bool = False) -> Reason | None:
+        """Return the first reason; `in_need`: only of a robot with an alarm or an amber row, else None."""
+        state, name = self._looked_at()
+        if in_need and not (name in in_trouble(state) or name in to_look_at(state)):
+            return None
+        robot = state.robots[name]
+        return reasons(state, robot, self._match(), self._complaints(state, robot))[0]
 
     def _search_ways(self, state: FleetState, robot: Robot) -> None:
         """Search the ways of all orders again, if it is time: not on the loop, they may be many."""

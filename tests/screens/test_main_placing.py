@@ -130,3 +130,17 @@ async def test_streams_go_along_with_the_selected_robot(site: Site) -> None:
         streams = it.app.main.backend.streams
         assert {robot for robot in ("robot_0", "robot_1") if streams.wants(robot, "scan")} == {"robot_1"}
         assert streams.wants("robot_1", "path")
+
+
+async def test_a_robot_that_drives_is_told_to_be_paused_before_its_pose_is_chosen(site: Site) -> None:
+    async with console(site.config) as it:
+        await it.until(lambda state: state.robots["robot_0"].still_for > 1)
+        await it.press("I")
+        await it.shows("POSE", "map")
+        assert "pause it first" not in it.text
+        await it.press("escape", "G")
+        await it.shows("GOAL", "map")
+        await it.press(*["L"] * 6, "enter", "y")
+        await it.until(lambda state: state.robots["robot_0"].orders.current is not None)
+        await it.press("I")
+        await it.shows("pause it first")

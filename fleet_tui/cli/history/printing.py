@@ -4,6 +4,7 @@ import csv
 from collections.abc import Sequence
 from datetime import datetime
 from enum import Enum
+from operator import attrgetter
 from typing import Any, TextIO, assert_never
 
 import msgspec
@@ -16,6 +17,8 @@ from fleet_tui.view.history.events import EventKind, PastEvent, matching, past_e
 
 COLUMNS = ("time", "ended", "kind", "subject", "what", "outcome", "detail", "operator")
 VERSION = 1
+BY_BEGIN = attrgetter("at")
+"""The order of data, whose time is a begin; the text has the time of an order's end."""
 STALE = 120.0
 """Seconds without a fact of any robot after which nobody observes them: there is one each minute."""
 
@@ -63,7 +66,7 @@ def events_of(
 
 def write_text(events: Sequence[PastEvent], since: float, out: TextIO) -> None:
     """Write a line for each event, oldest first."""
-    out.writelines(f"{moment(event.at)}  {event.text}\n" for event in events)
+    out.writelines(f"{moment(event.told_at)}  {event.text}\n" for event in events)
     if not events:
         out.write(f"nothing happened since {moment(since)}\n")
 
@@ -92,7 +95,7 @@ def write_csv(events: Sequence[PastEvent], out: TextIO) -> None:
     """Write a line of names and one for each event; no value is run as a formula."""
     writer = csv.writer(out)
     writer.writerow(COLUMNS)
-    for event in events:
+    for event in sorted(events, key=BY_BEGIN):
         texts = (event.subject, event.what, event.outcome, event.detail, event.operator)
         writer.writerow([iso(event.at), iso(event.ended), event.kind.value, *map(cell, texts)])
 
@@ -104,7 +107,7 @@ def as_json(history: History, events: Sequence[PastEvent], since: float, until: 
         "version": VERSION,
         "since": iso(since),
         "until": iso(until),
-        "events": [_event(event) for event in events],
+        "events": [_event(event) for event in sorted(events, key=BY_BEGIN)],
         "robots": {name: _seconds(history, name, since, until) for name in robots},
     }
     return msgspec.json.format(msgspec.json.encode(told)).decode()

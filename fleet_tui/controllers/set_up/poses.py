@@ -11,7 +11,8 @@ from fleet_tui.model.kind import GOAL, POSE, SCAN
 from fleet_tui.model.problem import Right
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.set_up.commands import SetPose, heading_text
+from fleet_tui.model.set_up.commands import Localise, SetPose, heading_text
+from fleet_tui.rules.commands.set_up.checks import driving
 from fleet_tui.rules.language.set_up import floor_of, to_pose
 from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
@@ -70,6 +71,10 @@ class PoseRequests:
         start = here or Pose(*self._picture.viewport.middle(scene))
         moves_scan = title == SET_POSE and SCAN in robot.kind.streams
         self._controls.enter(PlaceMode(title, robot.name, floor, start, moves_scan))
+        # Before anybody places it: Enter would refuse that.
+        moving = driving(self._store.state, robot, Localise(robot.name)) if ability == POSE else ()
+        for problem in moving:
+            self._notices.say(problem.text)
 
     def _floor(self, robot: Robot) -> str:
         """Return the floor that a robot is on, else the shown one."""

@@ -55,7 +55,7 @@ CLASSES = {
         "high",
         "an emergency stop of a vehicle is active",
         "the vehicle does not move; others queue behind it",
-        "Go to the vehicle, see why it was stopped, and release it there",
+        "Go to the vehicle, check the area around it, then release it there",
         5,
     ),
     "fault": AlarmClass(
@@ -90,7 +90,8 @@ CLASSES = {
     ),
     "localisation": AlarmClass(
         "medium",
-        "the robot does not know where it is on its map, or reports without a pose",
+        "the robot does not know where it is on its map, reports without a pose, or for 20 s poses in walls,"
+        " off the map or off its route graph",
         "it may drive into something, or stop; nobody sees where",
         "Pause it and set its pose; without a pose check its localisation",
         2,

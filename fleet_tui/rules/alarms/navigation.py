@@ -10,6 +10,7 @@ from fleet_tui.rules.causes import cause_of_end, remedy_of
 from fleet_tui.rules.commands.failures import FAILED_FOR
 from fleet_tui.rules.commands.local_queue import HELD_BY_OTHERS, orders_to_save
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
+from fleet_tui.rules.localisation.misplaced import misplaced_for_long
 from fleet_tui.text.durations import age
 
 LOST_ABOVE, FOUND_BELOW = 0.5, 0.3
@@ -30,16 +31,17 @@ def blocked(state: FleetState, robot: Robot, _active: ActiveConditions) -> Condi
 
 
 def not_sure_where(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
-    """Raise if its localisation is too uncertain to drive by, or its poses have ceased or never came."""
+    """Raise if its localisation is too uncertain to drive by, or its poses are none, or ceased."""
     if (lost := _pose_lost(state, robot, active)) is not None:
         return lost
-    if robot.variance is None:
-        return None
     was_lost = was_active(active, robot.name, robot.link, "localisation")
     limit = FOUND_BELOW if was_lost else LOST_ABOVE
-    if robot.variance.value <= limit:
+    if robot.variance is not None and robot.variance.value > limit:
+        text = f"localisation uncertain: within {2 * robot.variance.value**0.5:.1f} m"
+    elif (since := misplaced_for_long(state, robot)) is not None and robot.misplaced is not None:
+        text = f"localisation wrong for {age(state.now - since)}: {robot.misplaced.value}"
+    else:
         return None
-    text = f"localisation uncertain: within {2 * robot.variance.value**0.5:.1f} m"
     return Condition(robot.name, "localisation", Priority.MEDIUM, text, "localisation recovered")
 
 

@@ -12,6 +12,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.conditions import is_news
 from fleet_tui.rules.alarms.members import FAILED_MODES
 from fleet_tui.rules.alarms.vehicles import priority_of
+from fleet_tui.rules.battery.charging import ON_ITS_WAY
 from fleet_tui.rules.commands.follow_up import seen_end
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.lag import is_overloaded
@@ -85,12 +86,17 @@ def _robots(state: FleetState, alarms: Iterable[Alarm]) -> frozenset[str]:
     return frozenset(named & state.robots.keys())
 
 
-def urgency(alarm: Alarm) -> tuple[bool, bool, bool, int]:
+def urgency(alarm: Alarm) -> tuple[bool, bool, bool, bool, int]:
     """Return the sort key of an alarm. Equal ones stay in the order in which they were raised. Alarms that
-    are over are below all that hold, whatever their priority."""
+    are over are below all that hold, whatever their priority; those that need nobody are just above."""
     is_over = alarm.stage is AlarmStage.RETURNED
     is_shelved, priority = alarm.stage is AlarmStage.SHELVED, alarm.condition.priority.value
-    return is_shelved, is_over, not alarm.needs_acknowledgement, priority
+    return is_shelved, is_over, _needs_nobody(alarm), not alarm.needs_acknowledgement, priority
+
+
+def _needs_nobody(alarm: Alarm) -> bool:
+    """Tell whether an alarm is about a robot on its way to its charger."""
+    return alarm.condition.remedy == ON_ITS_WAY
 
 
 def by_urgency(state: FleetState) -> list[str]:
@@ -116,9 +122,11 @@ def next_in_trouble(state: FleetState, after: str, marked: object = None) -> str
 
 def in_turn(state: FleetState) -> list[str]:
     """Return the robots to go to, one after the other: those in trouble, of whom nobody knows while there are
-    some, then those without an alarm that may need a person."""
+    some, then those without an alarm that may need a person, then those that need nobody."""
     troubled, known = by_urgency(state), acknowledged(state)
-    return [*([name for name in troubled if name not in known] or troubled), *_odd(state)]
+    wanted = {name for one in state.alarms if one.holds and not _needs_nobody(one) for name in _whose(one)}
+    unknown = [name for name in troubled if name not in known] or troubled
+    return sorted([*unknown, *_odd(state)], key=lambda name: name in unknown and name not in wanted)
 
 
 def _odd(state: FleetState) -> list[str]:

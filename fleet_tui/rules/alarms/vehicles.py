@@ -4,7 +4,9 @@ from fleet_tui.model.alarm import Condition, Priority
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.vehicles.vehicle import HIGH, MEDIUM, Vehicle, VehicleError
+from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
+from fleet_tui.text.sanitize import sanitize
 
 LOCALISE = "Localise it at the vehicle: take it by hand to a place that it knows"
 
@@ -30,13 +32,17 @@ def sorted_errors(vehicle: Vehicle) -> list[VehicleError]:
     return sorted(vehicle.errors, key=lambda error: priority_of(error).value)
 
 
-def fault_text(vehicle: Vehicle, has_hint: bool = True) -> str:
-    """Return the most urgent error of a vehicle, with its hint (`has_hint`), and how many more there are."""
+def fault_text(vehicle: Vehicle) -> str:
+    """Return the most urgent error of a vehicle, and how many more there are. Its hint is the remedy."""
     first, *more = sorted_errors(vehicle)
     told = ": ".join(part for part in (first.type, first.text) if part)
-    hint = f" ({first.hint})" if first.hint and has_hint else ""
     level = f"{first.level.lower()} " if first.level else ""
-    return f"{level}{told}{hint}" + (f", and {len(more)} more" if more else "")
+    return f"{level}{told}" + (f", and {len(more)} more" if more else "")
+
+
+def fault_remedy(vehicle: Vehicle) -> str:
+    """Return what to do about the most urgent error: its own hint, if it has one."""
+    return sanitize(sorted_errors(vehicle)[0].hint) or CLASSES["fault"].action
 
 
 def fault(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
@@ -44,9 +50,10 @@ def fault(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
     vehicle = _reported(robot)
     if vehicle is None or not vehicle.errors or not _holds(state, robot, active, "fault"):
         return None
+    text, remedy, over = fault_text(vehicle), fault_remedy(vehicle), "no errors reported"
     priority = priority_of(sorted_errors(vehicle)[0])
     parts = frozenset(error.type for error in vehicle.errors)
-    return Condition(robot.name, "fault", priority, fault_text(vehicle), "no errors reported", parts=parts)
+    return Condition(robot.name, "fault", priority, text, over, parts=parts, remedy=remedy)
 
 
 def emergency_stop(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:

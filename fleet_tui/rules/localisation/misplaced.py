@@ -1,5 +1,6 @@
-"""Poses at which no robot can be: inside a wall, or away from all known ground of the map."""
+"""Poses at which a robot cannot be: inside a wall, away from all known ground, or off its routes."""
 
+import math
 from collections.abc import Mapping
 
 from msgspec.structs import replace
@@ -9,6 +10,7 @@ from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.grid import FREE, OCCUPIED, OccupancyGrid
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.commands.set_up.mode import mapping_text
+from fleet_tui.rules.why.traffic import metres_off
 from fleet_tui.text.durations import age
 
 SIZE = 1.0, 1.0
@@ -19,29 +21,73 @@ BESIDE = 0.1
 LiveMaps = Mapping[str, OccupancyGrid]
 """By floors."""
 WALL = "pose inside a wall"
+OFF_ROUTE = "pose off the route graph"
+OFF_GRAPH = 2.0
+"""Metres from the nearest edge that no detour around an obstacle explains."""
 NOW = 1.0
 """Seconds to the newest pose within which such a pose is one of this moment."""
 HELD = 30.0
 """Seconds for which such a pose counts after the robot has left it: a wrong one crosses shelf after shelf."""
+LASTS = 20.0
+"""Seconds over which such poses must go on, now and then, to be an alarm."""
 
 
-def with_misplaced(state: FleetState) -> FleetState:
-    """Return the state with the newest misplaced pose of each robot. Called once a tick."""
+def with_misplaced(state: FleetState, before: float) -> FleetState:
+    """Return the state with the newest misplaced pose of each robot. Called once a tick; `before` is the time
+    of the last one."""
     live = _live(state)
     changed = {
-        name: replace(robot, misplaced=seen)
+        name: replace(robot, misplaced=seen, misplaced_since=_since(robot, seen))
         for name, robot in state.robots.items()
-        if (seen := _newest(state, robot, live)) is not robot.misplaced
+        if (seen := _newest(state, robot, live, before)) is not robot.misplaced
     }
     return replace(state, robots={**state.robots, **changed}) if changed else state
 
 
-def _newest(state: FleetState, robot: Robot, live: LiveMaps) -> Reading[str] | None:
+def _newest(state: FleetState, robot: Robot, live: LiveMaps, before: float) -> Reading[str] | None:
     text, seen = _text(state, robot, live), robot.misplaced
-    if robot.pose is None or (not text and seen is not None and seen.at == robot.pose.at):
+    if not text and _is_turn(robot, before, state.now) and is_off_route(robot):
+        text = OFF_ROUTE
+    if robot.pose is None:
+        return None
+    if not text and seen is not None and seen.at == robot.pose.at and seen.value != OFF_ROUTE:
         return None  # the map has changed
     found = Reading(text, robot.pose.at)
     return found if text and seen != found else seen
+
+
+def _is_turn(robot: Robot, before: float, now: float) -> bool:
+    """Tell whether a robot's second ends in this tick: its whole graph is looked at only then, and those of
+    the others in other ticks."""
+    shift = robot.number / 10
+    return math.floor(now + shift) != math.floor(before + shift)
+
+
+def _since(robot: Robot, seen: Reading[str] | None) -> float | None:
+    """Return when misplaced poses began, `seen` the newest: shorter gaps than HELD end nothing."""
+    last = robot.misplaced
+    if seen is None or last is None or seen.at - last.at >= HELD or _is_found(robot, last):
+        return seen.at if seen is not None else None
+    return robot.misplaced_since
+
+
+def _is_found(robot: Robot, seen: Reading[str]) -> bool:
+    """Tell whether its localisation has found a robot elsewhere since a misplaced pose."""
+    return robot.relocated is not None and robot.relocated.at > seen.at
+
+
+def is_off_route(robot: Robot) -> bool:
+    """Tell whether a robot with an order that drives only on edges is beside all of them."""
+    drives = robot.orders.current is not None and not robot.kind.keeps_goals and robot.vehicle is None
+    return drives and metres_off(robot) >= OFF_GRAPH
+
+
+def misplaced_for_long(state: FleetState, robot: Robot) -> float | None:
+    """Return since when poses of a robot are no places, None if not for so long that it is surely lost."""
+    seen, since = robot.misplaced, robot.misplaced_since
+    if seen is None or since is None or seen.at - since < LASTS or not misplaced_text(state, robot):
+        return None
+    return since
 
 
 def is_misplaced(robot: Robot) -> bool:
@@ -54,12 +100,14 @@ def misplaced_text(state: FleetState, robot: Robot) -> str:
     """Return why the last pose of a robot is no place on its floor, or one a short while ago was none; empty
     otherwise, and once its localisation has found it elsewhere."""
     seen = robot.misplaced
-    if seen is None or (robot.relocated is not None and robot.relocated.at > seen.at):
+    if seen is None or _is_found(robot, seen):
         return ""
     if is_misplaced(robot):
         return seen.value
     if state.now - seen.at >= HELD:
         return ""
+    if seen.value == OFF_ROUTE:
+        return f"off the route graph {age(state.now - seen.at)} ago"
     return (
         f"in a wall {age(state.now - seen.at)} ago"
         if seen.value == WALL

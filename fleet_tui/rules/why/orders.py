@@ -32,6 +32,8 @@ from fleet_tui.text.durations import age
 
 REJECTED = "Check that its navigation is active: `fleet-tui doctor` asks it"
 CHECK_DELIVERY = "Check where the robot and its load are, correct its pose if it is wrong, order again"
+SHORT = 20.0
+"""Seconds of standing with an order that need no cause."""
 LOOK = "Go and look at it: wheels, emergency stop, manual mode"
 
 
@@ -177,5 +179,7 @@ def unexplained(state: FleetState, robot: Robot) -> Reason | None:
         return None
     ruled_out = ", ".join(_ruled_out(state, robot))
     evidence = f"{mission(robot, order)} active{ruled_out and f'; {ruled_out}'}"
+    if since is not None and state.now - since < SHORT:  # a turn, a crossing, loading: it may drive on
+        return Reason(f"stopped {age(state.now - since)} ago, nothing wrong so far", evidence, Strength.NONE)
     keys = ("centre", "cancel", "clear")
     return Reason("cause unknown", evidence, Strength.NONE, since, keys=keys, remedy=LOOK, page="log")

@@ -11,7 +11,12 @@ from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import STANDS_AFTER, own_pause_text
 from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.localisation.jumps import recent_jumps
-from fleet_tui.rules.localisation.misplaced import is_misplaced, misplaced_text
+from fleet_tui.rules.localisation.misplaced import (
+    OFF_ROUTE,
+    is_misplaced,
+    is_off_route,
+    misplaced_text,
+)
 from fleet_tui.rules.movement import JUMPS_WITHIN
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, name_of, stationary_since
 from fleet_tui.rules.why.traffic import metres_off
@@ -20,8 +25,6 @@ from fleet_tui.text.units import ago
 
 WRONG_POSE = "Set its pose to where it stands, or check its localisation"
 NO_POSE = "Check the robot's localisation: its node, its laser, the topic's name"
-OFF_GRAPH = 2.0
-"""Metres from the nearest edge that no detour around an obstacle explains."""
 DIAGNOSE = ("diagnostics",)
 FULL = 95.0
 """Per cent below which a robot at a charger may be charging."""
@@ -163,8 +166,8 @@ def jumps(state: FleetState, robot: Robot) -> Reason | None:
 def misplaced(state: FleetState, robot: Robot) -> Reason | None:
     """Report a pose at which it cannot be: its localisation is wrong, or it is on another floor."""
     text, found = misplaced_text(state, robot), robot.misplaced
-    if not text or robot.pose is None or found is None:
-        return None
+    if not text or robot.pose is None or found is None or text == OFF_ROUTE:
+        return None  # off its routes is another rule's, with the metres
     pose, is_now = robot.pose.value, is_misplaced(robot)
     evidence = f"at {pose.x:.1f}, {pose.y:.1f} m on {robot.floor} no robot can be"
     evidence = evidence if is_now else "its pose has just been where no robot can be"
@@ -175,11 +178,9 @@ def misplaced(state: FleetState, robot: Robot) -> Reason | None:
 
 def off_graph(state: FleetState, robot: Robot) -> Reason | None:
     """Report a pose beside all edges of a robot with an order that drives only on these."""
-    drives = robot.orders.current is not None and not robot.kind.keeps_goals and robot.vehicle is None
-    metres = metres_off(robot) if drives and state.is_fresh(robot, "pose") else 0.0
-    if robot.pose is None or metres < OFF_GRAPH:
+    if robot.pose is None or not state.is_fresh(robot, "pose") or not is_off_route(robot):
         return None
-    name, evidence = f"pose {metres:.1f} m off the route graph", "its order leads along the edges"
+    name, evidence = f"pose {metres_off(robot):.1f} m off the route graph", "its order leads along the edges"
     keys = ("pose", "centre")
     return Reason(name, evidence, Strength.LIKELY, seen=robot.pose.at, keys=keys, remedy=WRONG_POSE)
 

@@ -3,10 +3,9 @@
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.model.vehicles.vehicle import HIGH, Vehicle
-from fleet_tui.rules.alarms.vehicles import LOCALISE, fault_text, sorted_errors
+from fleet_tui.rules.alarms.classes import CLASSES
+from fleet_tui.rules.alarms.vehicles import LOCALISE, fault_remedy, fault_text, sorted_errors
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength
-
-GO = "Go to the vehicle: release it there"
 
 
 def _reading(state: FleetState, robot: Robot) -> Reading[Vehicle] | None:
@@ -18,9 +17,8 @@ def stopped(state: FleetState, robot: Robot) -> Reason | None:
     reading = _reading(state, robot)
     if reading is None or not reading.value.e_stop:
         return None
-    return Reason(
-        reading.value.e_stop_text, "reported by the vehicle", seen=reading.at, keys=LOOK_AT, remedy=GO
-    )
+    text, go = reading.value.e_stop_text, CLASSES["e-stop"].action
+    return Reason(text, "reported by the vehicle", seen=reading.at, keys=LOOK_AT, remedy=go)
 
 
 def by_hand(state: FleetState, robot: Robot) -> Reason | None:
@@ -52,8 +50,8 @@ def faulty(state: FleetState, robot: Robot) -> Reason | None:
         return None
     worst = sorted_errors(reading.value)[0]
     strength = Strength.CERTAIN if worst.level in HIGH else Strength.POSSIBLE
-    evidence = fault_text(reading.value, has_hint=False)  # that is the remedy
-    return Reason(worst.type, evidence, strength, seen=reading.at, keys=LOOK_AT, remedy=worst.hint)
+    evidence, remedy = fault_text(reading.value), fault_remedy(reading.value)
+    return Reason(worst.type, evidence, strength, seen=reading.at, keys=LOOK_AT, remedy=remedy)
 
 
 def unlocalised(state: FleetState, robot: Robot) -> Reason | None:

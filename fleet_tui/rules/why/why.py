@@ -95,8 +95,11 @@ def _has_certain(found: list[Reason]) -> bool:
 
 
 def _has_alarm(state: FleetState, robot: Robot) -> bool:
+    """Tell whether an alarm says what is wrong. A low battery is none: without an order it is not why a robot
+    stands."""
     alarms = (one for one in state.alarms if one.holds and one.condition.source == robot.name)
-    return any(one.condition.priority is not Priority.LOW for one in alarms)
+    urgent = (one.condition for one in alarms if one.condition.priority is not Priority.LOW)
+    return any(one.kind != "battery" for one in urgent)
 
 
 def _is_told(robot: Robot, complaint: Complaint, found: list[Reason]) -> bool:

@@ -42,8 +42,8 @@ class Diagnostics(PagedOverlay):
         super().__init__("diagnostics", self._controls.choose, text)
 
     def show(self, robot: str, cause: Reason | None = None) -> None:
-        """Open, first on the link page; `robot` is the one whose topic is marked first. For a `cause` open
-        the page that shows more of it."""
+        """Open on the last page, first the link's, for a `cause` on the one that shows more of it; `robot` is
+        the one whose topic is marked first."""
         self.open(self.rows)
         self._controls.begin(robot, None if cause is None else Page[cause.page.upper()])
         self._tick()

@@ -43,6 +43,11 @@ class PastEvent(Struct, frozen=True):
     is_trouble: bool = False
 
     @property
+    def told_at(self) -> float:
+        """Return the time of what its text says: of an order its end, of all else its begin."""
+        return self.ended if self.kind is EventKind.ORDER and self.ended is not None else self.at
+
+    @property
     def text(self) -> str:
         """Return it as a line without its time, which no terminal executes."""
         by = tr(f", by {self.operator}") if self.operator else ""
@@ -59,7 +64,7 @@ def past_events(
     links: Iterable[LinkChange] = (),
     notes: Iterable[Note] = (),
 ) -> list[PastEvent]:
-    """Return all as events, oldest first."""
+    """Return all as events, oldest first by what they say."""
     events = [
         *map(_of_order, orders),
         *map(_of_alarm, alarms),
@@ -67,7 +72,7 @@ def past_events(
         *map(_of_link, links),
         *(PastEvent(note.at, None, EventKind.NOTE, "", note.text, "", "", note.operator) for note in notes),
     ]
-    return sorted(events, key=lambda event: event.at)
+    return sorted(events, key=lambda event: event.told_at)
 
 
 def matching(events: Iterable[PastEvent], words: Sequence[str], robot: str = "") -> list[PastEvent]:

@@ -33,7 +33,7 @@ def events_table(shown: ShownShift, words: Sequence[str], clock: Clock) -> Table
         event = events[place]
         role = StyleRole.ALARM if event.is_trouble else StyleRole.TEXT
         look = StyleRole.ACCENT if event.kind is EventKind.NOTE else role
-        return Row(event, ((f"{clock(event.at)}  ", StyleRole.DIM), (event.text, look)))
+        return Row(event, ((f"{clock(event.told_at)}  ", StyleRole.DIM), (event.text, look)))
 
     return Table(title, LateRows(events, row), empty=_empty(shown, words, tr("nothing happened")))
 
@@ -114,10 +114,10 @@ def curve_of(charges: Sequence[ChargeTotal], time: Division) -> list[BatterySamp
 
 
 def moment_of(key: Hashable) -> tuple[str, float] | None:
-    """Return whom a row is about, and when it began, None if it is about no moment."""
+    """Return whom a row is about, and when it was, None if it is about no moment."""
     match key:
         case PastEvent():
-            return key.subject, key.at
+            return key.subject, key.told_at
         case AlarmLife():
             return key.source, key.raised
     return None

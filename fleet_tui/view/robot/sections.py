@@ -94,7 +94,11 @@ def factsheet_section(robot: Robot) -> PageSection:
 
 def route_section(state: FleetState, robot: Robot) -> PageSection:
     """Return the current order, its stops that are left, and the metres."""
-    return _titled(tr("Route"), _route(state, robot), tr("no order is driven"))
+    return _titled(
+        tr("Route"),
+        _route(state, robot),
+        tr("no order begun yet" if robot.orders.open else "no order is driven"),
+    )
 
 
 def _route(state: FleetState, robot: Robot) -> Iterator[Line]:

@@ -5,14 +5,13 @@ from collections.abc import Mapping, Sequence
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity
-from fleet_tui.rules.alarms.trouble import is_held_up
 from fleet_tui.text.language import tr
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.doing import OBSTACLE, ODD, UNKNOWN, count_word, counted
+from fleet_tui.view.tables.doing import BRIEF, ODD, UNKNOWN, count_word, counted
 from fleet_tui.view.tables.table import Run, width_of
 
 COUNTED = (
-    *(*ODD, Activity.WAITING.value, Activity.DRIVING.value, Activity.LOADING.value),
+    *(*ODD, BRIEF, Activity.WAITING.value, Activity.DRIVING.value, Activity.LOADING.value),
     *(Activity.IDLE.value, Activity.CHARGING.value, UNKNOWN),
 )
 """What robots online do: first what a person looks for."""
@@ -31,10 +30,8 @@ def fleet_counts(state: FleetState, done: Mapping[str, Activity], width: int) ->
     offline = found.pop(Activity.OFFLINE.value, 0)
     online = len(robots) - offline
     present: Run = (tr(f" {online} of {len(robots)} online"), StyleRole.DIM)
-    brief = found[OBSTACLE] and not any(is_held_up(state, robot) for robot in robots.values())
-    notable = {*ODD} - {OBSTACLE} if brief else ODD
     counts = [
-        (counted(found[one], one), StyleRole.WARN if one in notable else StyleRole.DIM)
+        (counted(found[one], one), StyleRole.WARN if one in ODD else StyleRole.DIM)
         for one in COUNTED
         if found[one]
     ]

@@ -127,8 +127,8 @@ def _navigation(state: FleetState, robot: Robot) -> Iterator[Run]:
         yield tr("pose uncertain"), StyleRole.WARN
     if state.is_fresh(robot, "pose") and is_jumping(robot, state.now):
         yield tr("pose jumps"), StyleRole.WARN
-    if (wrong := misplaced_text(state, robot)) and state.is_fresh(robot, "pose"):
-        yield tr(wrong), StyleRole.WARN
+    if misplaced_text(state, robot) and state.is_fresh(robot, "pose"):
+        yield tr("pose doubtful"), StyleRole.WARN  # steady: where it was changes with each shelf
 
 
 def _vehicle(state: FleetState, robot: Robot) -> Iterator[Run]:

@@ -2,6 +2,7 @@
 
 from fleet_tui.model.alarm import Priority
 from fleet_tui.rules.alarms.classes import action_of
+from fleet_tui.rules.why.why import reasons
 from tests.support.vda_fleet import VehicleSite
 from tests.support.vda_messages import error, message, position, state
 
@@ -15,10 +16,11 @@ def test_errors_are_alarms_with_their_hint() -> None:
     errors = [error("WARNING", "dirtyLaser"), error("FATAL", "motorError", "too hot", "let it cool")]
     site.read("state", state(errors=errors))
     site.wait(1)
-    assert site.alarms["fault"] == "fatal motorError: too hot (let it cool), and 1 more"
+    assert site.alarms["fault"] == "fatal motorError: too hot, and 1 more"
     assert priority(site, "fault") is Priority.HIGH
     (alarm,) = site.state.alarms
-    assert "hint" not in action_of(alarm.condition)  # its text has it
+    assert action_of(alarm.condition) == "let it cool"
+    assert reasons(site.state, site.agv)[0].remedy == "let it cool"
     site.read("state", state())
     site.wait(5)
     assert "fault" not in site.alarms

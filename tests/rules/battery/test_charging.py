@@ -7,6 +7,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import Role, RouteGraph, Vertex
 from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.alarms.conditions import CHARGES_WITHIN
+from fleet_tui.rules.alarms.trouble import in_turn, urgency
 from fleet_tui.rules.battery.charging import AT_CHARGER, charger_of, has_low_battery
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.view.roles import StyleRole
@@ -72,3 +73,13 @@ def test_a_battery_is_low_below_the_limit_of_its_alarm() -> None:
     assert has_low_battery(state, state.robots[R0])
     full = reduced(state, battery(T0 + 11, 20.0))
     assert not has_low_battery(full, full.robots[R0])
+
+
+def test_who_is_on_its_way_to_a_charger_comes_after_those_that_need_somebody() -> None:
+    state = reduced(
+        fleet(2),
+        *(link_up(T0), GRAPH, pose(T0), pose(T0, robot="robot_1"), queue(T0, (7, 2, 1, "W"), current=7)),
+        *(battery(T0, 5.0), battery(T0, 15.0, robot="robot_1"), tick(T0)),
+    )
+    assert [one.condition.source for one in sorted(state.alarms, key=urgency)] == ["robot_1", R0]
+    assert in_turn(state) == ["robot_1", R0], "though its battery is the emptier"

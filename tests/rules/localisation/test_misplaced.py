@@ -18,6 +18,8 @@ from tests.support.fleets import F0, R0, T0, fleet, link_up, pose, reduced, tick
 
 FRAME = MapFrame(0.05, 100, 100)
 OFF, WALL = "pose off the map", "pose inside a wall"
+DOUBT = "pose doubtful"
+"""In the row, whatever it is that shows it: a word that does not change from second to second."""
 
 
 def at(x: float, y: float, *more: events.Event) -> FleetState:
@@ -52,7 +54,7 @@ def test_a_pose_in_a_wall_or_away_from_known_ground_is_none(x: float, y: float, 
 def test_who_is_off_the_map_is_in_its_row_found_and_explained_first() -> None:
     state = at(-3.0, 1.0, PausedReported(R0, T0, True), tick(T0))
     robot = state.robots[R0]
-    assert OFF in [text for text, _ in news(state, robot)]
+    assert DOUBT in [text for text, _ in news(state, robot)]
     assert next_in_trouble(state, "") == R0
     first = reasons(state, robot)[0]
     assert (first.name, first.strength) == (OFF, Strength.CERTAIN)
@@ -61,7 +63,7 @@ def test_who_is_off_the_map_is_in_its_row_found_and_explained_first() -> None:
 
 def test_an_old_pose_off_the_map_is_no_news_of_today() -> None:
     state = at(-3.0, 1.0, tick(T0), tick(T0 + 60))
-    assert OFF not in [text for text, _ in news(state, state.robots[R0])]
+    assert DOUBT not in [text for text, _ in news(state, state.robots[R0])]
 
 
 def test_without_a_map_no_pose_is_wrong() -> None:
@@ -83,7 +85,7 @@ def left(seconds: float) -> FleetState:
 def test_a_pose_that_crosses_walls_stays_worth_a_look_with_its_age() -> None:
     state = left(12.0)
     robot = state.robots[R0]
-    assert "in a wall 12 s ago" in [text for text, _ in news(state, robot)]
+    assert DOUBT in [text for text, _ in news(state, robot)]
     assert to_look_at(state) == (R0,)
     between = left(0.6).robots[R0]  # poses come between ticks
     assert misplaced_text(left(0.6), between) == WALL
@@ -105,3 +107,26 @@ def test_a_map_that_changes_under_a_standing_robot_ends_it() -> None:
     free = grid_from_ros(FRAME, bytes(100 * 100))
     state = at(2.25, 1.0, tick(T0), events.FloorMapLoaded(F0, free), tick(T0 + 0.1))
     assert misplaced_text(state, state.robots[R0]) == ""
+
+
+def crossing(*seconds: float, until: float) -> FleetState:
+    """A robot whose pose is in the wall at T0 and at each of these seconds, and free at the last one."""
+    path: list[events.Event] = [
+        one
+        for after in seconds
+        for one in (pose(T0 + after - 0.2, 2.22 + after / 1000, 1.0), tick(T0 + after - 0.2))
+    ]
+    return at(2.25, 1.0, tick(T0), *path, pose(T0 + until, 2.0, 1.0), tick(T0 + until))
+
+
+def alarms_of(state: FleetState) -> list[str]:
+    return [one.condition.text for one in state.alarms if one.condition.kind == "localisation"]
+
+
+def test_poses_that_are_none_for_twenty_seconds_are_an_alarm_until_they_have_ceased() -> None:
+    assert not alarms_of(crossing(until=12.0)) and not alarms_of(crossing(10.0, until=25.0))
+    assert not alarms_of(crossing(45.0, until=46.0)), "two spells, each of a moment"
+    lasting = crossing(10.0, 21.0, until=22.0)
+    assert alarms_of(lasting) == ["localisation wrong for 22 s: pose inside a wall"]
+    over = reduced(lasting, pose(T0 + 60, 1.9, 1.0), tick(T0 + 60))
+    assert not any(one.holds for one in over.alarms if one.condition.kind == "localisation")

@@ -61,7 +61,7 @@ def test_an_idle_robot_at_the_charger_has_no_orders_first() -> None:
 
 def test_a_robot_without_cargo_does_not_load() -> None:
     order = (1, 1, 2, "W")
-    for kind, name in ((GOALS, "cause unknown"), (FULL, "loading at 1")):
+    for kind, name in ((GOALS, "stopped 8 s ago, nothing wrong so far"), (FULL, "loading at 1")):
         driving = reduced(
             moved(kind), queue(T0 + 1, order, current=1), pose(T0 + 9), queue(T0 + 9, order, current=1)
         )

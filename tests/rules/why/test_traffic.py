@@ -13,8 +13,10 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.order import Order, at_vertices
+from fleet_tui.rules.alarms.trouble import to_look_at
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.simulator.robot import SimOrder
+from fleet_tui.view.tables.news import news
 from tests.support.fleets import (
     R0,
     T0,
@@ -50,7 +52,7 @@ def test_robots_in_different_frames_are_not_compared() -> None:
     planted.run(3)
     assert first(planted).name == "waiting behind robot_1"
     planted.tell(FrameReceived("robot_1", "floor_0", moved))
-    assert first(planted).name == "cause unknown"
+    assert first(planted).name == "stopped 3 s ago, nothing wrong so far"
 
 
 def test_a_robot_that_drives_through_is_not_the_cause_of_a_long_standstill() -> None:
@@ -90,9 +92,9 @@ def test_only_a_near_robot_or_one_under_way_on_the_next_edge_is_in_the_way() -> 
         return [f"{one.name} {one.strength.name}" for one in reasons(state, state.robots[R0])]
 
     assert found(8.0, drives=True)[0] == "waiting behind robot_1 LIKELY"
-    assert found(8.0, drives=False)[0] == "cause unknown NONE"
-    assert found(8.0, drives=True, keeps_goals=True)[0] == "cause unknown NONE"
-    assert found(3.0, drives=False) == ["waiting behind robot_1 POSSIBLE", "cause unknown NONE"]
+    unknown = "stopped 2 s ago, nothing wrong so far NONE"
+    assert found(8.0, drives=False)[0] == found(8.0, drives=True, keeps_goals=True)[0] == unknown
+    assert found(3.0, drives=False) == ["waiting behind robot_1 POSSIBLE", unknown]
 
 
 def test_a_robot_with_an_order_and_a_pose_beside_all_edges_is_said_to_be_off_the_graph() -> None:
@@ -101,6 +103,11 @@ def test_a_robot_with_an_order_and_a_pose_beside_all_edges_is_said_to_be_off_the
     busy = reduced(fleet(), *drives, queue(T0, (1, 3, 1, "W"), current=1), tick(T0))
     found = reasons(busy, busy.robots[R0])[0]
     assert found.name == "pose 2.6 m off the route graph" and found.keys[0] == "pose"
+    later = reduced(busy, pose(T0 + 1, 1.8, 2.6), tick(T0 + 1))  # poses are compared with it once a second
+    assert to_look_at(later) == (R0,)
+    assert "pose doubtful" in [text for text, _ in news(later, later.robots[R0])]
+    left = reduced(later, pose(T0 + 6, 1.9, 0.5), tick(T0 + 6))
+    assert reasons(left, left.robots[R0])[0].name == "off the route graph 5 s ago"
     idle = reduced(fleet(), *drives, queue(T0), tick(T0))
     near = reduced(busy, pose(T0 + 0.1, 1.4, 1.9), tick(T0 + 0.1))
     for state in (idle, near):

@@ -24,6 +24,8 @@ from fleet_tui.model.events import (
 from fleet_tui.model.kind import Kind
 from fleet_tui.rules.localisation.match import Match
 from fleet_tui.rules.why.complaints import Complaint
+from fleet_tui.rules.why.orders import SHORT
+from fleet_tui.rules.why.reason import Reason
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.simulator.robot import SimOrder
 from tests.support.fleets import (
@@ -226,6 +228,16 @@ def test_what_a_robot_reports_about_itself_comes_after_jumps_of_its_pose() -> No
     assert found[1] == own.text
 
 
-def test_an_alarm_that_holds_is_told_before_the_lack_of_orders() -> None:
+def test_a_low_battery_comes_after_the_lack_of_orders() -> None:
+    """That is certain, and why the robot does not drive now."""
     low = flat(Planted(), 6.0)
-    assert names(low.run(3).state)[:2] == ["battery 5 %", "no orders"]
+    assert names(low.run(3).state)[:2] == ["no orders", "battery 5 %"]
+
+
+def test_who_has_just_stopped_is_not_sent_for_until_it_stands_for_longer() -> None:
+    def first(seconds: float) -> Reason:
+        planted = driving(then="stuck:robot_0").run(seconds)
+        return reasons(planted.state, planted.robot)[0]
+
+    assert first(5).name.startswith("stopped ") and first(5).remedy == ""
+    assert first(SHORT + 2).name == "cause unknown" and "wheels" in first(SHORT + 2).remedy

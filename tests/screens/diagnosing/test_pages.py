@@ -95,6 +95,16 @@ async def test_the_log_of_a_robot_in_trouble_comes_first_and_esc_shows_all(serve
         assert "matching" not in pane(it)
 
 
+async def test_of_a_robot_in_trouble_it_opens_on_the_page_of_the_cause(server: RosbridgeServer) -> None:
+    plant(server, "battery:robot_1")
+    async with console(config_of(server.url, 2, 2)) as it:
+        await it.until(lambda state: "robot_1" in in_trouble(state) and "robot_0" not in in_trouble(state))
+        await it.press("1", "d")
+        await it.shows("[1 Link]")
+        await it.press("escape", "2", "d")
+        await it.shows("[2 Topics]")
+
+
 async def test_the_console_on_itself(server: RosbridgeServer, own_log: logging.Logger) -> None:
     async with console(config_of(server.url, 2, 2)) as it:
         own_log.warning("something odd")

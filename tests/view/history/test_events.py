@@ -19,9 +19,9 @@ def texts(*args: object) -> list[str]:
 
 def test_an_order_is_told_with_its_end_and_durations() -> None:
     assert texts([ORDER, LOST, OPEN]) == [
+        "robot_1 order 14 -> Base: queued",
         "robot_0 order 12 Base -> Store: done (waited 15 s, driven in 60 s), by ana",
         "robot_1 order 13 -> Base: lost (left the queue)",
-        "robot_1 order 14 -> Base: queued",
     ]
 
 
@@ -43,13 +43,13 @@ def test_all_kinds_in_the_order_of_time() -> None:
     )
     assert [event.text for event in events] == [
         "rosbridge link: up",
-        "robot_0 order 12 Base -> Store: done (waited 15 s, driven in 60 s), by ana",
         "robot_1 stuck alarm, stuck for 60 s: held 60 s (2 times, acknowledged after 30 s), by bo",
         "robot_0 pause: not confirmed (still drives), by ana",
         "lift is slow, by ana",
         "rosbridge link: lost (refused)",
+        "robot_0 order 12 Base -> Store: done (waited 15 s, driven in 60 s), by ana",
     ]
-    assert [event.is_trouble for event in events] == [False, False, True, True, False, True]
+    assert [event.is_trouble for event in events] == [False, True, True, False, True, False]
 
 
 def test_words_and_unwanted_words_and_a_robot() -> None:
@@ -60,10 +60,21 @@ def test_words_and_unwanted_words_and_a_robot() -> None:
     ]
     assert [event.what for event in matching(events, ["!order", "!alarm"])] == ["pause"]
     assert [event.what for event in matching(events, [], "robot_1")] == [
-        "order 13 -> Base",
         "stuck alarm, stuck for 60 s",
+        "order 13 -> Base",
     ]
 
 
 def test_nothing_of_it_is_executed_by_a_terminal() -> None:
     assert texts((), (), (), (), [Note(1.0, "ana", "\x1b[2Jgone")]) == ["␛[2Jgone, by ana"]
+
+
+def test_a_line_has_the_time_of_what_it_says() -> None:
+    """Of an order its end, which is its outcome; of one that goes on, its begin."""
+    events = past_events([ORDER, OPEN], [ALARM], [COMMAND])
+    assert [(event.kind.value, event.told_at) for event in events] == [
+        ("order", 12.0),
+        ("alarm", 20.0),
+        ("command", 30.0),
+        ("order", 85.0),
+    ]
