@@ -16,6 +16,8 @@ from fleet_tui.text.durations import age, duration
 
 CONTACT = 3.0
 """Seconds in contact from which an obstacle is shown at the robot; shorter ones occur on every drive."""
+CROWD = 300
+"""Robots from which not all are looked at in every tick, but each twice a second."""
 
 
 class Limits(Struct, frozen=True):

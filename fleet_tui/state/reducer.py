@@ -50,11 +50,12 @@ LIVE_MAPS_KEPT, LIVE_CELLS_KEPT = 4, 16_000_000
 
 
 def _pass_time(state: FleetState, event: events.TimePassed) -> FleetState:
+    before = state.now
     state = with_lags(replace(state, now=event.at, wall=event.wall), event.at, event.behind)
     if state.desk.acted:  # what time changes, nobody did
         state = replace(state, desk=replace(state.desk, acted=""))
     state = _without_ended(state)
-    state = with_misplaced(with_held_queues(confirm_commands(state)))
+    state = with_misplaced(with_held_queues(confirm_commands(state)), before)
     held = {alarm.key: alarm.condition for alarm in state.alarms if alarm.holds}
     found = list(conditions(state, held))
     began = {one.key: state.began.get(one.key, event.at) for one in found}

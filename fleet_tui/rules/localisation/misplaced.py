@@ -1,10 +1,11 @@
 """Poses at which no robot can be: inside a wall, or away from all known ground of the map."""
 
-from collections.abc import Mapping
+import math
+from collections.abc import Iterable, Mapping
 
 from msgspec.structs import replace
 
-from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.fleet import CROWD, FleetState
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.grid import FREE, OCCUPIED, OccupancyGrid
 from fleet_tui.model.robot import Reading, Robot
@@ -19,21 +20,34 @@ BESIDE = 0.1
 LiveMaps = Mapping[str, OccupancyGrid]
 """By floors."""
 WALL = "pose inside a wall"
+TURNS = 5
+"""Parts of a crowd that are looked at one after the other."""
 NOW = 1.0
 """Seconds to the newest pose within which such a pose is one of this moment."""
 HELD = 30.0
 """Seconds for which such a pose counts after the robot has left it: a wrong one crosses shelf after shelf."""
 
 
-def with_misplaced(state: FleetState) -> FleetState:
-    """Return the state with the newest misplaced pose of each robot. Called once a tick."""
+def with_misplaced(state: FleetState, before: float) -> FleetState:
+    """Return the state with the newest misplaced pose of each robot. Called once a tick; `before` is the time
+    of the last one."""
     live = _live(state)
     changed = {
-        name: replace(robot, misplaced=seen)
-        for name, robot in state.robots.items()
+        robot.name: replace(robot, misplaced=seen)
+        for robot in _due(state, before)
         if (seen := _newest(state, robot, live)) is not robot.misplaced
     }
     return replace(state, robots={**state.robots, **changed}) if changed else state
+
+
+def _due(state: FleetState, before: float) -> Iterable[Robot]:
+    """Return the robots to look at in this tick: all, of a crowd each twice a second, in turn."""
+    robots = state.robots.values()
+    if len(robots) < CROWD:
+        return robots
+    now, shares = state.now, range(TURNS)
+    due = [math.floor(2 * now + one / TURNS) != math.floor(2 * before + one / TURNS) for one in shares]
+    return [robot for place, robot in enumerate(robots) if due[place % TURNS]]
 
 
 def _newest(state: FleetState, robot: Robot, live: LiveMaps) -> Reading[str] | None:
