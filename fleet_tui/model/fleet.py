@@ -16,6 +16,8 @@ from fleet_tui.text.durations import age, duration
 
 CONTACT = 3.0
 """Seconds in contact from which an obstacle is shown at the robot; shorter ones occur on every drive."""
+CROWD = 300
+"""Robots from which not all are looked at in every tick, but each twice a second."""
 
 
 class Limits(Struct, frozen=True):
@@ -127,7 +129,7 @@ class FleetState(Struct, frozen=True, eq=False):
         return reading is not None and self._holds(robot, value, reading)
 
     def _holds(self, robot: Robot, value: str, reading: Reading[object]) -> bool:
-        silence = robot.kind.silence.get(value, self._silence(robot))
+        silence = robot.kind.silence_of(value, self.limits.offline_after)
         return self.now - reading.at <= silence + self.behind and self.is_online(robot)
 
     def is_old(self, robot: Robot, value: str) -> bool:

@@ -1,11 +1,10 @@
 """The robots in trouble, and those without an alarm that are worth a look."""
 
 from collections.abc import Iterable
-from functools import lru_cache
 
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key, Priority
 from fleet_tui.model.commands import Stage
-from fleet_tui.model.fleet import FleetState, is_missing
+from fleet_tui.model.fleet import CROWD, FleetState, is_missing
 from fleet_tui.model.link import Phase
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
@@ -23,6 +22,8 @@ LONG_STILL = 30.0
 """Seconds of standing with an order that are worth a look: longer than loading takes."""
 LONG_CONTACT = 10.0
 """Seconds of contact with an obstacle that are worth a look: large fleets always have a shorter one."""
+CROWD_EVERY = 0.5
+"""Seconds from one look at all of a crowd to the next."""
 LOST_FOR = 60.0
 """Seconds for which an order that a robot lost is news."""
 AGING = ("pose", "battery", "queue", "cargo", "obstacle", "paused")
@@ -153,11 +154,36 @@ def is_odd(state: FleetState, robot: Robot) -> bool:
     return is_held or unknown or has_lost(state, robot) or may_need_person(state, robot)
 
 
-@lru_cache(maxsize=1)  # the top line, the alarms pane and the footer ask in the same tick
+class _Looks:
+    """The last answer: the top line, the alarms pane and the footer ask in the same tick."""
+
+    def __init__(self) -> None:
+        self._state: FleetState | None = None
+        self._odd: tuple[str, ...] = ()
+
+    def odd(self, state: FleetState) -> tuple[str, ...]:
+        if state is not self._state and not self._holds(state):
+            known = in_trouble(state) | shelved(state)
+            robots = (robot for name, robot in state.robots.items() if name not in known)
+            self._odd = tuple(robot.name for robot in robots if is_odd(state, robot))
+            self._state = state
+        return self._odd
+
+    def _holds(self, state: FleetState) -> bool:
+        last = self._state
+        if last is None or len(state.robots) < CROWD or not 0.0 <= state.now - last.now < CROWD_EVERY:
+            return False
+        is_same = state.limits is last.limits and state.robots.keys() == last.robots.keys()  # the console
+        return is_same and state.alarms == last.alarms
+
+
+_LOOKS = _Looks()
+
+
 def to_look_at(state: FleetState) -> tuple[str, ...]:
-    """Return the odd robots without an alarm, shelved or not."""
-    known = in_trouble(state) | shelved(state)
-    return tuple(name for name, robot in state.robots.items() if name not in known and is_odd(state, robot))
+    """Return the odd robots without an alarm, shelved or not; those of a crowd as they were less than half a
+    second ago, unless an alarm has changed."""
+    return _LOOKS.odd(state)
 
 
 def is_stopped(state: FleetState, robot: Robot) -> bool:

@@ -1,16 +1,16 @@
 """Poses at which a robot cannot be: inside a wall, away from all known ground, or off its routes."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from msgspec.structs import replace
 
-from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.fleet import CROWD, FleetState
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.grid import FREE, OCCUPIED, OccupancyGrid
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.commands.set_up.mode import mapping_text
-from fleet_tui.rules.why.traffic import metres_off
+from fleet_tui.rules.localisation.off_route import is_off_route
 from fleet_tui.text.durations import age
 
 SIZE = 1.0, 1.0
@@ -22,8 +22,8 @@ LiveMaps = Mapping[str, OccupancyGrid]
 """By floors."""
 WALL = "pose inside a wall"
 OFF_ROUTE = "pose off the route graph"
-OFF_GRAPH = 2.0
-"""Metres from the nearest edge that no detour around an obstacle explains."""
+TURNS = 5
+"""Parts of a crowd that are looked at one after the other."""
 NOW = 1.0
 """Seconds to the newest pose within which such a pose is one of this moment."""
 HELD = 30.0
@@ -37,11 +37,25 @@ def with_misplaced(state: FleetState, before: float) -> FleetState:
     of the last one."""
     live = _live(state)
     changed = {
-        name: replace(robot, misplaced=seen, misplaced_since=_since(robot, seen))
-        for name, robot in state.robots.items()
+        robot.name: replace(robot, misplaced=seen, misplaced_since=_since(robot, seen))
+        for robot in _due(state, before)
         if (seen := _newest(state, robot, live, before)) is not robot.misplaced
     }
     return replace(state, robots={**state.robots, **changed}) if changed else state
+
+
+def _due(state: FleetState, before: float) -> Iterable[Robot]:
+    """Return the robots to look at in this tick: all, of a crowd each twice a second, in turn."""
+    robots = state.robots.values()
+    if len(robots) < CROWD:
+        return robots
+    due = [_half(turn, state.now) != _half(turn, before) for turn in range(TURNS)]
+    return [robot for robot in robots if due[robot.number % TURNS]]
+
+
+def _half(turn: int, at: float) -> int:
+    """Return the half second that lasts then for the robots of a turn."""
+    return math.floor(2 * at + turn / TURNS)
 
 
 def _newest(state: FleetState, robot: Robot, live: LiveMaps, before: float) -> Reading[str] | None:
@@ -59,8 +73,8 @@ def _newest(state: FleetState, robot: Robot, live: LiveMaps, before: float) -> R
 def _is_turn(robot: Robot, before: float, now: float) -> bool:
     """Tell whether a robot's second ends in this tick: its whole graph is looked at only then, and those of
     the others in other ticks."""
-    shift = robot.number / 10
-    return math.floor(now + shift) != math.floor(before + shift)
+    turn = robot.number % TURNS
+    return _half(turn, now) // 2 != _half(turn, before) // 2
 
 
 def _since(robot: Robot, seen: Reading[str] | None) -> float | None:
@@ -74,12 +88,6 @@ def _since(robot: Robot, seen: Reading[str] | None) -> float | None:
 def _is_found(robot: Robot, seen: Reading[str]) -> bool:
     """Tell whether its localisation has found a robot elsewhere since a misplaced pose."""
     return robot.relocated is not None and robot.relocated.at > seen.at
-
-
-def is_off_route(robot: Robot) -> bool:
-    """Tell whether a robot with an order that drives only on edges is beside all of them."""
-    drives = robot.orders.current is not None and not robot.kind.keeps_goals and robot.vehicle is None
-    return drives and metres_off(robot) >= OFF_GRAPH
 
 
 def misplaced_for_long(state: FleetState, robot: Robot) -> float | None:

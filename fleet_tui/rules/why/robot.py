@@ -14,12 +14,11 @@ from fleet_tui.rules.localisation.jumps import recent_jumps
 from fleet_tui.rules.localisation.misplaced import (
     OFF_ROUTE,
     is_misplaced,
-    is_off_route,
     misplaced_text,
 )
+from fleet_tui.rules.localisation.off_route import is_off_route, metres_off
 from fleet_tui.rules.movement import JUMPS_WITHIN
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, name_of, stationary_since
-from fleet_tui.rules.why.traffic import metres_off
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.units import ago
 

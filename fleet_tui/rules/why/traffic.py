@@ -6,10 +6,11 @@ from itertools import pairwise
 from msgspec import Struct
 
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.geometry import Pose, metres_from
+from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Role, RouteGraph
 from fleet_tui.model.order import Order, Stop
 from fleet_tui.model.robot import Robot, RobotMap
+from fleet_tui.rules.localisation.off_route import graph_here
 
 AT_VERTEX = 0.5
 """Metres within which a robot is at a vertex."""
@@ -65,11 +66,6 @@ def next_stop(robot: Robot) -> str | None:
     return stops[0].vertex if stops[0].pose is None else None
 
 
-def graph_here(robot: Robot) -> RouteGraph | None:
-    """Return the robot's own graph of its floor."""
-    return robot.maps.get(robot.floor or "", RobotMap()).graph
-
-
 def vertex_here(robot: Robot) -> str | None:
     """Return the vertex that it is at, None between two vertices."""
     graph = graph_here(robot)
@@ -121,17 +117,6 @@ def same_frame(state: FleetState, one: Robot, other: Robot) -> bool:
         return False
     frames = [robot.maps.get(one.floor, RobotMap()).frame for robot in (one, other)]
     return None in frames or frames[0] == frames[1]
-
-
-def metres_off(robot: Robot) -> float:
-    """Return the metres from a robot to the nearest edge of its graph here, 0 without one."""
-    graph = graph_here(robot)
-    if graph is None or robot.pose is None:
-        return 0.0
-    at, places = (robot.pose.value.x, robot.pose.value.y), graph.vertices
-    edges = (one for one in graph.edges if one.start in places and one.end in places)
-    ends = ((places[one.start], places[one.end]) for one in edges)
-    return min((metres_from(at, (one.x, one.y, end.x, end.y)) for one, end in ends), default=0.0)
 
 
 def _along(points: list[Point], at: Point) -> tuple[float, int] | None:

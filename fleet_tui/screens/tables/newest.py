@@ -3,6 +3,7 @@
 from typing import TYPE_CHECKING
 
 from fleet_tui.keys.key import key_name
+from fleet_tui.model.fleet import CROWD
 from fleet_tui.model.problem import Right
 from fleet_tui.view.tables.alarms import alarm_table
 from fleet_tui.view.tables.fleet import fleet_table
@@ -13,9 +14,6 @@ from fleet_tui.widgets.rows_pane import RowsPane
 
 if TYPE_CHECKING:
     from fleet_tui.screens.main import MainScreen
-
-CROWD = 300
-"""Robots from which poses come as seldom as the map is drawn."""
 
 
 class NewestRows:

@@ -156,6 +156,7 @@ def _robot(
         return None
     robot_map = None if tied else robot.maps.get(selection.floor)
     pose, other_map = _placed(robot.pose.value, robot_map.frame if robot_map else None, picture)
+    is_paused = state.is_paused(robot)
     return SceneRobot(
         name=robot.name,
         number=robot.number,
@@ -163,13 +164,13 @@ def _robot(
         cargo=robot.has_cargo,
         selected=robot.name == selection.robot,
         online=state.is_fresh(robot, "pose"),
-        paused=state.is_paused(robot),
+        paused=is_paused,
         obstacle=is_held_up(state, robot) or is_stopped(state, robot),
         other_map=other_map,
         age=state.now - robot.pose.at,
         size=robot.size,
         mark=mark,
-        waits=waits(state, robot) and not state.is_paused(robot),
+        waits=waits(state, robot) and not is_paused,
         misplaced=misplaced_text(state, robot) != "",
         jumped=robot.relocated is not None and state.now - robot.relocated.at < JUMP_MARKED,
     )

@@ -1,11 +1,12 @@
 """Robots in trouble: with an alarm that still counts, wherever they are."""
 
+import pytest
 from msgspec.structs import replace
 
 from fleet_tui.model.commands import CancelOrder, Stage
 from fleet_tui.model.desk.events import AlarmAcknowledged, AlarmShelved
 from fleet_tui.model.events import Event, PausedReported
-from fleet_tui.model.fleet import FleetState, with_robot
+from fleet_tui.model.fleet import CROWD, FleetState, with_robot
 from fleet_tui.model.order import Order
 from fleet_tui.model.order_life import GoneOrder
 from fleet_tui.rules.alarms.trouble import (
@@ -168,6 +169,24 @@ def test_a_pause_from_elsewhere_is_unexpected() -> None:
     state = reduced(fleet(2), link_up(T0), pose(T0), pose(T0, robot="robot_1"), tick(T0))
     assert next_in_trouble(state, R0) == ""
     assert next_in_trouble(reduced(state, PausedReported("robot_1", T0, True)), R0) == "robot_1"
+
+
+@pytest.mark.parametrize(("robots", "at_once"), [(CROWD, False), (CROWD - 1, True)])
+def test_who_of_a_crowd_is_to_be_looked_at_is_told_within_half_a_second(robots: int, at_once: bool) -> None:
+    poses = [pose(T0, robot=f"robot_{n}") for n in range(robots)]
+    state = reduced(fleet(robots), link_up(T0), *poses, tick(T0))
+    assert to_look_at(state) == ()
+    odd = reduced(state, PausedReported(R0, T0, True), tick(T0 + 0.1))
+    assert to_look_at(odd) == ((R0,) if at_once else ())
+    assert to_look_at(reduced(odd, tick(T0 + 0.6))) == (R0,)
+
+
+def test_an_alarm_changes_at_once_who_of_a_crowd_is_to_be_looked_at() -> None:
+    poses = [pose(T0, robot=f"robot_{n}") for n in range(CROWD)]
+    state = reduced(fleet(CROWD), link_up(T0), *poses, PausedReported(R0, T0, True), tick(T0))
+    assert to_look_at(state) == (R0,)
+    alarmed = reduced(state, battery(T0, 5.0), tick(T0 + 0.1))
+    assert alarmed.alarms and to_look_at(alarmed) == ()
 
 
 def test_an_order_that_was_cancelled_here_is_not_lost() -> None:

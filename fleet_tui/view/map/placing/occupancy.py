@@ -12,7 +12,6 @@ from fleet_tui.view.map.places import Place
 from fleet_tui.view.map.placing.chips import ChipSize, shifts_of
 from fleet_tui.view.roles import LABELS, WALLS, StyleRole
 
-_MARGIN = 40  # cells between two rows of the bit mask, always taken to separate them
 _HELD = np.zeros(len(StyleRole), np.bool_)
 _HELD[StyleRole.VERTEX : StyleRole.TARGET + 1] = True  # vertices and labels
 
@@ -55,30 +54,25 @@ _HIDDEN = np.array(
 class CellOccupancy:
     """Occupancy of a view's cells; `below` are those that numbers should not cover.
 
-    A bit for each cell in one number, row by row with margins between and around them: so neighbouring cells
-    are tested together, which counts with a hundred robots ten times a second.
+    A bit for each cell in one number for each row: so neighbouring cells are tested together, which counts
+    with a hundred robots ten times a second.
     """
 
     def __init__(self, width: int, height: int, below: Roles | None = None) -> None:
         self.width, self._height = width, height
-        self._stride = width + _MARGIN
-        self._taken = self._outside = _margins(width, height)
-        self._texts = 0 if below is None else _bits(_HELD[below], around=False)
+        self._taken = [0] * height
+        self._texts = [0] * height if below is None else _bits(_HELD[below])
         self._hidden = bytearray() if below is None else bytearray(_hidden(below).tobytes())
-
-    def _bit(self, x: int, y: int) -> int:
-        """Return the number of a cell's bit."""
-        return y * self._stride + _MARGIN + x
 
     def take(self, x: int, y: int, cells: int) -> None:
         """Occupy `cells` cells of row y from x on, as far as they are in the view."""
         start, end = max(x, 0), min(x + cells, self.width)
         if 0 <= y < self._height and start < end:
-            self._taken |= (1 << end - start) - 1 << self._bit(start, y)
+            self._taken[y] |= (1 << end - start) - 1 << start
 
     def release(self, x: int, y: int, cells: int) -> None:
         """Free cells of the view that were taken."""
-        self._taken &= ~((1 << cells) - 1 << self._bit(x, y))
+        self._taken[y] &= ~((1 << cells) - 1 << x)
 
     def keep_clear(self, x: int, y: int) -> None:
         """Keep chips off a cell of the view, if there is other space near their robots."""
@@ -88,7 +82,7 @@ class CellOccupancy:
         """Tell whether they are all in the view and neither taken nor to be spared."""
         if not (0 <= y < self._height and x >= 0 and x + cells <= self.width):
             return False
-        return not (self._taken | self._texts) >> self._bit(x, y) & (1 << cells) - 1
+        return not (self._taken[y] | self._texts[y]) >> x & (1 << cells) - 1
 
     def has_room(self, x: int, y: int, cells: int) -> bool:
         """Tell whether they are all in the view and none is taken, whatever is to be spared."""
@@ -100,7 +94,7 @@ class CellOccupancy:
 
     def taken(self, x: int, y: int, cells: int) -> int:
         """Return which of these cells, all in the view, are occupied, as bits."""
-        return self._taken >> self._bit(x, y) & (1 << cells) - 1
+        return self._taken[y] >> x & (1 << cells) - 1
 
     def chip_shift(
         self, x: int, y: int, chip: ChipSize, before: Place | None, far: bool = False
@@ -146,11 +140,11 @@ class CellOccupancy:
         start, row, cells = x + shift[0], y + shift[1], chip.cells
         if not (0 <= row < self._height and start >= 0 and start + cells <= self.width):
             return None
-        left, right = max(start - 1, 0), min(start + cells + 1, self.width)
-        bit, around = self._bit(left, row), (1 << right - left) - 1
-        if self._taken >> bit & around:
+        left = start - 1 if start else 0
+        around = (1 << start + cells + 1 - left) - 1  # right of the view nothing is taken
+        if self._taken[row] >> left & around:
             return None
-        texts = self._texts >> bit & around
+        texts = self._texts[row] >> left & around
         if texts and chip.has_text:
             return None
         first = row * self.width + start
@@ -185,7 +179,7 @@ class CellOccupancy:
             return False
         start, end = max(x - 1, 0), min(x + cells + 1, self.width)
         # As `free`, without its call: this is asked a dozen times for each label.
-        held = (self._taken | self._texts) >> y * self._stride + _MARGIN + start
+        held = (self._taken[y] | self._texts[y]) >> start
         return not held & (1 << end - start) - 1
 
 
@@ -217,17 +211,10 @@ def _hidden(below: Roles) -> NDArray[np.uint8]:
     return costs
 
 
-def _bits(cells: NDArray[np.bool_], around: bool) -> int:
-    """The cells of a view, and their margins, as a CellOccupancy stores them."""
-    height, width = cells.shape
-    padded = np.full((height + 1, width + _MARGIN), around)
-    padded[:height, _MARGIN:] = cells
-    return int.from_bytes(np.packbits(padded, bitorder="little").tobytes(), "little")
-
-
-@lru_cache(maxsize=8)
-def _margins(width: int, height: int) -> int:
-    return _bits(np.zeros((height, width), np.bool_), around=True)
+def _bits(cells: NDArray[np.bool_]) -> list[int]:
+    """The cells of a view as a CellOccupancy stores them."""
+    packed = np.packbits(cells, axis=1, bitorder="little")
+    return [int.from_bytes(row.tobytes(), "little") for row in packed]
 
 
 @lru_cache(maxsize=128)
