@@ -136,7 +136,7 @@ CLASSES = {
         "medium",
         "this console is at least a second behind in reading messages",
         "all data shown is old",
-        "Close other programs on this machine, or subscribe to fewer topics",
+        "Close other programs on this machine, or raise pose_ms and status_ms: [rates] in the config",
         10,
     ),
     "battery": AlarmClass(

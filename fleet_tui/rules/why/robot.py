@@ -62,7 +62,9 @@ def late_link(state: FleetState, robot: Robot) -> Reason | None:
     if not is_overloaded(link) or (state.is_online(robot) and not state.is_old(robot, "pose")):
         return None
     name = f"messages {duration(link.late)} late"
-    remedy = "Subscribe to fewer topics, lower rates at the robots, or run a second bridge"
+    remedy = (
+        "Stop its other clients, publish less often on the robots, or add a bridge: [links] in the config"
+    )
     return Reason(name, f"bridge of {link.name} overloaded", keys=DIAGNOSE, remedy=remedy)
 
 
