@@ -63,7 +63,7 @@ def draw_robots(
             if label.is_target and label.vertex not in stood_on:
                 occupancy.keep_clear(*label.vertex)
         chips = _chips(occupancy, seen, scene, look, before.shifts, is_dense(scene, camera))
-    move_aside(cells, behind, occupancy, before.labels, scene.at)
+    move_aside(cells, behind, occupancy, before.labels, scene.at, "~" if look.plain else "…")
     cells.write_all(astray + chips)
 
 

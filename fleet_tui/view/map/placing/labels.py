@@ -1,5 +1,6 @@
-"""Labels: whole and without overlap, or not at all; they give way to robots."""
+"""Labels: without overlap, or not at all; they give way to robots."""
 
+import re
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -28,15 +29,15 @@ class Label(NamedTuple):
 
 
 def draw_label(cells: Cells, label: Label) -> None:
-    """Draw a label in the role for the ground that it covers most of, and over walls in theirs."""
+    """Draw a label in the role for the ground that it covers most of; over a wall all of it in the wall's."""
     x, y = label.at
-    below = cells.roles[y, x : x + cell_width(label.text)].copy()
+    below = cells.roles[y, x : x + cell_width(label.text)]
     role = StyleRole.TARGET if label.is_target else StyleRole.LABEL
-    if np.count_nonzero(below == StyleRole.UNKNOWN) * 2 > below.size:
+    if np.isin(below, WALLS).any():
+        role = StyleRole.TARGET_THROUGH if label.is_target else StyleRole.LABEL_THROUGH
+    elif np.count_nonzero(below == StyleRole.UNKNOWN) * 2 > below.size:
         role = StyleRole.TARGET_BEYOND if label.is_target else StyleRole.LABEL_BEYOND
     cells.write(x, y, label.text, role)
-    over_wall = StyleRole.TARGET_THROUGH if label.is_target else StyleRole.LABEL_THROUGH
-    cells.roles[y, x : x + below.size][np.isin(below, WALLS)] = over_wall
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -62,14 +63,15 @@ class LabelPlaces:
 
 
 def move_aside(
-    cells: Cells, behind: Backdrop, occupancy: CellOccupancy, places: LabelPlaces, now: float
+    cells: Cells, behind: Backdrop, occupancy: CellOccupancy, places: LabelPlaces, now: float, sign: str
 ) -> None:
-    """Leave out the labels below occupied cells while robots pass, half a name reads as another one; those
-    below robots that stay move, in the first picture at once. `now`: its second."""
+    """Leave of the labels below occupied cells the rest while robots pass; those below robots that stay move,
+    in the first picture at once. `now`: its second, `sign`: the letter for what is covered."""
     for label in sorted(behind.labels, key=lambda label: not label.is_target):
         at = _place(label, behind, occupancy, places, now)
         if at != label.at:
-            _erase(cells, behind, label.at, cell_width(label.text))
+            covered = occupancy.taken(*label.at, cell_width(label.text)) if at is None else -1
+            _cover(cells, behind, label, covered, sign)
             if at is not None:
                 draw_label(cells, label._replace(at=at))
     places.begun = True
@@ -113,9 +115,20 @@ def _moved(label: Label, behind: Backdrop, occupancy: CellOccupancy, places: Lab
     return None
 
 
-def _erase(cells: Cells, behind: Backdrop, at: Place, size: int) -> None:
-    """Replace a label by what is behind it, but for cells with something over it: a trail, an outline."""
-    row, columns = at[1], slice(at[0], at[0] + size)
+def _cover(cells: Cells, behind: Backdrop, label: Label, covered: int, sign: str) -> None:
+    """Replace the covered cells of a label, as bits, by what is behind it, and the letters beside them by a
+    sign: half a name would read as another one. Cells with something over them stay: a trail, an outline."""
+    size = cell_width(label.text)
+    row, columns = label.at[1], slice(label.at[0], label.at[0] + size)
+    rest, signs = np.zeros(size, np.bool_), np.zeros(size, np.bool_)
+    for part in (
+        re.finditer("0+", f"{covered:0{size}b}"[::-1]) if covered > 0 and len(label.text) == size else ()
+    ):
+        start, end = part.span()
+        cut = [end_ for end_, is_cut in ((start, start > 0), (end - 1, end < size)) if is_cut]
+        if end - start > len(cut):
+            rest[start:end], signs[cut] = True, True
     is_label = cells.codes[row, columns] == behind.codes[row, columns]
     for plane, bare in ((cells.codes, behind.bare.codes), (cells.roles, behind.bare.roles)):
-        plane[row, columns] = np.where(is_label, bare[row, columns], plane[row, columns])
+        plane[row, columns] = np.where(is_label & ~rest, bare[row, columns], plane[row, columns])
+    cells.codes[row, columns][is_label & signs] = ord(sign)
