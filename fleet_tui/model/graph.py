@@ -9,6 +9,8 @@ from typing import TypeVar
 
 from msgspec import Struct, field
 
+from fleet_tui.model.geometry import Line
+
 Id = TypeVar("Id", str, int)
 
 
@@ -59,6 +61,13 @@ class RouteGraph(Struct, frozen=True, dict=True):
             if not self.directed:
                 found[edge.end].append((edge.start, length))
         return {id_: tuple(ways) for id_, ways in found.items()}
+
+    @cached_property
+    def lines(self) -> tuple[Line, ...]:
+        """Return the edges between known vertices, in metres."""
+        places = self.vertices
+        ends = ((places.get(edge.start), places.get(edge.end)) for edge in self.edges)
+        return tuple((one.x, one.y, other.x, other.y) for one, other in ends if one and other)
 
     @cached_property
     def chargers(self) -> tuple[Vertex, ...]:

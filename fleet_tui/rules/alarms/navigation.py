@@ -34,6 +34,8 @@ def not_sure_where(state: FleetState, robot: Robot, active: ActiveConditions) ->
     """Raise if its localisation is too uncertain to drive by, or its poses are none, or ceased."""
     if (lost := _pose_lost(state, robot, active)) is not None:
         return lost
+    if robot.variance is None and robot.misplaced is None:
+        return None
     was_lost = was_active(active, robot.name, robot.link, "localisation")
     limit = FOUND_BELOW if was_lost else LOST_ABOVE
     if robot.variance is not None and robot.variance.value > limit:
