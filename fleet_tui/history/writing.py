@@ -8,7 +8,7 @@ from typing import assert_never
 
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.commands import ORDER_ENDS, Stage
-from fleet_tui.model.history.facts import Charge, LinkChange, Note, OrderChange, Span
+from fleet_tui.model.history.facts import Charge, LaterCause, LinkChange, Note, OrderChange, Span
 from fleet_tui.rules.history.observing import BEGUN, HOUR, QUEUED, Fact
 
 LOG = logging.getLogger(__name__)
@@ -47,6 +47,11 @@ def write(database: sqlite3.Connection, fact: Fact | Note | AuditRecord, run: st
         case LinkChange():
             database.execute(
                 "INSERT INTO links VALUES (?, ?, ?, ?)", (fact.at, fact.link, fact.is_up, fact.reason)
+            )
+        case LaterCause():
+            database.execute(
+                "UPDATE alarms SET text = ? WHERE (run, source, kind) = (?, ?, ?) AND ended IS NULL",
+                (fact.text, run, fact.source, fact.kind),
             )
         case Note():
             # Consoles of one user have one history, and each of them is told the notes of the desk.

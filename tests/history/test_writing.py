@@ -14,7 +14,7 @@ from fleet_tui.audit.entries import Origin
 from fleet_tui.history.database import SCHEMA, open_to_write
 from fleet_tui.history.reading import History
 from fleet_tui.history.writing import UNSEEN, end_unseen, end_unseen_alarms, write, write_all
-from fleet_tui.model.history.facts import Activity, Charge, LinkChange, Note, OrderChange, Span
+from fleet_tui.model.history.facts import Activity, Charge, LaterCause, LinkChange, Note, OrderChange, Span
 from fleet_tui.rules.history.observing import HOUR, Fact
 from tests.support.records import ANA
 
@@ -186,6 +186,14 @@ def test_an_alarm_from_raised_to_cleared_and_raised_once_more(database: sqlite3.
     assert (again.raised, again.acknowledged, again.returned, again.ended) == (102.0, 103.0, 104.0, 104.0)
     assert (again.operator, again.count) == ("ana", 1)
     assert (last.raised, last.acknowledged, last.ended) == (200.0, None, None)
+
+
+def test_a_cause_that_came_later_is_told_of_the_alarm_that_goes_on(database: sqlite3.Connection) -> None:
+    for at, change in enumerate(("raised", "returned, cleared", "raised")):
+        alarm(database, change, 100.0 + at)
+    put(database, LaterCause("robot_0", "stuck", "stuck: no odometry"))
+    first, last = History(database).alarms(*ALL)
+    assert first.text != last.text == "stuck: no odometry"
 
 
 def test_an_alarm_that_returned_holds_no_more_though_nobody_acknowledges_it(

@@ -62,6 +62,14 @@ class LinkChange(Struct, frozen=True):
     reason: str = ""
 
 
+class LaterCause(Struct, frozen=True):
+    """The text of an alarm whose cause came after it was raised."""
+
+    source: str
+    kind: str
+    text: str
+
+
 class Note(Struct, frozen=True):
     """A remark of an operator, for whoever takes over."""
 

@@ -3,12 +3,14 @@
 from collections.abc import Iterator
 from functools import partial
 
+from fleet_tui.model.alarm import Key
 from fleet_tui.model.commands import CommandRecord
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.history.facts import Charge, LinkChange, OrderChange, Span
+from fleet_tui.model.history.facts import Charge, LaterCause, LinkChange, OrderChange, Span
 from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.order import Order, route_text
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.alarms.told import told
 from fleet_tui.rules.history.activity import activity
 from fleet_tui.rules.why.reason import name_of
 
@@ -25,7 +27,7 @@ PERCENT = 1.0
 """A change of a battery that is told at once."""
 QUEUED, BEGUN = "queued", "begun"
 
-Fact = Span | Charge | OrderChange | LinkChange
+Fact = Span | Charge | OrderChange | LinkChange | LaterCause
 
 
 class Observer:
@@ -37,6 +39,7 @@ class Observer:
         self._charges: dict[str, Charge] = {}
         self._robots: dict[str, Robot] = {}
         self._links: dict[str, bool] = {}
+        self._causes: dict[Key, str] = {}
 
     def observe(self, state: FleetState) -> Iterator[Fact]:
         """Return what is new in a state. Robots count from their first message on."""
@@ -49,6 +52,7 @@ class Observer:
             yield from self._span(state, robot)
             yield from self._charge(state, robot)
             self._robots[robot.name] = robot
+        yield from self._later_causes(state)
 
     def finish(self) -> Iterator[Fact]:
         """Return the spans that still go on, as long as they were observed."""
@@ -61,6 +65,14 @@ class Observer:
         if self._links.get(link.name) != is_up:
             yield LinkChange(link.name, _wall(state, link.since), is_up, "" if is_up else link.reason)
         self._links[link.name] = is_up
+
+    def _later_causes(self, state: FleetState) -> Iterator[LaterCause]:
+        causes = {alarm.key: told(alarm) for alarm in state.alarms if alarm.holds}
+        for alarm in state.alarms:
+            text = causes.get(alarm.key, alarm.first_text)
+            if text not in (alarm.first_text, self._causes.get(alarm.key)):
+                yield LaterCause(alarm.condition.source, alarm.condition.kind, text)
+        self._causes = causes
 
     def _orders(self, state: FleetState, robot: Robot) -> Iterator[OrderChange]:
         before = self._robots.get(robot.name)

@@ -1,7 +1,6 @@
 """The pane of the last events: current alarms, links that returned, commands given here, orders that began
 or ended."""
 
-import re
 from collections.abc import Callable, Iterator
 from functools import partial
 from heapq import nlargest
@@ -15,6 +14,7 @@ from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.order import Order
 from fleet_tui.model.order_life import GoneOrder
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.alarms.told import told
 from fleet_tui.rules.commands.batches import pauses, summary
 from fleet_tui.rules.commands.follow_up import seen_end
 from fleet_tui.text.language import tr
@@ -30,7 +30,6 @@ Event = tuple[float, str, Callable[[], tuple[Run, ...]]]
 
 WHOLE, HOURS_MINUTES = 60, 5
 """Cells of a pane from which times have seconds, and those of a time without them."""
-_FIGURE = re.compile(r"(?<![\w.])[\d.]+ (?:s|min|h|%)(?!\w)")
 LEAST_TEXT = 10
 """Cells that a line of text has at least."""
 FAILED = frozenset({*TROUBLE, Stage.LOST, Stage.FAILED})
@@ -90,11 +89,8 @@ def _returned(text: str) -> tuple[Run, ...]:
 
 def _alarm(alarm: Alarm) -> tuple[Run, ...]:
     is_quiet = not alarm.holds or alarm.stage is AlarmStage.SHELVED
-    # As it was at its time, unless its cause came later: a duration that counts on would contradict that.
-    has_news = _FIGURE.sub("", alarm.first_text) != _FIGURE.sub("", alarm.text)
-    text = alarm.text if has_news else alarm.first_text
-    told = without_cause(alarm, text)  # the alarms pane has that of an order
-    return ((tr(sanitize(told)), StyleRole.DIM if is_quiet else StyleRole.ALARM),)
+    text = without_cause(alarm, told(alarm))  # the alarms pane has that of an order
+    return ((tr(sanitize(text)), StyleRole.DIM if is_quiet else StyleRole.ALARM),)
 
 
 def _commands(state: FleetState) -> Iterator[Event]:

@@ -5,10 +5,12 @@ from itertools import pairwise
 
 from hypothesis import given
 from hypothesis import strategies as st
+from msgspec import structs
 
+from fleet_tui.model.alarm import Alarm, Condition, Priority
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.history.facts import Activity, Charge, LinkChange, OrderChange, Span
+from fleet_tui.model.history.facts import Activity, Charge, LaterCause, LinkChange, OrderChange, Span
 from fleet_tui.rules.history.observing import EVERY, HOUR, SLEPT, Fact, Observer
 from tests.support.fleets import (
     R0,
@@ -190,3 +192,20 @@ def test_spans_of_a_run_follow_each_other() -> None:
     spans = [ours[began] for began in sorted(ours)]
     assert all(one.ended == other.began for one, other in pairwise(spans))
     assert Activity.PAUSED in {span.activity for span in spans}
+
+
+def test_the_cause_of_an_alarm_that_came_later_is_told_once() -> None:
+    def held(text: str, *, holds: bool = True) -> FleetState:
+        condition = Condition(R0, "order", Priority.HIGH, text, "over")
+        alarm = Alarm(condition, 1.0, 1.0, 1.0, holds=holds, first_text="failed: no reason reported")
+        return structs.replace(reduced(fleet(), link_up(T0), tick(T0)), alarms=(alarm,))
+
+    observer, found = Observer(), []
+    for state in (
+        held("failed: no reason reported"),
+        held("failed: No progress"),
+        held("failed: No progress"),
+        held("failed: No progress", holds=False),
+    ):
+        found += [fact for fact in observer.observe(state) if isinstance(fact, LaterCause)]
+    assert found == [LaterCause(R0, "order", "failed: No progress")]
