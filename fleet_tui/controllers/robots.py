@@ -14,6 +14,7 @@ from fleet_tui.model import kind
 from fleet_tui.model.commands import ClearOrders, PauseRobot, ResumeRobot
 from fleet_tui.model.problem import Right
 from fleet_tui.model.request import Request
+from fleet_tui.rules.alarms.trouble import in_trouble, to_look_at
 from fleet_tui.state.store import Store
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
@@ -66,9 +67,13 @@ class RobotRequests:
             self._notices.say("no robot is paused")
 
     def menu(self, robot: str) -> None:
-        """List the actions for a robot."""
-        fault = self._store.state.robots[robot].last_fault
-        self._open_menu(f"{robot}: {sanitize(fault)}" if fault else robot, list(self._entries(robot)))
+        """List the actions for a robot; the mark is on the one that explains what is wrong with it, if
+        something is: each number means the same for all robots."""
+        state = self._store.state
+        fault, entries = state.robots[robot].last_fault, list(self._entries(robot))
+        is_odd = robot in in_trouble(state) or robot in to_look_at(state)
+        explain = next(place for place, (text, _) in enumerate(entries) if text == self._explain)
+        self._open_menu(f"{robot}: {sanitize(fault)}" if fault else robot, entries, explain if is_odd else 0)
 
     def _entries(self, robot: str) -> Iterator[Entry]:
         known, do = self._store.state.robots[robot], self._dispatch.do
@@ -83,11 +88,12 @@ class RobotRequests:
                 if known.kind.can(verb):
                     yield self._with_key(text, verb), partial(self._for, robot, action)
         yield "Show on the map", partial(self._navigation.find_robot, robot)
-        yield (
-            self._with_key(tr("Explain why it is not moving"), "why"),
-            partial(self._for, robot, self._why),
-        )
+        yield self._explain, partial(self._for, robot, self._why)
         yield from self._alarms(robot)
+
+    @property
+    def _explain(self) -> str:
+        return self._with_key(tr("Explain why it is not moving"), "why")
 
     def _with_key(self, text: str, id_: str) -> str:
         """Return an entry with the key that chooses it, as it does outside of the menu."""

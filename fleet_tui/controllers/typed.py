@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
+from typing import Protocol
 
 from fleet_tui.errors import CommandError
 from fleet_tui.model.fleet import FleetState
@@ -17,8 +18,13 @@ from fleet_tui.view.lines.questions import request_text
 
 Entry = tuple[str, Callable[[], object]]
 """A line to choose, and its action."""
-OpenMenu = Callable[[str, Sequence[Entry]], None]
-"""Opens a menu: its title, its entries."""
+
+
+class OpenMenu(Protocol):
+    """Opens a menu: its title, its entries, and the place of the marked one."""
+
+    def __call__(self, title: str, entries: Sequence[Entry], marked: int = 0) -> None:
+        """Open it."""
 
 
 ALL = Permissions()

@@ -30,14 +30,14 @@ class Menu(Dialog):
         yield Static(id="menu-title", markup=False)
         yield OptionList(markup=False)
 
-    def show(self, title: str, entries: Sequence[Entry]) -> None:
-        """Show the entries."""
+    def show(self, title: str, entries: Sequence[Entry], marked: int = 0) -> None:
+        """Show the entries, with a mark on one of them."""
         self._entries = entries
         self.query_one("#menu-title", Static).update(tr(title))
         options = self.query_one(OptionList)
         options.clear_options()
         options.add_options([f"{n}  {tr(text)}" for n, (text, _) in enumerate(entries, 1)])
-        options.highlighted = 0
+        options.highlighted = marked
         self.open(options)
 
     def action_step(self, way: str) -> None:

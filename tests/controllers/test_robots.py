@@ -71,6 +71,7 @@ def test_the_menu_leads_to_the_alarms_of_the_robot() -> None:
     robots.menu(R0)
     (menu,) = desk.menus
     assert menu.texts[-1] == "Alarm: battery 5 % ..."
+    assert menu.texts[menu.marked] == "Explain why it is not moving (w)"
     menu.choose("Alarm: battery 5 % ...")
     assert asked == [f"battery of {R0}"]
 
@@ -81,6 +82,7 @@ def test_the_menu_has_what_the_robot_accepts() -> None:
     robots.menu("robot_1")
     full, mute = desk.menus
     assert full.texts[:4] == ["Order (o)", "Pause (p)", "Resume (r)", "Clear all orders (X)"]
+    assert full.marked == 0, "nothing is wrong with it"
     assert mute.texts == ["Show on the map", "Explain why it is not moving (w)"]
     mute.choose("Explain")
     assert asked == ["robot_1"], "the robot of the menu is the selected one then"

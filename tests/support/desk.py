@@ -95,6 +95,7 @@ class Menu(NamedTuple):
 
     title: str
     entries: Sequence[Entry]
+    marked: int
 
     @property
     def texts(self) -> list[str]:
@@ -172,8 +173,8 @@ class Desk:
         assert self.asked[-1]
         self.answers.append(then)
 
-    def open_menu(self, title: str, entries: Sequence[Entry]) -> None:
-        self.menus.append(Menu(title, entries))
+    def open_menu(self, title: str, entries: Sequence[Entry], marked: int = 0) -> None:
+        self.menus.append(Menu(title, entries, marked))
 
     def do(self, command: Command) -> None:
         """Ask for it, and say yes to whatever is asked."""
