@@ -131,7 +131,7 @@ OPENS = (
     ("?", "Send an order", "\x1b"),
     ("w", "Why: robot_", "\x1b"),
     ("L", "evil␛]52;… robot_0 pause: outcome unknown", "\x1b"),
-    ("d", "too large, or queue full", "\x1b"),
+    ("d1", "too large, or queue full", "\x1b"),
     ("d2", "▲ bad data", "\x1b"),
     ("d4\x1b", "INFO  ␛]52;c;aGFja2Vk␇", "\x1b"),
     ("d5", f"▲ WARN    {sanitize(EVIL[0])}", "\x1b"),

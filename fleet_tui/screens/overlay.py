@@ -53,7 +53,15 @@ class Overlay(Vertical):
 
 
 class ReturningOverlay(Overlay):
-    """Comes back when a dialog that was opened over it is closed."""
+    """Comes back when a dialog that was opened over it is closed, unless the answer has closed it."""
+
+    is_below = False
+    """It waits below a dialog."""
+
+    def action_close(self) -> None:
+        """Close, and restore the focus."""
+        self.is_below = False
+        super().action_close()
 
 
 class Dialog(Overlay):
@@ -68,10 +76,14 @@ class Dialog(Overlay):
         super().open(first)
         self._below = below
         if below is not None:
-            self._before = focused
+            self._before, below.is_below = focused, True
 
     def action_close(self) -> None:
-        """Close, and restore what was below, with its focus."""
-        if self._below is not None:
-            self._below.display = True
+        """Close, and restore what was below, with its focus; what the answer closed has given it back."""
+        below = self._below
+        if below is not None and not below.is_below:
+            self.display = False
+            return
+        if below is not None:
+            below.display = True
         super().action_close()

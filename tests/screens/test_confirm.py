@@ -80,6 +80,11 @@ async def test_a_warning_is_asked_and_only_y_sends(server: RosbridgeServer) -> N
             await it.shows("robot_0 is paused: send anyway?")
             await it.press(answer)
             await it.hides("send anyway?")
+            await it.shows("To      Consumidores")
+            await it.press("enter")
+            await it.shows("robot_0 is paused: send anyway?")
+            await it.press(answer, "escape")
+            assert not it.app.main.query_one(OrderForm).is_open
         assert sent(server) == [("Pause", {})]
         await place(it)
         await it.shows("robot_0 is paused: send anyway?")

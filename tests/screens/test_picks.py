@@ -23,7 +23,7 @@ async def test_the_menu_of_a_robot_in_trouble_leads_to_its_alarm(server: Rosbrid
         await it.until(lambda state: state.unacknowledged)
         await it.press("!", "enter")
         await it.shows("Alarm: battery")
-        await it.press("up", "enter")
+        await it.press("down", "enter")
         await it.shows("Shelve")
 
 

@@ -36,6 +36,11 @@ class ChoiceList(Matches):
         """Tell whether nothing is typed or marked, so that other choices may take the place of these."""
         return not self._fields.typed and self.highlighted is None
 
+    @property
+    def is_empty(self) -> bool:
+        """Tell whether nothing is listed."""
+        return not self._found
+
     def _choices(self, robot: Robot | None) -> Choices:
         fields, field = self._fields, self._fields.current
         if field != "robot" and self._is_for_nobody(robot):

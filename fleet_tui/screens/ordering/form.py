@@ -28,14 +28,14 @@ from fleet_tui.screens.ordering.fields import OrderFields
 from fleet_tui.screens.ordering.legs import SIGN, Legs
 from fleet_tui.screens.ordering.proposal import Proposal
 from fleet_tui.screens.ordering.sending import Give, GiveAnyone, OrderSending
-from fleet_tui.screens.overlay import MouseButton, Overlay
+from fleet_tui.screens.overlay import MouseButton, ReturningOverlay
 from fleet_tui.text.language import tr
 
 NEXT, SEND = "Enter  next", "Enter  send"
 """Labels of the button for Enter: before the last field, and in it."""
 
 
-class OrderForm(Overlay):
+class OrderForm(ReturningOverlay):
     """`start` opens it for a robot. A complete request goes to `give`, the places of one without a robot to
     `give_anyone`; `past` are the orders to give again."""
 
@@ -116,7 +116,11 @@ class OrderForm(Overlay):
             self._send.label = tr(SEND if self._fields.current == "to" else NEXT)
             self._choices.refill(robot)
             self.border_subtitle = self._choices.scope
-            if notice := hindrance(self._state(), robot):
+            field, typed = self._fields.current, self._fields.typed
+            is_nothing = bool(typed.strip()) and self._choices.is_empty
+            self._send.disabled = is_nothing
+            nothing = no_match(robot, field, typed) if is_nothing else ""
+            if notice := hindrance(self._state(), robot) or nothing:
                 self._say(notice)
 
     @on(Input.Changed)

@@ -237,3 +237,14 @@ async def test_the_map_keeps_its_scale_while_the_form_covers_a_part_of_it(server
         await it.until(lambda _: view.size.height == height)
         await it.shows("Base", "map")
         assert scale() == before
+
+
+async def test_a_name_that_is_no_place_is_told_while_it_is_typed(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("o")
+        await it.type("Consumidorez")
+        await it.shows("From: no match for 'Consumidorez', did you mean Consumidores?")
+        assert it.app.main.query_one("#send", Button).disabled
+        await it.press("backspace")
+        await it.hides("no match")
+        assert not it.app.main.query_one("#send", Button).disabled
