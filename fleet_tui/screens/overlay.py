@@ -17,6 +17,8 @@ class Overlay(Vertical):
     """Hidden until opened. Only keys that work everywhere pass through it."""
 
     _before: Widget | None = None
+    is_below = False
+    """It waits below a dialog."""
 
     @property
     def is_modal(self) -> bool:
@@ -47,21 +49,13 @@ class Overlay(Vertical):
 
     def action_close(self) -> None:
         """Close, and restore the focus."""
-        self.display = False
+        self.display = self.is_below = False
         if self._before is not None and self._before.is_attached:
             self.screen.set_focus(self._before)
 
 
 class ReturningOverlay(Overlay):
     """Comes back when a dialog that was opened over it is closed, unless the answer has closed it."""
-
-    is_below = False
-    """It waits below a dialog."""
-
-    def action_close(self) -> None:
-        """Close, and restore the focus."""
-        self.is_below = False
-        super().action_close()
 
 
 class Dialog(Overlay):

@@ -7,7 +7,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.anyone import is_anyone
 from fleet_tui.rules.language.favourites import Given
 from fleet_tui.rules.routes.order_draft import Draft
-from fleet_tui.screens.ordering.choices import Choice, Choices, choices, lines, scope
+from fleet_tui.screens.ordering.choices import Choice, Choices, choices, lines, no_match, scope
 from fleet_tui.screens.ordering.drafts import draft_of
 from fleet_tui.screens.ordering.fields import OrderFields
 from fleet_tui.widgets.matches import Matches
@@ -36,10 +36,10 @@ class ChoiceList(Matches):
         """Tell whether nothing is typed or marked, so that other choices may take the place of these."""
         return not self._fields.typed and self.highlighted is None
 
-    @property
-    def is_empty(self) -> bool:
-        """Tell whether nothing is listed."""
-        return not self._found
+    def unknown(self, robot: Robot | None) -> str:
+        """Return that what is typed is no choice, empty if it is one."""
+        typed = self._fields.typed
+        return no_match(robot, self._fields.current, typed) if typed.strip() and not self._found else ""
 
     def _choices(self, robot: Robot | None) -> Choices:
         fields, field = self._fields, self._fields.current

@@ -116,11 +116,9 @@ class OrderForm(ReturningOverlay):
             self._send.label = tr(SEND if self._fields.current == "to" else NEXT)
             self._choices.refill(robot)
             self.border_subtitle = self._choices.scope
-            field, typed = self._fields.current, self._fields.typed
-            is_nothing = bool(typed.strip()) and self._choices.is_empty
-            self._send.disabled = is_nothing
-            nothing = no_match(robot, field, typed) if is_nothing else ""
-            if notice := hindrance(self._state(), robot) or nothing:
+            unknown = self._choices.unknown(robot)
+            self._send.disabled = bool(unknown)
+            if notice := hindrance(self._state(), robot) or unknown:
                 self._say(notice)
 
     @on(Input.Changed)
