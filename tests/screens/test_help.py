@@ -113,3 +113,10 @@ async def test_it_follows_the_size_of_the_terminal(server: RosbridgeServer) -> N
         await it.pilot.resize_terminal(80, 24)
         await it.hides("Look back in time")
         await it.shows("Send an order", "help-text")
+
+
+async def test_the_keys_in_the_maps_title_lead_to_the_legend(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1), (160, 40)) as it:
+        await it.shows("? Tab Tab legend", "map")
+        await it.press("question_mark", "tab", "tab")
+        await it.shows("[Legend]")

@@ -32,7 +32,7 @@ class MapPicture:
         self.viewport = Viewport()
         self.scene: Scene | None = None
         self.hint = ""
-        """The key of the legend, for the caption."""
+        """The keys that lead to the legend, for the caption."""
         self._trails = Trails()
         self._arrangement = Arrangement()
         self._arrangement_of: tuple[str, Camera, MapOptions] | None = None
