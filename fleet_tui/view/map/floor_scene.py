@@ -38,6 +38,7 @@ MARGIN, BLOCK = 2.0, 10.0
 EMPTY_RESOLUTION = 0.05
 PATIENCE = 5.0
 """Seconds after a change of the link for which a note is no problem: everything is still arriving."""
+NO_MAP = "no map yet"
 JUMP_MARKED = 10.0
 """Seconds for which a robot that its localisation moved is marked."""
 FAR = 1e6
@@ -124,7 +125,7 @@ def _with_map(state: FleetState, floor: Floor, robot_map: RobotMap, scene: Scene
     live = live_map(state, floor, robot_map)
     if live is not None:
         return replace(scene, grid=live, frame=live.frame)
-    missing = tr("no map yet") if robot_map.graph is not None else tr("no map and no graph yet")
+    missing = tr(NO_MAP) if robot_map.graph is not None else tr("no map and no graph yet")
     return replace(scene, frame=frame or scene.frame, note=missing)
 
 
@@ -240,5 +241,7 @@ def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None
         blocked=edge_lines(robot_map, blocked_edges(state, placed)),
         note=", ".join(map(tr, notes)),
         elsewhere=tr(trouble_elsewhere(state, floor.name)),
-        waits=state.now - state.links[selected.link].since < PATIENCE,
+        waits=state.now - state.links[selected.link].since < PATIENCE
+        # Robots of such a kind never send one: that is no news.
+        or (notes == [tr(NO_MAP)] and "map" not in selected.kind.reports),
     )

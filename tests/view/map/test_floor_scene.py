@@ -3,6 +3,7 @@
 import math
 
 import pytest
+from msgspec import structs
 
 from fleet_tui.model import events
 from fleet_tui.model.desk import events as desk_events
@@ -15,7 +16,21 @@ from fleet_tui.view.map.floor_scene import JUMP_MARKED, floor_scene, map_owner
 from fleet_tui.view.map.glyphs import robot_tag
 from fleet_tui.view.map.scene import Scene, SceneRobot
 from fleet_tui.view.selection import Selection
-from tests.support.fleets import F0, R0, T0, battery, fleet, graph, labels, pose, queue, reduced, tick
+from tests.support.fleets import (
+    F0,
+    R0,
+    T0,
+    battery,
+    fleet,
+    graph,
+    labels,
+    link_up,
+    of_kinds,
+    pose,
+    queue,
+    reduced,
+    tick,
+)
 
 FRAME = MapFrame(0.5, 4, 2, Pose(-1.0, -1.0))
 GRID = grid_from_ros(FRAME, bytes(8))
@@ -105,6 +120,17 @@ def test_a_robot_inside_a_wall_or_off_the_map_by_more_than_its_size_is_marked() 
 def test_a_map_that_could_not_be_read_says_why() -> None:
     found = scene(reduced(fleet(), pose(T0), events.FloorMapLoaded(F0, None, "map a.png: no image a.png")))
     assert found.note == "map a.png: no image a.png"
+
+
+def test_a_missing_map_is_no_news_of_a_kind_that_never_sends_one() -> None:
+    state = reduced(fleet(), link_up(T0), pose(T0 + 60), graph(1, 2, 3), tick(T0 + 60))
+    silent = of_kinds(
+        state, *(structs.replace(one.kind, reports=frozenset({"pose"})) for one in state.robots.values())
+    )
+    assert [(scene(one).note, scene(one).waits) for one in (state, silent)] == [
+        ("no map yet", False),
+        ("no map yet", True),
+    ]
 
 
 def test_without_a_map_there_is_ground_for_every_vertex() -> None:
