@@ -196,9 +196,7 @@ class Rest:
         has_few_colours = not screen.app.is_headless and screen.app.console.color_system == "standard"
         self._has_few_colours = screen.app.ansi_color or has_few_colours
         self.map.picture.hatch(self._has_few_colours)
-        self.map.picture.hint = "".join(
-            f"{key_name(key)} Tab Tab" for key in screen.settings.keys["help"][:1]
-        )
+        self.map.picture.hint = "".join(key_name(key) for key in screen.settings.keys["help"][:1])
         screen.set_focus(self.map)
         screen.files.open()
         join_desk(screen)

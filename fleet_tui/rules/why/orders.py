@@ -34,7 +34,7 @@ REJECTED = "Check that its navigation is active: `fleet-tui doctor` asks it"
 CHECK_DELIVERY = "Check where the robot and its load are, correct its pose if it is wrong, order again"
 SHORT = 20.0
 """Seconds of standing with an order that need no cause."""
-LOOK = "Go and look at it: wheels, emergency stop, manual mode"
+LOOK = "Go and look at it: its way, wheels, emergency stop, manual mode"
 
 
 def command(state: FleetState, robot: Robot) -> Reason | None:

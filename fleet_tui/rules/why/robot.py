@@ -14,6 +14,7 @@ from fleet_tui.rules.localisation.jumps import recent_jumps
 from fleet_tui.rules.localisation.misplaced import (
     OFF_ROUTE,
     is_misplaced,
+    misplaced_for_long,
     misplaced_text,
 )
 from fleet_tui.rules.localisation.off_route import is_off_route, metres_off
@@ -172,7 +173,8 @@ def misplaced(state: FleetState, robot: Robot) -> Reason | None:
     pose, is_now = robot.pose.value, is_misplaced(robot)
     evidence = f"at {pose.x:.1f}, {pose.y:.1f} m on {robot.floor} no robot can be"
     evidence = evidence if is_now else "its pose has just been where no robot can be"
-    strength = Strength.CERTAIN if is_now else Strength.LIKELY
+    is_sure = is_now or misplaced_for_long(state, robot) is not None
+    strength = Strength.CERTAIN if is_sure else Strength.LIKELY
     strength = strength if state.is_fresh(robot, "pose") else Strength.POSSIBLE
     return Reason(text, evidence, strength, seen=found.at, keys=("pose", "centre"), remedy=WRONG_POSE)
 
@@ -182,8 +184,9 @@ def off_graph(state: FleetState, robot: Robot) -> Reason | None:
     if robot.pose is None or not state.is_fresh(robot, "pose") or not is_off_route(robot):
         return None
     name, evidence = f"pose {metres_off(robot):.1f} m off the route graph", "its order leads along the edges"
+    strength = Strength.LIKELY if misplaced_for_long(state, robot) is None else Strength.CERTAIN
     keys = ("pose", "centre")
-    return Reason(name, evidence, Strength.LIKELY, seen=robot.pose.at, keys=keys, remedy=WRONG_POSE)
+    return Reason(name, evidence, strength, seen=robot.pose.at, keys=keys, remedy=WRONG_POSE)
 
 
 def charges(state: FleetState, robot: Robot) -> Reason | None:

@@ -67,6 +67,7 @@ FOLLOWING: tuple[Rule, ...] = (none_current, no_orders)
 
 RULES: tuple[Rule, ...] = (
     misplaced,
+    off_graph,
     paused,
     *VEHICLE_REASONS,
     obstacle,
@@ -75,7 +76,6 @@ RULES: tuple[Rule, ...] = (
     own_late_pause,
     stale_pose,
     jumps,
-    off_graph,
     command,
     failed_order,
     cargo,

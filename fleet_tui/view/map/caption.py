@@ -21,7 +21,7 @@ _BANNER = 34  # cells of a banner that are worth more than the floor
 @dataclass(frozen=True, slots=True)
 class Caption:
     """The content of the first row. `waits`: the note only says what has not arrived yet; `banner` is that of
-    the map's mode, `pixel` the map's cell under its cursor; `hint` names the key of the legend, `elsewhere`
+    the map's mode, `pixel` the map's cell under its cursor; `hint` names the key of help, `elsewhere`
     robots in trouble out of view and on other floors; `whole`: all of the floor is in view."""
 
     floor: str
@@ -87,7 +87,7 @@ def _pieces(facts: Caption) -> list[Piece]:
         (_bar(facts), StyleRole.DIM),
         *_turn(facts),
         *([(tr("zoom robot"), StyleRole.DIM)] if facts.zoom_robot else []),
-        *([(tr(f"{facts.hint} legend"), StyleRole.DIM)] if facts.hint else []),
+        *([(tr(f"{facts.hint} Tab Tab legend"), StyleRole.DIM)] if facts.hint else []),
     ]
 
 

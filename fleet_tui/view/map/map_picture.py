@@ -32,7 +32,7 @@ class MapPicture:
         self.viewport = Viewport()
         self.scene: Scene | None = None
         self.hint = ""
-        """The keys that lead to the legend, for the caption."""
+        """The key of help, for the way to its legend."""
         self._trails = Trails()
         self._arrangement = Arrangement()
         self._arrangement_of: tuple[str, Camera, MapOptions] | None = None

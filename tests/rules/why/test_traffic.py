@@ -6,6 +6,7 @@ from fleet_tui.model.events import (
     Event,
     FrameReceived,
     GraphReceived,
+    ObstacleReported,
     PoseReported,
     QueueReported,
 )
@@ -112,3 +113,16 @@ def test_a_robot_with_an_order_and_a_pose_beside_all_edges_is_said_to_be_off_the
     near = reduced(busy, pose(T0 + 0.1, 1.4, 1.9), tick(T0 + 0.1))
     for state in (idle, near):
         assert reasons(state, state.robots[R0])[0].name == "robot_0 is driving"
+
+
+def test_a_pose_that_was_wrong_for_long_comes_before_an_obstacle_of_a_moment() -> None:
+    state = reduced(fleet(), link_up(T0), graph(1, 2, 3), queue(T0, (1, 3, 1, "W"), current=1), tick(T0))
+    for second in range(24):
+        at = T0 + second
+        state = reduced(
+            state, pose(at, 1.4 + 0.1 * second, 2.6), queue(at, (1, 3, 1, "W"), current=1), tick(at)
+        )
+    state = reduced(state, ObstacleReported(R0, T0 + 23, 4.0), tick(T0 + 23.1))
+    found = [(one.name, one.strength.name) for one in reasons(state, state.robots[R0])]
+    assert [name.split()[0] for name, _ in found[:2]] == ["pose", "obstacle"]
+    assert found[0][1] == "CERTAIN"
