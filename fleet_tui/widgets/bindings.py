@@ -26,9 +26,13 @@ def bindings(pane: Pane) -> list[BindingType]:
 
 
 def overlay_bindings(own: str) -> list[BindingType]:
-    """Return the bindings of the console's keys that work in an overlay: its own by id closes it, and help,
-    which opens in its place."""
-    actions = {own: "close", "help": "screen.key('help_anywhere')"}
+    """Return the bindings of the console's keys that work in an overlay: its own by id closes it, help opens
+    in its place, and all robots are paused from everywhere."""
+    actions = {
+        own: "close",
+        "help": "screen.key('help_anywhere')",
+        "pause_all": "screen.key('pause_all_anywhere')",
+    }
     return [
         Binding(one.key, actions[one.id or ""], show=False, id=one.id)
         for one in bindings(Pane.CONSOLE)

@@ -1,5 +1,7 @@
 """Menus of rows: by number, by mark, and once."""
 
+import pytest
+
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_menus import in_the_way
 from tests.support.console_pilot import console
@@ -63,3 +65,12 @@ async def test_the_keys_of_entries_choose_them_for_the_robot_of_the_menu(server:
         await it.press("p")
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
         assert [record.command.robot for record in it.store.state.commands] == ["robot_1"]
+
+
+@pytest.mark.parametrize("screen", ["d", "H", "J", "B", "w", "i"])
+async def test_all_robots_are_paused_from_every_screen(server: RosbridgeServer, screen: str) -> None:
+    async with console(config_of(server.url, 2)) as it:
+        await it.press(screen, "P")
+        await it.until(lambda state: len(state.commands) == 2)
+        assert [call for call, _ in sent(server)].count("Pause") <= 2
+        await it.until(lambda state: all(state.is_paused(robot) for robot in state.robots.values()))

@@ -13,13 +13,14 @@ from fleet_tui.widgets.bindings import action_of, bindings, overlay_bindings
 def robot_bindings(own: str) -> list[BindingType]:
     """Return the bindings of the keys that help here, and of those that close it: its own by id, and the
     usual ones."""
-    closing = (own, "back", "quit")
+    closing, everywhere = (own, "back", "quit"), overlay_bindings(own)
+    others = {*closing, *(one.id for one in everywhere if isinstance(one, Binding))}
     of_console = [one for one in bindings(Pane.CONSOLE) if isinstance(one, Binding) and one.id]
-    helping = [one for one in of_console if one.id not in closing and BY_ID[one.id or ""].helps]
+    helping = [one for one in of_console if one.id not in others and BY_ID[one.id or ""].helps]
     return [
         *(Binding(one.key, f"help_it('{one.id}')", show=False, id=one.id) for one in helping),
         *(Binding(one.key, "close", show=False, id=one.id) for one in of_console if one.id in closing[1:]),
-        *overlay_bindings(own),
+        *everywhere,
     ]
 
 

@@ -113,7 +113,7 @@ async def test_a_pause_reaches_through_it_and_the_status_line_stays(server: Rosb
 
 async def test_keys_in_it_command_no_robot_and_letters_go_to_the_field(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2, 2)) as it:
-        await it.press("d", "p", "x", "X", "P", "o", "s", "2", "/", "/", "d", "q", "2", "space", "f")
+        await it.press("d", "p", "x", "X", "o", "s", "2", "/", "/", "d", "q", "2", "space", "f")
         await it.shows("matching /dq2 f")
         assert server.bridge.services.calls == []
         await it.press("escape", "d")
