@@ -14,7 +14,7 @@ from fleet_tui.model import kind
 from fleet_tui.model.commands import ClearOrders, PauseRobot, ResumeRobot
 from fleet_tui.model.problem import Right
 from fleet_tui.model.request import Request
-from fleet_tui.rules.alarms.trouble import in_trouble, to_look_at
+from fleet_tui.rules.alarms.trouble import needs_a_look
 from fleet_tui.state.store import Store
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
@@ -71,9 +71,9 @@ class RobotRequests:
         something is: each number means the same for all robots."""
         state = self._store.state
         fault, entries = state.robots[robot].last_fault, list(self._entries(robot))
-        is_odd = robot in in_trouble(state) or robot in to_look_at(state)
         explain = next(place for place, (text, _) in enumerate(entries) if text == self._explain)
-        self._open_menu(f"{robot}: {sanitize(fault)}" if fault else robot, entries, explain if is_odd else 0)
+        marked = explain if needs_a_look(state, robot) else 0
+        self._open_menu(f"{robot}: {sanitize(fault)}" if fault else robot, entries, marked)
 
     def _entries(self, robot: str) -> Iterator[Entry]:
         known, do = self._store.state.robots[robot], self._dispatch.do

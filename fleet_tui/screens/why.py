@@ -14,7 +14,7 @@ from textual.widgets import Static
 from fleet_tui.backend import Backend
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.alarms.trouble import in_trouble, to_look_at
+from fleet_tui.rules.alarms.trouble import needs_a_look
 from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.localisation.match import Match
 from fleet_tui.rules.why.complaints import Complaint, complaints
@@ -143,7 +143,7 @@ class Why(RobotOverlay):
     def first_reason(self, in_need: bool = False) -> Reason | None:
         """Return the first reason; `in_need`: only of a robot with an alarm or an amber row, else None."""
         state, name = self._looked_at()
-        if in_need and not (name in in_trouble(state) or name in to_look_at(state)):
+        if in_need and not needs_a_look(state, name):
             return None
         robot = state.robots[name]
         return reasons(state, robot, self._match(), self._complaints(state, robot))[0]

@@ -221,6 +221,11 @@ def _whose(alarm: Alarm) -> list[str]:
     return [alarm.condition.source, *sorted(alarm.condition.parts, key=natural)]
 
 
+def needs_a_look(state: FleetState, name: str) -> bool:
+    """Tell whether a robot has an alarm or may need a person: its row is coloured."""
+    return name in in_trouble(state) or name in to_look_at(state)
+
+
 def trouble_elsewhere(state: FleetState, floor: str) -> str:
     """Return who is in trouble on other floors than this one, empty if nobody of whom nobody knows."""
     away = [state.robots[name] for name in sorted(in_trouble(state) - acknowledged(state))]
