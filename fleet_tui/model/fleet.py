@@ -16,8 +16,9 @@ from fleet_tui.text.durations import age, duration
 
 CONTACT = 3.0
 """Seconds in contact from which an obstacle is shown at the robot; shorter ones occur on every drive."""
-CROWD = 300
-"""Robots from which not all are looked at in every tick, but each twice a second."""
+MANY, CROWD = 50, 300
+"""Robots from which the rules look at each twice a second, not in every tick; those from which pictures and
+rows are made less often, too."""
 
 
 class Limits(Struct, frozen=True):

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key, Priority
 from fleet_tui.model.commands import Stage
-from fleet_tui.model.fleet import CROWD, FleetState, is_missing
+from fleet_tui.model.fleet import MANY, FleetState, is_missing
 from fleet_tui.model.link import Phase
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
@@ -22,8 +22,8 @@ LONG_STILL = 30.0
 """Seconds of standing with an order that are worth a look: longer than loading takes."""
 LONG_CONTACT = 10.0
 """Seconds of contact with an obstacle that are worth a look: large fleets always have a shorter one."""
-CROWD_EVERY = 0.5
-"""Seconds from one look at all of a crowd to the next."""
+LOOK_EVERY = 0.5
+"""Seconds from one look at all of many robots to the next."""
 LOST_FOR = 60.0
 """Seconds for which an order that a robot lost is news."""
 AGING = ("pose", "battery", "queue", "cargo", "obstacle", "paused")
@@ -171,7 +171,7 @@ class _Looks:
 
     def _holds(self, state: FleetState) -> bool:
         last = self._state
-        if last is None or len(state.robots) < CROWD or not 0.0 <= state.now - last.now < CROWD_EVERY:
+        if last is None or len(state.robots) < MANY or not 0.0 <= state.now - last.now < LOOK_EVERY:
             return False
         is_same = state.limits is last.limits and state.robots.keys() == last.robots.keys()  # the console
         return is_same and state.alarms == last.alarms
@@ -181,7 +181,7 @@ _LOOKS = _Looks()
 
 
 def to_look_at(state: FleetState) -> tuple[str, ...]:
-    """Return the odd robots without an alarm, shelved or not; those of a crowd as they were less than half a
+    """Return the odd robots without an alarm, shelved or not; those of many as they were less than half a
     second ago, unless an alarm has changed."""
     return _LOOKS.odd(state)
 

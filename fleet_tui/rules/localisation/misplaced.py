@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping
 
 from msgspec.structs import replace
 
-from fleet_tui.model.fleet import CROWD, FleetState
+from fleet_tui.model.fleet import MANY, FleetState
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.grid import FREE, OCCUPIED, OccupancyGrid
 from fleet_tui.model.robot import Reading, Robot
@@ -23,7 +23,7 @@ LiveMaps = Mapping[str, OccupancyGrid]
 WALL = "pose inside a wall"
 OFF_ROUTE = "pose off the route graph"
 TURNS = 5
-"""Parts of a crowd that are looked at one after the other."""
+"""Parts of many robots that are looked at one after the other."""
 NOW = 1.0
 """Seconds to the newest pose within which such a pose is one of this moment."""
 HELD = 30.0
@@ -45,9 +45,9 @@ def with_misplaced(state: FleetState, before: float) -> FleetState:
 
 
 def _due(state: FleetState, before: float) -> Iterable[Robot]:
-    """Return the robots to look at in this tick: all, of a crowd each twice a second, in turn."""
+    """Return the robots to look at in this tick: all, of many each twice a second, in turn."""
     robots = state.robots.values()
-    if len(robots) < CROWD:
+    if len(robots) < MANY:
         return robots
     due = [_half(turn, state.now) != _half(turn, before) for turn in range(TURNS)]
     return [robot for robot in robots if due[robot.number % TURNS]]

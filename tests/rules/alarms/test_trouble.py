@@ -6,7 +6,7 @@ from msgspec.structs import replace
 from fleet_tui.model.commands import CancelOrder, Stage
 from fleet_tui.model.desk.events import AlarmAcknowledged, AlarmShelved
 from fleet_tui.model.events import Event, PausedReported
-from fleet_tui.model.fleet import CROWD, FleetState, with_robot
+from fleet_tui.model.fleet import MANY, FleetState, with_robot
 from fleet_tui.model.order import Order
 from fleet_tui.model.order_life import GoneOrder
 from fleet_tui.rules.alarms.trouble import (
@@ -171,7 +171,7 @@ def test_a_pause_from_elsewhere_is_unexpected() -> None:
     assert next_in_trouble(reduced(state, PausedReported("robot_1", T0, True)), R0) == "robot_1"
 
 
-@pytest.mark.parametrize(("robots", "at_once"), [(CROWD, False), (CROWD - 1, True)])
+@pytest.mark.parametrize(("robots", "at_once"), [(MANY, False), (MANY - 1, True)])
 def test_who_of_a_crowd_is_to_be_looked_at_is_told_within_half_a_second(robots: int, at_once: bool) -> None:
     poses = [pose(T0, robot=f"robot_{n}") for n in range(robots)]
     state = reduced(fleet(robots), link_up(T0), *poses, tick(T0))
@@ -182,8 +182,8 @@ def test_who_of_a_crowd_is_to_be_looked_at_is_told_within_half_a_second(robots: 
 
 
 def test_an_alarm_changes_at_once_who_of_a_crowd_is_to_be_looked_at() -> None:
-    poses = [pose(T0, robot=f"robot_{n}") for n in range(CROWD)]
-    state = reduced(fleet(CROWD), link_up(T0), *poses, PausedReported(R0, T0, True), tick(T0))
+    poses = [pose(T0, robot=f"robot_{n}") for n in range(MANY)]
+    state = reduced(fleet(MANY), link_up(T0), *poses, PausedReported(R0, T0, True), tick(T0))
     assert to_look_at(state) == (R0,)
     alarmed = reduced(state, battery(T0, 5.0), tick(T0 + 0.1))
     assert alarmed.alarms and to_look_at(alarmed) == ()

@@ -7,7 +7,7 @@ from msgspec.structs import replace
 
 from fleet_tui.model import events
 from fleet_tui.model.events import PausedReported
-from fleet_tui.model.fleet import CROWD, FleetState
+from fleet_tui.model.fleet import MANY, FleetState
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.occupancy import grid_from_ros
 from fleet_tui.rules.alarms.trouble import next_in_trouble, to_look_at
@@ -64,13 +64,13 @@ def test_who_is_off_the_map_is_in_its_row_found_and_explained_first() -> None:
 
 def test_every_robot_of_a_crowd_is_looked_at_within_half_a_second() -> None:
     state = reduced(at(1.0, 1.0), tick(T0))
-    everyone = {f"r{n}": replace(state.robots[R0], name=f"r{n}") for n in range(CROWD)}
+    everyone = {f"r{n}": replace(state.robots[R0], name=f"r{n}") for n in range(MANY)}
     off = [pose(T0 + 0.05, -3.0, 1.0, robot=name) for name in everyone]
     found, last = [], reduced(replace(state, robots=everyone), *off)
     for n in range(1, 6):
         last = reduced(last, tick(T0 + n / 10))
         found.append(sum(misplaced_text(last, robot) == OFF for robot in last.robots.values()))
-    assert found[0] <= CROWD / 4 and found[-1] == CROWD
+    assert found[0] <= MANY / 4 and found[-1] == MANY
 
 
 def test_an_old_pose_off_the_map_is_no_news_of_today() -> None:
