@@ -19,8 +19,9 @@ from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.robot.vehicle import factsheet_rows, vehicle_rows
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import SIGNS
-from fleet_tui.view.tables.doing import page_runs
+from fleet_tui.view.tables.doing import page_texts
 from fleet_tui.view.tables.missions import way, whose_mission
+from fleet_tui.view.tables.news import with_commas
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.robot_page import NAME, command_rows, ended_rows, named, value_rows
 from fleet_tui.view.tables.table import Run, cut, width_of
@@ -65,9 +66,11 @@ def _state(state: FleetState, robot: Robot, complaints: Sequence[Complaint]) -> 
         (tr(sanitize(one.text)), StyleRole.ALARM if one.needs_acknowledgement else StyleRole.WARN)
         for one in holding
     ]
-    does = page_runs(state, robot)
+    does = page_texts(state, robot)
     alarms = [one for one in alarms if one[0] not in {text for text, _ in does}]
-    for n, runs in enumerate(_packed([*does, *(alarms if len(does) == 1 else [])], STATE - NAME)):
+    for n, runs in enumerate(
+        _packed(with_commas([*does, *(alarms if len(does) == 1 else [])]), STATE - NAME)
+    ):
         yield named("" if n else "State", *runs)
     for one in complaints:
         role = StyleRole.ALARM if one.is_error else StyleRole.WARN

@@ -8,7 +8,7 @@ from fleet_tui.rules.history.activity import activities
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.news import failed_command, news, shortened_news
+from fleet_tui.view.tables.news import failed_command, listed, news, shortened_news
 from fleet_tui.view.tables.table import Run, width_of
 
 UNKNOWN, OBSTACLE, BRIEF = "unknown", "obstacle", "brief obstacle"
@@ -21,7 +21,6 @@ PAGE = 500
 """Cells of a page: nothing is left out, for it has lines."""
 STILL_FROM = 5.0
 """Seconds without movement from which they are told."""
-_GAP: Run = " ", StyleRole.TEXT
 
 
 def word(does: Activity | None) -> str:
@@ -58,22 +57,22 @@ def doing_role(state: FleetState, robot: Robot) -> StyleRole:
     return StyleRole.WARN if waits(state, robot) else StyleRole.DIM
 
 
-def state_runs(state: FleetState, robot: Robot, does: Activity | None, cells: int) -> list[Run]:
+def state_texts(state: FleetState, robot: Robot, does: Activity | None, cells: int) -> list[Run]:
     """Return what a robot does, and its news before all: where not both have space, or the news says it,
     these alone."""
     failed, others = list(failed_command(state, robot)), list(news(state, robot))
     if failed and width_of(failed) > cells:
         failed = list(failed_command(state, robot, short=True))
-    news_runs = shortened_news([run for one in (*failed, *others) for run in (one, _GAP)], cells)
+    texts = shortened_news([*failed, *others], cells)
     doing = doing_text(robot, does), doing_role(state, robot)
-    if not news_runs:
-        return [(missing(state, robot) or doing[0], doing[1]) if does is None else doing, _GAP]
+    if not texts:
+        return [(missing(state, robot) or doing[0], doing[1]) if does is None else doing]
     # "lost idle" would read as one, and an emergency stop says that it is blocked.
-    is_grave = any(role is StyleRole.ALARM for _, role in news_runs)
+    is_grave = any(role is StyleRole.ALARM for _, role in texts)
     is_said = does in (None, Activity.OFFLINE, Activity.PAUSED, *(*CALM, Activity.BLOCKED) * is_grave)
-    is_said = is_said or any(text.startswith((word(does), OBSTACLE)) for text, _ in news_runs)
-    both = [*news_runs, doing, _GAP]
-    return news_runs if is_said or width_of(both) - 1 > cells else both
+    is_said = is_said or any(text.startswith((word(does), OBSTACLE)) for text, _ in texts)
+    both = [*texts, doing]
+    return texts if is_said or width_of(listed(both)) > cells else both
 
 
 def missing(state: FleetState, robot: Robot) -> str:
@@ -91,16 +90,16 @@ def with_progress(runs: list[Run], progress: str, cells: int) -> list[Run]:
     return runs
 
 
-def page_runs(state: FleetState, robot: Robot, cells: int = PAGE) -> list[Run]:
+def page_texts(state: FleetState, robot: Robot, cells: int = PAGE) -> list[Run]:
     """Return what a robot does and its news for its page, shorter where they are more than `cells`: without
     red if all its alarms are acknowledged, as the tables have it."""
     does = activities(state, [robot]).get(robot.name)
-    runs = state_runs(state, robot, does, cells)
+    texts = state_texts(state, robot, does, cells)
     is_known = robot.name in acknowledged(state)
-    told = [(text, StyleRole.WARN if is_known and role is StyleRole.ALARM else role) for text, role in runs]
-    return [(text, StyleRole.TEXT if role is StyleRole.DIM else role) for text, role in told if text != " "]
+    told = [(text, StyleRole.WARN if is_known and role is StyleRole.ALARM else role) for text, role in texts]
+    return [(text, StyleRole.TEXT if role is StyleRole.DIM else role) for text, role in told]
 
 
 def told_text(state: FleetState, robot: Robot) -> str:
     """Return its state in its most urgent words alone: the first news, else what it does."""
-    return page_runs(state, robot)[0][0]
+    return page_texts(state, robot)[0][0]

@@ -19,12 +19,12 @@ from fleet_tui.text.sanitize import cell_width, fit, fit_words
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrangement import RowArrangement, Value
 from fleet_tui.view.tables.battery import battery_bar, battery_run
-from fleet_tui.view.tables.doing import CALM, missing, state_runs, with_progress, word
+from fleet_tui.view.tables.doing import CALM, missing, state_texts, with_progress, word
 from fleet_tui.view.tables.fleet_columns import Columns, floor_text
 from fleet_tui.view.tables.fleet_counts import fleet_counts
 from fleet_tui.view.tables.groups import GroupHead, head_row
 from fleet_tui.view.tables.missions import FOREIGN, destinations, mission, whose_mission
-from fleet_tui.view.tables.news import failed_command, is_late, news
+from fleet_tui.view.tables.news import failed_command, in_cells, is_late, listed, news
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, width_of
 
@@ -32,6 +32,7 @@ CARGO = "▪"
 WITH_WORD, WHOLE_ROUTES = 23, 26
 """Cells of the last column from which orders without a column of their own have the word that their robot
 drives, and their start, too."""
+_GAP: Run = " ", StyleRole.TEXT
 SEEN_FROM = 2.0
 """Seconds from which the age of a robot's last message is shown."""
 
@@ -99,7 +100,7 @@ def _row(
 ) -> Row:
     role = StyleRole.TEXT if state.is_online(robot) else StyleRole.DIM
     current, order = robot.orders.current, ""
-    runs = state_runs(state, robot, does, columns.state)
+    texts = state_texts(state, robot, does, columns.state)
     shown = current or next((one for one in all_orders(state, robot) if not one.is_over), None)
     if shown is not None:
         order = whose_mission(state, robot, shown)
@@ -110,8 +111,9 @@ def _row(
             order = destinations(robot, shown) or order
         # Beside a refused order the current one would read as that.
         order = "" if any(failed_command(state, robot)) else order
+        runs = [*in_cells(texts, columns.state), _GAP]
         return Row(robot.name, (*head, *_with_order(runs, order, progress, columns.state, does, role)))
-    runs = with_progress(runs, progress, columns.state)
+    runs = with_progress([*listed(texts), _GAP], progress, columns.state)
     placed = _placed(order, destinations(robot, shown) if shown else "", runs, columns)
     return Row(robot.name, (*head, (placed, role if shown is current else StyleRole.DIM), *runs))
 

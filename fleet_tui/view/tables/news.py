@@ -1,6 +1,6 @@
 """The news of a robot: what is not as usual, the most urgent first."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from fleet_tui.model.alarm import Alarm, AlarmStage, Priority
 from fleet_tui.model.fleet import FleetState, is_missing, missing_text, obstacle_text, offline_text
@@ -163,14 +163,38 @@ def _short(text: str) -> str:
     return f"{what}{colon}{rest.partition(' ')[0]}" if " -> " in rest else told
 
 
-def shortened_news(runs: list[Run], cells: int) -> list[Run]:
+def shortened_news(texts: list[Run], cells: int) -> list[Run]:
     """Return the news of a robot, if more would be cut, with the command that failed without what it was (the
     alarm has it), then one word for a pause, and beside others its sign."""
-    if width_of(runs) - 1 > cells:
-        runs = [(_short(text) if role is StyleRole.ALARM else text, role) for text, role in runs]
+    if width_of(listed(texts)) > cells:
+        texts = [(_short(text) if role is StyleRole.ALARM else text, role) for text, role in texts]
     paused = tr("paused")
-    for short in (paused, "‖")[: len(runs) // 2]:
-        if width_of(runs) - 1 <= cells:
+    for short in (paused, "‖")[: len(texts)]:
+        if width_of(listed(texts)) <= cells:
             break
-        runs = [(short if text.startswith(paused) else text, role) for text, role in runs]
-    return runs
+        texts = [(short if text.startswith(paused) else text, role) for text, role in texts]
+    return texts
+
+
+def with_commas(texts: Sequence[Run]) -> list[Run]:
+    """Return texts with a comma after each but the last."""
+    return [(f"{text},", role) for text, role in texts[:-1]] + list(texts[-1:])
+
+
+def listed(texts: Sequence[Run]) -> list[Run]:
+    """Return texts as a list in one line."""
+    return [run for text in with_commas(texts) for run in ((" ", StyleRole.TEXT), text)][1:]
+
+
+def in_cells(texts: Sequence[Run], cells: int) -> list[Run]:
+    """Return a list of texts in so many cells: of one that would be cut no more than what is before its
+    cause, and an ellipsis for others that have no space."""
+    for kept in range(len(texts), 0, -1):
+        told = listed(texts[:kept])
+        if kept < len(texts):
+            told.append(("…", StyleRole.DIM))
+        if width_of(told) <= cells:
+            return told
+    (text, role), more = texts[0], "…" * (len(texts) > 1)
+    what, colon, _ = text.partition(": ")
+    return [(what + "…" if colon else text + more, role)]

@@ -19,10 +19,10 @@ from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import command_text, stage_text
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import FEW
-from fleet_tui.view.tables.doing import page_runs
+from fleet_tui.view.tables.doing import page_texts
 from fleet_tui.view.tables.fleet_columns import floor_text
 from fleet_tui.view.tables.missions import whose_mission
-from fleet_tui.view.tables.news import without_cause
+from fleet_tui.view.tables.news import with_commas, without_cause
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import Row, Run, Table
 
@@ -36,7 +36,7 @@ def robot_page(state: FleetState, name: str, width: int, clock: Callable[[float]
     """Return the page of a robot for a pane of `width` cells; `clock` formats Unix seconds as local time."""
     robot = state.robots[name]
     rows = [
-        named("State", *page_runs(state, robot, width - NAME - 1)),
+        named("State", *with_commas(page_texts(state, robot, width - NAME - 1))),
         *value_rows(state, robot, width),
         *_alarms(state, robot, width - NAME - 1),
     ]

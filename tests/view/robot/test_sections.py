@@ -60,7 +60,7 @@ def test_the_state_is_told_even_of_a_calm_robot() -> None:
     idle = received(queue(T0))
     assert "State     idle\n" in text(state_section(idle, idle.robots[R0]))
     low = received(queue(T0), battery(T0 + 0.1, 5.0))
-    assert "State     idle battery 5 %" in text(state_section(low, low.robots[R0]))
+    assert "State     idle, battery 5 %" in text(state_section(low, low.robots[R0]))
     held = received(ObstacleReported(R0, T0 + 0.4, 54.0), at=T0 + 0.4)
     assert text(state_section(held, held.robots[R0])).count("obstacle 54 s") == 1
     said = Complaint("drive: ERROR no odometry, wheels slip on a wet floor", "diagnostics", True, T0)

@@ -67,7 +67,7 @@ def test_never_seen_until_it_speaks() -> None:
 
 def test_bad_data_is_marked_even_if_nothing_else_came() -> None:
     state = reduced(fleet(), events.MessageRejected(R0, "pose"), events.MessageRejected(R0, "pose"))
-    assert "never seen bad data x2" in row(state)
+    assert "never seen, bad data x2" in row(state)
     assert "bad data x1" in row(received(events.MessageRejected(R0, "pose")))
 
 
@@ -143,7 +143,7 @@ def test_a_robot_that_speaks_without_a_pose_is_not_well() -> None:
 
 @pytest.mark.parametrize(
     ("width", "said"),
-    [(40, "obstacle 4.2 s ‖"), (44, "obstacle 4.2 s paused "), (150, "obstacle 4.2 s paused (elsewhere)")],
+    [(40, "obstacle 4.2 s, ‖"), (44, "obstacle 4.2 s, paused "), (150, "obstacle 4.2 s, paused (elsewhere)")],
 )
 def test_a_pause_is_a_sign_where_its_words_would_be_cut(width: int, said: str) -> None:
     facts = events.ObstacleReported(R0, T0 + 1, 4.2), events.PausedReported(R0, T0 + 1, True)
@@ -183,7 +183,7 @@ def test_news_is_whole_where_the_floor_has_to_give_way() -> None:
         tick(T0 + 1),
     )
     shown = "".join(text for text, _ in fleet_table(state, R0, 47).rows[0].runs)[:47]
-    assert "obstacle 4.2 s paused" in shown
+    assert "obstacle 4.2 s, paused" in shown
 
 
 def test_an_order_that_is_only_listed_still_is_not_waiting() -> None:

@@ -8,7 +8,7 @@ from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.desk import events as desk_events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.news import news, shortened_news
+from fleet_tui.view.tables.news import in_cells, listed, news, shortened_news
 from fleet_tui.view.tables.table import Run
 from tests.support.fleets import LINK, R0, T0, battery, commanded, fleet, link_up, pose, queue, reduced, tick
 
@@ -45,16 +45,15 @@ def test_a_robot_that_was_never_seen_is_not_called_paused() -> None:
 @pytest.mark.parametrize(
     ("cells", "said"),
     [
-        (40, "obstacle 31 s paused (elsewhere) "),
-        (21, "obstacle 31 s paused "),
-        (15, "obstacle 31 s ‖ "),
-        (4, "obstacle 31 s ‖ "),
+        (40, "obstacle 31 s, paused (elsewhere)"),
+        (21, "obstacle 31 s, paused"),
+        (15, "obstacle 31 s, ‖"),
+        (4, "obstacle 31 s, ‖"),
     ],
 )
 def test_a_pause_gives_way_to_what_is_more_urgent(cells: int, said: str) -> None:
     state = received(BLOCKED, events.PausedReported(R0, T0 + 1, True))
-    runs = [run for text, role in found(state) for run in ((text, role), (" ", StyleRole.TEXT))]
-    assert "".join(text for text, _ in shortened_news(runs, cells)) == said
+    assert "".join(text for text, _ in listed(shortened_news(found(state), cells))) == said
 
 
 def test_the_cause_of_a_failure_stays_and_its_order_goes() -> None:
@@ -71,8 +70,24 @@ def test_the_cause_of_a_failure_stays_and_its_order_goes() -> None:
 
 
 def test_a_pause_alone_stays_a_word() -> None:
-    alone = [("paused (elsewhere)", StyleRole.WARN), (" ", StyleRole.TEXT)]
-    assert shortened_news(alone, 3)[0][0] == "paused"
+    assert shortened_news([("paused (elsewhere)", StyleRole.WARN)], 3)[0][0] == "paused"
+
+
+@pytest.mark.parametrize(
+    ("cells", "said"),
+    [
+        (40, "refused: no path, pose 25 s old, idle"),
+        (36, "refused: no path, pose 25 s old…"),
+        (32, "refused: no path, pose 25 s old…"),
+        (31, "refused: no path…"),
+        (16, "refused…"),
+        (8, "refused…"),
+    ],
+)
+def test_a_list_without_space_ends_with_a_whole_text(cells: int, said: str) -> None:
+    """Half a word, such as "po…", tells nothing."""
+    texts = [(text, StyleRole.TEXT) for text in ("refused: no path", "pose 25 s old", "idle")]
+    assert "".join(text for text, _ in in_cells(texts, cells)) == said
 
 
 def test_a_robot_behind_a_late_bridge_is_silent_and_not_offline() -> None:
