@@ -78,6 +78,8 @@ def test_what_is_odd_is_amber_counted_and_found_by_its_key(told: str) -> None:
     assert not state.alarms
     assert alarm_table(state, str, key="!").empty == "no alarms, 1 robot to look at (!)"
     assert "△ 0 alarms, 1 to look at  " in text_of(status_line(state, R0))
+    alarmed = reduced(state, battery(state.now, 5.0, robot=CALM), tick(state.now))
+    assert "▲ 1 alarm (1 new), 1 to look at  " in text_of(status_line(alarmed, R0))
     assert next_in_trouble(state, CALM) == R0
     assert "next_trouble" not in idle_hints(state)
 

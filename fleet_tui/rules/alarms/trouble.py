@@ -227,9 +227,19 @@ def needs_a_look(state: FleetState, name: str) -> bool:
 
 
 def trouble_elsewhere(state: FleetState, floor: str) -> str:
-    """Return who is in trouble on other floors than this one, empty if nobody of whom nobody knows."""
-    away = [state.robots[name] for name in sorted(in_trouble(state) - acknowledged(state))]
-    away = [robot for robot in away if robot.floor not in (None, floor)]
+    """Return who is in trouble on other floors than this one and nobody knows of, after a `!`, else who is to
+    be looked at there; empty if nobody."""
+    away = _away(state, in_trouble(state) - acknowledged(state), floor)
     if len(away) == 1:
         return f"! {away[0].name} on {away[0].floor}"
-    return f"! {len(away)} on other floors" if away else ""
+    if away:
+        return f"! {len(away)} on other floors"
+    odd = _away(state, to_look_at(state), floor)
+    if len(odd) == 1:
+        return f"look at {odd[0].name} on {odd[0].floor}"
+    return f"look at {len(odd)} on other floors" if odd else ""
+
+
+def _away(state: FleetState, names: Iterable[str], floor: str) -> list[Robot]:
+    robots = (state.robots[name] for name in sorted(names))
+    return [robot for robot in robots if robot.floor not in (None, floor)]

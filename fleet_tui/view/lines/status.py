@@ -134,7 +134,7 @@ def status_line(
     runs.append(
         (tr(f"{sign} {alarms} alarm{'s' * (alarms != 1)}") + (tr(f" ({fresh} new)") if fresh else ""), role)
     )
-    if not alarms and (odd := len(to_look_at(state))):
+    if odd := len(to_look_at(state)):
         runs.append((tr(f", {odd} to look at"), StyleRole.WARN))
     runs.extend(_by_site(state, role))
     runs.append(("  ", StyleRole.TEXT))

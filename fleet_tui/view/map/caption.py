@@ -22,7 +22,8 @@ _BANNER = 34  # cells of a banner that are worth more than the floor
 class Caption:
     """The content of the first row. `waits`: the note only says what has not arrived yet; `banner` is that of
     the map's mode, `pixel` the map's cell under its cursor; `hint` names the key of help, `elsewhere`
-    robots in trouble out of view and on other floors; `whole`: all of the floor is in view."""
+    robots in trouble out of view and on other floors, after a `!` those with an alarm; `whole`: all of the
+    floor is in view."""
 
     floor: str
     note: str
@@ -77,7 +78,8 @@ def _pieces(facts: Caption) -> list[Piece]:
     if facts.banner:
         pieces.append((facts.banner, StyleRole.TEXT))
     if facts.elsewhere:
-        pieces.append((sanitize(facts.elsewhere), StyleRole.ALARM))
+        is_alarm = facts.elsewhere.startswith("!")
+        pieces.append((sanitize(facts.elsewhere), StyleRole.ALARM if is_alarm else StyleRole.WARN))
     if facts.note:
         pieces.append((sanitize(facts.note), StyleRole.DIM if facts.waits else StyleRole.WARN))
     return [

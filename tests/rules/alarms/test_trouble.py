@@ -63,6 +63,14 @@ def test_who_is_in_trouble_is_named_where_the_floor_is_not_shown() -> None:
     assert trouble_elsewhere(low(R0), "floor_0") == ""
 
 
+def test_who_is_to_be_looked_at_is_named_where_the_floor_is_not_shown_after_those_with_alarms() -> None:
+    state = reduced(low(), PausedReported("robot_1", T0, True), tick(T0))
+    assert trouble_elsewhere(state, "floor_0") == "look at robot_1 on floor_1"
+    assert trouble_elsewhere(state, "floor_1") == ""
+    alarmed = reduced(state, battery(T0, 5.0), tick(T0 + 1))
+    assert trouble_elsewhere(alarmed, "floor_1") == "! robot_0 on floor_0"
+
+
 def test_the_next_one_in_trouble_is_the_next_row_of_the_alarms() -> None:
     state = low("robot_1", R0)
     assert next_in_trouble(state, R0) == "robot_1" and next_in_trouble(state, "robot_1") == R0

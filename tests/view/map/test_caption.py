@@ -12,6 +12,7 @@ from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.caption import Caption, caption_row
 from fleet_tui.view.map.drawing import Drawing
+from fleet_tui.view.roles import StyleRole
 from tests.support.hostile_text import TEXTS
 
 
@@ -64,6 +65,13 @@ def test_it_tells_why_a_view_that_follows_does_not_move() -> None:
 
 def test_trouble_on_another_floor_comes_before_the_scale() -> None:
     assert "robot_9 on floor_1" in row(40, elsewhere="! robot_9 on floor_1")
+
+
+def test_of_those_elsewhere_only_an_alarm_is_red() -> None:
+    frame = MapFrame(0.05, 400, 200, Pose(0.0, 0.0))
+    facts = Caption("hall", "", frame, Camera.fit((400, 200), 60, 20), Drawing.BRAILLE, False, False, False)
+    for elsewhere, role in (("! r on f", StyleRole.ALARM), ("look at r on f", StyleRole.WARN)):
+        assert role in caption_row(replace(facts, elsewhere=elsewhere)).roles
 
 
 def test_the_place_of_a_cursor_is_readable_in_a_narrow_pane() -> None:
