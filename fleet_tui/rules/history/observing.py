@@ -11,6 +11,7 @@ from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.order import Order, route_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.told import told
+from fleet_tui.rules.commands.follow_up import seen_end
 from fleet_tui.rules.history.activity import activity
 from fleet_tui.rules.why.reason import name_of
 
@@ -81,8 +82,9 @@ class Observer:
         traces, gone = (before.traces, before.gone) if before else ({}, ())
         for gone_order in robot.gone:
             if gone_order not in gone:
-                at, stage = gone_order.at, gone_order.stage.value
-                yield _change(state, robot, gone_order.order, at, stage, gone_order.reason)
+                stage = seen_end(state, robot.name, gone_order)
+                reason = gone_order.reason if stage is gone_order.stage else "by this console"
+                yield _change(state, robot, gone_order.order, gone_order.at, stage.value, reason)
         for id_, trace in robot.traces.items():
             known = traces.get(id_)
             if known is not None and not _is_same(known.order, trace.order):

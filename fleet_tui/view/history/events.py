@@ -30,7 +30,8 @@ class EventKind(Enum):
 class PastEvent(Struct, frozen=True):
     """One line of a history. Unix seconds: `at` its begin, `ended` its end, None while it goes on or if it
     has none. `subject` is the robot or link, `what` its name, `outcome` how it ended in a word or two,
-    `detail` the reason and the durations; `is_trouble`: somebody had to look."""
+    `detail` the reason and the durations; `is_trouble`: somebody had to look; `begun`: when a robot began an
+    order, None if it did not, or nobody saw it."""
 
     at: float
     ended: float | None
@@ -41,11 +42,13 @@ class PastEvent(Struct, frozen=True):
     detail: str = ""
     operator: str = ""
     is_trouble: bool = False
+    begun: float | None = None
 
     @property
     def told_at(self) -> float:
-        """Return the time of what its text says: of an order its end, of all else its begin."""
-        return self.ended if self.kind is EventKind.ORDER and self.ended is not None else self.at
+        """Return the time of what its text says: of an order its last step, of all else its begin."""
+        steps = (self.ended, self.begun) if self.kind is EventKind.ORDER else ()
+        return next((step for step in steps if step is not None), self.at)
 
     @property
     def text(self) -> str:
@@ -100,7 +103,7 @@ def _of_order(order: PastOrder) -> PastEvent:
     reason = [] if order.stage == DONE or not order.reason else [order.reason]
     return PastEvent(
         *(order.queued, ended, EventKind.ORDER, order.robot, f"order {order.order} {order.way}"),
-        *(order.stage, ", ".join([*reason, *took]), order.operator, order.stage in TROUBLE),
+        *(order.stage, ", ".join([*reason, *took]), order.operator, order.stage in TROUBLE, begun),
     )
 
 

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from msgspec import structs
 
 from fleet_tui.model.alarm import Alarm, Condition, Priority
-from fleet_tui.model.commands import Stage
+from fleet_tui.model.commands import CancelOrder, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity, Charge, LaterCause, LinkChange, OrderChange, Span
 from fleet_tui.rules.history.observing import EVERY, HOUR, SLEPT, Fact, Observer
@@ -76,6 +76,18 @@ def test_an_order_that_vanishes_is_lost() -> None:
     state = reduced(state, queue(T0 + 1), pose(T0 + 1), tick(T0 + 1))
     assert of_orders(told(observer, state)) == [("7", Stage.LOST.value)]
     assert of_orders(told(observer, state)) == []
+
+
+def test_an_order_that_this_console_cancelled_is_not_lost() -> None:
+    state = reduced(
+        fleet(), link_up(T0), graph(1, 2), pose(T0), queue(T0, (7, 1, 2, "Q"), (8, 2, 1, "Q")), tick(T0)
+    )
+    observer = Observer()
+    told(observer, state)
+    cancel = commanded(1, CancelOrder(R0, "7"), Stage.SENT, Stage.ACCEPTED, at=T0 + 0.5)
+    state = reduced(state, *cancel, queue(T0 + 1, (8, 2, 1, "Q")), pose(T0 + 1), tick(T0 + 1))
+    (change,) = (fact for fact in told(observer, state) if isinstance(fact, OrderChange))
+    assert (change.stage, change.reason) == ("cancelled", "by this console")
 
 
 def test_the_command_that_placed_an_order_is_named() -> None:

@@ -25,6 +25,11 @@ def test_an_order_is_told_with_its_end_and_durations() -> None:
     ]
 
 
+def test_an_order_stands_at_the_time_of_its_last_step() -> None:
+    driven = PastOrder("robot_1", "15", "-> Base", "floor_0", 12.0, 27.0, None, "begun", "", "")
+    assert [event.told_at for event in past_events([OPEN, driven, ORDER])] == [12.0, 27.0, 85.0]
+
+
 def test_an_alarm_is_told_with_how_long_it_held_and_who_saw_it() -> None:
     assert texts((), [ALARM, UNSEEN, HELD]) == [
         "robot_1 stuck alarm, stuck for 60 s: held 60 s (2 times, acknowledged after 30 s), by bo",
