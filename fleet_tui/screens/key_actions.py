@@ -192,7 +192,7 @@ def _mark_alarm(screen: "MainScreen", keys: Sequence[Key]) -> None:
             screen.set_focus(screen.alarms)
             screen.notices.say(sanitize(f"{one.condition.source} {one.text}"))
     if not keys:
-        screen.notices.say("no robot has an alarm or may need a person")
+        screen.notices.hint("no robot has an alarm or may need a person")
 
 
 def _place_actions(rest: "Rest") -> PlaceActions:

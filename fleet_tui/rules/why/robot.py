@@ -176,7 +176,8 @@ def misplaced(state: FleetState, robot: Robot) -> Reason | None:
     is_sure = is_now or misplaced_for_long(state, robot) is not None
     strength = Strength.CERTAIN if is_sure else Strength.LIKELY
     strength = strength if state.is_fresh(robot, "pose") else Strength.POSSIBLE
-    return Reason(text, evidence, strength, seen=found.at, keys=("pose", "centre"), remedy=WRONG_POSE)
+    remedy, keys = _to_place(state, robot)
+    return Reason(text, evidence, strength, seen=found.at, keys=keys, remedy=remedy)
 
 
 def off_graph(state: FleetState, robot: Robot) -> Reason | None:
@@ -185,8 +186,15 @@ def off_graph(state: FleetState, robot: Robot) -> Reason | None:
         return None
     name, evidence = f"pose {metres_off(robot):.1f} m off the route graph", "its order leads along the edges"
     strength = Strength.LIKELY if misplaced_for_long(state, robot) is None else Strength.CERTAIN
-    keys = ("pose", "centre")
-    return Reason(name, evidence, strength, seen=robot.pose.at, keys=keys, remedy=WRONG_POSE)
+    remedy, keys = _to_place(state, robot)
+    return Reason(name, evidence, strength, seen=robot.pose.at, keys=keys, remedy=remedy)
+
+
+def _to_place(state: FleetState, robot: Robot) -> tuple[str, tuple[str, ...]]:
+    """Return what to do about a wrong pose, and its keys: while a robot drives none is set."""
+    if robot.orders.current is None or state.is_paused(robot):
+        return WRONG_POSE, ("pose", "centre")
+    return CLASSES["localisation"].action, ("pause", "pose", "centre")
 
 
 def charges(state: FleetState, robot: Robot) -> Reason | None:

@@ -15,7 +15,7 @@ from fleet_tui.rules.localisation.misplaced import HELD, misplaced_text
 from fleet_tui.rules.why.reason import Strength
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.view.tables.news import news
-from tests.support.fleets import F0, R0, T0, fleet, link_up, pose, reduced, tick
+from tests.support.fleets import F0, R0, T0, fleet, link_up, pose, queue, reduced, tick
 
 FRAME = MapFrame(0.05, 100, 100)
 OFF, WALL = "pose off the map", "pose inside a wall"
@@ -60,6 +60,15 @@ def test_who_is_off_the_map_is_in_its_row_found_and_explained_first() -> None:
     first = reasons(state, robot)[0]
     assert (first.name, first.strength) == (OFF, Strength.CERTAIN)
     assert first.remedy.startswith("Set its pose") and first.keys[0] == "pose"
+
+
+def test_who_drives_is_paused_before_its_pose_is_set() -> None:
+    driving = queue(T0, (4, 1, 2, "W"), current=4)
+    state = at(-3.0, 1.0, driving, tick(T0))
+    first = reasons(state, state.robots[R0])[0]
+    assert first.remedy.startswith("Pause it and set its pose") and first.keys[0] == "pause"
+    state = at(-3.0, 1.0, driving, PausedReported(R0, T0, True), tick(T0))
+    assert reasons(state, state.robots[R0])[0].keys[0] == "pose"
 
 
 def test_every_robot_of_a_crowd_is_looked_at_within_half_a_second() -> None:

@@ -103,7 +103,7 @@ def test_a_robot_with_an_order_and_a_pose_beside_all_edges_is_said_to_be_off_the
     drives: list[Event] = [link_up(T0 - 9), graph(1, 2, 3), pose(T0 - 0.5, 1.0, 2.5), pose(T0, 1.4, 2.6)]
     busy = reduced(fleet(), *drives, queue(T0, (1, 3, 1, "W"), current=1), tick(T0))
     found = reasons(busy, busy.robots[R0])[0]
-    assert found.name == "pose 2.6 m off the route graph" and found.keys[0] == "pose"
+    assert found.name == "pose 2.6 m off the route graph" and found.keys[0] == "pause"
     later = reduced(busy, pose(T0 + 1, 1.8, 2.6), tick(T0 + 1))  # poses are compared with it once a second
     assert to_look_at(later) == (R0,)
     assert "pose doubtful" in [text for text, _ in news(later, later.robots[R0])]
