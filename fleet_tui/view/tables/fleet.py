@@ -113,8 +113,9 @@ def _row(
         order = "" if any(failed_command(state, robot)) else order
         runs = [*in_cells(texts, columns.state), _GAP]
         return Row(robot.name, (*head, *_with_order(runs, order, progress, columns.state, does, role)))
-    runs = with_progress([*listed(texts), _GAP], progress, columns.state)
-    placed = _placed(order, destinations(robot, shown) if shown else "", runs, columns)
+    placed = _placed(order, destinations(robot, shown) if shown else "", width_of(listed(texts)), columns)
+    cells = columns.state + columns.order - cell_width(placed)
+    runs = with_progress([*in_cells(texts, cells), _GAP], progress, cells)
     return Row(robot.name, (*head, (placed, role if shown is current else StyleRole.DIM), *runs))
 
 
@@ -131,12 +132,12 @@ def _with_order(
     return [*runs, (told, role)]
 
 
-def _placed(order: str, shorter: str, runs: list[Run], columns: Columns) -> str:
-    """Return an order in its column, without its start if that is too long. A long state takes what the order
-    leaves free."""
-    if cell_width(order) >= columns.order:
+def _placed(order: str, shorter: str, state: int, columns: Columns) -> str:
+    """Return an order in its column, without its start if that is too long. A state of more cells than its
+    column takes what the order leaves free, and what that is without its start."""
+    over = max(0, state - columns.state)
+    if cell_width(order) >= columns.order or (over and cell_width(order) + over > columns.order - 2):
         order = shorter or order
-    over = max(0, width_of(runs) - 1 - columns.state)
     cells = columns.order - min(over, max(0, columns.order - 2 - cell_width(order)))
     return fit_words(order, cells - 1) + " "
 

@@ -126,10 +126,19 @@ def test_the_alarm_of_a_battery_reads_below_the_limit_too() -> None:
     assert [alarm.text for alarm in received(battery(T0 + 1, 19.6)).alarms] == ["battery 19 %"]
 
 
+def test_an_order_gives_its_start_to_a_long_state() -> None:
+    order = queue(T0 + 1, (4, 1, 2, "W"), current=4), labels({1: "Receiving", 2: "Dock"}), graph(1, 2)
+    calm = received(*order)
+    assert "Receiving -> Dock" in text_of(fleet_table(calm, R0, 100).rows[0].runs)
+    old = reduced(calm, events.CargoReported(R0, T0 + 40, True), tick(T0 + 40))
+    told = text_of(fleet_table(old, R0, 100).rows[0].runs)
+    assert "Receiving" not in told and "-> Dock  pose 39 s old, " in told
+
+
 def test_a_value_gone_quiet_shows_its_age_while_the_robot_speaks() -> None:
     state = reduced(received(at=T0), events.CargoReported(R0, T0 + 40, True), tick(T0 + 40))
     for name in ("pose", "battery", "queue"):
-        assert f"{name} 40 s old" in row(state)
+        assert f"{name} 40 s old" in text_of(fleet_table(state, R0, 200).rows[0].runs)
     assert "offline" not in row(state)
     assert "old" not in row(reduced(state, tick(T0 + 90)))  # then it is offline, which says more
 
