@@ -17,6 +17,7 @@ from fleet_tui.rules.causes import cause_of_end, remedy_of
 from fleet_tui.rules.commands.follow_up import seen_end
 from fleet_tui.rules.commands.local_queue import waiting
 from fleet_tui.rules.commands.newest import last_command
+from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.why.reason import (
     LOOK_AT,
     RECENT,
@@ -34,6 +35,7 @@ REJECTED = "Check that its navigation is active: `fleet-tui doctor` asks it"
 CHECK_DELIVERY = "Check where the robot and its load are, correct its pose if it is wrong, order again"
 SHORT = 20.0
 """Seconds of standing with an order that need no cause."""
+RESTART = "Restart the program that carries out its orders, then check them"
 LOOK = "Go and look at it: its way, wheels, emergency stop, manual mode"
 
 
@@ -160,6 +162,22 @@ def none_current(_state: FleetState, robot: Robot) -> Reason | None:
         name = f"order {waiting[0].id} queued but not started"
     seen, keys = robot.queue.at, ("clear", "order")
     return Reason(name, evidence, Strength.LIKELY, seen=seen, keys=keys, remedy=LOOK, page="log")
+
+
+def stale_queue(state: FleetState, robot: Robot) -> Reason | None:
+    """Report that its orders are not listed any more, while the robot itself reports."""
+    if robot.queue is None or robot.orders.current is None or not state.is_old(robot, "queue"):
+        return None
+    if not state.is_online(robot) or is_overloaded(state.links[robot.link]):
+        return None
+    evidence = "its other reports arrive: the program that carries out its orders has probably stopped"
+    return Reason(
+        f"queue {age(state.now - robot.queue.at)} old",
+        evidence,
+        Strength.LIKELY,
+        keys=("diagnostics",),
+        remedy=RESTART,
+    )
 
 
 def _ruled_out(state: FleetState, robot: Robot) -> Iterator[str]:

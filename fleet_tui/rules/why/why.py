@@ -32,6 +32,7 @@ from fleet_tui.rules.why.orders import (
     failed_order,
     no_orders,
     none_current,
+    stale_queue,
     unexplained,
     waits_behind,
 )
@@ -75,6 +76,7 @@ RULES: tuple[Rule, ...] = (
     *NAVIGATION_REASONS,
     own_late_pause,
     stale_pose,
+    stale_queue,
     jumps,
     command,
     failed_order,

@@ -10,7 +10,7 @@ from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.order import Order, at_vertices
 from fleet_tui.model.order_life import GoneOrder
 from fleet_tui.rules.causes import HELD_FAST, NO_WAY
-from fleet_tui.rules.why.orders import CHECK_DELIVERY, REJECTED
+from fleet_tui.rules.why.orders import CHECK_DELIVERY, REJECTED, RESTART
 from fleet_tui.rules.why.reason import LOOK_AT, Reason
 from fleet_tui.rules.why.why import reasons
 from tests.support.fleets import (
@@ -51,6 +51,16 @@ def test_after_an_own_order_without_progress_w_offers_to_look_at_the_robot() -> 
         failed = reduced(moved(GOALS), pose(T0 + 9), queue(T0 + 9), *given, end, tick(T0 + 9))
         keys = reasons(failed, failed.robots[R0])[0].keys
         assert ({*LOOK_AT, "diagnostics"} <= {*keys}) == offered and "order" in keys
+
+
+def test_orders_that_are_not_listed_any_more_are_why_a_robot_stands() -> None:
+    order = queue(T0, (4, 1, 2, "W"), current=4)
+    still = reduced(moved(FULL), pose(T0), order, tick(T0 + 1))
+    gone = reduced(still, *(pose(T0 + n) for n in range(2, 31)), tick(T0 + 30))
+    found = reasons(gone, gone.robots[R0])[0]
+    assert (found.name, found.remedy, found.keys) == ("queue 30 s old", RESTART, ("diagnostics",))
+    listed = reduced(gone, queue(T0 + 30, (4, 1, 2, "W"), current=4), tick(T0 + 30))
+    assert not any(one.name.startswith("queue") for one in reasons(listed, listed.robots[R0]))
 
 
 def test_an_idle_robot_at_the_charger_has_no_orders_first() -> None:
