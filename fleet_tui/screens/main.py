@@ -2,7 +2,7 @@
 
 import math
 import time
-from collections.abc import Hashable, Mapping
+from collections.abc import Mapping
 from functools import partial
 from inspect import isawaitable
 from typing import TYPE_CHECKING
@@ -58,8 +58,6 @@ class MainScreen(Screen[None]):
     rest: "Rest"
     alarm_cleared_at = -math.inf
     """When the alarm under the cursor went by itself, or gave way to a worse one (monotonic)."""
-    _proposed: Hashable | None = None
-    """The alarm that was marked without anybody's choice."""
 
     def __init__(
         self,
@@ -164,7 +162,7 @@ class MainScreen(Screen[None]):
         self.fleet.listing.cursor = robot
         if (key := alarm_of(self.store.state, robot)) is not None:
             # An acknowledgement after a choice means that robot.
-            self.alarms.listing.cursor, self._proposed = key, None
+            self.alarms.listing.cursor, self.alarms.listing.proposed = key, None
 
     def _show_floor(self, state: FleetState) -> None:
         from fleet_tui.screens.ordering.route_line import show_route
@@ -180,15 +178,16 @@ class MainScreen(Screen[None]):
 
     def _mark_alarm(self, state: FleetState) -> None:
         """Mark an alarm, of those that wait for an acknowledgement unless the pane has the focus."""
-        fresh = unacknowledged(state)
-        marked = self.alarms.listing.cursor
+        fresh, listing = unacknowledged(state), self.alarms.listing
+        marked = listing.cursor
         if marked is not None and all(alarm.key != marked for alarm in state.alarms):
             self.alarm_cleared_at = time.monotonic()
-        is_own = marked == self._proposed and marked in fresh  # nobody chose it: it gives way to a worse one
+        # What nobody chose gives way to a worse one.
+        is_own = marked == listing.proposed and marked in fresh
         if fresh and (is_own or marked not in fresh) and not self.alarms.has_focus:
             if is_own and marked != fresh[0]:
                 self.alarm_cleared_at = time.monotonic()
-            self.alarms.listing.cursor = self._proposed = fresh[0]
+            listing.cursor = listing.proposed = fresh[0]
 
     def _forget_trails(self) -> bool:
         if self.is_complete:

@@ -22,6 +22,8 @@ class Listing:
 
     def __init__(self) -> None:
         self.cursor: Hashable | None = None
+        self.proposed: Hashable | None = None
+        """The cursor's row if nobody chose it."""
         self.marks: dict[Hashable, Hashable] = {}
         """Keys of the marked rows, by what identifies them while rows move."""
         self._table = Table((), ())
@@ -44,7 +46,7 @@ class Listing:
             places = [place for place, key in enumerate(keys) if key is not None]
             first = places[0] if places else 0
             self._place = max((place for place in places if place <= self._place), default=first)
-            self.cursor = keys[self._place] if places else None
+            self.cursor = self.proposed = keys[self._place] if places else None
 
     def move(self, step: int) -> bool:
         """Move the cursor by rows, at most to the last one that can have it; return False if there are
@@ -55,7 +57,7 @@ class Listing:
             wanted = max(places[0], min(self._place + step, places[-1]))
             ahead = bisect_left(places, wanted) if step > 0 else bisect_right(places, wanted) - 1
             self._place = places[ahead]
-            self.cursor = keys[self._place]
+            self.cursor, self.proposed = keys[self._place], None
         return bool(keys)
 
     def toggle_mark(self) -> None:

@@ -43,6 +43,18 @@ def test_the_cursor_never_stays_on_a_row_that_has_none() -> None:
     assert listing.cursor == "d"
 
 
+def test_a_row_that_the_cursor_came_to_by_itself_is_only_proposed() -> None:
+    listing = Listing()
+    listing.show(table("a", "b"))
+    assert listing.proposed == "a"
+    listing.move(0)
+    assert listing.proposed is None, "a click on the marked row chooses it"
+    listing.show(table("a", "b"))
+    assert listing.proposed is None, "new rows take no choice back"
+    listing.show(table("b"))
+    assert listing.proposed == "b"
+
+
 def test_an_empty_table_says_why() -> None:
     listing = Listing()
     listing.show(table())
