@@ -11,13 +11,15 @@ BROAD = 180
 """Cells from which its buttons are side by side."""
 PAGE_BESIDE = 45
 """Lines of the panes from which a robot's page has all its sections one below the other."""
-LEAST_BESIDE, MAP_SHARE = 78, 10 / 21
+LEAST_BESIDE, MAP_SHARE = 78, 1 / 2
 """Cells from which a narrow screen can have the tables beside its map, and the map's share of them: as in
 `fleet.tcss`."""
 LEAST_PAGE, SHORT_PAGE = 6, 4
 """Lines from which the robot's page and the last events are worth their place, and from which the page has
 lines that else were blank."""
-LEAST_EVENTS = 3
+LEAST_EVENTS, BELOW_NARROW = 3, 4
+"""Those from which they have a place on a narrow screen, and those that they and the queue keep there."""
+MOST_TALL = 1.2
 WIDE_SHARE, LEAST_TABLES, WIDE_TABLES = 0.6, 77, 92
 """The map's share of a wide screen's cells, those that the tables keep if the map can use more, and those of
 tables with all their columns, which a large screen has beside its map."""
@@ -106,8 +108,10 @@ def is_beside_events(left: int, width: int, lines: int, fleet: int, column: int)
 
 def below_floor(lines: int, floor: int, is_narrow: bool = False) -> int:
     """Return the lines for the last events below a map whose fitted floor takes `floor` lines (0 for none).
-    On a narrow screen few are better than a blank, and one is kept for labels beyond the walls."""
-    left = lines - max(floor + is_narrow, LEAST_MAP)
+    On a narrow screen few are better than a blank; what they and the queue need not may stretch the floor."""
+    if is_narrow:
+        floor = max(floor + 1, min(round(floor * MOST_TALL), lines - BELOW_NARROW))
+    left = lines - max(floor, LEAST_MAP)
     return left if left >= (LEAST_EVENTS if is_narrow else LEAST_PAGE) else 0
 
 

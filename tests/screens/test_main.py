@@ -22,7 +22,7 @@ async def test_every_pane_is_in_view(server: RosbridgeServer, size: tuple[int, i
         for word in ("floor_0", "Fleet", "Alarms", "Queue robot_0", "robot_1", "? ", "order", server.url):
             assert word in text
         assert "0 alarms" in text
-        assert "██" in it.pane("map")
+        assert "▀▀▀" in it.pane("map")
         assert len(text.splitlines()) == size[1]
 
 

@@ -28,13 +28,13 @@ async def test_each_pane_has_what_its_rows_need_and_the_robots_page_the_rest(ser
     async with console(config_of(server.url, 12), (80, 24), wait=False) as it:
         await it.until(lambda _: it.app.main.is_complete)
         await it.until(
-            lambda _: heights(it) == {"map": 15, "recent": 4, "queue": 2, "fleet": 15, "alarms": 6}
+            lambda _: heights(it) == {"map": 17, "recent": 2, "queue": 2, "fleet": 15, "alarms": 6}
         )
 
 
 async def test_a_small_screen_has_the_robots_page_below_its_tables(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2), (80, 24)) as it:
-        below = {"map": 15, "recent": 4, "queue": 2}
+        below = {"map": 17, "recent": 2, "queue": 2}
         await it.until(lambda _: heights(it) == {**below, "fleet": 5, "alarms": 3, "page": 13})
         await it.shows("0 s", "page")
         assert "…" not in it.pane("page")

@@ -1,17 +1,22 @@
 """The visible part of the map: an immutable camera over map pixels, snapped to whole cells.
 
-A cell is 2 x 4 dots; `scale` is map pixels per dot. Cells are counted from the map's upper left pixel, so a
-dot always covers the same pixels and panning does not shimmer.
+A cell is 2 x 4 dots; `scale` is map pixels per dot, down the view `scale / tall`. Cells are counted from the
+map's upper left pixel, so a dot always covers the same pixels and panning does not shimmer.
 """
 
 import math
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.rules.rates.attention import SeenArea
 
 DOTS_X, DOTS_Y = 2, 4
 MIN_SCALE = 0.125
+SMALL = 20
+"""Lines of a view below which a fitted area is stretched: a few more cells are worth more than its shape."""
+MOST_TALL = 1.2
+"""By how much it is drawn longer down or across at most."""
 ZOOM_STEP = math.sqrt(2.0)
 BEYOND = 0.25
 """Share of the view's size around it that counts as seen: the map may be moved there next."""
@@ -25,7 +30,7 @@ Area = tuple[float, float, float, float]
 @dataclass(frozen=True, slots=True)
 class Camera:
     """column, row: the view's centre in map pixels; scale: pixels per dot; width, height: cells;
-    extent: the map's width and height in pixels."""
+    extent: the map's width and height in pixels; tall: how much longer lengths are drawn down than across."""
 
     column: float
     row: float
@@ -33,37 +38,53 @@ class Camera:
     width: int
     height: int
     extent: tuple[int, int]
+    tall: float = 1.0
 
     @classmethod
     def fit(cls, extent: tuple[int, int], width: int, height: int, area: Area | None = None) -> "Camera":
-        """Return the camera that shows the area, by default the whole map, as large as possible."""
+        """Return the camera that shows the area, by default the whole map, as large as possible; in a small
+        view it fills more of it than its shape would."""
         left, top, right, bottom = area or (0.0, 0.0, *extent)
-        scale = _fit_scale((right - left, bottom - top), width, height)
-        return cls((left + right) / 2, (top + bottom) / 2, scale, width, height, extent)
+        middle = (left + right) / 2, (top + bottom) / 2
+        scales = _fit_scales((right - left, bottom - top), width, height)
+        if height >= SMALL or min(scales) == MIN_SCALE or min(left, top) < 0:
+            return cls(*middle, max(scales), width, height, extent)
+        x, y = _snug(left, right, width, DOTS_X), _snug(top, bottom, height, DOTS_Y)
+        across = max(x.scale, _stretched(x, y.scale, scales[0]))
+        down = max(y.scale, _stretched(y, x.scale, scales[1]))
+        column = x.middle if across == x.scale else middle[0]
+        row = y.middle if down == y.scale else middle[1]
+        return cls(column, row, across, width, height, extent, across / down)
 
     @staticmethod
     def lines_of(extent: tuple[int, int], width: int, area: Area | None = None) -> int:
         """Return the lines from which the area, by default the whole map, fills `width` cells when fitted."""
         left, top, right, bottom = area or (0.0, 0.0, *extent)
-        scale = _fit_scale((right - left, 0.0), width, 1)
+        scale = max(_fit_scales((right - left, 0.0), width, 1))
         return math.ceil((bottom - top) / (DOTS_Y * scale)) + 1
+
+    @property
+    def cell(self) -> tuple[float, float]:
+        """Return the size of a cell in map pixels: across, down."""
+        return DOTS_X * self.scale, DOTS_Y * self.scale / self.tall
 
     @property
     def origin(self) -> tuple[int, int]:
         """Return the upper left cell of the view, in whole cells from the map's upper left corner."""
-        across, down = self.column / (DOTS_X * self.scale), self.row / (DOTS_Y * self.scale)
-        return round(across - self.width / 2), round(down - self.height / 2)
+        across, down = self.cell
+        return round(self.column / across - self.width / 2), round(self.row / down - self.height / 2)
 
     def to_cell(self, column: float, row: float) -> tuple[int, int]:
         """Return the cell (x, y) of the view for a map pixel; may lie outside the view."""
         left, top = self.origin
-        x = math.floor(column / (DOTS_X * self.scale)) - left
-        return x, math.floor(row / (DOTS_Y * self.scale)) - top
+        across, down = self.cell
+        return math.floor(column / across) - left, math.floor(row / down) - top
 
     def to_pixel(self, x: int, y: int) -> tuple[float, float]:
         """Return the map pixel (column, row) in the middle of cell (x, y)."""
         left, top = self.origin
-        return (left + x + 0.5) * DOTS_X * self.scale, (top + y + 0.5) * DOTS_Y * self.scale
+        across, down = self.cell
+        return (left + x + 0.5) * across, (top + y + 0.5) * down
 
     def shows(self, x: int, y: int) -> bool:
         """Tell whether cell (x, y) is in the view."""
@@ -78,17 +99,19 @@ class Camera:
     def centred_within(self, column: float, row: float, area: Area) -> "Camera":
         """Return the camera centred as near to there as shows nothing beyond the area."""
         left, top, right, bottom = area
-        across, down = self.width * DOTS_X * self.scale, self.height * DOTS_Y * self.scale
-        return self.centred(_held(column, left, right, across), _held(row, top, bottom, down))
+        across, down = self.cell
+        held = _held(column, left, right, self.width * across), _held(row, top, bottom, self.height * down)
+        return self.centred(*held)
 
     def panned(self, right: int, down: int) -> "Camera":
         """Return the camera moved by whole cells."""
-        return self.centred(self.column + right * DOTS_X * self.scale, self.row + down * DOTS_Y * self.scale)
+        wide, high = self.cell
+        return self.centred(self.column + right * wide, self.row + down * high)
 
     def zoomed(self, factor: float, about: tuple[float, float] | None = None) -> "Camera":
         """Return the camera zoomed in by `factor` (above 1) or out, with map pixel `about` staying in
         place."""
-        furthest = max(2.0 * _fit_scale(self.extent, self.width, self.height), MIN_SCALE)
+        furthest = max(2.0 * Camera.fit(self.extent, self.width, self.height).scale, MIN_SCALE)
         scale = min(max(self.scale / factor, MIN_SCALE), furthest)
         column, row = about or (self.column, self.row)
         ratio = scale / self.scale
@@ -129,16 +152,36 @@ def _held(at: float, low: float, high: float, view: float) -> float:
     return min(max(at, middle - spare), middle + spare) if spare > 0 else middle
 
 
-def _fit_scale(extent: tuple[float, float], width: int, height: int) -> float:
+def _fit_scales(extent: tuple[float, float], width: int, height: int) -> tuple[float, float]:
     # One extra cell on each side: snapping to whole cells then never cuts the map's rim off.
     across = extent[0] / (DOTS_X * max(width - 2, 1))
-    return max(across, extent[1] / (DOTS_Y * max(height - 1, 1)), MIN_SCALE)
+    return max(across, MIN_SCALE), max(extent[1] / (DOTS_Y * max(height - 1, 1)), MIN_SCALE)
+
+
+class _Snug(NamedTuple):
+    """The scale at which a length of the map takes all cells of a view, and their middle in pixels."""
+
+    scale: float
+    middle: float
+
+
+def _snug(low: float, high: float, cells: int, dots: int) -> _Snug:
+    first = math.floor(low * cells / (high - low))
+    cell = high / (first + cells) * (1 + 1e-9)  # so that rounding leaves the last pixel in the view
+    return _Snug(cell / dots, (first + cells / 2) * cell)
+
+
+def _stretched(one: _Snug, other: float, safe: float) -> float:
+    """Return the scale of an axis that the scale of the other one limits: that of all cells where snapping
+    could cut the rim off, which is below the `safe` one."""
+    wanted = other / MOST_TALL
+    return wanted if wanted >= safe else one.scale
 
 
 def seen_area(camera: Camera, frame: MapFrame) -> SeenArea:
     """Return the area in metres that a view shows, and a little more."""
-    cell = DOTS_X * camera.scale
-    across, down = (0.5 + BEYOND) * camera.width * cell, (0.5 + BEYOND) * camera.height * 2 * cell
+    cell, high = camera.cell
+    across, down = (0.5 + BEYOND) * camera.width * cell, (0.5 + BEYOND) * camera.height * high
     ends = [(x, y) for x in (-across, across) for y in (-down, down)]
     places = [frame.to_world(camera.column + x, camera.row + y) for x, y in ends]
     (left, *_, right), (low, *_, top) = (sorted(one) for one in zip(*places, strict=True))

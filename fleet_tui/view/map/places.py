@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fleet_tui.model.geometry import MapFrame
-from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
+from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.glyphs import is_special
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 
@@ -70,8 +70,7 @@ def cells_of_vertices(scene: Scene, camera: Camera) -> tuple[Indices, Indices]:
 def _seen(frame: MapFrame, camera: Camera, points: Points) -> tuple[Indices, Indices]:
     """Return the indices of the points in the view, and their cells."""
     with np.errstate(invalid="ignore"):
-        cell = (DOTS_X * camera.scale, DOTS_Y * camera.scale)
-        places = np.floor(pixels(frame, points) / cell) - camera.origin
+        places = np.floor(pixels(frame, points) / camera.cell) - camera.origin
         inside = ((places >= 0) & (places < (camera.width, camera.height))).all(axis=1)
     return np.flatnonzero(inside), places[inside].astype(np.intp)
 

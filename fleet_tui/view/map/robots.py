@@ -1,11 +1,12 @@
 """The layer of robots: each a chip of its own, its arrow before its number."""
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import accumulate
 from typing import NamedTuple
 
-from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
+from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.glyphs import is_special, robot_glyph, robot_number, robot_roles, robot_tag
 from fleet_tui.view.map.layers import MapOptions
@@ -70,8 +71,7 @@ def draw_robots(
 def is_dense(scene: Scene, camera: Camera) -> bool:
     """Tell whether the floor is so small at this zoom that arrows may take the space of numbers."""
     robots, frame = len(scene.robots), scene.frame
-    cell = DOTS_X * DOTS_Y * camera.scale * camera.scale
-    return robots > FEW and robots * DENSE * cell > frame.width * frame.height
+    return robots > FEW and robots * DENSE * math.prod(camera.cell) > frame.width * frame.height
 
 
 def _chips(

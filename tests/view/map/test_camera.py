@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.model.geometry import MapFrame, Pose
-from fleet_tui.view.map.camera import MIN_SCALE, Camera, scale_bar, seen_area
+from fleet_tui.view.map.camera import MIN_SCALE, MOST_TALL, SMALL, Camera, scale_bar, seen_area
 
 sizes = st.tuples(st.integers(1, 5000), st.integers(1, 5000))
 cameras = st.builds(
@@ -33,6 +33,32 @@ def test_fit_shows_the_whole_map(extent: tuple[int, int], width: int, height: in
     camera = Camera.fit(extent, width, height)
     assert camera.shows(*camera.to_cell(0, 0))
     assert camera.shows(*camera.to_cell(extent[0] - 1e-6, extent[1] - 1e-6))
+
+
+@given(
+    st.tuples(st.floats(-300.0, 2000.0), st.floats(-300.0, 2000.0)),
+    st.tuples(st.floats(20.0, 3000.0), st.floats(20.0, 3000.0)),
+    st.integers(5, 100),
+    st.integers(4, SMALL - 1),
+)
+def test_a_small_view_shows_the_whole_area_and_keeps_most_of_its_shape(
+    corner: tuple[float, float], size: tuple[float, float], width: int, height: int
+) -> None:
+    (left, top), (across, down) = corner, size
+    camera = Camera.fit((5000, 5000), width, height, (left, top, left + across, top + down))
+    assert camera.shows(*camera.to_cell(left + 1e-5, top + 1e-5))
+    assert camera.shows(*camera.to_cell(left + across - 1e-5, top + down - 1e-5))
+    if min(corner) < 0:
+        return  # room for a map that grows
+    assert 0.9 / MOST_TALL / (1 + 2 / (width - 2)) <= camera.tall <= MOST_TALL * (1 + 1 / (height - 1)) * 1.1
+
+
+def test_a_small_view_is_filled() -> None:
+    """Of a floor whose shape is nearly that of the view."""
+    camera = Camera.fit((600, 480), 40, 15)
+    assert (camera.width * camera.cell[0], camera.height * camera.cell[1]) == pytest.approx((600, 480))
+    assert camera.tall == pytest.approx(15 * 2 * 600 / (480 * 40)), "longer by what the view is taller"
+    assert Camera.fit((600, 480), 80, 30).tall == 1.0, "a large one shows its shape"
 
 
 @given(cameras, st.lists(st.tuples(st.integers(-999, 999), st.integers(-999, 999)), max_size=5))
@@ -94,8 +120,8 @@ def test_a_view_that_is_centred_shows_nothing_beyond_the_area_that_fits(
     columns, rows = camera.extent
     moved = camera.centred_within(column, row, (0.0, 0.0, columns, rows))
     for at, view, end in (
-        (moved.column, camera.width * 2 * camera.scale, columns),
-        (moved.row, camera.height * 4 * camera.scale, rows),
+        (moved.column, camera.width * camera.cell[0], columns),
+        (moved.row, camera.height * camera.cell[1], rows),
     ):
         if view < end:
             assert view / 2 - 1e-6 <= at <= end - view / 2 + 1e-6

@@ -29,6 +29,8 @@ _BLOCK = {Drawing.BRAILLE: (2, 1), Drawing.HALF_BLOCK: (2, 2), Drawing.ASCII: (4
 """Rows and columns of dots in a block of wall."""
 
 Lines = tuple[Points, Points]
+Scales = tuple[float, float]
+"""Map pixels per dot across and down."""
 
 
 def ground(
@@ -60,7 +62,8 @@ def _ground(grid: OccupancyGrid | None, camera: Camera, drawing: Drawing, ways: 
     # What is beyond the view decides on its rim, which is no edge of a wall.
     around = replace(camera, width=camera.width + 2 * RIM, height=camera.height + 2 * RIM)
     left, top = around.origin
-    part = (camera.scale, left * DOTS_X, top * DOTS_Y, (around.height * DOTS_Y, around.width * DOTS_X))
+    scales = camera.scale, camera.scale / camera.tall
+    part = (scales, left * DOTS_X, top * DOTS_Y, (around.height * DOTS_Y, around.width * DOTS_X))
     dots = sample(grid, *part, finer)
     walls = _folded(dots == OCCUPIED, taller // 2, 1)
     blocks = wall_blocks(walls, None if ways is None else _passed(ways, around, walls.shape))
@@ -73,28 +76,28 @@ def _ground(grid: OccupancyGrid | None, camera: Camera, drawing: Drawing, ways: 
 def _passed(ways: Lines, camera: Camera, shape: tuple[int, ...]) -> Mask:
     """Return the parts of the view that lines pass, given by their ends in map pixels."""
     passed = np.zeros(shape, np.bool_)
-    pixels = (camera.width * DOTS_X * camera.scale, camera.height * DOTS_Y * camera.scale)
-    per_pixel = np.array(shape[::-1]) / pixels
-    corner = np.multiply(camera.origin, (DOTS_X * camera.scale, DOTS_Y * camera.scale))
+    per_pixel = np.array(shape[::-1]) / np.multiply((camera.width, camera.height), camera.cell)
+    corner = np.multiply(camera.origin, camera.cell)
     starts, stops = ((ends - corner) * per_pixel for ends in ways)
     trace(passed, starts, stops)
     return passed
 
 
 def sample(
-    grid: OccupancyGrid, scale: float, left: int, top: int, shape: tuple[int, int], finer: int = 1
+    grid: OccupancyGrid, scales: Scales, left: int, top: int, shape: tuple[int, int], finer: int = 1
 ) -> Classes:
     """Classes of the dots from (left, top) on, shape (rows, columns); unknown outside the map.
 
-    scale: map pixels per dot; dot k covers pixels k * scale to (k + 1) * scale. finer: columns of each dot.
+    scales: map pixels per dot across and down; dot k covers pixels k * scale to (k + 1) * scale. finer:
+    columns of each dot.
     """
-    depth = min(max(math.floor(math.log2(scale)) - 1, 0), len(grid.levels) - 1)
+    depth = min(max(math.floor(math.log2(min(scales))) - 1, 0), len(grid.levels) - 1)
     level = grid.levels[depth]
-    step = scale / 2**depth
+    across, down = (scale / 2**depth for scale in scales)
     left, shape = left * finer, (shape[0], shape[1] * finer)
     rows, columns = shape
-    top_in, first_y, last_y = _partition(top, rows, step, level.shape[0])
-    left_in, first_x, last_x = _partition(left, columns, step / finer, level.shape[1])
+    top_in, first_y, last_y = _partition(top, rows, down, level.shape[0])
+    left_in, first_x, last_x = _partition(left, columns, across / finer, level.shape[1])
     if not (first_y.size and first_x.size):
         return np.zeros(shape, np.uint8)
     seen = level[first_y[0] : last_y[-1] + 1, first_x[0] : last_x[-1] + 1]
@@ -131,13 +134,16 @@ def _pooled(level: Classes, first: _Indices, last: _Indices, axis: int) -> Class
     return found
 
 
-def _shares(grid: OccupancyGrid, scale: float, left: int, top: int, shape: tuple[int, int]) -> Classes:
+def _shares(grid: OccupancyGrid, scales: Scales, left: int, top: int, shape: tuple[int, int]) -> Classes:
     """Return the share of wall in each dot, sampled at 2 x 2 points: 0 to 4. Only known inside the map."""
-    depth = max(math.floor(math.log2(scale)) - 3, 0)
+    depth = max(math.floor(math.log2(min(scales))) - 3, 0)
     level = grid.levels[min(depth, len(grid.levels) - 1)]
     rows, columns = (
         np.clip((start + (np.arange(2 * count) + 0.5) / 2) * scale / 2**depth, 0, size - 1).astype(np.intp)
-        for start, count, size in ((top, shape[0], level.shape[0]), (left, shape[1], level.shape[1]))
+        for start, count, size, scale in (
+            (top, shape[0], level.shape[0], scales[1]),
+            (left, shape[1], level.shape[1], scales[0]),
+        )
     )
     walls = (level.take(rows, 0).take(columns, 1) == OCCUPIED).view(np.uint8)
     tall: Classes = walls[0::2] + walls[1::2]
@@ -147,7 +153,7 @@ def _shares(grid: OccupancyGrid, scale: float, left: int, top: int, shape: tuple
 def _empty(camera: Camera) -> Classes:
     """Return floor over the whole extent of a missing map."""
     left, top = camera.origin
-    rows = (np.arange(camera.height * DOTS_Y) + top * DOTS_Y + 0.5) * camera.scale
+    rows = (np.arange(camera.height * DOTS_Y) + top * DOTS_Y + 0.5) * camera.scale / camera.tall
     columns = (np.arange(camera.width * DOTS_X) + left * DOTS_X + 0.5) * camera.scale
     in_rows = (rows >= 0) & (rows < camera.extent[1])
     in_columns = (columns >= 0) & (columns < camera.extent[0])

@@ -51,7 +51,7 @@ def test_a_dot_is_the_maximum_of_exactly_the_pixels_it_covers(
 ) -> None:
     classes = np.random.default_rng(seed).choice([0, 0, 1, 1, 1, 2], (side, side + 3)).astype(np.uint8)
     shape = (16, 12)
-    dots = sample(grid_of(classes), scale, left, top, shape)
+    dots = sample(grid_of(classes), (scale, scale), left, top, shape)
     depth = max(math.floor(math.log2(scale)) - 1, 0)
     if depth < len(grid_of(classes).levels):
         assert np.array_equal(dots, exact(classes, scale, left, top, shape))
@@ -134,7 +134,7 @@ def test_each_wall_is_drawn_in_its_quadrant_or_one_that_touches_it(
     grid = grid_of(np.kron(some, np.ones((thick, thick), np.uint8))[:900, :900])
     camera = Camera(450.0, 450.0, scale, 12, 6, (900, 900))
     left, top = camera.origin
-    parts = sample(grid, scale, left * 2, top * 4, (24, 24), 2) == OCCUPIED
+    parts = sample(grid, (scale, scale), left * 2, top * 4, (24, 24), 2) == OCCUPIED
     walls = np.logical_or.reduce([parts[y::2, x::2] for y in (0, 1) for x in (0, 1)])
     lines = (rng.random((ways, 2)) * 900, rng.random((ways, 2)) * 900)
     cells = ground(grid, camera, Drawing.BRAILLE, ways=lines)
