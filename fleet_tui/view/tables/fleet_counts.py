@@ -23,7 +23,8 @@ ALL_IN_VIEW = 12
 
 def fleet_counts(state: FleetState, done: Mapping[str, Activity], width: int) -> list[Run]:
     """Return how many robots are online and what all of them do, by the words of their rows. In less than
-    `width` cells it is what is odd alone, and if need be in the place of those online."""
+    `width` cells that all are online is left out, else only what is odd is told, if need be in the place of
+    those online."""
     robots, digits = state.robots, len(str(len(state.robots)))
     left = width - BESIDE - (RANGE + 3 * digits) * (len(robots) > ALL_IN_VIEW)
     found = Counter(count_word(state, robot, done.get(name)) for name, robot in robots.items())
@@ -38,7 +39,10 @@ def fleet_counts(state: FleetState, done: Mapping[str, Activity], width: int) ->
     odd = [one for one in counts if one[1] is StyleRole.WARN]
     away = [(f"{offline} {tr(Activity.OFFLINE.value)}", StyleRole.DIM)] if offline else []
     # A part of the counts would not add up.
-    listed = [_listed([present], ": ", counts), _listed([present], ": ", odd)]
+    listed = [_listed([present], ": ", counts)]
+    if not offline:
+        listed.append(_listed([(f" {online}", StyleRole.DIM)], ": ", counts))
+    listed.append(_listed([present], ": ", odd))
     listed += [_listed([], " ", [*away, *odd][:most]) for most in range(len([*away, *odd]), 0, -1)]
     return next((one for one in listed if width_of(one) <= left), [present])
 

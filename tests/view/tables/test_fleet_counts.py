@@ -41,7 +41,8 @@ def test_the_counts_add_up_by_the_words_of_the_rows_or_only_what_is_odd_is_told(
     whole = " 4 of 5 online: 1 obstacle, 1 driving, 1 idle, 1 unknown"
     assert text_of(counts(working(), BESIDE + len(whole))) == whole
     assert text_of(counts(working(), BESIDE + len(whole) - 1)) == " 4 of 5 online: 1 obstacle"
-    assert text_of(counts(calm(), BESIDE + len(" 3 of 3 online"))) == " 3 of 3 online"
+    assert text_of(counts(calm(), BESIDE + len(" 3: 3 unknown"))) == " 3: 3 unknown", "all are online"
+    assert text_of(counts(calm(), BESIDE + len(" 3: 3 unknown") - 1)) == " 3 of 3 online"
     rows = [text_of(row.runs) for row in fleet_table(working(), "robot_0", WIDE).rows]
     assert all(any(word in row for row in rows) for word in ("driving", "obstacle 12 s", "idle"))
 
