@@ -14,6 +14,7 @@ from fleet_tui.rules.alarms.vehicles import priority_of
 from fleet_tui.rules.battery.charging import ON_ITS_WAY
 from fleet_tui.rules.commands.follow_up import seen_end
 from fleet_tui.rules.commands.newest import own_pause
+from fleet_tui.rules.commands.pauses import drives_despite_pause
 from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
@@ -151,6 +152,7 @@ def is_odd(state: FleetState, robot: Robot) -> bool:
     is_held = is_held or is_held_up(state, robot) or is_stopped(state, robot)
     unknown = is_missing(state, robot, "pose") or is_news(state, robot.fault_at)
     unknown = unknown or state.has_old(robot, AGING)
+    is_held = is_held or drives_despite_pause(state, robot)
     return is_held or unknown or has_lost(state, robot) or may_need_person(state, robot)
 
 

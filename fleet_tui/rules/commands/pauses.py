@@ -1,11 +1,14 @@
 """Pauses and resumes: the evidence in telemetry that they were carried out."""
 
+import math
+
 from fleet_tui.model.commands import CommandRecord, PauseRobot, ResumeRobot, Stage, Step
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.goals import active, own_ids
 from fleet_tui.rules.commands.local_queue import orders_of, waiting
+from fleet_tui.rules.commands.newest import own_pause
 
 STANDS_AFTER = 1.0
 """Seconds without movement after which a robot counts as standing, and within which it counted as moving."""
@@ -33,8 +36,20 @@ def is_moving(robot: Robot, now: float) -> bool:
     return still < STANDS_AFTER or (robot.still_for < STANDS_AFTER and still < STANDS_AFTER + SELDOM)
 
 
+def drives_despite_pause(state: FleetState, robot: Robot) -> bool:
+    """Tell whether a goal that was first listed after our pause drives a robot whose own ones this console
+    keeps back: the pause holds no other client's."""
+    record = own_pause(state, robot) if robot.kind.holds and robot.paused_by_us else None
+    if record is None or record.stage in WAITS:
+        return False
+    since = record.time_of(Stage.SENT) or math.inf
+    return any(goal.listed_since > since and not goal.is_ending for goal in active(robot.goals))
+
+
 def own_pause_text(state: FleetState, robot: Robot) -> str:
     """Return the pause state of a robot that does not report it, as far as this console knows."""
+    if drives_despite_pause(state, robot):
+        return "driving despite pause"
     if robot.kind.holds:
         return "stopped, goal kept here" if waiting(state, robot) else "stopped, no goal to keep"
     return "paused (by us)"

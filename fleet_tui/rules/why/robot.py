@@ -8,7 +8,7 @@ from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.alarms.navigation import NO_ODOMETRY, lacks_odometry
 from fleet_tui.rules.battery.charging import charger_of, charging_remedy
 from fleet_tui.rules.commands.newest import own_pause
-from fleet_tui.rules.commands.pauses import STANDS_AFTER, own_pause_text
+from fleet_tui.rules.commands.pauses import STANDS_AFTER, drives_despite_pause, own_pause_text
 from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.localisation.jumps import recent_jumps
 from fleet_tui.rules.localisation.misplaced import (
@@ -96,6 +96,10 @@ def paused(state: FleetState, robot: Robot) -> Reason | None:
     since = record.time_of(Stage.SENT) if record is not None else None
     if robot.paused is None:
         name = own_pause_text(state, robot)
+        if drives_despite_pause(state, robot):
+            evidence = "a goal from elsewhere came after the pause, which keeps back only goals from here"
+            remedy = "Pause it again, which cancels that goal too, or ask who sends it goals"
+            return Reason(name, evidence, since=since, keys=("pause",), remedy=remedy)
         return Reason(name, "pause accepted by the robot", since=since, keys=("resume",))
     by = "sent by this console" if since is not None else "not sent by this console"
     return Reason("paused", by, since=since, seen=robot.paused.at, keys=("resume",))

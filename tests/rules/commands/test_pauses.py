@@ -10,6 +10,15 @@ from fleet_tui.model.commands import (
     Stage,
 )
 from fleet_tui.model.events import PausedReported, PoseReported, TimePassed
+from fleet_tui.model.geometry import Pose
+from fleet_tui.model.history.facts import Activity
+from fleet_tui.model.navigation_events import OdometryReported
+from fleet_tui.model.order import OrderState
+from fleet_tui.rules.alarms.trouble import is_odd
+from fleet_tui.rules.commands.pauses import own_pause_text
+from fleet_tui.rules.history.activity import activity
+from fleet_tui.rules.why.robot import paused as why_paused
+from fleet_tui.view.lines.status import console_notes
 from tests.support.fleets import (
     R0,
     T0,
@@ -18,6 +27,7 @@ from tests.support.fleets import (
     reduced,
     tick,
 )
+from tests.support.legs import goal, lived, site
 from tests.support.one_command import ACCEPTED, NO_ANSWER, PATIENCE, SENT, only, up
 
 
@@ -117,3 +127,20 @@ def test_a_robot_that_drives_on_despite_our_pause_is_not_paused() -> None:
     state = up(pose(T0 - 1), pose(T0, 1.0), *commanded(1, PauseRobot(R0), SENT, ACCEPTED))
     assert reduced(state, pose(T0 + 1, 2.0)).robots[R0].paused_by_us
     assert not reduced(state, pose(T0 + 1, 2.0), pose(T0 + 2, 3.0)).robots[R0].paused_by_us
+
+
+def test_a_goal_from_elsewhere_that_drives_a_paused_robot_is_told() -> None:
+    paused = (*commanded(1, PauseRobot(R0), SENT, ACCEPTED, Stage.CONFIRMED, at=T0), tick(T0))
+    state = reduced(site(), *paused)
+    assert own_pause_text(state, state.robots[R0]) == "stopped, no goal to keep"
+    assert activity(state, state.robots[R0]) is Activity.PAUSED and not is_odd(state, state.robots[R0])
+    state = lived(state, T0 + 3, goal("foreign"))
+    state = reduced(state, OdometryReported(R0, T0 + 4, Pose(2.0, 0.0), T0 + 4), tick(T0 + 4))
+    robot = state.robots[R0]
+    assert own_pause_text(state, robot) == "driving despite pause"
+    assert activity(state, robot) is Activity.DRIVING and is_odd(state, robot)
+    assert not any("PAUSED" in note for note in console_notes(state, False, True, 0.0))
+    found = why_paused(state, robot)
+    assert found is not None and found.keys == ("pause",) and "elsewhere" in found.evidence
+    again = lived(state, T0 + 5, goal("foreign", OrderState.CANCELLED))
+    assert own_pause_text(again, again.robots[R0]) == "stopped, no goal to keep"
