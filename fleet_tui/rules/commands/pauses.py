@@ -1,7 +1,5 @@
 """Pauses and resumes: the evidence in telemetry that they were carried out."""
 
-import math
-
 from fleet_tui.model.commands import CommandRecord, PauseRobot, ResumeRobot, Stage, Step
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation import Goal
@@ -37,13 +35,12 @@ def is_moving(robot: Robot, now: float) -> bool:
 
 
 def drives_despite_pause(state: FleetState, robot: Robot) -> bool:
-    """Tell whether a goal that was first listed after our pause drives a robot whose own ones this console
-    keeps back: the pause holds no other client's."""
+    """Tell whether a goal drives a robot that was seen to pause: this console keeps back its own ones, but
+    no other client's."""
     record = own_pause(state, robot) if robot.kind.holds and robot.paused_by_us else None
-    if record is None or record.stage in WAITS:
+    if record is None or record.stage is not Stage.CONFIRMED:
         return False
-    since = record.time_of(Stage.SENT) or math.inf
-    return any(goal.listed_since > since and not goal.is_ending for goal in active(robot.goals))
+    return any(not goal.is_ending for goal in active(robot.goals))
 
 
 def own_pause_text(state: FleetState, robot: Robot) -> str:
