@@ -90,19 +90,24 @@ def silent_robot(state: FleetState, robot: Robot) -> Reason | None:
 
 def paused(state: FleetState, robot: Robot) -> Reason | None:
     """Report a pause: by its own report, or by our accepted pause if it sends none."""
-    if not state.is_paused(robot):
+    if not state.is_paused(robot) or drives_despite_pause(state, robot):
         return None
     record = own_pause(state, robot)
     since = record.time_of(Stage.SENT) if record is not None else None
     if robot.paused is None:
         name = own_pause_text(state, robot)
-        if drives_despite_pause(state, robot):
-            evidence = "a goal from elsewhere came after the pause, which keeps back only goals from here"
-            remedy = "Pause it again, which cancels that goal too, or ask who sends it goals"
-            return Reason(name, evidence, since=since, keys=("pause",), remedy=remedy)
         return Reason(name, "pause accepted by the robot", since=since, keys=("resume",))
     by = "sent by this console" if since is not None else "not sent by this console"
     return Reason("paused", by, since=since, seen=robot.paused.at, keys=("resume",))
+
+
+def despite_pause(state: FleetState, robot: Robot) -> Reason | None:
+    """Report that it drives although it is paused: a pause that keeps goals keeps only those from here."""
+    if not drives_despite_pause(state, robot):
+        return None
+    evidence = "a goal from elsewhere came after the pause, which keeps back only goals from here"
+    remedy = "Pause it again, which cancels that goal too, or ask who sends it goals"
+    return Reason(own_pause_text(state, robot), evidence, keys=("pause",), remedy=remedy)
 
 
 def own_late_pause(state: FleetState, robot: Robot) -> Reason | None:

@@ -40,6 +40,7 @@ from fleet_tui.rules.why.reason import Reason, Rule, Strength
 from fleet_tui.rules.why.robot import (
     battery,
     charges,
+    despite_pause,
     jumps,
     late_link,
     misplaced,
@@ -60,7 +61,7 @@ if TYPE_CHECKING:  # numpy
 DEAF: tuple[Rule, ...] = (no_link, late_link, silent_robot)
 """If one of these holds, everything else is an earlier report."""
 
-ASTRAY: tuple[Rule, ...] = (misplaced, jumps, off_graph)
+ASTRAY: tuple[Rule, ...] = (misplaced, jumps, off_graph, despite_pause)
 """Of a robot that moves, too."""
 
 FOLLOWING: tuple[Rule, ...] = (none_current, no_orders)
@@ -69,6 +70,7 @@ FOLLOWING: tuple[Rule, ...] = (none_current, no_orders)
 RULES: tuple[Rule, ...] = (
     misplaced,
     off_graph,
+    despite_pause,
     paused,
     *VEHICLE_REASONS,
     obstacle,

@@ -17,7 +17,7 @@ from fleet_tui.model.order import OrderState
 from fleet_tui.rules.alarms.trouble import is_odd
 from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.rules.history.activity import activity
-from fleet_tui.rules.why.robot import paused as why_paused
+from fleet_tui.rules.why.why import reasons
 from fleet_tui.view.lines.status import console_notes
 from tests.support.fleets import (
     R0,
@@ -140,7 +140,7 @@ def test_a_goal_from_elsewhere_that_drives_a_paused_robot_is_told() -> None:
     assert own_pause_text(state, robot) == "driving despite pause"
     assert activity(state, robot) is Activity.DRIVING and is_odd(state, robot)
     assert not any("PAUSED" in note for note in console_notes(state, False, True, 0.0))
-    found = why_paused(state, robot)
-    assert found is not None and found.keys == ("pause",) and "elsewhere" in found.evidence
+    found, *_ = reasons(state, robot)
+    assert found.keys == ("pause",) and "elsewhere" in found.evidence
     again = lived(state, T0 + 5, goal("foreign", OrderState.CANCELLED))
     assert own_pause_text(again, again.robots[R0]) == "stopped, no goal to keep"
