@@ -36,7 +36,7 @@ class Caption:
     waits: bool = False
     banner: str = ""
     hint: str = ""
-    elsewhere: str = ""
+    elsewhere: tuple[str, ...] = ()
     pixel: str = ""
     whole: bool = False
 
@@ -51,7 +51,7 @@ def caption_row(facts: Caption) -> Cells:
     for piece, role in _pieces(facts):
         space = facts.camera.width - x - 2
         # Of these the beginning is worth more than the rest of the row.
-        is_first = piece in (sanitize(facts.note), sanitize(facts.elsewhere), facts.banner)
+        is_first = piece in (*map(sanitize, (facts.note, *facts.elsewhere)), facts.banner)
         if is_first and space > LEAST:
             piece = _within(piece, space)
         text = f" {piece} "
@@ -77,9 +77,8 @@ def _pieces(facts: Caption) -> list[Piece]:
         pieces.append((floor, StyleRole.TITLE_FOCUSED if facts.focused else StyleRole.TITLE))
     if facts.banner:
         pieces.append((facts.banner, StyleRole.TEXT))
-    if facts.elsewhere:
-        is_alarm = facts.elsewhere.startswith("!")
-        pieces.append((sanitize(facts.elsewhere), StyleRole.ALARM if is_alarm else StyleRole.WARN))
+    for told in facts.elsewhere:
+        pieces.append((sanitize(told), StyleRole.ALARM if told.startswith("!") else StyleRole.WARN))
     if facts.note:
         pieces.append((sanitize(facts.note), StyleRole.DIM if facts.waits else StyleRole.WARN))
     return [

@@ -115,7 +115,7 @@ class MapPicture:
             waits=scene.waits if scene.note else not (scene.selected and scene.selected.misplaced),
             banner=self._banner(scene, camera),
             hint=self.hint,
-            elsewhere=", ".join(filter(None, (_trouble_out_of_view(scene, camera), scene.elsewhere))),
+            elsewhere=tuple(filter(None, (_trouble_out_of_view(scene, camera), scene.elsewhere))),
             pixel=self._pixel(scene),
             whole=shows_all(scene, camera),
         )

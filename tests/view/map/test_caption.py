@@ -32,7 +32,9 @@ def row(
     frame = MapFrame(0.05, 400, 200, Pose(0.0, 0.0, yaw))
     camera = Camera.fit((400, 200), width, 20)
     facts = Caption(floor, note, frame, camera, drawing, follow, zoom_robot, False)
-    cells = caption_row(replace(facts, elsewhere=elsewhere, banner=banner, pixel=pixel, whole=whole))
+    cells = caption_row(
+        replace(facts, elsewhere=(elsewhere,) if elsewhere else (), banner=banner, pixel=pixel, whole=whole)
+    )
     return "".join(chr(code) for code in cells.codes[0] if code)
 
 
@@ -71,7 +73,9 @@ def test_of_those_elsewhere_only_an_alarm_is_red() -> None:
     frame = MapFrame(0.05, 400, 200, Pose(0.0, 0.0))
     facts = Caption("hall", "", frame, Camera.fit((400, 200), 60, 20), Drawing.BRAILLE, False, False, False)
     for elsewhere, role in (("! r on f", StyleRole.ALARM), ("look at r on f", StyleRole.WARN)):
-        assert role in caption_row(replace(facts, elsewhere=elsewhere)).roles
+        assert role in caption_row(replace(facts, elsewhere=(elsewhere,))).roles
+    both = caption_row(replace(facts, elsewhere=("! r out of view", "look at s on f")))
+    assert {StyleRole.ALARM, StyleRole.WARN} <= set(both.roles.flat)
 
 
 def test_the_place_of_a_cursor_is_readable_in_a_narrow_pane() -> None:
