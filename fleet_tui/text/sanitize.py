@@ -3,6 +3,7 @@
 import unicodedata
 from collections.abc import Iterator
 from functools import lru_cache
+from textwrap import wrap
 
 _UNSEEN = frozenset({"Cf", "Zl", "Zp", "Cs", "Co", "Cn"})
 # Letters that fill a cell without a mark: Hangul fillers, the braille blank, variation selectors.
@@ -92,6 +93,13 @@ def _cut(text: str, cells: int) -> tuple[str, int]:
             break
         kept.append(letter)
     return "".join(kept) + "…", width + 1
+
+
+def folded(text: str, first: int, others: int) -> list[str]:
+    """Return a text as lines, at least one, of which the first has other cells than those below it."""
+    width, above, below = max(first, others), " " * (others - first), " " * (first - others)
+    lines = wrap(text, width, initial_indent=above, subsequent_indent=below, break_on_hyphens=False)
+    return [line.lstrip() for line in lines or [""]]
 
 
 def fit_words(text: str, cells: int) -> str:

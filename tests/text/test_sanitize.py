@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from rich.cells import cell_len
 
-from fleet_tui.text.sanitize import cell_width, fit, fit_words, sanitize
+from fleet_tui.text.sanitize import cell_width, fit, fit_words, folded, sanitize
 
 
 @pytest.mark.parametrize(
@@ -80,3 +80,18 @@ def test_a_text_is_cut_after_a_whole_word_if_that_leaves_half_of_it(
 @given(st.text(), st.integers(0, 30))
 def test_cut_after_a_word_it_is_as_wide_as_its_cells(text: str, cells: int) -> None:
     assert cell_width(fit_words(text, cells)) == cells
+
+
+@given(st.lists(st.text("ab/-", min_size=1, max_size=40), max_size=9), st.integers(1, 30), st.integers(1, 30))
+def test_folded_lines_have_all_of_the_text_and_break_no_word_twice(
+    words: list[str], first: int, others: int
+) -> None:
+    head, *rest = lines = folded(" ".join(words), first, others)
+    assert len(head) <= first and all(len(line) <= others for line in rest)
+    assert "".join(lines).replace(" ", "") == "".join(words)
+    assert sum(line.count(" ") for line in lines) <= max(0, len(words) - 1), "no space within a word"
+
+
+def test_a_long_word_goes_on_in_the_next_line() -> None:
+    path = "/robot_7/Application_layout/Pause"
+    assert folded(f"Service {path} is", 16, 30) == ["Service /robot_7", "/Application_layout/Pause is"]

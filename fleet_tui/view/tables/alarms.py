@@ -13,7 +13,7 @@ from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.alarms.floods import is_group
 from fleet_tui.rules.alarms.trouble import to_look_at, urgency
 from fleet_tui.text.language import tr
-from fleet_tui.text.sanitize import cell_width, fit, sanitize
+from fleet_tui.text.sanitize import cell_width, fit, folded, sanitize
 from fleet_tui.text.units import counted
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrangement import RowArrangement, Value
@@ -112,8 +112,7 @@ def _in_full(row: Row, alarm: Alarm, width: int) -> list[Row]:
     left = width - sum(cell_width(part) for part, _ in head)
     if cell_width(text) <= left:
         return [row]
-    first, *others = wrap(text, max(LEAST_REST, left))
-    rest = wrap(" ".join(others), max(LEAST_REST, width - 1 - REST_AT))
+    first, *rest = folded(text, max(LEAST_REST, left), max(LEAST_REST, width - 1 - REST_AT))
     return [replace(row, runs=(*head, (first, role))), *(_below(line, role) for line in rest)]
 
 

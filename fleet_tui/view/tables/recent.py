@@ -5,7 +5,6 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from heapq import nlargest
 from itertools import islice
-from textwrap import wrap
 
 from fleet_tui.model.alarm import Alarm, AlarmStage
 from fleet_tui.model.commands import ORDER_ENDS, CommandRecord, Stage
@@ -18,7 +17,7 @@ from fleet_tui.rules.alarms.told import told
 from fleet_tui.rules.commands.batches import pauses, summary
 from fleet_tui.rules.commands.follow_up import seen_end
 from fleet_tui.text.language import tr
-from fleet_tui.text.sanitize import cell_width, fit, sanitize
+from fleet_tui.text.sanitize import cell_width, fit, folded, sanitize
 from fleet_tui.view.lines.commands import TROUBLE, command_text, stage_text
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.missions import destinations, mission, whose_mission
@@ -53,11 +52,10 @@ def recent_table(state: FleetState, clock: Callable[[float], str], lines: int, w
 def _in_full(at: str, source: str, runs: tuple[Run, ...], width: int) -> Iterator[Row]:
     """Yield the row of an event, and below it what it has no cells for: at its end is the cause."""
     ((text, role),) = runs
-    left = width - cell_width(at + source)
-    first, *rest = wrap(text, max(LEAST_TEXT, left), break_on_hyphens=False) or [""]
+    left, indent = width - cell_width(at + source), " " * cell_width(at)
+    first, *rest = folded(text, max(LEAST_TEXT, left), max(LEAST_TEXT, width - len(indent)))
     yield Row(None, ((at, StyleRole.DIM), (source, StyleRole.DIM), (first, role)))
-    indent = " " * cell_width(at)
-    for line in wrap(" ".join(rest), max(LEAST_TEXT, width - len(indent)), break_on_hyphens=False):
+    for line in rest:
         yield Row(None, ((indent + line, role),))
 
 
