@@ -19,6 +19,8 @@ BAD_FOR = 10.0
 
 LEAST = 10
 """Cells that a topic has at least."""
+PARTS = 0.7
+"""Share of them from which the whole parts at its end stand for it."""
 BAD = 8
 """Cells of the number of bad messages, if there are any."""
 FIXED, SIZES, WHY = 47, 20, 10
@@ -113,11 +115,13 @@ def _head(names: int, bad: int, has_sizes: bool) -> tuple[Run, ...]:
 
 
 def _shortened(name: str, cells: int) -> str:
-    """Return a name of at most so many letters, cut at its front, before a part: `…/scan`."""
+    """Return a name of at most so many letters, cut at its front, before a part if that leaves most of it:
+    `…/scan`, but `…e_to_pose/_action/status`, for other actions have such an end, too."""
     if len(name) <= cells:
         return name
     end = name[1 - cells :]
-    return f"…{end[max(0, end.find('/')) :]}"
+    whole = end[max(0, end.find("/")) :]
+    return f"…{whole if len(whole) >= cells * PARTS else end}"
 
 
 def _silent_after(state: FleetState, topic: TopicCounter) -> float:

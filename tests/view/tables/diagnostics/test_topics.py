@@ -138,3 +138,13 @@ def test_the_topics_of_the_selected_robot_come_first() -> None:
     state, links = seen(counter())
     keys = topic_table(state, links, "pose", NOW, "robot_1").keys
     assert [key[1] for key in keys if isinstance(key, tuple)] == ["/robot_1/pose", POSE]
+
+
+def test_what_is_left_of_a_long_name_tells_actions_apart() -> None:
+    names = [f"/robot_0/{action}/_action/status" for action in ("follow_waypoints", "navigate_to_pose")]
+    state, links = seen(LinkCounter(LINK, [TopicCounter(name, R0, "queue") for name in names]))
+    cells = [text_of(one.runs)[28:55].strip() for one in topic_table(state, links, "", NOW, width=76).rows]
+    assert len(set(cells)) == 2 and all(cell.startswith("…") for cell in cells)
+    camera = TopicCounter("/robot_0/camera/image_raw/compressed", R0, "image")
+    table = topic_table(state, seen(LinkCounter(LINK, [camera]))[1], "", NOW, width=76)
+    assert "…/camera/image_raw/compressed" in row(table, "image_raw"), "whole parts"
