@@ -15,7 +15,7 @@ BARS: Mapping[Activity, tuple[str, str, StyleRole]] = {
     Activity.CHARGING: ("~", "~", StyleRole.ACCENT),
     Activity.IDLE: ("▁", "_", StyleRole.DIM),
     Activity.PAUSED: ("‖", "P", StyleRole.WARN),
-    Activity.BLOCKED: ("█", "B", StyleRole.ALARM),
+    Activity.BLOCKED: ("█", "B", StyleRole.WARN),
     Activity.OFFLINE: ("×", "x", StyleRole.ALARM),
 }
 """Glyph, letter where there are no such glyphs, and role of each activity: no two are the same without

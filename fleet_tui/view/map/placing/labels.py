@@ -1,6 +1,5 @@
 """Labels: without overlap, or not at all; they give way to robots."""
 
-import re
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -14,6 +13,8 @@ from fleet_tui.view.roles import WALLS, StyleRole
 
 PASSING = 3.0
 """Seconds for which a label below a robot that stays is only left out: that is calmer than one that moves."""
+LEAST_START = 2
+"""Letters, with the sign for the rest, up to which the start of a name is left out, too."""
 VACANT = 10.0
 """Seconds without a robot after which a label goes back to its usual place."""
 
@@ -116,18 +117,14 @@ def _moved(label: Label, behind: Backdrop, occupancy: CellOccupancy, places: Lab
 
 
 def _cover(cells: Cells, behind: Backdrop, label: Label, covered: int, sign: str) -> None:
-    """Replace the covered cells of a label, as bits, by what is behind it, and the letters beside them by a
-    sign: half a name would read as another one. Cells with something over them stay: a trail, an outline."""
+    """Replace a label from its first covered cell on, as bits, by what is behind it, and the letter before it
+    by a sign: only a name's start reads as that name. Cells with something over them stay: a trail, an
+    outline."""
     size = cell_width(label.text)
     row, columns = label.at[1], slice(label.at[0], label.at[0] + size)
-    rest, signs = np.zeros(size, np.bool_), np.zeros(size, np.bool_)
-    for part in (
-        re.finditer("0+", f"{covered:0{size}b}"[::-1]) if covered > 0 and len(label.text) == size else ()
-    ):
-        start, end = part.span()
-        cut = [end_ for end_, is_cut in ((start, start > 0), (end - 1, end < size)) if is_cut]
-        if end - start > len(cut):
-            rest[start:end], signs[cut] = True, True
+    # The lowest bit that is set; half a wide letter is none.
+    start = (covered & -covered).bit_length() - 1 if covered > 0 and len(label.text) == size else 0
+    rest, signs = np.arange(size) < (start if start > LEAST_START else 0), np.arange(size) == start - 1
     is_label = cells.codes[row, columns] == behind.codes[row, columns]
     for plane, bare in ((cells.codes, behind.bare.codes), (cells.roles, behind.bare.roles)):
         plane[row, columns] = np.where(is_label & ~rest, bare[row, columns], plane[row, columns])

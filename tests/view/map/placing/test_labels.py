@@ -1,6 +1,5 @@
 """Labels stay where they are; they give way to robots without hopping, and never read as another one."""
 
-import re
 from dataclasses import replace
 
 import numpy as np
@@ -48,23 +47,20 @@ def rest(cells: Cells) -> str:
 
 
 @given(st.floats(-20, 20), st.floats(-3, 3), st.sampled_from((SCENE, QUIET)))
-def test_a_label_is_whole_or_its_rest_says_that_it_goes_on(cells: float, rows: float, scene: Scene) -> None:
+def test_a_label_is_whole_or_its_start_says_that_it_goes_on(cells: float, rows: float, scene: Scene) -> None:
     before, pose = Arrangement(), Pose(10.05 + cells * CELL, 5.0 - rows * 2 * CELL)
     picture(backdrop(scene, CAMERA, LOOK), scene, CAMERA, LOOK, before)
     robot = SceneRobot("r", 7, pose)
     after = picture(backdrop(scene, CAMERA, LOOK), replace(scene, robots=(robot,)), CAMERA, LOOK, before)
     seen = rest(after)
-    for part in re.finditer(r"\S+", seen):
-        start, end = part.span()
-        letters = part[0].replace("…", "")
-        assert letters and letters in NAME[start:end]
-        assert part[0].startswith("…") == (start > 0) and part[0].endswith("…") == (end < len(NAME))
+    start = seen.rstrip()
+    assert not start or start == NAME or (len(start) > 2 and start[-1] == "…" and NAME.startswith(start[:-1]))
 
 
-def test_of_a_label_below_a_robot_that_passes_the_rest_is_seen() -> None:
+def test_of_a_label_below_a_robot_that_passes_its_start_is_seen() -> None:
     before = Arrangement()
     texts = [rest(drawn(12 - step, before=before, at=step / 10)) for step in range(12)]
-    assert "Phar…   " in texts and "      …y" not in texts
+    assert "Phar…   " in texts and all(text.startswith(("P", " " * len(NAME))) for text in texts)
 
 
 def test_it_is_away_while_a_robot_passes_and_at_its_place_again_then() -> None:
