@@ -94,7 +94,7 @@ class Rest:
         self.tables = TableTools(screen, self.confirm.ask)
         self.order_form, self.anyone = order_form(screen, self.confirm.ask, self.tables.marked.give_order)
         self.streams = ShownStreams(store, backend, navigation, notices, self.map.picture)
-        self.why = Why(lambda: (store.state, navigation.robot), settings.keys, self.streams.match, backend)
+        self.why = Why(lambda: (store.state, navigation.robot), settings.keys, self.streams, backend)
         self.audit_log = AuditLog(lambda: screen.files.audit)
         self.robot_page = robot_page_overlay(screen, self)
         self._add_tools(screen)

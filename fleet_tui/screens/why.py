@@ -12,11 +12,11 @@ from textual.content import Content
 from textual.widgets import Static
 
 from fleet_tui.backend import Backend
+from fleet_tui.controllers.set_up.streams import ShownStreams
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.trouble import needs_a_look
 from fleet_tui.rules.lag import is_overloaded
-from fleet_tui.rules.localisation.match import Match
 from fleet_tui.rules.why.complaints import Complaint, complaints
 from fleet_tui.rules.why.load import busiest
 from fleet_tui.rules.why.reason import Reason
@@ -62,12 +62,13 @@ class Why(RobotOverlay):
         self,
         looked_at: Callable[[], tuple[FleetState, str]],
         keys: Mapping[str, tuple[str, ...]],
-        match: Callable[[], Match | None],
+        streams: ShownStreams,
         backend: Backend,
     ) -> None:
-        """`match` returns that of the robot's shown scan with the map."""
+        """`streams` watch the robot's scan while it is open: that it does not fit the map is a reason."""
         super().__init__(id="why")
-        self._looked_at, self._keys, self._match = looked_at, keys, match
+        self._looked_at, self._keys, self._match = looked_at, keys, streams.match
+        streams.explains = lambda: self.is_open
         self._backend = backend
         self._shown: list[str] = []
         self._cuts: tuple[object, int] = (None, 0)

@@ -107,11 +107,11 @@ async def test_the_scan_shows_how_well_a_pose_fits(site: Site) -> None:
     robot = site.navigation().robot
     async with console(site.config) as it:
         await it.until(lambda state: state.robots["robot_0"].still_for > 1)
-        await it.press("u")
-        await it.shows("of 720 beams")
         await it.press("w")
         await it.shows("1. not localised")
-        await it.press("escape", "I")
+        await it.press("escape", "u")
+        await it.shows("of 720 beams")
+        await it.press("I")
         mode = it.app.main.rest.poses.mode
         assert mode is not None
         mode.cursor, mode.yaw = (robot.pose.x, robot.pose.y), robot.pose.yaw

@@ -1,5 +1,6 @@
 """The laser scan and the planned path of the selected robot, watched while they are shown."""
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from fleet_tui.backend import Backend
@@ -24,13 +25,14 @@ PATH_GONE = 10.0
 
 class ShownStreams:
     """Watches the streams that are shown, of the robot that is selected, and no others: a scan costs the
-    bridge some kilobytes each time."""
+    bridge some kilobytes each time. While `explains`, also its scan: that this does not fit is a reason."""
 
     def __init__(
         self, store: Store, backend: Backend, navigation: Navigation, notices: Notices, picture: MapPicture
     ) -> None:
         self._store, self._backend, self._navigation = store, backend, navigation
         self._notices, self._picture = notices, picture
+        self.explains: Callable[[], bool] = lambda: False
         self._shown = set[str]()
         self._watched = set[tuple[str, str]]()
         self._told = ""
@@ -61,7 +63,9 @@ class ShownStreams:
         # While a pose is chosen it is its robot's scan that counts.
         robot = state.robots[mode.robot if isinstance(mode, PlaceMode) else self._navigation.robot]
         placing = {SCAN} if isinstance(mode, PlaceMode) and mode.moves_scan else set()
-        wanted = {(robot.name, key) for key in (self._shown | placing) if key in robot.kind.streams}
+        drawn = self._shown | placing
+        explained = {SCAN} if self.explains() else set()
+        wanted = {(robot.name, key) for key in drawn | explained if key in robot.kind.streams}
         compared = {(self.comparison.robot, SCAN)} if self.comparison.robot else set[tuple[str, str]]()
         self._watch(wanted | compared)
         self.comparison.look()
@@ -70,7 +74,7 @@ class ShownStreams:
         streams = self._backend.streams
         is_placed_here = isinstance(mode, PlaceMode) and bool(placing) and mode.floor == scene.floor
         if robot.floor == scene.floor or is_placed_here:
-            beams = newest_beams(state, robot, streams)
+            beams = newest_beams(state, robot, streams) if SCAN in drawn else None
             if beams is not None:
                 self._tell(robot.name, beams)
                 at = scan_pose(robot, streams)
@@ -89,7 +93,7 @@ class ShownStreams:
         return streamed.value.points if state.now - streamed.at <= PATH_GONE else None
 
     def match(self) -> Match | None:
-        """Return the match of the shown scan with the map, None without one."""
+        """Return the match of the selected robot's watched scan with the map, None without one."""
         state, robot = self._store.state, self._store.state.robots[self._navigation.robot]
         if (robot.name, SCAN) not in self._watched or robot.floor is None:
             return None

@@ -11,12 +11,12 @@ from fleet_tui.model.set_up.streams import Points
 from fleet_tui.rules.localisation.distance_field import DistanceField, distance_field
 from fleet_tui.rules.localisation.match import NEAR, Match, match
 
-REACH = 2.5
+REACH = 5.0
 """Metres from the pose to the farthest one of the first round."""
 STEP, TURN = 0.4, math.tau / 36
 """Metres and radians between the poses of the first round; each round halves them."""
 ROUNDS = 5
-KEPT = 40
+KEPT = 150
 """Poses of a round around which the next one searches."""
 BEAMS = 60
 """Beams compared in the rounds."""

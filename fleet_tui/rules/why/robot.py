@@ -185,7 +185,7 @@ def misplaced(state: FleetState, robot: Robot) -> Reason | None:
     is_sure = is_now or misplaced_for_long(state, robot) is not None
     strength = Strength.CERTAIN if is_sure else Strength.LIKELY
     strength = strength if state.is_fresh(robot, "pose") else Strength.POSSIBLE
-    remedy, keys = _to_place(state, robot)
+    remedy, keys = to_place(state, robot)
     return Reason(text, evidence, strength, seen=found.at, keys=keys, remedy=remedy)
 
 
@@ -195,13 +195,14 @@ def off_graph(state: FleetState, robot: Robot) -> Reason | None:
         return None
     name, evidence = f"pose {metres_off(robot):.1f} m off the route graph", "its order leads along the edges"
     strength = Strength.LIKELY if misplaced_for_long(state, robot) is None else Strength.CERTAIN
-    remedy, keys = _to_place(state, robot)
+    remedy, keys = to_place(state, robot)
     return Reason(name, evidence, strength, seen=robot.pose.at, keys=keys, remedy=remedy)
 
 
-def _to_place(state: FleetState, robot: Robot) -> tuple[str, tuple[str, ...]]:
+def to_place(state: FleetState, robot: Robot) -> tuple[str, tuple[str, ...]]:
     """Return what to do about a wrong pose, and its keys: while a robot drives none is set."""
-    if robot.orders.current is None or state.is_paused(robot):
+    is_paused = state.is_paused(robot) and not drives_despite_pause(state, robot)
+    if robot.orders.current is None or is_paused:
         return WRONG_POSE, ("pose", "centre")
     return CLASSES["localisation"].action, ("pause", "pose", "centre")
 

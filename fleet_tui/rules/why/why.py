@@ -52,6 +52,7 @@ from fleet_tui.rules.why.robot import (
     paused,
     silent_robot,
     stale_pose,
+    to_place,
 )
 from fleet_tui.rules.why.vehicles import VEHICLE_REASONS
 
@@ -112,11 +113,15 @@ def _is_told(robot: Robot, complaint: Complaint, found: list[Reason]) -> bool:
     return cause != "" and complaint.text.endswith(cause) and any(cause in reason.name for reason in found)
 
 
-def _unfit(match: "Match | None") -> list[Reason]:
+def _unfit(state: FleetState, robot: Robot, match: "Match | None") -> list[Reason]:
     """Return the reason of a scan that does not fit the map: only while a scan is watched."""
-    return (
-        [Reason("not localised", match.text, keys=("pose",))] if match is not None and match.is_poor else []
-    )
+    if match is None or not match.is_poor:
+        return []
+    _, keys = to_place(state, robot)
+    remedy = "Set its pose: a search there finds where its scan fits"
+    if "pause" in keys:
+        remedy = "Pause it and set its pose: a search there finds where its scan fits"
+    return [Reason("not localised", match.text, keys=keys, remedy=remedy)]
 
 
 def _of_deaf(deaf: list[Reason], load: Reason | None, others: list[Reason]) -> list[Reason]:
@@ -139,7 +144,7 @@ def reasons(
     deaf, others = _held(DEAF, state, robot), _held(RULES, state, robot)
     if deaf:
         return _of_deaf(deaf, load, others)
-    moving, unfit = moves(state, robot), _unfit(match)
+    moving, unfit = moves(state, robot), _unfit(state, robot, match)
     if moving is not None and not (unfit or _held(ASTRAY, state, robot)):
         return [moving]
     others = unfit + others

@@ -7,7 +7,7 @@ from typing import Any
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.logs import ERROR, WARN
 from fleet_tui.simulator.navigating.poses import FRAME, flat, solid
-from fleet_tui.simulator.navigating.robot import NO_PROGRESS, NavigatingRobot
+from fleet_tui.simulator.navigating.robot import NO_PROGRESS, TAKEN_OVER, NavigatingRobot
 from fleet_tui.simulator.navigating.world import Clock
 from fleet_tui.simulator.ros.actionlib import (
     ABORTED,
@@ -81,6 +81,7 @@ class SimMoveBase:
     def receive_cancel(self, message: Message) -> None:
         """Take an actionlib_msgs/GoalID."""
         if self.alive:
+            self.robot.left_for = TAKEN_OVER
             self.server.cancel(message["id"], _nanoseconds(message["stamp"]))
 
     def give(self, x: float, y: float, yaw: float = 0.0) -> None:
@@ -90,7 +91,8 @@ class SimMoveBase:
 
     def cancel_all(self) -> None:
         """Cancel its goals as another client would."""
-        self.receive_cancel({"stamp": _time(0), "id": ""})
+        if self.alive:
+            self.server.cancel("", 0)
 
     def abort(self) -> None:
         """Abort the current drive."""

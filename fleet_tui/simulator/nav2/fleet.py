@@ -18,6 +18,7 @@ from fleet_tui.simulator.nav2.topics import Nav2News, steady_topics
 from fleet_tui.simulator.nav2.world import Nav2World
 from fleet_tui.simulator.navigating.diagnostics import health
 from fleet_tui.simulator.navigating.poses import FRAME
+from fleet_tui.simulator.navigating.robot import TAKEN_OVER
 from fleet_tui.simulator.navigating.set_up import FileServices, SetUpDesk, by_hand
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
@@ -93,6 +94,7 @@ class Nav2Fleet(Nav2World):
         stamp = info["stamp"]["sec"] * messages.GIGA + info["stamp"]["nanosec"]
         server = self.actions[service.removesuffix(f"/{CANCEL}")]
         answer = server.cancel(bytes(info["goal_id"]["uuid"]), stamp)
+        self.navigation[_robot_of(server)].robot.left_for = TAKEN_OVER
         goals = [messages.goal_info(goal.id, goal.stamp) for goal in answer["goals_canceling"]]
         return answer | {"goals_canceling": goals}
 
@@ -106,8 +108,7 @@ class Nav2Fleet(Nav2World):
         navigation = self.navigation[_robot_of(server)]
         if navigation.robot.silence or not navigation.publishes:
             return None
-        header = dialect.header(0, time.time(), FRAME)
-        return messages.feedback(navigation, server.verb, goal, header)
+        return messages.feedback(navigation, server.verb, goal, dialect.header(0, time.time(), FRAME))
 
     def result(self, server: ActionServer, goal: ServedGoal) -> Message | None:
         """Return the result of an ended goal, None while the robot is silent."""

@@ -14,6 +14,7 @@ from fleet_tui.simulator.warehouse import SimFloor
 SLIP, SKID = 1.01, 1.004  # odometry measured per metre and per radian
 SURE, LOST = 0.0025, 4.0  # variance of x and of y in square metres
 PROGRESS = 10.0  # seconds without progress before it tries a recovery
+TAKEN_OVER = 120.0  # seconds for which the other client leaves a robot to somebody who cancelled its goal
 RECOVERIES = 3  # recoveries before it aborts
 NO_PROGRESS = 105, "Failed to make progress"
 
@@ -35,6 +36,8 @@ class NavigatingRobot(Obstructed):
     docked = False
     silence = 0.0
     """Seconds for which none of the robot's topics are published."""
+    left_for = 0.0
+    """Seconds for which the other client sends it no goals, since somebody else cancelled one."""
     stuck = False
     """True: its wheels are blocked."""
 
@@ -101,7 +104,7 @@ class NavigatingRobot(Obstructed):
 
     def step(self) -> None:
         """Advance by STEP seconds."""
-        self.silence = max(0.0, self.silence - STEP)
+        self.silence, self.left_for = (max(0.0, one - STEP) for one in (self.silence, self.left_for))
         before = self.pose
         if self.driving:
             held = self._blocked(self.moving and not self._quiet) or self.stuck

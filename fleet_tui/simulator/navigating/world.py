@@ -105,7 +105,7 @@ class NavigatingWorld(ABC, Generic[N]):
         """Send every second idle robot a goal, as another client would; dock those with a low battery."""
         for name, robot in self.robots.items():
             navigation = self.navigation[name]
-            if robot.driving or navigation.busy:
+            if robot.driving or navigation.busy or robot.left_for:
                 continue
             if robot.battery < LOW and not robot.docked:
                 self._assign(navigation, is_low=True)

@@ -112,7 +112,7 @@ async def test_without_a_better_one_the_cursor_stays() -> None:
         mode = it.chooses(FAR)
         it.it.snap()
         it.ends()
-        assert mode.pose == FAR and it.said == "no better fit within 2.5 m of the cursor"
+        assert mode.pose == FAR and it.said == "no better fit within 5 m of the cursor"
 
 
 async def test_one_search_at_a_time_from_a_pose() -> None:
@@ -156,7 +156,7 @@ async def test_a_mode_that_was_left_meanwhile_stays_left() -> None:
 async def test_a_fit_that_is_doubtful_says_so() -> None:
     async with site() as it:
         it.scans()
-        it.chooses(Pose(10.0, 7.0))
+        it.chooses(Pose(11.0, 7.0))
         it.it.snap()
         it.ends()
         assert it.said.endswith(" degrees from the cursor: doubtful, search elsewhere too")

@@ -16,10 +16,11 @@ KIND = replace(ready().robots["robot_0"].kind, streams=(SCAN, PATH))
 POINTS = np.array([[1.0, 0.0], [0.0, 1.0]], np.float32)
 
 
-def shown(kind: object = KIND) -> tuple[Desk, ShownStreams, Scene]:
+def shown(kind: object = KIND, explains: bool = False) -> tuple[Desk, ShownStreams, Scene]:
     assert isinstance(kind, type(KIND))
     desk = Desk(reduced(of_kinds(ready(), kind), pose(T0 + 1), tick(T0 + 1)))
     streams = ShownStreams(desk.store, desk.backend, desk.navigation, desk.notices, MapPicture())
+    streams.explains = lambda: explains
     return desk, streams, floor_scene(desk.store.state, desk.navigation.selection)
 
 
@@ -51,6 +52,17 @@ def test_a_scan_without_a_pose_of_its_time_is_old_and_an_old_scan_is_gone() -> N
     assert streams.on(scene).beams_are_old
     desk.backend.streams.put("robot_0", SCAN, Streamed(beams, T0 - 5, T0 - 5))
     assert streams.on(scene).beams is None
+
+
+def test_while_reasons_are_shown_the_scan_is_watched_and_not_drawn() -> None:
+    desk, streams, scene = shown(explains=True)
+    streams.on(scene)
+    live = desk.backend.streams
+    assert live.wants("robot_0", SCAN)
+    live.put("robot_0", SCAN, Streamed(Beams(POINTS, 2, "laser", None, True), T0 + 1, T0 + 1))
+    assert streams.on(scene).beams is None and not desk.notices.text
+    streams.laser()
+    assert streams.on(scene).beams is POINTS
 
 
 def test_a_path_is_gone_after_ten_seconds() -> None:

@@ -36,6 +36,19 @@ def test_every_second_robot_is_driven_by_another_client_unless_it_is_quiet() -> 
         assert found == busy
 
 
+def test_the_other_client_leaves_a_robot_to_somebody_who_cancelled_its_goal() -> None:
+    world = MoveBaseWorld(2, 1, seed=1)
+    navigation = world.navigation["robot_1"]
+    while not navigation.busy:
+        world.step(1.0)
+    navigation.receive_cancel({"id": "", "stamp": {"secs": 0, "nsecs": 0}})
+    busy = []
+    for _ in range(160):
+        world.step(1.0)
+        busy.append(navigation.busy)
+    assert not any(busy[2:110]) and busy[-1]
+
+
 def test_who_is_low_is_sent_to_its_charger_and_charges() -> None:
     world = MoveBaseWorld(1, 1, seed=1)
     robot = world.robots["robot_0"]
