@@ -202,7 +202,8 @@ def _hidden(below: Roles) -> NDArray[np.uint8]:
     """Return what a chip would hide in each cell."""
     costs = _HIDDEN[below]
     outside, outer = costs == _OUTSIDE, costs == _HIDDEN[StyleRole.WALL]
-    beside = np.zeros_like(outside)
+    beside = np.ones_like(outside)  # at the view's edge may be the building's
+    beside[1:-1, 1:-1] = False
     beside[1:] |= outside[:-1]
     beside[:-1] |= outside[1:]
     beside[:, 1:] |= outside[:, :-1]
