@@ -1,6 +1,5 @@
 """The alarm pane: conditions that need a person, and unacknowledged alarms."""
 
-from collections import Counter
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from textwrap import wrap
 
@@ -17,6 +16,7 @@ from fleet_tui.text.sanitize import cell_width, fit, folded, sanitize
 from fleet_tui.text.units import counted
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrangement import RowArrangement, Value
+from fleet_tui.view.tables.fleet_columns import own_names
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
 
 SIGNS = {
@@ -77,9 +77,8 @@ def _names(state: FleetState, alarms: Sequence[Alarm], width: int) -> Mapping[st
     sources = {alarm.condition.source for alarm in alarms}
     names = {source: source for source in sources}
     if max(map(cell_width, sources), default=0) > most:
-        ends = Counter(name.rpartition("/")[2] for name in state.robots)
-        own = {one: one.rpartition("/")[2] for one in sources if one in state.robots}
-        names |= {one: name for one, name in own.items() if ends[name] == 1}
+        own = own_names(tuple(state.robots))
+        names |= {one: own[one] for one in sources if one in own}
     cells = column(names.values(), 7, most)
     return {one: fit(name, cells) for one, name in names.items()}
 

@@ -66,7 +66,7 @@ def _head(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: C
             f"{columns.number_of(robot):>{columns.number - 1}} ",
             StyleRole.DIM if columns.by_place else StyleRole.KEY,
         ),
-        (fit(robot.name, columns.name), StyleRole.ACCENT if selected else role),
+        (fit(columns.names[robot.name], columns.name), StyleRole.ACCENT if selected else role),
     ]
     if columns.battery:
         runs += [battery_run(state, robot), (" ", role)]

@@ -1,6 +1,8 @@
 """The columns of the fleet pane, by its width and by what the robots report."""
 
+from collections import Counter
 from collections.abc import Collection, Mapping
+from functools import lru_cache
 from itertools import takewhile
 from typing import NamedTuple
 
@@ -35,10 +37,15 @@ def floor_text(state: FleetState, robot: Robot) -> str:
     return robot.floor or UNKNOWN_FLOOR
 
 
+def _floors(state: FleetState) -> set[str]:
+    return {floor_text(state, robot) for robot in state.robots.values()}
+
+
 class Columns(NamedTuple):
     """Widths in cells with the gap after them, 0 for a column for which no robot of the fleet has a value or
-    the pane no space. `state` is what the last column has left. `floors` are their names as shown;
-    `number_head` is the name of the first column, `by_place` tells that it is the robot's number."""
+    the pane no space. `state` is what the last column has left. `floors` and `names` are those of floors and
+    robots as shown; `number_head` is the name of the first column, `by_place` tells that it is the robot's
+    number."""
 
     number: int
     name: int
@@ -50,6 +57,7 @@ class Columns(NamedTuple):
     waiting: int
     seen: int
     floors: Mapping[str, str]
+    names: Mapping[str, str]
     by_place: bool = True
     number_head: str = "#"
     state: int = 0
@@ -58,30 +66,30 @@ class Columns(NamedTuple):
     def of(cls, state: FleetState, width: int) -> "Columns":
         """Return the columns of a pane of `width` cells."""
         robots = state.robots.values()
-        reported = {value for robot in robots for value in robot.kind.reports}
-        names = {floor_text(state, robot) for robot in robots}
+        reported, names = {value for one in robots for value in one.kind.reports}, _floors(state)
         by_place = marks_of(tuple(state.robots)) == tuple(str(robot.number) for robot in robots)
         is_narrow = width < WHOLE_FLOORS
         # Of all floors: the column must not change when one gets empty.
         floors = shortened({*state.floors, *names}) if is_narrow else {name: name for name in names}
-        is_obvious = is_narrow and len(state.floors) == 1 and not names.intersection(NO_FLOOR)
+        own = own_names(tuple(state.robots)) if is_narrow else {name: name for name in state.robots}
+        is_obvious = is_narrow and len(state.floors) == 1 and names.isdisjoint(NO_FLOOR)
+        floor = column(floors.values(), FLOOR if is_narrow else len(tr("Floor")), 13) + 1
         fixed = cls(
             number=len(str(len(robots))) + 1 if by_place else 2,
-            name=column((robot.name for robot in robots), 6, 14) + 1,
+            name=column(own.values(), 6, 14) + 1,
             battery=6 if "battery" in reported else 0,
             bar=BAR + 1 if "battery" in reported and width >= WITH_BAR else 0,
-            floor=column(floors.values(), FLOOR if is_narrow else len(tr("Floor")), 13) + 1
-            if "pose" in reported and not is_obvious
-            else 0,
+            floor=floor if "pose" in reported and not is_obvious else 0,
             cargo=2 if "cargo" in reported else 0,
             order=0,
             waiting=6 if width >= WITH_WAITING and "queue" in reported else 0,
             seen=7 if width >= WITH_SEEN else 0,
             floors=floors,
+            names=own,
             by_place=by_place,
             number_head="#" if by_place else tr("Key"),
         )
-        left = width - DOT - sum(fixed[:-4])
+        left = width - DOT - sum(fixed[:-5])
         order = min(left - STATE, ORDER_MOST) if left >= WITH_ORDER else 0
         return fixed._replace(order=order, state=left - order)
 
@@ -109,6 +117,13 @@ class Columns(NamedTuple):
         both = tr("State, order")
         is_own = bool(self.order) or cell_width(both) > self.state
         return ((shown + (tr("State") if is_own else both), StyleRole.DIM),)
+
+
+@lru_cache(maxsize=4)
+def own_names(robots: tuple[str, ...]) -> Mapping[str, str]:
+    """Return the names of robots without that of their fleet, before a `/`, where they are unique so."""
+    ends = Counter(name.rpartition("/")[2] for name in robots)
+    return {name: own if ends[own := name.rpartition("/")[2]] == 1 else name for name in robots}
 
 
 def shortened(floors: Collection[str]) -> Mapping[str, str]:

@@ -1,9 +1,10 @@
 """Columns of the fleet pane: fixed by the width, and by what robots report."""
 
 import pytest
+from msgspec.structs import replace
 
 from fleet_tui.view.tables.fleet import fleet_table
-from fleet_tui.view.tables.fleet_columns import Columns, shortened
+from fleet_tui.view.tables.fleet_columns import Columns, own_names, shortened
 from tests.support.fleets import R0, T0, battery, fleet, link_up, pose, reduced, text_of
 
 
@@ -61,3 +62,19 @@ def test_numbers_that_are_keys_and_not_those_of_the_map_are_called_keys_at_every
     table = fleet_table(fleet(3), R0, width)
     assert text_of(table.head).startswith("Key Robot"), "robot_0 has the key 1"
     assert text_of(table.rows[0].runs)[2:].startswith("1 robot_0")
+
+
+def test_in_a_narrow_pane_a_robot_of_a_fleet_has_its_own_name_if_that_is_unique() -> None:
+    assert own_names(("tiny/robot_0", "carrier/robot_1", "robot_2")) == {
+        "tiny/robot_0": "robot_0",
+        "carrier/robot_1": "robot_1",
+        "robot_2": "robot_2",
+    }
+    assert own_names(("tiny/robot_0", "carrier/robot_0"))["tiny/robot_0"] == "tiny/robot_0"
+    state = fleet(2)
+    names = dict(zip(("tiny/robot_0", "carrier/robot_1"), state.robots.values(), strict=True))
+    robots = {name: replace(robot, name=name) for name, robot in names.items()}
+    state = replace(state, robots=robots)
+    rows = [text_of(row.runs) for row in fleet_table(state, "tiny/robot_0", 40).rows]
+    assert "robot_0 " in rows[0] and "tiny" not in "".join(rows)
+    assert "tiny/robot_0 " in text_of(fleet_table(state, "tiny/robot_0", 100).rows[0].runs)
