@@ -47,7 +47,7 @@ class Camera:
         left, top, right, bottom = area or (0.0, 0.0, *extent)
         middle = (left + right) / 2, (top + bottom) / 2
         scales = _fit_scales((right - left, bottom - top), width, height)
-        if height >= SMALL or min(scales) == MIN_SCALE or min(left, top) < 0:
+        if height >= SMALL or min(scales) == MIN_SCALE:
             return cls(*middle, max(scales), width, height, extent)
         x, y = _snug(left, right, width, DOTS_X), _snug(top, bottom, height, DOTS_Y)
         across = max(x.scale, _stretched(x, y.scale, scales[0]))
@@ -166,9 +166,16 @@ class _Snug(NamedTuple):
 
 
 def _snug(low: float, high: float, cells: int, dots: int) -> _Snug:
-    first = math.floor(low * cells / (high - low))
-    cell = high / (first + cells) * (1 + 1e-9)  # so that rounding leaves the last pixel in the view
-    return _Snug(cell / dots, (first + cells / 2) * cell)
+    """Let the cells end with the length or begin with it, whichever makes them smaller; if neither does well,
+    one of them is left over."""
+    first, safe = math.floor(low * cells / (high - low)), (high - low) / max(cells - 1, 1)
+    ending = (high / (first + cells), first) if first + cells > 0 else (math.inf, 0)
+    beginning = (low / (first + 1), first + 1) if first + 1 < 0 else (math.inf, 0)
+    cell, begin = min(ending, beginning)
+    if cell > safe:
+        return _Snug(safe / dots, (low + high) / 2)
+    cell *= 1 + 1e-9  # so that rounding leaves the last pixel in the view
+    return _Snug(cell / dots, (begin + cells / 2) * cell)
 
 
 def _stretched(one: _Snug, other: float, safe: float) -> float:
