@@ -8,6 +8,10 @@ OFFLINE = "offline"
 """Status of a robot whose driver has lost it."""
 
 
+CHARGING = "charging"
+"""The mode, as its driver's report is read, of a robot that charges."""
+
+
 class Member(Struct, frozen=True):
     """A robot of a fleet. `mode` is the word of its driver, `status` that of its adapter, each empty if not
     reported; `task` the id of the task that it drives; `issues` are the faults that its adapter reports, a

@@ -11,7 +11,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.conditions import is_news
 from fleet_tui.rules.alarms.members import FAILED_MODES
 from fleet_tui.rules.alarms.vehicles import priority_of
-from fleet_tui.rules.battery.charging import ON_ITS_WAY
+from fleet_tui.rules.battery.charging import CHARGES, ON_ITS_WAY
 from fleet_tui.rules.commands.follow_up import seen_end
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import drives_despite_pause
@@ -97,8 +97,8 @@ def urgency(alarm: Alarm) -> tuple[bool, bool, bool, bool, int]:
 
 
 def _needs_nobody(alarm: Alarm) -> bool:
-    """Tell whether an alarm is about a robot on its way to its charger."""
-    return alarm.condition.remedy == ON_ITS_WAY
+    """Tell whether an alarm is about a robot on its way to its charger, or there."""
+    return alarm.condition.remedy in (ON_ITS_WAY, CHARGES)
 
 
 def by_urgency(state: FleetState) -> list[str]:

@@ -3,12 +3,16 @@
 import math
 
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.fleets.member import CHARGING, Member
 from fleet_tui.model.graph import Vertex
 from fleet_tui.model.order import DOCKING
-from fleet_tui.model.robot import Robot, RobotMap
+from fleet_tui.model.robot import Reading, Robot, RobotMap
+from fleet_tui.model.vehicles.vehicle import Vehicle
 
 ON_ITS_WAY = "Wait: it is on its way to a charger"
 """The action at a low battery of a robot that needs no further order."""
+CHARGES = "Wait: it is charging"
+"""The action at a low battery of a robot that says so."""
 AT_CHARGER = 0.5
 """Metres within which a robot is at a charger."""
 
@@ -29,9 +33,20 @@ def charger_of(state: FleetState, robot: Robot) -> Vertex | None:
     return charger if charger is not None and state.is_fresh(robot, "pose") else None
 
 
-def charging_remedy(robot: Robot) -> str:
-    """Return what to do at a low battery, empty for the action of its class: one of its orders may end at a
-    charger."""
+def charging_reported(state: FleetState, robot: Robot) -> Reading[Vehicle] | Reading[Member] | None:
+    """Return the report that still holds of a vehicle, or of a fleet's driver, that it charges."""
+    vehicle, member = robot.vehicle, robot.member
+    if vehicle is not None and vehicle.value.charging and state.is_fresh(robot, "vehicle"):
+        return vehicle
+    is_charging = member is not None and member.value.mode == CHARGING and state.is_fresh(robot, "member")
+    return member if is_charging else None
+
+
+def charging_remedy(state: FleetState, robot: Robot) -> str:
+    """Return what to do at a low battery, empty for the action of its class: it may charge, or one of its
+    orders may end at a charger."""
+    if charging_reported(state, robot) is not None:
+        return CHARGES
     graphs = (one.graph for one in robot.maps.values() if one.graph is not None)
     chargers = {vertex.id for graph in graphs for vertex in graph.chargers}
     for order in robot.orders.open:

@@ -7,6 +7,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.trouble import is_halted
+from fleet_tui.rules.battery.charging import charging_reported
 from fleet_tui.rules.commands.pauses import drives_despite_pause
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.why.orders import at_stop
@@ -44,6 +45,8 @@ def _activity(state: FleetState, robot: Robot, blocked: Set[str], kept: Set[str]
     begins = robot.orders.current is None and state.now - state.links[robot.link].since < BEGINS_FOR
     if drives and not begins and state.is_fresh(robot, "pose") and not is_jumping(robot, state.now):
         return Activity.DRIVING
+    if charging_reported(state, robot) is not None:
+        return Activity.CHARGING
     if robot.orders.open or robot.name in kept:
         return Activity.LOADING if at_stop(state, robot) else Activity.WAITING
     return Activity.CHARGING if charges(state, robot) else Activity.IDLE

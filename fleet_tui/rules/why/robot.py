@@ -6,7 +6,7 @@ from fleet_tui.model.link import Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.alarms.navigation import NO_ODOMETRY, lacks_odometry
-from fleet_tui.rules.battery.charging import charger_of, charging_remedy
+from fleet_tui.rules.battery.charging import charger_of, charging_remedy, charging_reported
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import STANDS_AFTER, drives_despite_pause, own_pause_text
 from fleet_tui.rules.lag import is_overloaded
@@ -210,9 +210,9 @@ def to_place(state: FleetState, robot: Robot) -> tuple[str, tuple[str, ...]]:
 def charges(state: FleetState, robot: Robot) -> Reason | None:
     """Report that it is at a charger, is not full, and drives no order."""
     charger, battery = charger_of(state, robot), robot.battery
-    if robot.vehicle is not None and state.is_fresh(robot, "vehicle") and robot.vehicle.value.charging:
-        seen = robot.vehicle.at
-        return Reason("charging", "reported by the vehicle", Strength.LIKELY, stationary_since(robot), seen)
+    if (reported := charging_reported(state, robot)) is not None:
+        by = "reported by the vehicle" if reported is robot.vehicle else "reported by its driver"
+        return Reason("charging", by, Strength.LIKELY, stationary_since(robot), reported.at)
     if charger is None or battery is None or battery.value >= FULL:
         return None
     evidence = f"at the charger, battery {int(battery.value)} %, no order active"
@@ -230,6 +230,6 @@ def battery(state: FleetState, robot: Robot) -> Reason | None:
     limit = limits.battery_critical if critical else limits.battery_low
     strength = Strength.LIKELY if critical else Strength.POSSIBLE
     evidence = f"below {limit:.0f} %: the robot may reserve the rest to reach a charger"
-    name, on_its_way = f"battery {int(charge.value)} %", charging_remedy(robot)
+    name, on_its_way = f"battery {int(charge.value)} %", charging_remedy(state, robot)
     remedy, keys = (on_its_way, ()) if on_its_way else (CLASSES["battery"].action, ("order",))
     return Reason(name, evidence, strength, seen=charge.at, keys=keys, remedy=remedy)

@@ -4,15 +4,21 @@ from msgspec.structs import replace
 
 from fleet_tui.model.events import Event, GraphReceived
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.fleets.events import MemberReported
+from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Role, RouteGraph, Vertex
+from fleet_tui.model.history.facts import Activity
+from fleet_tui.model.order import OrderState
 from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.alarms.conditions import CHARGES_WITHIN
 from fleet_tui.rules.alarms.trouble import in_turn, urgency
 from fleet_tui.rules.battery.charging import AT_CHARGER, charger_of, has_low_battery
+from fleet_tui.rules.history.activity import activity
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.fleet import fleet_table
 from tests.support.fleets import F0, R0, T0, battery, fleet, link_up, pose, queue, reduced, text_of, tick
+from tests.support.rmf import reported, rmf_fleet
 
 CHARGER = Vertex("1", 0.0, 0.0, Role.DOCKING)
 GRAPH = GraphReceived(R0, F0, RouteGraph({"1": CHARGER, "2": Vertex("2", 5.0, 0.0)}))
@@ -83,3 +89,25 @@ def test_who_is_on_its_way_to_a_charger_comes_after_those_that_need_somebody() -
     )
     assert [one.condition.source for one in sorted(state.alarms, key=urgency)] == ["robot_1", R0]
     assert in_turn(state) == ["robot_1", R0], "though its battery is the emptier"
+
+
+def test_a_robot_whose_driver_says_that_it_charges_does_so_whatever_orders_it_has() -> None:
+    says = [
+        MemberReported(R0, T0 + after, Pose(0.0, 0.0), F0, after, 6.0, "charging", "")
+        for after in (0.0, 30.0)
+    ]
+    state = reduced(rmf_fleet(), link_up(T0), says[0], reported(T0, "a", OrderState.IN_PROCESS), says[1])
+    state = reduced(state, tick(T0 + 30))
+    robot = state.robots[R0]
+    assert activity(state, robot) is Activity.CHARGING
+    assert "charging" in [one.name for one in reasons(state, robot)]
+    assert not _of(state), "it may charge for a while"
+    told = next(one for one in reasons(state, robot) if one.name == "battery 6 %")
+    assert (told.remedy, told.keys) == ("Wait: it is charging", ())
+    moving = MemberReported(R0, T0 + 31, Pose(3.0, 0.0), F0, 31.0, 6.0, "moving", "")
+    left = reduced(state, moving, tick(T0 + 32))
+    assert _of(left) == ["Send it to a charger"]
+
+
+def _of(state: FleetState) -> list[str]:
+    return [action_of(one.condition) for one in state.alarms if one.condition.source == R0]
