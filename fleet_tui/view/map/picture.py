@@ -1,8 +1,10 @@
 """The map's picture: all layers, in two parts so that robots move over a cached backdrop."""
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
 
+from fleet_tui.text.sanitize import cell_width
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.layers import (
@@ -20,7 +22,7 @@ from fleet_tui.view.map.lines import (
     draw_mission,
 )
 from fleet_tui.view.map.outlines import draw_outlines
-from fleet_tui.view.map.placing.labels import Backdrop
+from fleet_tui.view.map.placing.labels import Backdrop, Label
 from fleet_tui.view.map.robots import Arrangement, draw_robots
 from fleet_tui.view.map.scene import Scene
 from fleet_tui.view.map.streams import draw_path, draw_scan
@@ -75,6 +77,25 @@ def picture(
     for draw in MOVING:
         draw(cells, scene, camera, look)
     draw_robots(cells, behind, scene, camera, look, before or Arrangement())
+    if _may_uncover_approach(scene, camera, behind.labels):
+        draw_approach(cells, scene, camera, look)
     for draw in top:
         draw(cells, scene, camera, look)
     return cells
+
+
+def _may_uncover_approach(scene: Scene, camera: Camera, labels: tuple[Label, ...]) -> bool:
+    """Tell whether a label is over the edge that the selected robot drives along: there it gives way to the
+    robot, after that edge was drawn around it."""
+    if scene.mission is None or scene.mission.edge is None:
+        return False
+    x, y, to_x, to_y = scene.mission.edge
+    ends = [scene.frame.to_pixel(*end) for end in ((x, y), (to_x, to_y))]
+    if not all(math.isfinite(value) for end in ends for value in end):
+        return False
+    columns, rows = zip(*(camera.to_cell(*end) for end in ends), strict=True)
+    (left, right), (top, bottom) = sorted(columns), sorted(rows)
+    return any(
+        top <= label.at[1] <= bottom and label.at[0] <= right and left <= label.at[0] + cell_width(label.text)
+        for label in labels
+    )

@@ -13,8 +13,8 @@ from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.picture import backdrop, picture
 from fleet_tui.view.map.placing.labels import PASSING, VACANT
 from fleet_tui.view.map.robots import Arrangement
-from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
-from fleet_tui.view.roles import LABELS
+from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
+from fleet_tui.view.roles import LABELS, StyleRole
 
 NAME = "Pharmacy"
 CAMERA = Camera.fit((400, 200), 120, 40)
@@ -116,3 +116,12 @@ def test_two_labels_of_one_cell_do_not_change_places() -> None:
     before, behind = Arrangement(), backdrop(scene, CAMERA, LOOK)
     texts = {picture(behind, scene, CAMERA, LOOK, before).text() for _ in range(4)}
     assert len(texts) == 1
+
+
+def test_the_way_of_the_selected_robot_goes_on_where_a_label_gave_way_to_it() -> None:
+    robot = SceneRobot("r", 7, Pose(10.05 + 3 * CELL, 5.0), selected=True)
+    mission = Mission((), (), (10.05, 5.0, 18.0, 5.0))
+    cells = picture(BEHIND, replace(SCENE, robots=(robot,), mission=mission), CAMERA, LOOK)
+    y, x = place(BEHIND) or (0, 0)
+    assert place(cells) not in (None, (y, x)), "it stands aside, for the robot is below it"
+    assert (cells.roles[y, x + 4 : x + len(NAME)] == StyleRole.MISSION).all()
