@@ -82,5 +82,5 @@ class PoseSnap:
 def _found(start: Pose, pose: Pose, matched: Match) -> str:
     metres = math.dist((start.x, start.y), (pose.x, pose.y))
     degrees = abs(math.degrees(math.remainder(pose.yaw - start.yaw, math.tau)))
-    doubt = ": doubtful, search elsewhere too" if matched.share < DOUBTFUL else ""
+    doubt = ": doubtful, search again or elsewhere" if matched.share < DOUBTFUL else ""
     return f"{percent(matched.share)} fit, {metres:.1f} m and {degrees:.0f} degrees from the cursor{doubt}"

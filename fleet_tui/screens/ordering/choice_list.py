@@ -27,8 +27,9 @@ class ChoiceList(Matches):
     def refill(self, robot: Robot | None) -> None:
         """List the choices, the first one marked if something is typed."""
         self._found = self._choices(robot)
-        typed = self._fields.typed
-        self.show(lines(self._state(), robot, typed, self._found), mark=bool(typed))
+        typed, fields = self._fields.typed, self._fields
+        start = fields.chosen.get("from") if fields.current == "to" else None
+        self.show(lines(self._state(), robot, typed, self._found, start), mark=bool(typed))
         self.scope = scope(robot, typed, self._found)
 
     @property

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 
 from fleet_tui.errors import did_you_mean
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.graph import Role
+from fleet_tui.model.graph import Role, Vertex
 from fleet_tui.model.kind import GOAL
 from fleet_tui.model.link import Phase
 from fleet_tui.model.robot import Robot
@@ -126,8 +126,10 @@ def scope(robot: Robot | None, typed: str, found: Choices) -> str:
     return tr(f"{own} on {floor}, then {others} elsewhere") if others else ""
 
 
-def lines(state: FleetState, robot: Robot | None, typed: str, found: Choices) -> list[str]:
-    """Return the line of each choice: places in columns."""
+def lines(
+    state: FleetState, robot: Robot | None, typed: str, found: Choices, start: Place | None = None
+) -> list[str]:
+    """Return the line of each choice: places in columns, for `to` with their way from the chosen `start`."""
     named = [one for one in found if isinstance(one, Place)]
     same = Counter(one.name for one in named)
     names = {
@@ -136,7 +138,9 @@ def lines(state: FleetState, robot: Robot | None, typed: str, found: Choices) ->
     }
     cells = column(names.values(), at_most=LONGEST) + 2
     return [
-        _in_column(names[one], cells, _about(state, robot, one)) if isinstance(one, Place) else line(one)
+        _in_column(names[one], cells, _about(state, robot, one, start))
+        if isinstance(one, Place)
+        else line(one)
         for one in found
     ]
 
@@ -150,18 +154,26 @@ def _needs_id(place: Place, same: Counter[str], typed: str) -> bool:
     return place.name != place.vertex and (same[place.name] > 1 or typed.strip() == place.vertex)
 
 
-def _about(state: FleetState, robot: Robot | None, place: Place) -> str:
-    """Return the kind of a place, its floor if the robot is not there, else the metres to it in a straight
-    line while the robot stands."""
+def _vertex(robot: Robot, place: Place) -> Vertex | None:
+    graph = robot.maps[place.floor].graph if place.floor in robot.maps else None
+    return graph.vertices.get(place.vertex) if graph is not None else None
+
+
+def _about(state: FleetState, robot: Robot | None, place: Place, start: Place | None) -> str:
+    """Return the kind of a place, its floor if it is on another one than the start or the robot, else the
+    metres to it in a straight line, from the robot only while it stands."""
     if robot is None:
         return sanitize(place.floor) if len(state.floors) > 1 else ""
-    graph = robot.maps[place.floor].graph if place.floor in robot.maps else None
-    vertex = graph.vertices.get(place.vertex) if graph is not None else None
+    vertex, begin = _vertex(robot, place), _vertex(robot, start) if start is not None else None
     role = ROLES.get(vertex.role, "") if vertex is not None else ""
     parts = [tr(role)] if role and role not in place.name.casefold() else []
     pose = robot.pose if state.is_fresh(robot, "pose") and robot.still_for >= STANDS_AFTER else None
-    if place.floor != robot.floor:
+    if place.floor != (start.floor if start is not None else robot.floor):
         parts.append(sanitize(place.floor))
+    elif start is not None:
+        if vertex is not None and begin is not None and place != start:
+            metres, named = math.dist((vertex.x, vertex.y), (begin.x, begin.y)), sanitize(start.name)
+            parts.append(tr(f"{metres:.0f} m from {named}"))
     elif vertex is not None and pose is not None:
         metres = math.dist((vertex.x, vertex.y), (pose.value.x, pose.value.y))
         parts.append(tr(f"{metres:.0f} m away"))

@@ -6,7 +6,7 @@ from functools import lru_cache
 
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.text.language import tr
-from fleet_tui.text.sanitize import cell_width, fit, sanitize
+from fleet_tui.text.sanitize import cell_width, fit_words, sanitize
 from fleet_tui.view.map.camera import Camera, scale_bar
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.drawing import Drawing
@@ -65,7 +65,7 @@ def _within(text: str, cells: int) -> str:
     """Return the parts of a text, at its commas, that are whole in so many cells, else its beginning."""
     while cell_width(text) > cells and ", " in text:
         text = text.rpartition(", ")[0]
-    return text if cell_width(text) <= cells else fit(text, cells)
+    return text if cell_width(text) <= cells else fit_words(text, cells).rstrip()
 
 
 def _pieces(facts: Caption) -> list[Piece]:

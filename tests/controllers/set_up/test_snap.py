@@ -159,7 +159,7 @@ async def test_a_fit_that_is_doubtful_says_so() -> None:
         it.chooses(Pose(11.0, 7.0))
         it.it.snap()
         it.ends()
-        assert it.said.endswith(" degrees from the cursor: doubtful, search elsewhere too")
+        assert it.said.endswith(" degrees from the cursor: doubtful, search again or elsewhere")
 
 
 async def test_a_goal_has_no_scan_to_fit() -> None:

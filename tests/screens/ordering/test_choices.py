@@ -124,6 +124,19 @@ def test_a_place_has_its_kind_and_distance_or_its_floor_and_an_id_only_if_its_la
     assert shown(driving, "Base") == ["Base"], "a distance would be old at once"
 
 
+def test_a_destination_has_its_distance_from_the_start_of_the_order_also_while_the_robot_drives() -> None:
+    state = reduced(site(), pose(T0 + 1, 0.5), tick(T0 + 1))
+    robot = state.robots[R0]
+    found = choices(state, robot, "to", "")
+    (start,) = [one for one in found if isinstance(one, Place) and one.name == "Lift"]
+    assert lines(state, robot, "", found, start)[:4] == [
+        "Base      2 m from Lift",
+        "Dock (2)  charger, 1 m from Lift",
+        "Lift",
+        "Dock (7)  floor_1",
+    ]
+
+
 def test_the_form_tells_which_places_are_listed_before_anything_is_typed() -> None:
     state, stays = site(), site(Kind("stays", ("pose", "graph"), (ORDER,), changes_floors=False))
     told = [scope(one.robots[R0], "", choices(one, one.robots[R0], "to", "")) for one in (state, stays)]
