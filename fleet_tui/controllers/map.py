@@ -56,7 +56,11 @@ class MapControls:
 
     def zoom_about(self) -> None:
         """Zoom about the selected robot, or about the centre of the view."""
-        self._picture.viewport.zoom_robot = not self._picture.viewport.zoom_robot
+        view = self._picture.viewport
+        view.zoom_robot = not view.zoom_robot
+        self._say(
+            "zooming keeps the robot in place" if view.zoom_robot else "zooming keeps the centre in place"
+        )
         self._view.draw()
 
     def follow(self) -> None:
@@ -121,6 +125,7 @@ class MapControls:
         options, styles = self._picture.options, list(Drawing)
         following = styles[(styles.index(options.drawing) + 1) % len(styles)]
         self._picture.options = replace(options, drawing=following)
+        self._say(f"drawing: {following.value}")
         self._view.draw()
 
     def enter(self, mode: MapMode) -> None:

@@ -36,6 +36,7 @@ async def test_zoom_about_the_robot_keeps_it_in_its_cell() -> None:
         app, _ = await started(pilot)
         place = next((y, row.index("→1")) for y, row in enumerate(app.rows()) if "→1" in row)
         app.controls.zoom_about()
+        assert app.said == "zooming keeps the robot in place"
         assert "zoom robot" in app.rows()[0]
         app.controls.zoom_in()
         row, column = next((y, row.index("→1")) for y, row in enumerate(app.rows()) if "→1" in row)
@@ -65,6 +66,7 @@ async def test_drawing_goes_round_and_ascii_is_ascii() -> None:
         for _ in range(3):
             app.controls.drawing()
             seen.append(view.picture.options.drawing)
+            assert app.said == f"drawing: {seen[-1].value}"
             assert "".join(app.rows()).isascii() == (seen[-1] is Drawing.ASCII)
         assert seen == [*Drawing, Drawing.BRAILLE]
 

@@ -41,10 +41,14 @@ class Pane(App[None]):
     def __init__(self) -> None:
         super().__init__()
         self.map = MapView(load_themes()[0]["dark"].styles())
-        self.controls = MapControls(self.map)
+        self.said = ""
+        self.controls = MapControls(self.map, self._say)
 
     def compose(self) -> ComposeResult:
         yield self.map
+
+    def _say(self, text: str) -> None:
+        self.said = text
 
     def rows(self) -> list[str]:
         return [self.map.render_line(y).text for y in range(self.map.size.height)]
