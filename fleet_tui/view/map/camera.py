@@ -13,8 +13,8 @@ from fleet_tui.rules.rates.attention import SeenArea
 
 DOTS_X, DOTS_Y = 2, 4
 MIN_SCALE = 0.125
-SMALL = 20
-"""Lines of a view below which a fitted area is stretched: a few more cells are worth more than its shape."""
+SMALL = 1200
+"""Cells of a view below which a fitted area is stretched: a few more cells are worth more than its shape."""
 MOST_TALL = 1.2
 """By how much it is drawn longer down or across at most."""
 ZOOM_STEP = math.sqrt(2.0)
@@ -47,7 +47,7 @@ class Camera:
         left, top, right, bottom = area or (0.0, 0.0, *extent)
         middle = (left + right) / 2, (top + bottom) / 2
         scales = _fit_scales((right - left, bottom - top), width, height)
-        if height >= SMALL or min(scales) == MIN_SCALE:
+        if width * height >= SMALL or min(scales) == MIN_SCALE:
             return cls(*middle, max(scales), width, height, extent)
         x, y = _snug(left, right, width, DOTS_X), _snug(top, bottom, height, DOTS_Y)
         across = max(x.scale, _stretched(x, y.scale, scales[0]))
