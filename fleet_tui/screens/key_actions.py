@@ -188,7 +188,7 @@ def _mark_alarm(screen: "MainScreen", keys: Sequence[Key]) -> None:
     """Mark the first of these alarms, if any, and say it."""
     for one in screen.store.state.alarms:
         if one.key in keys:
-            screen.alarms.listing.cursor = one.key
+            screen.alarms.listing.choose(one.key)
             screen.set_focus(screen.alarms)
             screen.notices.say(sanitize(f"{one.condition.source} {one.text}"))
     if not keys:

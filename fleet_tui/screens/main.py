@@ -162,7 +162,7 @@ class MainScreen(Screen[None]):
         self.fleet.listing.cursor = robot
         if (key := alarm_of(self.store.state, robot)) is not None:
             # An acknowledgement after a choice means that robot.
-            self.alarms.listing.cursor, self.alarms.listing.proposed = key, None
+            self.alarms.listing.choose(key)
 
     def _show_floor(self, state: FleetState) -> None:
         from fleet_tui.screens.ordering.route_line import show_route

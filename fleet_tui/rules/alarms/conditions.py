@@ -16,9 +16,10 @@ from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
 from fleet_tui.rules.alarms.members import MEMBER_RULES
 from fleet_tui.rules.alarms.navigation import NAVIGATION_RULES
 from fleet_tui.rules.alarms.vehicles import VEHICLE_RULES
-from fleet_tui.rules.battery.charging import charger_of, charging_remedy, charging_reported
+from fleet_tui.rules.battery.charging import LOOK_AT_CHARGER, charger_of, charging_remedy, charging_reported
 from fleet_tui.rules.causes import cause_of_standing
 from fleet_tui.rules.commands.failures import failed_commands
+from fleet_tui.rules.commands.pauses import drives_despite_pause, is_held
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.lag import BEHIND, is_overloaded
 from fleet_tui.text.durations import age, duration
@@ -72,12 +73,16 @@ def battery(state: FleetState, robot: Robot, active: ActiveConditions) -> Condit
         text += f" after {age(state.now - robot.standing.at)} at the charger"
     priority = Priority.MEDIUM if reading.value < critical else Priority.LOW
     over, remedy = "battery charging or recovered", charging_remedy(state, robot)
+    if charges and state.now >= due:
+        remedy = LOOK_AT_CHARGER
     return Condition(robot.name, "battery", priority, text, over, due, remedy=remedy)
 
 
 def pause(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
     """Raise after a pause for longer than the limit."""
     last_word = robot.paused.value if robot.paused is not None else robot.paused_by_us
+    if drives_despite_pause(state, robot):
+        return None
     if not last_word or not (state.is_paused(robot) or was_active(active, robot.name, robot.link, "pause")):
         return None
     since = state.began.get((robot.name, "pause"), state.now)
@@ -99,7 +104,7 @@ def stuck(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
         return None
     began = state.began.get((robot.name, "stuck"), state.now)
     due = began + state.limits.stuck_after - STILL
-    is_paused = state.is_paused(robot)
+    is_paused = is_held(state, robot)
     if is_paused and due > state.began.get((robot.name, "pause"), state.now):
         return None
     known = state.is_fresh(robot, "pose")

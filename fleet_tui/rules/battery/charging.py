@@ -13,6 +13,8 @@ ON_ITS_WAY = "Wait: it is on its way to a charger"
 """The action at a low battery of a robot that needs no further order."""
 CHARGES = "Wait: it is charging"
 """The action at a low battery of a robot that says so."""
+LOOK_AT_CHARGER = "Look at the robot and its charger"
+"""The action if that did not help."""
 AT_CHARGER = 0.5
 """Metres within which a robot is at a charger."""
 
@@ -45,7 +47,7 @@ def charging_reported(state: FleetState, robot: Robot) -> Reading[Vehicle] | Rea
 def charging_remedy(state: FleetState, robot: Robot) -> str:
     """Return what to do at a low battery, empty for the action of its class: it may charge, or one of its
     orders may end at a charger."""
-    if charging_reported(state, robot) is not None:
+    if charging_reported(state, robot) is not None or charger_of(state, robot) is not None:
         return CHARGES
     graphs = (one.graph for one in robot.maps.values() if one.graph is not None)
     chargers = {vertex.id for graph in graphs for vertex in graph.chargers}

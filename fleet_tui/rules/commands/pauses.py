@@ -3,10 +3,10 @@
 from fleet_tui.model.commands import CommandRecord, PauseRobot, ResumeRobot, Stage, Step
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation import Goal
+from fleet_tui.model.order import BEGUN
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.goals import active, own_ids
 from fleet_tui.rules.commands.local_queue import orders_of, waiting
-from fleet_tui.rules.commands.newest import own_pause
 
 STANDS_AFTER = 1.0
 """Seconds without movement after which a robot counts as standing, and within which it counted as moving."""
@@ -35,18 +35,35 @@ def is_moving(robot: Robot, now: float) -> bool:
 
 
 def drives_despite_pause(state: FleetState, robot: Robot) -> bool:
-    """Tell whether a goal drives a robot that was seen to pause: this console keeps back its own ones, but
-    no other client's."""
-    record = own_pause(state, robot) if robot.kind.holds and robot.paused_by_us else None
-    if record is None or record.stage is not Stage.CONFIRMED:
+    """Tell whether another client's goal drives a robot that was seen to pause: this console keeps back only
+    its own ones."""
+    if not (robot.kind.holds and robot.paused_by_us and state.is_fresh(robot, "queue")):
         return False
-    return any(not goal.is_ending for goal in active(robot.goals))
+    goals = (goal for goal in active(robot.goals) if goal.state in BEGUN and not goal.is_ours)
+    return _was_seen_to_pause(state, robot) and any(not goal.is_ending for goal in goals)
+
+
+def is_held(state: FleetState, robot: Robot) -> bool:
+    """Tell whether it is known to be paused, and nothing drives it all the same."""
+    return state.is_paused(robot) and not drives_despite_pause(state, robot)
+
+
+def _was_seen_to_pause(state: FleetState, robot: Robot) -> bool:
+    """Tell whether of its pauses and resumes that were confirmed the newest is a pause: a further one may be
+    on its way, or have failed."""
+    seen = (
+        one.command
+        for one in reversed(state.commands)
+        if one.command.robot == robot.name and one.stage is Stage.CONFIRMED
+    )
+    newest = next((one for one in seen if isinstance(one, PauseRobot | ResumeRobot)), None)
+    return isinstance(newest, PauseRobot)
 
 
 def own_pause_text(state: FleetState, robot: Robot) -> str:
     """Return the pause state of a robot that does not report it, as far as this console knows."""
     if drives_despite_pause(state, robot):
-        return "driving despite pause"
+        return "driving despite pause" if is_moving(robot, state.now) else "another goal despite pause"
     if robot.kind.holds:
         return "stopped, goal kept here" if waiting(state, robot) else "stopped, no goal to keep"
     return "paused (by us)"

@@ -8,7 +8,7 @@ from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.trouble import is_halted
 from fleet_tui.rules.battery.charging import charging_reported
-from fleet_tui.rules.commands.pauses import drives_despite_pause
+from fleet_tui.rules.commands.pauses import is_held
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.why.orders import at_stop
 from fleet_tui.rules.why.robot import charges
@@ -36,7 +36,7 @@ def activities(state: FleetState, robots: Iterable[Robot]) -> dict[str, Activity
 def _activity(state: FleetState, robot: Robot, blocked: Set[str], kept: Set[str]) -> Activity:
     if not state.is_online(robot):
         return Activity.OFFLINE
-    if state.is_paused(robot) and not drives_despite_pause(state, robot):
+    if is_held(state, robot):
         return Activity.PAUSED
     if robot.name in blocked or is_halted(state, robot):
         return Activity.BLOCKED

@@ -8,7 +8,7 @@ from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.alarms.navigation import NO_ODOMETRY, lacks_odometry
 from fleet_tui.rules.battery.charging import charger_of, charging_remedy, charging_reported
 from fleet_tui.rules.commands.newest import own_pause
-from fleet_tui.rules.commands.pauses import STANDS_AFTER, drives_despite_pause, own_pause_text
+from fleet_tui.rules.commands.pauses import STANDS_AFTER, drives_despite_pause, is_held, own_pause_text
 from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.localisation.jumps import recent_jumps
 from fleet_tui.rules.localisation.misplaced import (
@@ -105,8 +105,8 @@ def despite_pause(state: FleetState, robot: Robot) -> Reason | None:
     """Report that it drives although it is paused: a pause that keeps goals keeps only those from here."""
     if not drives_despite_pause(state, robot):
         return None
-    evidence = "a goal from elsewhere came after the pause, which keeps back only goals from here"
-    remedy = "Pause it again, which cancels that goal too, or ask who sends it goals"
+    evidence = "another client sent a goal after the pause; a pause holds only this console's goals"
+    remedy = "Pause it again to cancel that goal, or ask who sends it goals"
     return Reason(own_pause_text(state, robot), evidence, keys=("pause",), remedy=remedy)
 
 
@@ -201,8 +201,7 @@ def off_graph(state: FleetState, robot: Robot) -> Reason | None:
 
 def to_place(state: FleetState, robot: Robot) -> tuple[str, tuple[str, ...]]:
     """Return what to do about a wrong pose, and its keys: while a robot drives none is set."""
-    is_paused = state.is_paused(robot) and not drives_despite_pause(state, robot)
-    if robot.orders.current is None or is_paused:
+    if robot.orders.current is None or is_held(state, robot):
         return WRONG_POSE, ("pose", "centre")
     return CLASSES["localisation"].action, ("pause", "pose", "centre")
 

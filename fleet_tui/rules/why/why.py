@@ -118,9 +118,9 @@ def _unfit(state: FleetState, robot: Robot, match: "Match | None") -> list[Reaso
     if match is None or not match.is_poor:
         return []
     _, keys = to_place(state, robot)
-    remedy = "Set its pose: a search there finds where its scan fits"
+    remedy = "Set its pose, then search there for the best fit of its scan"
     if "pause" in keys:
-        remedy = "Pause it and set its pose: a search there finds where its scan fits"
+        remedy = "Pause it and set its pose, then search there for the best fit of its scan"
     return [Reason("not localised", match.text, keys=keys, remedy=remedy)]
 
 

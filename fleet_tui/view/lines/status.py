@@ -7,7 +7,7 @@ from fleet_tui.model.fleet import FleetState, behind_text
 from fleet_tui.model.kind import PAUSE
 from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.rules.alarms.trouble import to_look_at
-from fleet_tui.rules.commands.pauses import drives_despite_pause
+from fleet_tui.rules.commands.pauses import is_held
 from fleet_tui.rules.lag import BEHIND
 from fleet_tui.rules.sites import alarms_by_site, site_of, sites_of
 from fleet_tui.text.durations import age, duration
@@ -34,8 +34,7 @@ def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: f
     seconds old."""
     able = [robot for robot in state.robots.values() if robot.kind.can(PAUSE)]
     # Of a robot that is not heard nobody knows whether it stands.
-    stopped = [robot for robot in able if state.is_paused(robot) and state.is_online(robot)]
-    stopped = [robot for robot in stopped if not drives_despite_pause(state, robot)]
+    stopped = [robot for robot in able if state.is_online(robot) and is_held(state, robot)]
     paused = (
         tr(f"ALL {PAUSED}") if len(stopped) == len(able) else tr(f"{len(stopped)} of {len(able)} {PAUSED}")
     )

@@ -15,8 +15,8 @@ DOTS_X, DOTS_Y = 2, 4
 MIN_SCALE = 0.125
 SMALL = 1200
 """Cells of a view below which a fitted area is stretched: a few more cells are worth more than its shape."""
-MOST_TALL = 1.2
-"""By how much it is drawn longer down or across at most."""
+MOST_TALL, FILLED = 1.2, 1.3
+"""By how much it is drawn longer down or across at most, and if it then takes all cells of the view."""
 ZOOM_STEP = math.sqrt(2.0)
 BEYOND = 0.25
 """Share of the view's size around it that counts as seen: the map may be moved there next."""
@@ -119,8 +119,10 @@ class Camera:
         return nearer.centred(column + (self.column - column) * ratio, row + (self.row - row) * ratio)
 
     def resized(self, width: int, height: int) -> "Camera":
-        """Return the camera with the same centre in a view of another size in cells."""
-        return replace(self, width=width, height=height)
+        """Return the camera with the same centre in a view of another size in cells; a large one shows the
+        shape as it is."""
+        tall = self.tall if width * height < SMALL else 1.0
+        return replace(self, width=width, height=height, tall=tall)
 
     def at_scale_of(self, other: "Camera", frame: MapFrame, own: MapFrame) -> "Camera":
         """Return the camera with the metres per dot of another one, over a map of that `frame`."""
@@ -167,7 +169,8 @@ class _Snug(NamedTuple):
 
 def _snug(low: float, high: float, cells: int, dots: int) -> _Snug:
     """Let the cells end with the length or begin with it, whichever makes them smaller; if neither does well,
-    one of them is left over."""
+    one of them is left over. A wall may be drawn half a dot later: for that there is space at its end."""
+    high += (high - low) / (cells * dots * 2)
     first, safe = math.floor(low * cells / (high - low)), (high - low) / max(cells - 1, 1)
     ending = (high / (first + cells), first) if first + cells > 0 else (math.inf, 0)
     beginning = (low / (first + 1), first + 1) if first + 1 < 0 else (math.inf, 0)
@@ -179,10 +182,12 @@ def _snug(low: float, high: float, cells: int, dots: int) -> _Snug:
 
 
 def _stretched(one: _Snug, other: float, safe: float) -> float:
-    """Return the scale of an axis that the scale of the other one limits: that of all cells where snapping
-    could cut the rim off, which is below the `safe` one."""
+    """Return the scale of an axis that the scale of the other one limits. Below the `safe` one snapping could
+    cut the rim off, unless the axis takes all cells."""
     wanted = other / MOST_TALL
-    return wanted if wanted >= safe else one.scale
+    if wanted >= safe:
+        return wanted
+    return one.scale if other <= one.scale * FILLED else safe
 
 
 def seen_area(camera: Camera, frame: MapFrame) -> SeenArea:

@@ -23,6 +23,7 @@ from fleet_tui.rules.alarms.trouble import (
     urgency,
     waits,
 )
+from fleet_tui.rules.commands.pauses import is_held
 from fleet_tui.rules.commands.set_up.mode import mapping_text
 from fleet_tui.rules.localisation.misplaced import misplaced_text
 from fleet_tui.rules.marks import marks_of
@@ -157,7 +158,7 @@ def _robot(
         return None
     robot_map = None if tied else robot.maps.get(selection.floor)
     pose, other_map = _placed(robot.pose.value, robot_map.frame if robot_map else None, picture)
-    is_paused = state.is_paused(robot)
+    is_paused = is_held(state, robot)
     return SceneRobot(
         name=robot.name,
         number=robot.number,

@@ -1,6 +1,5 @@
 """The map's picture: all layers, in two parts so that robots move over a cached backdrop."""
 
-import math
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -31,6 +30,9 @@ from fleet_tui.view.roles import StyleRole
 
 Layer = Callable[[Cells, Scene, Camera, MapOptions], None]
 
+
+FARTHEST = 1e9
+"""Map pixels beyond which nothing is drawn."""
 
 STILL: tuple[Layer, ...] = (draw_ground, draw_edges)
 MISSION: tuple[Layer, ...] = (draw_mission, draw_vertices)
@@ -91,7 +93,7 @@ def _may_uncover_approach(scene: Scene, camera: Camera, labels: tuple[Label, ...
         return False
     x, y, to_x, to_y = scene.mission.edge
     ends = [scene.frame.to_pixel(*end) for end in ((x, y), (to_x, to_y))]
-    if not all(math.isfinite(value) for end in ends for value in end):
+    if not all(abs(value) < FARTHEST for end in ends for value in end):  # nor for NaN
         return False
     columns, rows = zip(*(camera.to_cell(*end) for end in ends), strict=True)
     (left, right), (top, bottom) = sorted(columns), sorted(rows)

@@ -1,7 +1,7 @@
 """The viewport: the camera of each floor, following, zooming, picking."""
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple, TypeVar
 
 from fleet_tui.model.geometry import MapFrame
@@ -68,7 +68,7 @@ class Viewport:
             camera = self._keep(scene, camera.at_scale_of(*self._moved[self._followed], scene.frame))
         self._followed = scene.floor
         followed = camera.followed(*target, _area(scene))
-        if followed != camera:
+        if followed.origin != camera.origin:
             self._keep(scene, followed)
         return followed
 
@@ -106,9 +106,9 @@ class Viewport:
     def _part_of(self, scene: Scene, whole: Camera) -> Camera:
         """Return the camera of the uncovered part of a view, moved only if the selected robot or the picked
         vertex would be out of it; without space for both the vertex is in it."""
-        part = self._part
-        if part is None or (part.scale, part.width, part.height) != (whole.scale, self.width, self.height):
-            part = whole.resized(self.width, self.height)
+        part, whole = self._part, replace(whole, height=self.height)
+        if part is None or replace(part, column=whole.column, row=whole.row) != whole:
+            part = whole
         points = [at for at in (self._robot_pixel(scene), _picked_pixel(scene)) if at is not None]
         if not all(_shows(part, at) for at in points):
             middle = [sum(ends) / len(ends) for ends in zip(*points, strict=True)]
@@ -158,7 +158,7 @@ class Viewport:
         camera = self._camera(scene)
         centred = camera.centred_within(*pixel, _area(scene)) if pixel else camera
         # A fitted view shows all: it stays fitted, also at another size.
-        if centred != camera:
+        if centred.origin != camera.origin:
             self._keep(scene, centred)
 
     def middle(self, scene: Scene) -> Point:

@@ -123,7 +123,8 @@ class Columns(NamedTuple):
 def own_names(robots: tuple[str, ...]) -> Mapping[str, str]:
     """Return the names of robots without that of their fleet, before a `/`, where they are unique so."""
     ends = Counter(name.rpartition("/")[2] for name in robots)
-    return {name: own if ends[own := name.rpartition("/")[2]] == 1 else name for name in robots}
+    own = {name: name.rpartition("/")[2] for name in robots}
+    return {name: end if end and ends[end] == 1 else name for name, end in own.items()}
 
 
 def shortened(floors: Collection[str]) -> Mapping[str, str]:

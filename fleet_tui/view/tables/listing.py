@@ -48,6 +48,10 @@ class Listing:
             self._place = max((place for place in places if place <= self._place), default=first)
             self.cursor = self.proposed = keys[self._place] if places else None
 
+    def choose(self, key: Hashable) -> None:
+        """Put the cursor on a row that somebody chose."""
+        self.cursor, self.proposed = key, None
+
     def move(self, step: int) -> bool:
         """Move the cursor by rows, at most to the last one that can have it; return False if there are
         none."""

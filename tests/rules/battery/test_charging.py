@@ -51,6 +51,7 @@ def test_a_low_battery_is_no_alarm_at_a_charger_and_one_beside_it() -> None:
 def test_a_battery_still_low_after_long_charging_is_an_alarm() -> None:
     (alarm,) = standing(0.0, seconds=CHARGES_WITHIN + 60).alarms
     assert alarm.text == "battery 12 % after 31 min at the charger"
+    assert action_of(alarm.condition) == "Look at the robot and its charger"
 
 
 def test_a_robot_on_its_way_to_a_charger_needs_no_order() -> None:

@@ -129,7 +129,7 @@ def test_a_robot_that_drives_on_despite_our_pause_is_not_paused() -> None:
     assert not reduced(state, pose(T0 + 1, 2.0), pose(T0 + 2, 3.0)).robots[R0].paused_by_us
 
 
-def test_a_goal_from_elsewhere_that_drives_a_paused_robot_is_told() -> None:
+def test_a_paused_robot_that_another_clients_goal_drives_says_so() -> None:
     paused = (*commanded(1, PauseRobot(R0), SENT, ACCEPTED, Stage.CONFIRMED, at=T0), tick(T0))
     state = reduced(site(), *paused)
     assert own_pause_text(state, state.robots[R0]) == "stopped, no goal to keep"
@@ -141,6 +141,14 @@ def test_a_goal_from_elsewhere_that_drives_a_paused_robot_is_told() -> None:
     assert activity(state, robot) is Activity.DRIVING and is_odd(state, robot)
     assert not any("PAUSED" in note for note in console_notes(state, False, True, 0.0))
     found, *_ = reasons(state, robot)
-    assert found.keys == ("pause",) and "elsewhere" in found.evidence
+    assert found.keys == ("pause",) and "another client" in found.evidence
+    for stage in (SENT, ACCEPTED, NO_ANSWER, Stage.REFUSED, Stage.NOT_SENT):
+        tried = reduced(state, *commanded(2, PauseRobot(R0), SENT, stage, at=T0 + 4))
+        assert own_pause_text(tried, tried.robots[R0]) == "driving despite pause", stage
+    later = lived(reduced(state, tick(T0 + 2000)), T0 + 2001, goal("foreign"))
+    assert own_pause_text(later, later.robots[R0]) == "another goal despite pause", "it stands"
+    assert not any(one.condition.kind == "pause" for one in later.alarms)
+    queued = lived(reduced(site(), *paused), T0 + 3, goal("foreign", OrderState.QUEUED))
+    assert own_pause_text(queued, queued.robots[R0]) == "stopped, no goal to keep"
     again = lived(state, T0 + 5, goal("foreign", OrderState.CANCELLED))
     assert own_pause_text(again, again.robots[R0]) == "stopped, no goal to keep"

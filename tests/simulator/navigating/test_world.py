@@ -36,7 +36,7 @@ def test_every_second_robot_is_driven_by_another_client_unless_it_is_quiet() -> 
         assert found == busy
 
 
-def test_the_other_client_leaves_a_robot_to_somebody_who_cancelled_its_goal() -> None:
+def test_the_other_client_leaves_a_robot_alone_after_its_goal_was_cancelled() -> None:
     world = MoveBaseWorld(2, 1, seed=1)
     navigation = world.navigation["robot_1"]
     while not navigation.busy:

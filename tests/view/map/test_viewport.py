@@ -6,13 +6,19 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Role
-from fleet_tui.model.occupancy import build_grid
+from fleet_tui.model.occupancy import FREE, OCCUPIED, build_grid
+from fleet_tui.view.map.area import worth_seeing
 from fleet_tui.view.map.camera import Camera
+from fleet_tui.view.map.drawing import Drawing
+from fleet_tui.view.map.ground.raster import ground
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.view.map.viewport import Viewport, pick, pointed
+from fleet_tui.view.roles import WALLS
 
 FRAME = MapFrame(0.05, 800, 400, Pose(0.0, 0.0))
 ROBOT = SceneRobot("robot_0", 1, Pose(35.0, 5.0), selected=True)
@@ -99,6 +105,38 @@ def test_zooming_in_does_not_lose_the_selected_robot_and_a_fitted_view_stays_fit
     middle = it.middle(hall)
     it.zoom(hall, 1.2)
     assert abs(it.middle(hall)[0] - middle[0]) < 0.5
+
+
+@pytest.mark.parametrize("follow", [False, True])
+def test_a_small_view_that_shows_all_stays_fitted_when_it_is_centred(follow: bool) -> None:
+    it, hall = Viewport(width=39, height=16, follow=follow), mapped(0.0, 0.0, 40.0, 33.0)
+    hall = replace(hall, robots=(ROBOT,))
+    whole = it.camera(hall)
+    it.centre(hall)
+    assert it.camera(hall) == whole
+    it.width, it.height = 96, 40
+    assert it.camera(hall).scale < whole.scale / 2 and it.camera(hall).tall == 1.0
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    st.integers(60, 3000), st.integers(60, 3000), st.integers(30, 60), st.integers(10, 19), st.integers(2, 4)
+)
+def test_a_small_view_shows_the_walls_on_all_sides(
+    columns: int, rows: int, width: int, height: int, thick: int
+) -> None:
+    classes = np.full((rows, columns), FREE, np.uint8)
+    classes[:thick] = classes[-thick:] = classes[:, :thick] = classes[:, -thick:] = OCCUPIED
+    frame = MapFrame(0.1, columns, rows)
+    grid = build_grid(frame, classes)
+    hall = Scene("hall", frame, grid)
+    camera = Viewport(width, height).camera(replace(hall, area=worth_seeing(hall, ())))
+    cells = ground(grid, camera, Drawing.BRAILLE)
+    walls = np.isin(cells.roles, WALLS) & (cells.codes != ord(" "))
+    (left, top), (right, bottom) = camera.to_cell(0, 0), camera.to_cell(columns - 1e-6, rows - 1e-6)
+    x, y = (left + right) // 2, (top + bottom) // 2
+    for side in (walls[: top + 2, x], walls[bottom - 1 :, x], walls[y, : left + 2], walls[y, right - 1 :]):
+        assert side.any()
 
 
 def test_zoomed_out_as_far_as_the_whole_floor_all_of_it_is_shown() -> None:

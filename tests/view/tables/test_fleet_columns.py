@@ -70,6 +70,7 @@ def test_in_a_narrow_pane_a_robot_of_a_fleet_has_its_own_name_if_that_is_unique(
         "carrier/robot_1": "robot_1",
         "robot_2": "robot_2",
     }
+    assert own_names(("fleet/", "robot_2"))["fleet/"] == "fleet/"
     assert own_names(("tiny/robot_0", "carrier/robot_0"))["tiny/robot_0"] == "tiny/robot_0"
     state = fleet(2)
     names = dict(zip(("tiny/robot_0", "carrier/robot_1"), state.robots.values(), strict=True))

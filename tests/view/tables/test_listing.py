@@ -53,6 +53,8 @@ def test_a_row_that_the_cursor_came_to_by_itself_is_only_proposed() -> None:
     assert listing.proposed is None, "new rows take no choice back"
     listing.show(table("b"))
     assert listing.proposed == "b"
+    listing.choose("b")
+    assert listing.cursor == "b" and listing.proposed is None
 
 
 def test_an_empty_table_says_why() -> None:

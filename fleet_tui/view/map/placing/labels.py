@@ -124,7 +124,8 @@ def _cover(cells: Cells, behind: Backdrop, label: Label, covered: int, sign: str
     row, columns = label.at[1], slice(label.at[0], label.at[0] + size)
     # The lowest bit that is set; half a wide letter is none.
     start = (covered & -covered).bit_length() - 1 if covered > 0 and len(label.text) == size else 0
-    rest, signs = np.arange(size) < (start if start > LEAST_START else 0), np.arange(size) == start - 1
+    start = start if start > LEAST_START else 0
+    rest, signs = np.arange(size) < start, np.arange(size) == start - 1
     is_label = cells.codes[row, columns] == behind.codes[row, columns]
     for plane, bare in ((cells.codes, behind.bare.codes), (cells.roles, behind.bare.roles)):
         plane[row, columns] = np.where(is_label & ~rest, bare[row, columns], plane[row, columns])

@@ -53,6 +53,8 @@ def test_a_label_is_whole_or_its_start_says_that_it_goes_on(cells: float, rows: 
     robot = SceneRobot("r", 7, pose)
     after = picture(backdrop(scene, CAMERA, LOOK), replace(scene, robots=(robot,)), CAMERA, LOOK, before)
     seen = rest(after)
+    row = after.text().splitlines()[(place(BEHIND) or (0, 0))[0]]
+    assert "…" not in row or "…" in seen, "no sign without letters"
     start = seen.rstrip()
     assert not start or start == NAME or (len(start) > 2 and start[-1] == "…" and NAME.startswith(start[:-1]))
 
