@@ -50,7 +50,7 @@ class Nav2Changes:
 
     def _obstacle(self, robot: NavigatingRobot) -> Iterator[Line]:
         blocked = robot.obstacle > 0.0
-        if blocked != (robot.name in self._blocked):
+        if robot.driving and blocked != (robot.name in self._blocked):
             self._blocked ^= {robot.name}
             message = (
                 "Robot to stop due to PolygonStop polygon"

@@ -64,7 +64,9 @@ class Nav2News(News[SimNavigation]):
         self, name: str, navigation: SimNavigation, dialect: Dialect, now: float
     ) -> Iterator[tuple[str, Payload]]:
         """The obstacle and the goals of one robot."""
-        if (navigation.robot.obstacle > 0.0) != self._blocked[name]:
+        robot = navigation.robot
+        # The monitor looks at the robot's commanded twists: while it stands nothing changes.
+        if robot.driving and (robot.obstacle > 0.0) != self._blocked[name]:
             self._blocked[name] = not self._blocked[name]
             value = messages.collision(self._blocked[name])
             yield f"/{name}/collision_monitor_state", raw_payload(dialect, MONITOR, now, value)

@@ -33,6 +33,8 @@ def test_an_obstacle_is_told_once_and_a_silent_robot_says_nothing() -> None:
     world = Nav2World(1, 1, seed=1, quiet=True)
     changes, robot = Nav2Changes(world), world.robots["robot_0"]
     robot.block()
+    assert told(changes) == [], "without a twist the monitor has nothing to stop"
+    robot.driving = True
     ((level, node, _),) = told(changes)
     assert (level, node) == (WARN, "/robot_0/collision_monitor") and told(changes) == []
     robot.obstacle, robot.silence = 0.0, 9.0

@@ -91,6 +91,7 @@ async def test_the_collision_monitor_speaks_only_on_change(
     topic = "/robot_0/collision_monitor_state"
     await listen(client, topic)
     await settle(client)
+    fleet.navigation["robot_0"].give(20.0, 0.0)
     fleet.robots["robot_0"].block()
     stopped = json.loads(await client.recv())
     assert stopped["msg"] == {"action_type": 1, "polygon_name": "PolygonStop"}
