@@ -1,6 +1,6 @@
 """Walls at the scale of the picture: thin ones stay, and narrow ways between them stay open."""
 
-from typing import Any
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,44 +9,12 @@ from fleet_tui.view.map.tracing import Mask
 
 REACH = 2
 """Blocks from which a thin wall goes on along the rim of another."""
-Blocks = NDArray[np.uint8]
-"""Blocks, the walls in their parts as bits."""
+Bits = NDArray[np.uint8]
+"""Blocks as bits, eight of a row in each byte: a frame has tens of thousands."""
+Quarters = tuple[Bits, Bits, Bits, Bits]
+"""The parts of blocks: upper left, upper right, lower left, lower right."""
 RIM = REACH + 2
 """Blocks beside a block that decide on it."""
-
-
-_ALONE, _RIM, _EDGE = 1, 2, 4
-_TOP_LEFT, _TOP_RIGHT, _LOW_LEFT, _LOW_RIGHT = 1, 2, 4, 8
-
-
-def _table(pairs: tuple[tuple[int, int], tuple[int, int]], wins: bool) -> NDArray[np.uint8]:
-    """Return marks for each block (its parts as bits, times 16) with each block on one side of it. `pairs`:
-    parts at that side, each with the part beyond it; `wins`: of two equal halves side by side this is the
-    wall.
-
-    alone: the block has parts only at that side; rim: so has it, and they go on beyond; edge: parts all along
-    that side go on beyond."""
-    (one, _), (two, _) = pairs
-    marks = np.zeros(256, np.uint8)
-    for own in range(1, 16):
-        for other in range(16):
-            goes_on = [
-                # Where this one wins the other must be thicker.
-                bool(other & beyond) and (not wins or bool(other & part))
-                for part, beyond in pairs
-                if own & part
-            ]
-            is_alone = not own & ~(one | two)
-            is_edge = len(goes_on) == 2 and all(goes_on)
-            marks[own * 16 + other] = _ALONE * is_alone + _RIM * (is_alone and all(goes_on)) + _EDGE * is_edge
-    return marks
-
-
-_LEFT = _table(((_TOP_LEFT, _TOP_RIGHT), (_LOW_LEFT, _LOW_RIGHT)), False)
-_RIGHT = _table(((_TOP_RIGHT, _TOP_LEFT), (_LOW_RIGHT, _LOW_LEFT)), True)
-_ABOVE = _table(((_TOP_LEFT, _LOW_LEFT), (_TOP_RIGHT, _LOW_RIGHT)), False)
-_BELOW = _table(((_LOW_LEFT, _TOP_LEFT), (_LOW_RIGHT, _TOP_RIGHT)), True)
-_SIDES = (_LEFT, 0, 1), (_RIGHT, 0, -1), (_ABOVE, 1, 0), (_BELOW, -1, 0)
 
 
 def wall_blocks(parts: Mask, ways: Mask | None = None) -> Mask:
@@ -58,55 +26,82 @@ def wall_blocks(parts: Mask, ways: Mask | None = None) -> Mask:
     free if robots drive in it past its wall. But no wall vanishes: each is drawn in its block or in one that
     touches it.
     """
-    blocks = _packed(parts)
-    walls, kept = blocks > 0, blocks
+    own = _quarters(parts)
+    blocks = own[0] | own[1] | own[2] | own[3]
+    kept = own
     if ways is not None:
-        passed = _packed(ways)
-        kept = blocks * ((passed == 0) | (passed & blocks > 0))
-    drawn = (kept > 0) & ~_rims(kept)
-    return np.asarray(drawn | (walls & ~_around(drawn)))
+        ways_in = _quarters(ways)
+        passed = ways_in[0] | ways_in[1] | ways_in[2] | ways_in[3]
+        meets = (own[0] & ways_in[0]) | (own[1] & ways_in[1]) | (own[2] & ways_in[2]) | (own[3] & ways_in[3])
+        stays = ~passed | meets
+        kept = own[0] & stays, own[1] & stays, own[2] & stays, own[3] & stays
+    drawn = (kept[0] | kept[1] | kept[2] | kept[3]) & ~_rims(kept)
+    shown = drawn | (blocks & ~_around(drawn))
+    return np.unpackbits(shown, axis=1, count=parts.shape[1] // 2).view(np.bool_)
 
 
-def _packed(parts: Mask) -> Blocks:
-    """Return the parts of each block as bits."""
-    bits = parts.view(np.uint8)
-    tall = bits[0::2] + bits[1::2] * np.uint8(_LOW_LEFT)
-    return np.asarray(tall[:, 0::2] + tall[:, 1::2] * np.uint8(_TOP_RIGHT), np.uint8)
+def _quarters(parts: Mask) -> Quarters:
+    """Return of each block the parts at its upper left, upper right, lower left and lower right."""
+    # Copied: work on columns or rows that lie apart takes several times as long.
+    left, right = (np.packbits(parts[:, side::2].copy(), axis=1) for side in (0, 1))
+    return left[0::2].copy(), right[0::2].copy(), left[1::2].copy(), right[1::2].copy()
 
 
-def _rims(blocks: Blocks) -> Mask:
+def _rims(own: Quarters) -> Bits:
     """Return the blocks with nothing but the rim of the wall in a block beside them."""
-    found = np.zeros(blocks.shape, np.bool_)
-    edges = []
-    for table, down, right in _SIDES:
-        marks = table[blocks * np.uint8(16) + _from(blocks, down, right)]
-        # A thin wall goes on where something stands at it.
-        alone, goes_on = marks & _ALONE > 0, marks & (_ALONE | _RIM) == _ALONE
-        for _ in range(REACH):
-            goes_on |= alone & (_from(goes_on, right, down) | _from(goes_on, -right, -down))
-        found |= (marks & _RIM > 0) & ~goes_on
-        edges.append(marks & _EDGE > 0)
-    left, right_edge, above, below = edges
+    top_left, top_right, low_left, low_right = own
+    top, low = top_left & top_right, low_left & low_right
+    left, right = top_left & low_left, top_right & low_right
+    # Right and below the other wall must be thicker: of two equal halves side by side one stays.
+    at_left = _side((top_left, low_left), (top_right, low_right), (top_right, low_right), (0, 1))
+    at_right = _side((top_right, low_right), (top_left, low_left), (top, low), (0, -1))
+    above = _side((top_left, top_right), (low_left, low_right), (low_left, low_right), (1, 0))
+    below = _side((low_left, low_right), (top_left, top_right), (left, right), (-1, 0))
     # The inner corner of two walls.
-    return np.asarray(found | ((left | right_edge) & (above | below) & (blocks < 15)))
+    corner = (at_left.edge | at_right.edge) & (above.edge | below.edge) & ~(top & low)
+    return at_left.rim | at_right.rim | above.rim | below.rim | corner
 
 
-def _from(blocks: NDArray[Any], down: int, right: int) -> NDArray[Any]:
-    """Return the blocks moved down and right."""
+class _Side(NamedTuple):
+    """Blocks with nothing but a rim at one side of them, and those whose parts all along it go on beyond."""
+
+    rim: Bits
+    edge: Bits
+
+
+def _side(
+    at: tuple[Bits, Bits], others: tuple[Bits, Bits], beyond: tuple[Bits, Bits], to: tuple[int, int]
+) -> _Side:
+    """Return the marks of one side. `at`: the parts there, `others`: those farther in; `beyond`: in the block
+    on that side, which lies one step before `to` (down, right), what must be there for a part to go on."""
+    (one, two), (down, right) = at, to
+    next_one, next_two = _from(beyond[0], down, right), _from(beyond[1], down, right)
+    alone = (one | two) & ~(others[0] | others[1])
+    rim = alone & (~one | next_one) & (~two | next_two)
+    # A thin wall goes on where something stands at it.
+    goes_on = alone & ~rim
+    for _ in range(REACH):
+        goes_on |= alone & (_from(goes_on, right, down) | _from(goes_on, -right, -down))
+    return _Side(rim & ~goes_on, one & two & next_one & next_two)
+
+
+def _from(blocks: Bits, down: int, right: int) -> Bits:
+    """Return the blocks moved by at most one, down or right."""
     moved = np.zeros_like(blocks)
-    rows, columns = blocks.shape[-2:]
-    (to_y, of_y), (to_x, of_x) = _slices(down, rows), _slices(right, columns)
-    moved[..., to_y, to_x] = blocks[..., of_y, of_x]
+    if down > 0:
+        moved[1:] = blocks[:-1]
+    elif down < 0:
+        moved[:-1] = blocks[1:]
+    elif right > 0:
+        moved = blocks >> np.uint8(1)
+        moved[:, 1:] |= blocks[:, :-1] << np.uint8(7)
+    elif right < 0:
+        moved = blocks << np.uint8(1)
+        moved[:, :-1] |= blocks[:, 1:] >> np.uint8(7)
     return moved
 
 
-def _slices(step: int, size: int) -> tuple[slice, slice]:
-    """Return the places of a row of this size after a step, and before."""
-    after, before = slice(max(step, 0), size + min(step, 0)), slice(max(-step, 0), size - max(step, 0))
-    return after, before
-
-
-def _around(blocks: Mask) -> Mask:
+def _around(blocks: Bits) -> Bits:
     """Return the blocks and all that touch them."""
     tall = blocks | _from(blocks, 1, 0) | _from(blocks, -1, 0)
-    return np.asarray(tall | _from(tall, 0, 1) | _from(tall, 0, -1))
+    return tall | _from(tall, 0, 1) | _from(tall, 0, -1)
