@@ -2,6 +2,8 @@
 
 from typing import NamedTuple
 
+from fleet_tui.view.map.camera import MOST_TALL
+
 LEAST_FLEET, LEAST_LIST = 4, 3
 """Lines, with the title."""
 LEAST_MAP = 9
@@ -19,7 +21,6 @@ LEAST_PAGE, SHORT_PAGE = 6, 4
 lines that else were blank."""
 LEAST_EVENTS, BELOW_NARROW = 3, 4
 """Those from which they have a place on a narrow screen, and those that they and the queue keep there."""
-MOST_TALL = 1.2
 WIDE_SHARE, LEAST_TABLES, WIDE_TABLES = 0.6, 77, 92
 """The map's share of a wide screen's cells, those that the tables keep if the map can use more, and those of
 tables with all their columns, which a large screen has beside its map."""

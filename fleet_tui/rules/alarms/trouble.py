@@ -149,10 +149,10 @@ def is_odd(state: FleetState, robot: Robot) -> bool:
     if not state.is_online(robot):
         return _is_unexpectedly_offline(state, robot) or has_lost(state, robot)
     is_held = state.is_paused(robot) and own_pause(state, robot) is None
+    is_held = is_held or drives_despite_pause(state, robot)
     is_held = is_held or is_held_up(state, robot) or is_stopped(state, robot)
     unknown = is_missing(state, robot, "pose") or is_news(state, robot.fault_at)
     unknown = unknown or state.has_old(robot, AGING)
-    is_held = is_held or drives_despite_pause(state, robot)
     return is_held or unknown or has_lost(state, robot) or may_need_person(state, robot)
 
 

@@ -12,9 +12,9 @@ from fleet_tui.model.vehicles.vehicle import Vehicle
 ON_ITS_WAY = "Wait: it is on its way to a charger"
 """The action at a low battery of a robot that needs no further order."""
 CHARGES = "Wait: it is charging"
-"""The action at a low battery of a robot that says so."""
+"""The action at a low battery of a robot that says so, or stands at a charger."""
 LOOK_AT_CHARGER = "Look at the robot and its charger"
-"""The action if that did not help."""
+"""The action if waiting did not help."""
 AT_CHARGER = 0.5
 """Metres within which a robot is at a charger."""
 

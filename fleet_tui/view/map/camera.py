@@ -64,9 +64,15 @@ class Camera:
         return math.ceil((bottom - top) / (DOTS_Y * scale)) + 1
 
     @property
+    def dot(self) -> tuple[float, float]:
+        """Return the size of a dot in map pixels: across, down."""
+        return self.scale, self.scale / self.tall
+
+    @property
     def cell(self) -> tuple[float, float]:
         """Return the size of a cell in map pixels: across, down."""
-        return DOTS_X * self.scale, DOTS_Y * self.scale / self.tall
+        across, down = self.dot
+        return DOTS_X * across, DOTS_Y * down
 
     @property
     def origin(self) -> tuple[int, int]:

@@ -27,8 +27,7 @@ def blank_mask(camera: Camera) -> Mask:
 def dots_of(scene: Scene, camera: Camera, points: Points) -> Points:
     """Return points in metres (n x 2) as fractions of the view's dots."""
     left, top = camera.origin
-    dot = camera.scale, camera.scale / camera.tall
-    return pixels(scene.frame, points) / dot - (left * DOTS_X, top * DOTS_Y)
+    return pixels(scene.frame, points) / camera.dot - (left * DOTS_X, top * DOTS_Y)
 
 
 @lru_cache(maxsize=8)

@@ -62,8 +62,7 @@ def _ground(grid: OccupancyGrid | None, camera: Camera, drawing: Drawing, ways: 
     # What is beyond the view decides on its rim, which is no edge of a wall.
     around = replace(camera, width=camera.width + 2 * RIM, height=camera.height + 2 * RIM)
     left, top = around.origin
-    scales = camera.scale, camera.scale / camera.tall
-    part = (scales, left * DOTS_X, top * DOTS_Y, (around.height * DOTS_Y, around.width * DOTS_X))
+    part = (camera.dot, left * DOTS_X, top * DOTS_Y, (around.height * DOTS_Y, around.width * DOTS_X))
     dots = sample(grid, *part, finer)
     walls = _folded(dots == OCCUPIED, taller // 2, 1)
     blocks = wall_blocks(walls, None if ways is None else _passed(ways, around, walls.shape))
@@ -152,9 +151,9 @@ def _shares(grid: OccupancyGrid, scales: Scales, left: int, top: int, shape: tup
 
 def _empty(camera: Camera) -> Classes:
     """Return floor over the whole extent of a missing map."""
-    left, top = camera.origin
-    rows = (np.arange(camera.height * DOTS_Y) + top * DOTS_Y + 0.5) * camera.scale / camera.tall
-    columns = (np.arange(camera.width * DOTS_X) + left * DOTS_X + 0.5) * camera.scale
+    (left, top), (across, down) = camera.origin, camera.dot
+    rows = (np.arange(camera.height * DOTS_Y) + top * DOTS_Y + 0.5) * down
+    columns = (np.arange(camera.width * DOTS_X) + left * DOTS_X + 0.5) * across
     in_rows = (rows >= 0) & (rows < camera.extent[1])
     in_columns = (columns >= 0) & (columns < camera.extent[0])
     return (in_rows[:, None] & in_columns).astype(np.uint8) * np.uint8(FREE)

@@ -1,5 +1,7 @@
 """Walls at the scale of the picture: thin ones stay, and narrow ways between them stay open."""
 
+from functools import reduce
+from operator import and_, or_
 from typing import NamedTuple
 
 import numpy as np
@@ -27,16 +29,14 @@ def wall_blocks(parts: Mask, ways: Mask | None = None) -> Mask:
     touches it.
     """
     own = _quarters(parts)
-    blocks = own[0] | own[1] | own[2] | own[3]
-    kept = own
+    walls = reduce(or_, own)
     if ways is not None:
-        ways_in = _quarters(ways)
-        passed = ways_in[0] | ways_in[1] | ways_in[2] | ways_in[3]
-        meets = (own[0] & ways_in[0]) | (own[1] & ways_in[1]) | (own[2] & ways_in[2]) | (own[3] & ways_in[3])
-        stays = ~passed | meets
-        kept = own[0] & stays, own[1] & stays, own[2] & stays, own[3] & stays
-    drawn = (kept[0] | kept[1] | kept[2] | kept[3]) & ~_rims(kept)
-    shown = drawn | (blocks & ~_around(drawn))
+        passed = _quarters(ways)
+        stays = ~reduce(or_, passed) | reduce(or_, map(and_, own, passed))
+        top_left, top_right, low_left, low_right = own
+        own = top_left & stays, top_right & stays, low_left & stays, low_right & stays
+    drawn = reduce(or_, own) & ~_rims(own)
+    shown = drawn | (walls & ~_around(drawn))
     return np.unpackbits(shown, axis=1, count=parts.shape[1] // 2).view(np.bool_)
 
 
