@@ -3,7 +3,7 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
-PURE := $(addprefix tests/,text model keys rules graph_files state view adapters config test_house.py test_mirror.py test_keymap.py test_errors.py)
+PURE := $(addprefix tests/,text model keys rules graph_files state view adapters config test_house.py test_keymap.py test_errors.py)
 # Tests with links and processes wait more than they work: several at once, the longest first.
 TOGETHER := -q -n 6 --maxschedchunk 1
 # Compiled once, not by each of a few hundred processes.
