@@ -28,7 +28,7 @@ from fleet_tui.terminal.key_releases import KeyReleased
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.themes import FleetTheme
 from fleet_tui.view.map.drawing import Drawing
-from fleet_tui.widgets.bindings import bindings, textual_keymap
+from fleet_tui.widgets.bindings import bindings, textual_key, textual_keymap
 
 LOG = logging.getLogger(__name__)
 
@@ -78,6 +78,8 @@ class FleetApp(LeanApp, inherit_bindings=False):
         self.main.set_role_styles(themes[config.ui.theme].styles(colour))
         # Only the changes: Textual goes through the whole keymap at every key.
         usual, _ = keymap({})
+        pausing = {textual_key(key) for key in keys["pause_all"]}
+        self.keys.guard(self.main.tell_dropped, pausing.__contains__)
         self.set_keymap(textual_keymap({id_: key for id_, key in keys.items() if key != usual[id_]}))
 
     def _settings(
@@ -110,6 +112,8 @@ class FleetApp(LeanApp, inherit_bindings=False):
         if not self.is_headless:
             leave_on_signals(asyncio.get_running_loop(), self.exit, self._restore)
         await self._start.finish()
+        if not self.is_headless:
+            self.keys.watch()
         budget = self.output.budget
         budget.every = 1 / self._config.ui.ticks_per_second
         tick = partial(self._guard.steadily, partial(budget.ticks.timed, self.main.tick))

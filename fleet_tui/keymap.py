@@ -48,6 +48,8 @@ def _same_place(one: Key[Any], other: Key[Any]) -> bool:
     panes = {one.pane, other.pane}
     if Pane.RECORDING in panes and (one.only_live or other.only_live):
         return False
+    if one.in_dialogs or other.in_dialogs:
+        return True
     if any(pane.is_mode for pane in panes):
         # While the map is in a mode its keys take precedence.
         return len(panes) == 1 or Pane.ANYWHERE in panes
@@ -87,7 +89,8 @@ def _yielded(chosen: Mapping[str, tuple[str, ...]], changes: Mapping[str, str]) 
     return {
         key.id: tuple(one for one in key.keys if one not in given)
         for key in KEYS
-        if (key.pane is Pane.RECORDING or key.of_rows or key.instead_of) and key.id not in changes
+        if (key.pane is Pane.RECORDING or key.of_rows or key.instead_of or key.yields)
+        and key.id not in changes
     }
 
 

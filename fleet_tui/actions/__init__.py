@@ -19,6 +19,7 @@ class AppActions(Struct, frozen=True):
     suspend: Act
     repaint: Act
     quit: Act
+    say_quit: Act
     back: Act
     next_pane: Act
     previous_pane: Act

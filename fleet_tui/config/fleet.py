@@ -104,10 +104,9 @@ class Service(NamedTuple):
 
 
 def publications_of(config: Config, adapters: Mapping[str, Adapter], link: str) -> list[tuple[str, str]]:
-    """Return name and type of every topic of a link on which commands are published, empty without permission
-    to command."""
-    operator = config.operator
-    if operator.read_only or not operator.armed:
+    """Return name and type of every topic of a link on which commands are published, empty for a read-only
+    console. A disarmed one may pause, and be armed."""
+    if config.operator.read_only:
         return []
     robots = [robot.name for robot in config.robots if robot.link == link]
     return [one for robot in robots for one in adapters[robot].publications(robot)]

@@ -99,7 +99,7 @@ class Dispatch:
         return problem
 
     def _give_able(self, request: Request, sent: Callable[[], None]) -> str:
-        may_send = self.permissions.armed and not self.permissions.read_only
+        may_send = (self.permissions.armed or request.only_pauses) and not self.permissions.read_only
         ready = self._startup.hold(self._store.state, request, time.monotonic()) if may_send else request
         if ready != request:
             self._notices.note("waiting for the link")
@@ -151,15 +151,16 @@ class Dispatch:
         return self.objection(request) or self._send(request, sent, prepare)
 
     def _refusal(self) -> str:
-        """Return the reason to send nothing now. Checked last: the checks let pauses pass."""
+        """Return the reason to send nothing but pauses now."""
         if self._backend.refusal or self.permissions.armed:
             return self._backend.refusal
         return "not sent: this console is not armed: use Arm in the palette (:)"
 
     def _send(self, request: Request, sent: Callable[[], None], prepare: Prepare | None) -> str:
-        if prepare is not None and (problem := self._refusal() or prepare()):
+        refusal = self._backend.refusal if request.only_pauses else self._refusal()
+        if prepare is not None and (problem := refusal or prepare()):
             return problem
-        problem = self._refusal() or self._backend.submit(*request.commands)
+        problem = refusal or self._backend.submit(*request.commands)
         now = time.monotonic()
         recent = {given: at for given, at in self.given.items() if now - at < SAME_WITHIN}
         self.given = {**recent, request.commands: now}

@@ -76,12 +76,6 @@ class Navigation:
         """Select the next (1) or previous (-1) robot of the site."""
         self.select(self.selection.step_robot(self.here, step).robot)
 
-    def choose_robot(self, number: int) -> None:
-        """Select a robot by its number."""
-        names = list(self._store.state.robots)
-        if number <= len(names):
-            self.select(names[number - 1])
-
     def step_floor(self, step: int) -> None:
         """Show the next (1) or previous (-1) floor of the site."""
         self.find_floor(self.selection.step_floor(self.here, step).floor)

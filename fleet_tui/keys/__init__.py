@@ -5,7 +5,7 @@ from typing import Any
 
 from fleet_tui.keys.console import CONSOLE
 from fleet_tui.keys.diagnostics import DIAGNOSTICS, PAGES
-from fleet_tui.keys.drive import DRIVE, PASSES
+from fleet_tui.keys.drive import DRIVE
 from fleet_tui.keys.edit import EDIT
 from fleet_tui.keys.history import HISTORY, HISTORY_PAGES
 from fleet_tui.keys.key import LISTS, Key, Pane, by_id
@@ -28,7 +28,6 @@ __all__ = [
     "Pane",
     "by_id",
     "outdone",
-    "overruled",
 ]
 
 KEYS: tuple[Key[Any], ...] = (
@@ -44,15 +43,6 @@ KEYS: tuple[Key[Any], ...] = (
     *ROWS,
 )
 BY_ID = {key.id: key for key in KEYS}
-
-
-def overruled(chosen: Mapping[str, tuple[str, ...]], mode: Pane) -> frozenset[str]:
-    """Return the ids of the keys that would come before those of a mode of the map; in a drive all keys of
-    other panes but PASSES."""
-    if mode is Pane.DRIVE:
-        return frozenset(one.id for one in KEYS if one.pane is not mode and one.id not in PASSES)
-    taken = {key for one in KEYS if one.pane is mode for key in chosen[one.id]}
-    return frozenset(one.id for one in KEYS if one.eager and taken & {*chosen[one.id]})
 
 
 def outdone(chosen: Mapping[str, tuple[str, ...]], hidden: Collection[str]) -> frozenset[str]:

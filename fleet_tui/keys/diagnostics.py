@@ -41,16 +41,13 @@ DIAGNOSTICS: tuple[Key[DiagnosticsActions], ...] = (
         Key(f"page_{name.lower()}", (str(n),), _page(n), f"Page {n}: {page.text}", pane=Pane.DIAGNOSTICS)
         for n, (name, page) in enumerate(PAGES.items(), 1)
     ),
-    Key(
-        "next_page", ("tab",), lambda do: do.step_page(1), "Next page", pane=Pane.DIAGNOSTICS, eager="selects"
-    ),
+    Key("next_page", ("tab",), lambda do: do.step_page(1), "Next page", pane=Pane.DIAGNOSTICS),
     Key(
         "previous_page",
         ("shift+tab",),
         lambda do: do.step_page(-1),
         "Previous page",
         pane=Pane.DIAGNOSTICS,
-        eager="selects",
     ),
     Key(
         "filter",
@@ -58,7 +55,6 @@ DIAGNOSTICS: tuple[Key[DiagnosticsActions], ...] = (
         lambda do: do.filter(),
         "Filter the rows by text; Enter or Esc leaves the field",
         pane=Pane.DIAGNOSTICS,
-        eager="opens",
     ),
     Key(
         "freeze",

@@ -63,14 +63,15 @@ class Key(Struct, Generic[Doer], frozen=True):
     """Commands robots: hidden in the footer of a console without permission."""
     sets_up: bool = False
     """Sets robots up: hidden from a user without that right."""
-    eager: Literal["", "opens", "selects"] = ""
-    """Takes precedence: it opens a text field, and the next key may already be in the queue; or it selects
-    the object for that."""
+    in_dialogs: bool = False
+    """Works in menus, questions and other overlays, too: everywhere but in text fields."""
     helps: Literal["", "stays", "leaves"] = ""
     """Works while the reasons (`why`) are shown, which stay or are closed."""
     instead_of: str = ""
     """The id of a key with the same action, which needs AltGr on some keyboards: footer, help and palette
     name this one. It gives way to a key that the config assigns."""
+    yields: bool = False
+    """Gives way to another key that the config assigns its keys to."""
     always: bool = False
     """Shown at the right end of the footer."""
     in_palette: bool = True

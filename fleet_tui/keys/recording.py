@@ -33,7 +33,6 @@ RECORDING: tuple[Key[Actions], ...] = (
         "Go to a time: 12:04:31, or +1m30s from the start",
         pane=Pane.RECORDING,
         hint="time",
-        eager="opens",
     ),
     _player("to_beginning", "home", lambda player: player.to_end(-1), "Go to the start"),
     _player("to_the_end", "end", lambda player: player.to_end(1), "Go to the end"),

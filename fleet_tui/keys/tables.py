@@ -10,7 +10,6 @@ TABLES: tuple[Key[Actions], ...] = (
         lambda do: do.rows.filter(),
         "Filter the table: words, !word, key:value",
         hint="filter",
-        eager="opens",
         of_rows=True,
     ),
     Key(

@@ -9,7 +9,6 @@ TOOLS: tuple[Key[Actions], ...] = (
         ("d",),
         lambda do: do.view.diagnostics(),
         "Open diagnostics: links, topics, raw messages, logs",
-        eager="opens",
         helps="leaves",
     ),
     Key("record", (), lambda do: do.files.record(), "Record: start or stop a recording"),
@@ -18,14 +17,12 @@ TOOLS: tuple[Key[Actions], ...] = (
         ("L",),
         lambda do: do.view.audit(),
         "Open the audit log: all commands and alarms with their outcome",
-        eager="opens",
     ),
     Key(
         "history",
         ("H",),
         lambda do: do.view.history(),
         "History of the shift: events, robots, batteries, alarms, places",
-        eager="opens",
         only_live=True,
     ),
     Key(
@@ -33,7 +30,6 @@ TOOLS: tuple[Key[Actions], ...] = (
         ("J",),
         lambda do: do.view.programs(),
         "Programs of the robot servers: state, start, stop, restart, log",
-        eager="opens",
         only_live=True,
     ),
     Key(
@@ -41,7 +37,6 @@ TOOLS: tuple[Key[Actions], ...] = (
         ("B",),
         lambda do: do.view.routines(),
         "Routines: list, start, pause, resume, stop, progress",
-        eager="opens",
         only_live=True,
     ),
     Key("desk", (), lambda do: do.view.desk(), "Desk: who is there, claims, closed edges", only_live=True),

@@ -5,7 +5,7 @@ from itertools import pairwise
 
 from msgspec import Struct, field
 
-from fleet_tui.model.commands import Command, PlaceOrder
+from fleet_tui.model.commands import Command, PauseRobot, PlaceOrder
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.order import at_vertices
 
@@ -19,6 +19,11 @@ class Request(Struct, frozen=True):
     floors: Mapping[str, str] = field(default_factory=dict)
     alone: bool = False
     doubt: str = ""
+
+    @property
+    def only_pauses(self) -> bool:
+        """Tell whether it asks robots to pause and nothing else: only rights and read-only hold it back."""
+        return all(isinstance(command, PauseRobot) for command in self.commands)
 
 
 def chain(

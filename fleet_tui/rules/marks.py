@@ -1,4 +1,4 @@
-"""Marks of robots: the numbers by which the map, and people, tell them apart."""
+"""Marks of robots: the numbers by which keys, the map, and people tell them apart."""
 
 import re
 from functools import lru_cache
@@ -8,23 +8,34 @@ from fleet_tui.model.robot import Robot
 
 LONGEST = 4
 """Digits of a mark."""
+LAST_KEY = 9
+"""The last number that is a key."""
 
 
 @lru_cache(maxsize=4)
 def marks_of(names: tuple[str, ...]) -> tuple[str, ...]:
-    """Return the last digits of the names if these tell all robots apart, else their places in the
+    """Return the numbers at the ends of the names if these tell all robots apart, else their places in the
     configuration, from 1."""
-    found = [re.findall(r"[0-9]+", name)[-1:] for name in names]
-    marks = tuple(digits[0] for digits in found if digits and len(digits[0]) <= LONGEST)
+    found = [re.search(r"[0-9]+$", name) for name in names]
+    marks = tuple(number[0] for number in found if number and len(number[0]) <= LONGEST)
     if len(names) == len(marks) == len({int(mark) for mark in marks}):
         return marks
     return tuple(str(place + 1) for place in range(len(names)))
 
 
-def numbered_robots(word: str, state: FleetState) -> list[Robot]:
-    """Return the robots that a typed number can mean: by its key, or by its number on the map."""
-    if not re.fullmatch(r"[0-9]{1,10}", word):
-        return []
-    robots, wanted = state.robots.values(), int(word)
+def numbered(state: FleetState, number: int) -> Robot | None:
+    """Return the robot with this number as its mark, which is its key, too, from 1 to LAST_KEY."""
     marks = marks_of(tuple(state.robots))
-    return [robot for robot, mark in zip(robots, marks, strict=True) if wanted in (robot.number, int(mark))]
+    return next(
+        (robot for robot, mark in zip(state.robots.values(), marks, strict=True) if int(mark) == number), None
+    )
+
+
+def typed_number(word: str, state: FleetState) -> Robot | None:
+    """Return the robot that a typed number means, None for any other word."""
+    return numbered(state, int(word)) if re.fullmatch(r"[0-9]{1,10}", word) else None
+
+
+def mark_of(state: FleetState, robot: Robot) -> str:
+    """Return the mark of a robot."""
+    return marks_of(tuple(state.robots))[list(state.robots).index(robot.name)]

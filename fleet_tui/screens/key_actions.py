@@ -19,10 +19,11 @@ from fleet_tui.actions import (
 from fleet_tui.controllers.incident import Cancelled, IncidentPacking
 from fleet_tui.controllers.recording import RecordingSwitch
 from fleet_tui.keys import KEYS
+from fleet_tui.keys.key import key_name
 from fleet_tui.model.alarm import Key
 from fleet_tui.rules.alarms.trouble import alarms_of_none, in_turn, next_in_trouble
 from fleet_tui.rules.battery.charging import has_low_battery
-from fleet_tui.rules.marks import marks_of
+from fleet_tui.rules.marks import numbered
 from fleet_tui.screens.driving import after_a_drive, drive_actions
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.text.sanitize import sanitize
@@ -67,9 +68,20 @@ def _app_actions(screen: "MainScreen", rest: "Rest") -> AppActions:
         suspend=after_a_drive(rest, "suspended", app.action_suspend_process),
         repaint=app.action_repaint,
         quit=rest.routines.quit,
+        say_quit=partial(_say_quit, screen),
         back=partial(_back, screen, rest),
         next_pane=app.action_focus_next,
         previous_pane=app.action_focus_previous,
+    )
+
+
+def _say_quit(screen: "MainScreen") -> None:
+    """Name the key that quits: Ctrl-C and Ctrl-Q are pressed by those who look for it."""
+    quit_key = "".join(key_name(key) for key in screen.settings.keys["quit"][:1])
+    screen.notices.say(
+        f"{quit_key} quits; Esc first where something is open"
+        if quit_key
+        else "no key quits: type quit after :"
     )
 
 
@@ -157,12 +169,11 @@ def _all_orders(screen: "MainScreen") -> None:
 
 
 def _choose_robot(screen: "MainScreen", number: int) -> None:
-    """Select a robot by its place in the configuration. Where its name has another number, say who it is."""
-    names = tuple(screen.store.state.robots)
-    screen.navigation.choose_robot(number)
-    if number <= len(names) and marks_of(names)[number - 1] != str(number):
-        said = f"key {number} is {names[number - 1]}: keys count from 1, in the order of the configuration"
-        screen.notices.hint(sanitize(said), "digits")
+    """Select the robot with a number."""
+    if (robot := numbered(screen.store.state, number)) is None:
+        screen.notices.hint(f"no robot has the number {number}: the fleet's column # shows them")
+    else:
+        screen.navigation.select(robot.name)
 
 
 def _next_trouble(screen: "MainScreen") -> None:

@@ -12,6 +12,7 @@ from rich.style import Style
 from textual import on
 from textual.app import ComposeResult
 from textual.screen import Screen
+from textual.widgets import Input
 
 from fleet_tui.backend import Backend
 from fleet_tui.controllers.dispatch import Dispatch
@@ -141,6 +142,12 @@ class MainScreen(Screen[None]):
         self._show_hints(state, robot)
         self.settings.announce(whole)
 
+    def tell_dropped(self, count: int, stood_still: bool) -> None:
+        """Say how many keys were dropped because they were typed for another place."""
+        keys = f"{count} key{'s' * (count != 1)} dropped"
+        why = "typed while nothing could be shown" if stood_still else "typed on after Enter"
+        self.notices.say(f"{keys}, {why}: Esc ends this, F12 pauses all")
+
     def show_rows(self, pane: RowsPane, sought: str = "") -> None:
         """Show the newest rows of a pane, the cursor on the best one sought, else on the selected robot."""
         if pane is self.fleet and not pane.arrangement.typed:
@@ -212,16 +219,13 @@ class MainScreen(Screen[None]):
             await done
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
-        """Disable keys without a use in this session. Priority keys don't act through an open overlay."""
+        """Disable keys without a use in this session, and in a text field those that are letters there."""
         if action != "key":
             return super().check_action(action, parameters)
         key = BY_ID[str(parameters[0])]
         if not self.session.offers(key) or (self.is_complete and self.rest.blocks(key)):
             return False
-        if not key.eager:
-            return True
-        opened = [overlay for overlay in self.query(Overlay) if overlay.is_open]
-        return not opened or (key.eager == "selects" and all(isinstance(one, RobotOverlay) for one in opened))
+        return not (key.in_dialogs and isinstance(self.focused, Input))
 
     def _in_overlay(self) -> bool:
         """Tell whether the focus is in an overlay: most keys stay in there."""

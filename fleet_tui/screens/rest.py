@@ -29,7 +29,8 @@ from fleet_tui.controllers.set_up.poses import PoseRequests
 from fleet_tui.controllers.set_up.snap import PoseSnap
 from fleet_tui.controllers.set_up.streams import ShownStreams
 from fleet_tui.controllers.typed import Typed
-from fleet_tui.keys import Key, Pane, overruled
+from fleet_tui.keys import Key, Pane
+from fleet_tui.keys.drive import PASSES
 from fleet_tui.keys.key import key_name
 from fleet_tui.rules.causes import wants_causes
 from fleet_tui.screens.audit import AuditLog
@@ -152,7 +153,6 @@ class Rest:
 
     def _set_up_with(self, parts: SetUpParts) -> None:
         keys = self._screen.settings.keys
-        self._overruled = {pane: overruled(keys, pane) for pane in Pane if pane.is_mode}
         ask, comparison = self.confirm.ask, self.streams.comparison
         streams, controls, picture = self._screen.backend.streams, self.map_controls, self.map.picture
         in_background = partial(run_in_background, self._screen)
@@ -235,14 +235,15 @@ class Rest:
         return Pane.PLACE if self.poses.mode is not None else Pane.MAP
 
     def blocks(self, key: Key[Any]) -> bool:
-        """Tell whether a key does nothing now: keys of modes work in theirs alone, and take precedence there
-        while the map has the focus."""
+        """Tell whether a key does nothing now: keys of modes work in theirs alone, and in a drive all others
+        stop the robot."""
         mode = self.map_pane
         if mode.is_mode and key.id in CURSORS:
             return True
-        if not mode.is_mode or self._screen.focused is not self.map:
-            return key.pane.is_mode
-        return key.id in self._overruled[mode] or (key.pane.is_mode and key.pane is not mode)
+        in_mode = mode.is_mode and self._screen.focused is self.map
+        if key.pane.is_mode:
+            return not (in_mode and key.pane is mode)
+        return in_mode and mode is Pane.DRIVE and key.id not in PASSES
 
 
 def _run(screen: "MainScreen", key: Key[Any]) -> None:

@@ -11,7 +11,7 @@ import inspect
 import io
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import cached_property
 from importlib.metadata import version
 from typing import TYPE_CHECKING
@@ -75,6 +75,10 @@ class DisplayDriver:
         self._writer: object = None
         self._cursor_sent = Offset(-1, -1)
         self._retrying = False
+        self._unread_since: float | None = None
+        """Since when the terminal has not read what was sent (monotonic)."""
+        self.read_again: Callable[[float], None] = lambda seconds: None
+        """Called with the seconds for which the terminal did not read, once it reads again."""
         self._patience = RETRY
 
     @cached_property
@@ -126,11 +130,15 @@ class DisplayDriver:
             buffer.forget()
         if writer is not None and writer._queue.qsize():
             self._retrying = True
+            self._unread_since = self._unread_since or time.monotonic()
             self.budget.held += 1
             app.set_timer(self._patience, self._retry)
             self._patience = min(2 * self._patience, RETRY_LONGEST)
             return
         self._patience = RETRY
+        if self._unread_since is not None:
+            unread_for, self._unread_since = self.unread_for(), None
+            self.read_again(unread_for)
         sequence = buffer.take()
         cursor = app.screen.outer_size.clamp_offset(app.cursor_position)
         if sequence or cursor != self._cursor_sent:
@@ -141,6 +149,10 @@ class DisplayDriver:
             driver.write(sequence)
             driver.flush()
             self.budget.sent.take(len(sequence.encode(errors="replace")), time.monotonic())
+
+    def unread_for(self) -> float:
+        """Return the seconds for which the terminal has not read what was sent."""
+        return 0.0 if self._unread_since is None else time.monotonic() - self._unread_since
 
     def _retry(self) -> None:
         self._retrying = False

@@ -12,6 +12,7 @@ from textual.worker import WorkerFailed
 
 from fleet_tui.terminal.answer import KeyAnswer
 from fleet_tui.terminal.display_driver import DisplayDriver
+from fleet_tui.terminal.key_queue import KeyDone, KeyQueue
 from fleet_tui.terminal.key_releases import parse_releases, tell_releases
 
 if TYPE_CHECKING:
@@ -39,7 +40,11 @@ class LeanApp(App[None]):
     def __init__(self, ansi_color: bool = False, driver_class: type[Driver] | None = None) -> None:
         super().__init__(driver_class=driver_class, ansi_color=ansi_color)
         parse_releases()
-        self.output, self.answer = DisplayDriver(self, self.LEAN), KeyAnswer()
+        self.output = DisplayDriver(self, self.LEAN)
+        self.answer = KeyAnswer()
+        self.keys = KeyQueue(self, super().on_event)
+        self.keys.unread_for = self.output.unread_for
+        self.output.read_again = self.keys.read_again
 
     def _handle_exception(self, error: Exception) -> None:
         # Textual ends the app.
@@ -84,7 +89,14 @@ class LeanApp(App[None]):
             await self.startup.finish()
         if isinstance(event, events.Key | events.MouseScrollDown | events.MouseScrollUp):
             self.answer.asked()
-        await super().on_event(event)
+        if isinstance(event, events.Key | events.Paste) and not event.is_forwarded:
+            await self.keys.take(event)
+        else:
+            await super().on_event(event)
+
+    async def on_key_done(self, done: KeyDone) -> None:
+        """Deliver the next key."""
+        await self.keys.passed(done)
 
     def _display(self, screen: Screen[object], renderable: RenderableType | None) -> None:
         # Textual writes whole rows, and waits for the terminal.

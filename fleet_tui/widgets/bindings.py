@@ -18,7 +18,7 @@ def bindings(pane: Pane) -> list[BindingType]:
             key.text,
             show=False,
             id=key.id,
-            priority=pane is Pane.ANYWHERE or bool(key.eager),
+            priority=pane is Pane.ANYWHERE or key.in_dialogs,
         )
         for key in KEYS
         if key.pane is pane
@@ -26,13 +26,9 @@ def bindings(pane: Pane) -> list[BindingType]:
 
 
 def overlay_bindings(own: str) -> list[BindingType]:
-    """Return the bindings of the console's keys that work in an overlay: its own by id closes it, help opens
-    in its place, and all robots are paused from everywhere."""
-    actions = {
-        own: "close",
-        "help": "screen.key('help_anywhere')",
-        "pause_all": "screen.key('pause_all_anywhere')",
-    }
+    """Return the bindings of the console's keys that work in an overlay: its own by id closes it, and help
+    opens in its place."""
+    actions = {own: "close", "help": "screen.key('help_anywhere')"}
     return [
         Binding(one.key, actions[one.id or ""], show=False, id=one.id)
         for one in bindings(Pane.CONSOLE)

@@ -54,7 +54,7 @@ async def test_it_is_live_and_goes_with_the_robot(server: RosbridgeServer) -> No
         await it.press("]")
         await it.shows("Why: robot_1")
         await it.shows("▶ 1. paused")
-        await it.press("1")
+        await it.press("[")
         await it.shows("Why: robot_0")
         await it.press("w")
         await it.hides("Why: ")
@@ -186,7 +186,7 @@ async def test_diagnostics_open_where_the_first_cause_is(server: RosbridgeServer
         it.app.backend.submit(place_order("robot_1", CONSUMIDORES, BASE))
         await it.until(lambda state: state.robots["robot_1"].orders.current is not None)
         plant(server, "stuck:robot_1")
-        await it.press("2", "w")
+        await it.press("1", "w")
         await it.shows("1. drive: ERROR wheels turn")
         await it.shows("2. drive: ERROR no odometry")
         await it.press("d")
@@ -203,7 +203,7 @@ async def test_in_a_small_box_evidence_gives_way_to_further_causes_and_a_sign_te
 ) -> None:
     plant(server, "obstacle:robot_1,paused:robot_1,battery:robot_1")
     async with console(config_of(server.url, 2, 2), (80, 24)) as it:
-        await it.press("2", "w")
+        await it.press("1", "w")
         await it.shows("4. battery: ERROR empty")
         await it.shows("  (likely)")
         assert len(REPORTED.findall(it.text)) == 1, "further causes are without evidence"

@@ -33,6 +33,7 @@ class Console:
 
     def __init__(self, app: FleetApp, store: WatchedStore, pilot: Pilot[None]) -> None:
         self.app, self.store, self.pilot = app, store, pilot
+        self._key_at = time.monotonic()
 
     @property
     def text(self) -> str:
@@ -45,18 +46,27 @@ class Console:
         return "\n".join(widget.render_line(y).text for y in range(widget.size.height))
 
     async def press(self, *keys: str) -> None:
-        """Press keys one after the other, each when all that the one before it led to is done."""
+        """Press keys one after the other, each a second later, when all that the one before it led to is
+        done."""
         for key in keys:
+            self._key_at += 1.0
             self._send(key)
             await self.settled()
 
     async def type(self, text: str) -> None:
-        """Type text as a person or a paste does: every character is already there."""
+        """Type text a second later, as a person or a paste does: every character is already there."""
+        self._key_at += 1.0
         for letter in text:
             self._send("space" if letter == " " else letter)
         await self.settled()
 
-    def _send(self, key: str) -> None:
+    def packet(self, *keys: str) -> None:
+        """Send keys that arrive at the same moment, a second later, without waiting for what they lead to."""
+        self._key_at += 1.0
+        for key in keys:
+            self._send(key, after=0.0)
+
+    def _send(self, key: str, after: float = 0.01) -> None:
         """Send it as Textual's pilot does, which waits for an idle process: with a fleet it never is."""
         named = _character_to_key(key) if len(key) == 1 and not key.isalnum() else key
         name = _get_unicode_name_from_key(REPLACED_KEYS.get(named, named))
@@ -66,6 +76,7 @@ class Console:
             character = named if len(named) == 1 else None
         event = events.Key(named, character)
         event.set_sender(self.app)
+        self._key_at = event.time = max(event.time, self._key_at + after)
         assert self.app._driver is not None
         self.app._driver.send_message(event)
 

@@ -2,9 +2,6 @@
 
 from typing import Any
 
-from textual import events
-from textual.keys import _character_to_key
-
 from fleet_tui.rules.commands.checks import SAME_WITHIN
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import Console
@@ -36,11 +33,6 @@ async def place(it: Console) -> None:
 
 
 def one_packet(it: Console, text: str) -> None:
-    """Every key is there before the first is handled, as a slow line or a paste delivers them."""
-    for letter in text:
-        named = {"\r": "enter", "\t": "tab", "\x1b": "escape"}
-        it.app.post_message(
-            events.Key(
-                named.get(letter) or _character_to_key(letter), letter if letter.isprintable() else None
-            )
-        )
+    """Every key arrives at the same moment, a second later, as a slow line or a paste delivers them."""
+    named = {"\r": "enter", "\t": "tab", "\x1b": "escape", " ": "space"}
+    it.packet(*(named.get(letter, letter) for letter in text))

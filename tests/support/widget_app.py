@@ -1,10 +1,12 @@
 """One widget in a small app."""
 
-from textual.app import App, ComposeResult
+from textual.app import ComposeResult
 from textual.widget import Widget
 
+from fleet_tui.terminal.lean_app import LeanApp
 
-class WidgetApp(App[None]):
+
+class WidgetApp(LeanApp):
     """Shows widgets, one below the other."""
 
     def __init__(self, *widgets: Widget) -> None:

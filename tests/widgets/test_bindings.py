@@ -27,7 +27,7 @@ def test_a_pane_has_the_bindings_of_its_keys(pane: Pane) -> None:
     assert list(found) == [key.id for key in KEYS if key.pane is pane]
     assert all(binding.key for binding in found.values()), "an empty one would match any key"
     for id_, binding in found.items():
-        assert binding.priority is (pane is Pane.ANYWHERE or bool(BY_ID[str(id_)].eager))
+        assert binding.priority is (pane is Pane.ANYWHERE or BY_ID[str(id_)].in_dialogs)
 
 
 def test_tables_run_their_own_keys_and_the_screen_the_others() -> None:

@@ -26,7 +26,7 @@ async def test_keys_in_the_queue_follow_the_focus() -> None:
         first.focus()
         await pilot.pause()
         for key, character in (("a", "a"), ("enter", None), ("b", "b"), ("c", "c")):
-            first.post_message(events.Key(key, character))
+            app.post_message(events.Key(key, character))
         await pilot.pause()
         assert (first.value, second.value) == ("a", "bc")
 

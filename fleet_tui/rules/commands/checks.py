@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from msgspec.structs import replace
 
 from fleet_tui.errors import did_you_mean
-from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot
+from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PlaceOrder, ResumeRobot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.order import PENDING
@@ -195,7 +195,7 @@ def problems(state: FleetState, request: Request, allowed: Permissions) -> list[
         return refused
     if impossible := not_accepted(state, request.commands):
         return impossible
-    if all(isinstance(command, PauseRobot) for command in request.commands):
+    if request.only_pauses:
         return []
     found, asked = list(permitted(allowed)), set[str]()
     for command in request.commands:

@@ -13,7 +13,7 @@ from fleet_tui.rules.language.lookup import places, recent_ends
 from fleet_tui.rules.language.set_up import USAGE as SET_UP
 from fleet_tui.rules.language.set_up import ability_of
 from fleet_tui.rules.language.words import Token, find_robot, tokens
-from fleet_tui.rules.marks import numbered_robots
+from fleet_tui.rules.marks import typed_number
 
 
 def is_command(line: str, state: FleetState) -> bool:
@@ -23,7 +23,9 @@ def is_command(line: str, state: FleetState) -> bool:
         return False
     word = found[0].text
     return (
-        word.casefold() in USAGE or bool(numbered_robots(word, state)) or _robot(found[0], state) is not None
+        word.casefold() in USAGE
+        or typed_number(word, state) is not None
+        or _robot(found[0], state) is not None
     )
 
 

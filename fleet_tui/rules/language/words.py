@@ -10,7 +10,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.lookup import NUMBER, called, no_graphs, places, plain_id
-from fleet_tui.rules.marks import numbered_robots
+from fleet_tui.rules.marks import typed_number
 
 # A `-` belongs to the `>` after it only if it is separate: labels may end with one.
 _TOKEN = re.compile(
@@ -38,16 +38,12 @@ def tokens(line: str) -> list[Token]:
 
 
 def find_robot(word: str, state: FleetState, known: Iterable[str] = ()) -> Robot:
-    """Return a robot by its name, in any case if unambiguous, or by its number: of its key, or on the map."""
+    """Return a robot by its name, in any case if unambiguous, or by its number."""
     same = [name for name in state.robots if name.casefold() == word.casefold()]
     for name in [word] if word in state.robots else same if len(same) == 1 else []:
         return state.robots[name]
-    numbered = numbered_robots(word, state)
-    if len(numbered) > 1:
-        names = " or ".join(robot.name for robot in numbered)
-        raise CommandError(f"{said(word)} is ambiguous: {names}; type the name")
-    if numbered:
-        return numbered[0]
+    if (numbered := typed_number(word, state)) is not None:
+        return numbered
     near = did_you_mean(word, known or state.robots)
     raise CommandError(f"unknown robot{' or command' if known else ''} {said(word)}{near}")
 

@@ -18,6 +18,7 @@ from fleet_tui.rules.commands.follow_up import seen_end
 from fleet_tui.rules.commands.local_queue import waiting
 from fleet_tui.rules.commands.newest import last_command
 from fleet_tui.rules.lag import is_overloaded
+from fleet_tui.rules.marks import LAST_KEY, mark_of
 from fleet_tui.rules.why.reason import (
     LOOK_AT,
     RECENT,
@@ -140,6 +141,7 @@ def waits_behind(state: FleetState, robot: Robot) -> Reason | None:
     if stood < waited * FAIR_SHARE:
         return None  # it has just come, and is not the cause
     back = in_the_way(state, other)
+    mark = mark_of(state, other)
     mutual = "; each blocks the other" if back is not None and back.robot is robot else ""
     return Reason(
         f"waiting behind {other.name}",
@@ -147,7 +149,7 @@ def waits_behind(state: FleetState, robot: Robot) -> Reason | None:
         Strength.LIKELY if other.orders.current is not None else Strength.POSSIBLE,
         since=stationary_since(other),
         seen=other.pose.at if other.pose else None,
-        keys=(f"robot_{other.number}" if other.number <= 9 else "next_robot",),
+        keys=(f"robot_{mark}" if 1 <= int(mark) <= LAST_KEY else "next_robot",),
     )
 
 

@@ -54,7 +54,7 @@ def idle_hints(state: FleetState, selected: str = "") -> set[str]:
     if selected and any(link.phase is not Phase.UP for link in state.links.values()):
         idle |= _unreachable(state, selected)
     if not any(map(state.is_paused, state.robots.values())):
-        idle.add("resume_all")
+        idle |= {"resume", "resume_all"}
     return idle if unacknowledged(state) else {*idle, "acknowledge"}
 
 
@@ -100,7 +100,9 @@ def hints(
     offered.sort(key=lambda key: (OF_ROWS.get(focused) != key.id, *_rank(key, pane)))
     offered = _alarm_first(offered)
     if focused == "map":  # on a small screen it is small
-        offered = _moved(offered, "enlarge", "pause_all")
+        ids = {key.id for key in offered}
+        trouble = (id_ for id_ in ("acknowledge", "next_trouble", "why") if id_ in ids)
+        offered = _moved(offered, "enlarge", next(trouble, "pause_all"))
     left = [key for key in offered if key.pane in (pane, Pane.CONSOLE) and not key.always]
     return left, [key for key in offered if key.always]
 
@@ -139,7 +141,7 @@ def _of_overlay(offered: Collection[Key[Any]], about_robot: bool) -> list[Key[An
     """Return the keys that work in an overlay."""
     close = replace(BY_ID["back"], hint="close")
     helping = [key for key in offered if key.helps and about_robot]
-    helping.sort(key=lambda key: key.eager != "selects")
+    helping.sort(key=lambda key: not key.id.startswith(("next_", "previous_")))
     return [close, *helping, *(key for key in offered if key.pane is Pane.ANYWHERE)]
 
 
@@ -151,17 +153,18 @@ def footer(
 ) -> tuple[list[Run], list[Button]]:
     """Return the hints that fit whole into `width` cells, and their cells, each button with the id of its
     key. The permanent ones are placed first, then the others up to the first that does not fit."""
-    at_right = _whole(right, keys, width)
-    at_left = _whole(left, keys, width - sum(size for _, _, size in at_right))
-    if "acknowledge" in {key.id for key in left} - {key.id for key, *_ in at_left}:
-        # An alarm to acknowledge is rarer than the palette, and known by its row.
-        at_right = at_right[:1]
-        shorter = [BY_ID[key.id] if key.id == "acknowledge" else key for key in left]
-        at_left = max(
-            (_whole(some, keys, width - sum(size for _, _, size in at_right)) for some in (left, shorter)),
-            key=len,
-        )
-    gap = width - sum(size for _, _, size in (*at_left, *at_right))
+    own = [key for key in left if key.id == "acknowledge"]
+    others = [key for key in left if key not in own]
+    # Whose alarm is acknowledged comes before the palette, and before other keys at the left.
+    for permanent in (right, [key for key in right if key.id != "palette"], list(right)[:1]):
+        at_right = _whole(permanent, keys, width)
+        at_left = _whole(left, keys, width - _cells(at_right))
+        acknowledging = _whole(own, keys, width - _cells(at_right))
+        if own and own[0] not in [key for key, *_ in at_left]:
+            at_left = _whole(others, keys, width - _cells(at_right) - _cells(acknowledging)) + acknowledging
+        if len(acknowledging) == len(own):
+            break
+    gap = width - _cells(at_left) - _cells(at_right)
     runs: list[Run] = []
     buttons = []
     for key, parts, size in (*at_left, (None, [(" " * gap, StyleRole.TEXT)], gap), *at_right):
@@ -172,9 +175,15 @@ def footer(
     return runs, buttons
 
 
-def _whole(
-    offered: Collection[Key[Any]], keys: Mapping[str, tuple[str, ...]], width: int
-) -> list[tuple[Key[Any], list[Run], int]]:
+Hint = tuple[Key[Any], list[Run], int]
+"""A key with its runs and their cells."""
+
+
+def _cells(hints: Collection[Hint]) -> int:
+    return sum(size for _, _, size in hints)
+
+
+def _whole(offered: Collection[Key[Any]], keys: Mapping[str, tuple[str, ...]], width: int) -> list[Hint]:
     """Return the first keys that fit into `width` cells, each with its runs and their width."""
     kept = []
     for key in offered:

@@ -61,11 +61,7 @@ def _head(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: C
     role = StyleRole.TEXT if state.is_online(robot) else StyleRole.DIM
     runs: list[Run] = [
         sign,
-        # Where the map has other numbers these are keys, and look like those of the footer.
-        (
-            f"{columns.number_of(robot):>{columns.number - 1}} ",
-            StyleRole.DIM if columns.by_place else StyleRole.KEY,
-        ),
+        (f"{columns.marks[robot.name]:>{columns.number - 1}} ", StyleRole.DIM),
         (fit(columns.names[robot.name], columns.name), StyleRole.ACCENT if selected else role),
     ]
     if columns.battery:

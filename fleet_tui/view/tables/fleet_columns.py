@@ -24,8 +24,6 @@ FLOOR = 2
 """Cells of the floors' column where their names are that short: its head is cut, too."""
 BAR = 5
 """Cells of a full battery's bar."""
-LAST_KEY = 9
-"""The last robot with a key of its own."""
 UNKNOWN_FLOOR = "unknown floor"
 NO_FLOOR = ("", "-", UNKNOWN_FLOOR)
 
@@ -44,8 +42,7 @@ def _floors(state: FleetState) -> set[str]:
 class Columns(NamedTuple):
     """Widths in cells with the gap after them, 0 for a column for which no robot of the fleet has a value or
     the pane no space. `state` is what the last column has left. `floors` and `names` are those of floors and
-    robots as shown; `number_head` is the name of the first column, `by_place` tells that it is the robot's
-    number."""
+    robots as shown, `marks` the numbers of robots, which are their keys from 1 to 9."""
 
     number: int
     name: int
@@ -58,8 +55,7 @@ class Columns(NamedTuple):
     seen: int
     floors: Mapping[str, str]
     names: Mapping[str, str]
-    by_place: bool = True
-    number_head: str = "#"
+    marks: Mapping[str, str]
     state: int = 0
 
     @classmethod
@@ -67,7 +63,7 @@ class Columns(NamedTuple):
         """Return the columns of a pane of `width` cells."""
         robots = state.robots.values()
         reported, names = {value for one in robots for value in one.kind.reports}, _floors(state)
-        by_place = marks_of(tuple(state.robots)) == tuple(str(robot.number) for robot in robots)
+        marks = marks_of(tuple(state.robots))
         is_narrow = width < WHOLE_FLOORS
         # Of all floors: the column must not change when one gets empty.
         floors = shortened({*state.floors, *names}) if is_narrow else {name: name for name in names}
@@ -75,7 +71,7 @@ class Columns(NamedTuple):
         is_obvious = is_narrow and len(state.floors) == 1 and names.isdisjoint(NO_FLOOR)
         floor = column(floors.values(), FLOOR if is_narrow else len(tr("Floor")), 13) + 1
         fixed = cls(
-            number=len(str(len(robots))) + 1 if by_place else 2,
+            number=column(marks, 1, 4) + 1,
             name=column(own.values(), 6, 14) + 1,
             battery=6 if "battery" in reported else 0,
             bar=BAR + 1 if "battery" in reported and width >= WITH_BAR else 0,
@@ -86,24 +82,17 @@ class Columns(NamedTuple):
             seen=7 if width >= WITH_SEEN else 0,
             floors=floors,
             names=own,
-            by_place=by_place,
-            number_head="#" if by_place else tr("Key"),
+            marks=dict(zip(state.robots, marks, strict=True)),
         )
-        left = width - DOT - sum(fixed[:-5])
+        left = width - DOT - sum(fixed[:-4])
         order = min(left - STATE, ORDER_MOST) if left >= WITH_ORDER else 0
         return fixed._replace(order=order, state=left - order)
-
-    def number_of(self, robot: Robot) -> str:
-        """Return a robot's place in the configuration if that is its number on the map too, else its key."""
-        if self.by_place:
-            return str(robot.number)
-        return str(robot.number) if robot.number <= LAST_KEY else ""
 
     @property
     def head(self) -> tuple[Run, ...]:
         """Return their names."""
         names = (
-            (self.number_head.rjust(DOT + self.number - 1), DOT + self.number),
+            ("#".rjust(DOT + self.number - 1), DOT + self.number),
             (tr("Robot"), self.name),
             (tr("Batt"), self.battery),
             ("", self.bar),

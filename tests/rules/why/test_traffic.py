@@ -41,7 +41,7 @@ def test_two_robots_in_each_others_way_are_said_to_be() -> None:
     found = first(planted.run(2))
     assert found.evidence.startswith("robot_1 is 2.")
     assert found.evidence.endswith("each blocks the other")
-    assert found.keys == ("robot_2",)
+    assert found.keys == ("robot_1",)
 
 
 def test_robots_in_different_frames_are_not_compared() -> None:

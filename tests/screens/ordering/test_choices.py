@@ -69,7 +69,7 @@ async def test_an_order_is_given_again_by_an_arrow_and_two_enters(server: Rosbri
         await place(it)
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
         server.bridge.services.calls.clear()
-        await it.press("2", "o")
+        await it.press("1", "o")
         await it.shows("Base -> Consumidores  (last)", "matches")
         await it.press("down")
         await it.shows(" m, about ")

@@ -35,7 +35,7 @@ async def test_keys_typed_right_after_o_belong_to_the_form(server: RosbridgeServ
 
 async def test_a_robot_that_is_selected_in_the_same_packet_gets_the_order(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2)) as it:
-        for keys, robot in (("]oBase\rConsumidores\r", "robot_1"), ("1oBase\rConsumidores\r", "robot_0")):
+        for keys, robot in (("]oBase\rConsumidores\r", "robot_1"), ("[oBase\rConsumidores\r", "robot_0")):
             server.bridge.services.calls.clear()
             one_packet(it, keys)
             await it.until(lambda _: server.bridge.services.calls)
@@ -45,17 +45,18 @@ async def test_a_robot_that_is_selected_in_the_same_packet_gets_the_order(server
 async def test_a_whole_order_in_one_packet(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         one_packet(it, "oBase\rConsumidores\rp")
-        await it.until(lambda _: len(server.bridge.services.calls) == 2)
+        await it.shows("1 key dropped, typed on after Enter")
+        await it.until(lambda _: server.bridge.services.calls)
         start, end = vertex(it, "Base"), vertex(it, "Consumidores")
-        assert sent(server) == [("Execute_order", {"initial_point": start, "end_point": end}), ("Pause", {})]
+        assert sent(server) == [("Execute_order", {"initial_point": start, "end_point": end})]
 
 
 async def test_all_robots_orders_and_a_cancel_of_anothers(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2, 2)) as it:
-        await it.press("2")
+        await it.press("1")
         await place(it)
         await it.shows("Base -> Consumidores", "queue")
-        await it.press("1", "*")
+        await it.press("[", "*")
         await it.shows("robot_1 #", "queue")
         await it.press("x", "y")
         await it.until(lambda state: not state.robots["robot_1"].orders.orders)
@@ -149,20 +150,25 @@ async def test_read_only_stands_on_the_screen(server: RosbridgeServer) -> None:
         assert sent(server) == []
 
 
-async def test_a_console_that_is_not_armed_sends_nothing_until_it_is(server: RosbridgeServer) -> None:
+async def test_a_console_that_is_not_armed_sends_nothing_but_pauses_until_it_is(
+    server: RosbridgeServer,
+) -> None:
     config = config_of(server.url, 1)
     config = msgspec.structs.replace(config, operator=msgspec.structs.replace(config.operator, armed=False))
     async with console(config) as it:
         await it.shows("not armed")
-        await it.press("p")
+        await it.press("r")
         await it.shows("not sent: this console is not armed")
         assert sent(server) == []
+        await it.press("p")
+        await it.until(lambda _: sent(server) == [("Pause", {})])
+        server.bridge.services.calls.clear()
         await it.press("colon")
         await it.type("arm")
         await it.press("enter")
         await it.hides("not armed")
-        await it.press("p")
-        await it.until(lambda _: sent(server) == [("Pause", {})])
+        await it.press("r")
+        await it.until(lambda _: sent(server) == [("Resume", {})])
 
 
 async def test_the_send_button_does_what_enter_does(server: RosbridgeServer) -> None:

@@ -25,7 +25,7 @@ def test_every_key_of_use_is_listed_without_its_id() -> None:
     hidden = frozenset({"clear"})
     listed = text(pages(hidden=hidden), "Keys")
     missing = [key.text for key in ROWS if key.id != "clear" and key.text not in listed]
-    assert all(text.startswith("Select robot") for text in missing)
+    assert all(text.startswith("Select the robot") for text in missing)
     assert "1 2 3" not in listed and "1..9" in listed
     assert "Clear all orders" not in listed and "pause_all" not in listed
 

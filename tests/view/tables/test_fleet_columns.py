@@ -58,10 +58,10 @@ def test_a_row_without_an_order_ends_with_its_state() -> None:
 
 
 @pytest.mark.parametrize("width", [30, 47, 60, 120])
-def test_numbers_that_are_keys_and_not_those_of_the_map_are_called_keys_at_every_width(width: int) -> None:
+def test_the_first_column_has_the_numbers_that_are_keys_and_marks_of_the_map(width: int) -> None:
     table = fleet_table(fleet(3), R0, width)
-    assert text_of(table.head).startswith("Key Robot"), "robot_0 has the key 1"
-    assert text_of(table.rows[0].runs)[2:].startswith("1 robot_0")
+    assert text_of(table.head).startswith("  # Robot")
+    assert [text_of(row.runs)[2:11] for row in table.rows] == ["0 robot_0", "1 robot_1", "2 robot_2"]
 
 
 def test_in_a_narrow_pane_a_robot_of_a_fleet_has_its_own_name_if_that_is_unique() -> None:

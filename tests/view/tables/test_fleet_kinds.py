@@ -27,20 +27,20 @@ def rows(state: FleetState) -> list[str]:
 
 
 def test_a_fleet_that_reports_little_has_few_columns() -> None:
-    assert rows(received(BARE)) == ["● 1 robot_0 floor_0" + 22 * " " + "unknown"]
+    assert rows(received(BARE)) == ["● 0 robot_0 floor_0" + 22 * " " + "unknown"]
 
 
 def test_a_value_that_has_not_come_is_a_dash_and_one_that_never_does_is_nothing() -> None:
     bare, late, full = rows(received(BARE, LATE, FULL))
-    assert bare == "● 1 robot_0       floor_0   unknown"
-    assert late.split() == ["●", "2", "robot_1", "-", "%", "floor_0", "idle"]
+    assert bare == "● 0 robot_0       floor_0   unknown"
+    assert late.split() == ["●", "1", "robot_1", "-", "%", "floor_0", "idle"]
     assert full.split()[3:] == ["-", "%", "floor_0", "no", "queue", "yet"]
 
 
 def test_columns_stand_below_each_other_whatever_the_kind() -> None:
     state = reduced(received(BARE, FULL), CargoReported("robot_1", T0, True), queue(T0, robot="robot_1"))
     bare, full = rows(reduced(state, battery(T0, robot="robot_1"), tick(T0)))
-    assert full.split() == ["●", "2", "robot_1", "80", "%", "floor_0", CARGO, "idle"]
+    assert full.split() == ["●", "1", "robot_1", "80", "%", "floor_0", CARGO, "idle"]
     assert bare.index("floor_0") == full.index("floor_0")
 
 
