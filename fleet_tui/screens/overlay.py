@@ -4,12 +4,23 @@ It is part of the main screen, mounted from the start, so that the key after the
 reaches it.
 """
 
+from textual import events
 from textual.containers import Vertical
 from textual.widget import Widget
 from textual.widgets import Button
 
 
-class MouseButton(Button, can_focus=False):
+class OnceButton(Button):
+    """Ignores the second click of a double click: it may have been meant for what was there before."""
+
+    def on_click(self, event: events.Click) -> None:
+        """Let only the first click press it."""
+        if event.chain > 1:
+            event.stop()
+            event.prevent_default()
+
+
+class MouseButton(OnceButton, can_focus=False):
     """For the mouse only: it never takes the focus or Enter."""
 
 

@@ -115,9 +115,13 @@ class Palette(Overlay):
 
     @on(Matches.OptionSelected, "#requests")
     def _clicked(self, event: Matches.OptionSelected) -> None:
+        event.stop()  # the click has marked it
+
+    @on(Matches.DoubleClicked)
+    def _double_clicked(self, event: Matches.DoubleClicked) -> None:
         event.stop()
         if self.is_open:
-            self._run(event.option_index)
+            self._do()
 
 
 def _matching(typed: str, offers: list[Offer]) -> list[Offer]:

@@ -216,6 +216,7 @@ class Rest:
         are_read = any(one.is_open for one in (self.diagnostics, self.why, self.robot_page))
         self._screen.backend.subscribe_logs(are_read or wants_causes(self._screen.store.state))
         self.simple.show()
+        self.order_form.look()
         self.camera.look()
         self.tables.outcomes.look()
         self.robot_page.collect()

@@ -1,24 +1,33 @@
 """The simple interface, above the map, beside it or in its place: large buttons, for arrows or the mouse."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, ClassVar, Self
 
+from textual import on
 from textual.app import ComposeResult
 from textual.binding import BindingType
 from textual.containers import Vertical
 from textual.content import Content
-from textual.widgets import Button, OptionList, Static
+from textual.widgets import Button, Input, Static
 
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.kind import ORDER
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.language.lookup import Place, destination_only, may_skip_start, order_of, places
+from fleet_tui.rules.language.lookup import HERE, Place, is_still, matches, order_of, places, starts_here
+from fleet_tui.screens.ordering.choices import changed, hindrance
+from fleet_tui.screens.ordering.picture import is_same, picture_of
+from fleet_tui.screens.overlay import OnceButton
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.tables.doing import told_text
+from fleet_tui.widgets.field import Field
+from fleet_tui.widgets.matches import Matches
+
+FIELDS = ("robot", "from", "to", "send")
 
 
-class Large(Button):
+class Large(OnceButton):
     """A button that acts at once: the next key goes to the result."""
 
     def __init__(self, label: str, field: str, pressed: Callable[[str], None], **options: Any) -> None:
@@ -32,22 +41,9 @@ class Large(Button):
         return self
 
 
-class Choices(OptionList):
-    """A list whose choice acts at once."""
-
-    def __init__(self, chosen: Callable[[int], None]) -> None:
-        super().__init__(id="simple-list", markup=False)
-        self._chosen = chosen
-
-    def action_select(self) -> None:
-        """Choose, by Enter or by mouse."""
-        if self.highlighted is not None:
-            self._chosen(self.highlighted)
-
-
 class Simple(Vertical):
-    """One large button for each choice; a press replaces the buttons by the list of choices. The robot is the
-    console's `selected` one; `select` selects another, `close` returns to the map."""
+    """One large button for each choice; a press replaces the buttons by a list, which filters as one types.
+    The robot is the console's `selected` one; `select` selects another, `close` returns to the map."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         ("down,j", "step(1)", "Down"),
@@ -69,53 +65,77 @@ class Simple(Vertical):
         self._close = close
         self._state, self._selected, self._select, self._give = state, selected, select, give
         self._chosen: dict[str, Place] = {}
-        self._whose = ""
-        self._choosing = ""
-        self._choices: list[Place] = []
+        self._whose, self._choosing = "", ""
+        self._picture = picture_of(state(), None)
+        self._choices: Sequence[Place | str] = []
         self._shown: tuple[object, ...] = ()
+        self._list = Matches(id="simple-list")
+        self._typed = Field(
+            {
+                "enter": self._take,
+                "escape": self.action_back,
+                "up": lambda: self._list.step(-1),
+                "down": lambda: self._list.step(1),
+            },
+            id="simple-typed",
+            placeholder=tr("type to search"),
+        )
 
     def compose(self) -> ComposeResult:
         """Compose the four buttons, a note on missing input, and the list that replaces them."""
-        for field in ("robot", "from", "to"):
+        for field in FIELDS[:3]:
             yield Large("", field, self._ask)
         yield Large(tr("Send"), "send", self._finish, variant="primary")
         yield Static(id="simple-missing", markup=False)
         yield Static(id="simple-question", markup=False)
-        yield Choices(self._choose)
+        yield self._typed
+        yield self._list
 
     def show(self) -> None:
-        """Update the form when another robot is selected or its cargo changes."""
+        """Update the form: another robot may be selected, and what was chosen may have changed."""
         robot = self._robot()
+        picture = picture_of(self._state(), robot)
         if robot.name != self._whose:
-            self._whose = robot.name
-            self._chosen.clear()
-            self._leave()
-        only_to = destination_only(robot)
-        to = tr("To, for the cargo on board: ") if only_to and robot.has_cargo else tr("To: ")
-        start = tr("current position") if may_skip_start(robot) else tr("choose ...")
+            self._whose, self._picture = robot.name, picture
+            self._forget()
+        elif not is_same(picture, self._picture):
+            self._picture = picture
+            gone = [name for name, place in self._chosen.items() if not self._holds(robot, place)]
+            names = [self._chosen.pop(name).name for name in gone]
+            if self._choosing and not self._renew():
+                names.append(self._typed.value)
+            if any(names):
+                self._say(changed([name for name in names if name]))
+        start = HERE.name if starts_here(robot) else tr("choose ...")
+        to = tr("To, for the cargo on board: ") if self._brings(robot) else tr("To: ")
         does = told_text(self._state(), robot)
-        shown = (robot.name, does, only_to, self._choosing, *self._chosen.items())
+        shown = (robot.name, does, start, to, self._choosing, *self._chosen.items())
         if shown == self._shown:
             return
         self._shown = shown
-        names = {field: sanitize(place.name) for field, place in self._chosen.items()}
+        names_of = {field: sanitize(place.name) for field, place in self._chosen.items()}
         # As Content: a label from the wire is text, whatever markup it looks like.
         self._button("robot").label = Content(f"{tr(f'Robot: {sanitize(robot.name)}')}, {does}")
-        self._button("from").label = Content(tr(f"From: {names.get('from', start)}"))
-        self._button("to").label = Content(to + names.get("to", tr("choose ...")))
+        self._button("from").label = Content(tr(f"From: {names_of.get('from', start)}"))
+        self._button("to").label = Content(to + names_of.get("to", tr("choose ...")))
         self._button("send").variant = "default" if self._missing() else "primary"
-        for field in ("robot", "from", "to", "send"):
-            self._button(field).display = not self._choosing and (field != "from" or not only_to)
+        for field in FIELDS:
+            self._button(field).display = not self._choosing
         self.set_class(not self._choosing, "-buttons")
         self.query_one("#simple-missing").display = not self._choosing
-        self.query_one("#simple-question").display = self.query_one(OptionList).display = bool(self._choosing)
+        for part in (self.query_one("#simple-question"), self._typed, self._list):
+            part.display = bool(self._choosing)
 
     def start(self) -> None:
-        """Show it, with the focus on the first choice to make."""
-        self._leave()
+        """Show it with nothing chosen, and the focus on the first choice to make."""
+        self._forget()
         self._say("")
         self.show()
         self._go_on()
+
+    def _forget(self) -> None:
+        self._chosen.clear()
+        self._choosing = ""
 
     def _button(self, field: str) -> Button:
         return self.query_one(f"#simple-{field}", Button)
@@ -123,18 +143,21 @@ class Simple(Vertical):
     def _robot(self) -> Robot:
         return self._state().robots[self._selected()]
 
+    def _brings(self, robot: Robot) -> bool:
+        """Tell whether the order is for the cargo on board."""
+        return robot.kind.brings_cargo and starts_here(robot) and self._chosen.get("from", HERE) == HERE
+
+    def _holds(self, robot: Robot, place: Place) -> bool:
+        return starts_here(robot) if place == HERE else is_still(robot, place)
+
     def _say(self, text: str) -> None:
         note = self.query_one("#simple-missing", Static)
         note.set_class(bool(text), "-missing")
         note.update(tr(text) or tr("Esc: back to the map"))
 
-    def _leave(self) -> None:
-        self._choosing = ""
-
     def _missing(self) -> str:
         """Return the first field without a choice, empty if all have one."""
-        robot = self._robot()
-        fields = ("to",) if destination_only(robot) or may_skip_start(robot) else ("from", "to")
+        fields = ("to",) if starts_here(self._robot()) else ("from", "to")
         return next((field for field in fields if field not in self._chosen), "")
 
     def _go_on(self) -> None:
@@ -151,57 +174,100 @@ class Simple(Vertical):
         """Return to the buttons without a choice, from them to the map."""
         field = self._choosing
         if not field:
+            self._forget()
             self._close()
             return
-        self._leave()
+        self._choosing = ""
         self.show()
         self.screen.set_focus(self._button(field))
 
     def _ask(self, field: str) -> None:
         """Show the list of choices."""
         robot = self._robot()
-        self._choices = [] if field == "robot" else places(robot)
-        names = [f"{sanitize(place.name)}  ({place.floor})" for place in self._choices]
-        if field != "robot" and not names:
-            self._say(tr(f"no places of {robot.name} received yet"))
+        if field != "robot" and not places(robot):
+            self._say(hindrance(self._state(), robot) or tr(f"no places of {robot.name} received yet"))
             return
         self._choosing = field
-        options = self.query_one(OptionList)
-        options.clear_options()
-        options.add_options(list(self._state().robots) if field == "robot" else names)
-        options.highlighted = 0
+        with self._typed.prevent(Input.Changed):
+            self._typed.value = ""
+        self._fill()
         question = {"robot": tr("Which robot?"), "from": tr("From where?"), "to": tr("Where to?")}[field]
         self.query_one("#simple-question", Static).update(tr(f"{question}  (Esc: back)"))
         self.show()
-        self.screen.set_focus(options)
+        self.screen.set_focus(self._typed)
 
-    def _choose(self, index: int) -> None:
-        """Take a choice, and go on to the next missing one."""
-        field = self._choosing
-        if not field:
-            return
-        self._leave()
-        self._say("")
-        if field == "robot":
-            self._select(list(self._state().robots)[index])
+    @on(Input.Changed, "#simple-typed")
+    def _filter(self, event: Input.Changed) -> None:
+        event.stop()
+        if self._choosing:
+            self._fill()
+
+    def _fill(self) -> None:
+        """List what fits the typed text, the first one marked."""
+        robot, typed = self._robot(), self._typed.value.strip()
+        if self._choosing == "robot":
+            self._choices = [name for name in self._state().robots if typed.casefold() in name.casefold()]
         else:
-            self._chosen[field] = self._choices[index]
+            takes_it = self._choosing == "to" or ORDER in robot.kind.accepts
+            named = matches(robot, typed) if takes_it else []
+            may_be_here = self._choosing == "from" and starts_here(robot)
+            here = [HERE] if may_be_here and HERE.name.startswith(typed.casefold()) else []
+            self._choices = [*here, *named]
+        self._list.show(map(_line, self._choices))
+
+    def _renew(self) -> bool:
+        """List the choices anew, the same one marked. Returns False, and marks none, if it is gone."""
+        at = self._list.highlighted
+        marked = self._choices[at] if at is not None and at < len(self._choices) else None
+        self._fill()
+        is_there = marked is not None and marked in self._choices
+        self._list.highlighted = self._choices.index(marked) if is_there and marked is not None else None
+        return is_there or marked is None
+
+    @on(Matches.OptionSelected, "#simple-list")
+    def _clicked(self, event: Matches.OptionSelected) -> None:
+        event.stop()
+        self._take()
+
+    @on(Matches.DoubleClicked)
+    def _double_clicked(self, event: Matches.DoubleClicked) -> None:
+        event.stop()  # the first click has chosen; only the button sends
+
+    def _take(self) -> None:
+        """Take the marked choice, and go on to the next missing one."""
+        field, at = self._choosing, self._list.highlighted
+        self.show()  # what has changed meanwhile is marked no more
+        if not field or at is None or self._list.highlighted != at or at >= len(self._choices):
+            return
+        choice = self._choices[at]
+        self._choosing = ""
+        self._say("")
+        if isinstance(choice, str):
+            self._select(choice)
+        else:
+            self._chosen[field] = choice
         self.show()
         self._go_on()
 
     def _finish(self, _field: str) -> None:
+        self.show()
         robot, missing = self._robot(), self._missing()
         if missing:
             self._say(tr(f"{tr(missing.capitalize())} is missing: choose where {tr(_PURPOSE[missing])}"))
             self.screen.set_focus(self._button(missing))
             return
-        only_to = destination_only(robot) or (may_skip_start(robot) and "from" not in self._chosen)
-        visited = [self._chosen[field] for field in (("to",) if only_to else ("from", "to"))]
-        self._say(self._give(order_of(robot, visited, only_to), self._sent))
+        start = self._chosen.get("from", HERE)
+        self._say(self._give(order_of(robot, [start, self._chosen["to"]]), self._sent))
 
     def _sent(self) -> None:
-        self._chosen.clear()
         self.start()
 
 
+def _line(choice: Place | str) -> str:
+    if isinstance(choice, str):
+        return sanitize(choice)
+    return sanitize(choice.name) if choice == HERE else f"{sanitize(choice.name)}  ({sanitize(choice.floor)})"
+
+
 _PURPOSE = {"from": "the cargo is fetched", "to": "it is brought"}
+"""Why a choice is missing."""

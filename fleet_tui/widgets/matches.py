@@ -3,7 +3,9 @@
 from collections.abc import Iterable, Sequence
 from itertools import zip_longest
 
+from textual import events
 from textual.content import Content
+from textual.message import Message
 from textual.widgets import OptionList
 
 from fleet_tui.text.sanitize import cell_width, fit_words
@@ -22,6 +24,17 @@ class Matches(OptionList, can_focus=False):
         self.clear_options()
         self.add_options([self._prompt(*line) for line in self._texts])
         self.highlighted = 0 if mark and self.option_count else None
+
+    class DoubleClicked(Message):
+        """A row was clicked twice: the first click has chosen it."""
+
+    def on_click(self, event: events.Click) -> None:
+        """Choose by the first click; the second one sends, whatever is below it by now."""
+        if event.chain > 1:
+            event.stop()
+            event.prevent_default()
+            if event.chain == 2:
+                self.post_message(self.DoubleClicked())
 
     def on_resize(self) -> None:
         """Put the keys at the new right end."""

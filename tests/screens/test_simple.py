@@ -11,8 +11,8 @@ from tests.support.watched_store import config_of
 
 async def pick_by_arrows(it: Console, label: str) -> None:
     """Down to a label of the list that is open, and Enter."""
-    options = it.app.main.query_one("#simple-list")
-    await it.until(lambda _: it.app.main.focused is options)
+    field = it.app.main.query_one("#simple-typed")
+    await it.until(lambda _: it.app.main.focused is field)
     await it.shows(label, "simple-list")
     lines = [line.strip() for line in it.pane("simple-list").splitlines()]
     at = next(n for n, line in enumerate(lines) if line.startswith(label))
@@ -68,7 +68,7 @@ async def test_on_a_small_terminal_the_form_works_with_the_worst_alarm_in_view(
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
         assert [service for service, _ in sent(server)] == ["Execute_order"]
         await it.press("s")
-        await it.shows(" 1 robot_0")
+        await it.shows(" 0 robot_0")
 
 
 async def test_an_order_with_the_mouse_alone(server: RosbridgeServer) -> None:
@@ -100,7 +100,7 @@ async def test_what_is_missing_is_named_and_nothing_leaves(server: RosbridgeServ
         assert not server.bridge.services.calls
 
 
-async def test_with_cargo_on_board_there_is_only_a_destination(
+async def test_with_cargo_on_board_the_order_starts_here_and_the_buttons_stay(
     server: RosbridgeServer,
 ) -> None:
     async with console(config_of(server.url, 1)) as it:
@@ -108,10 +108,8 @@ async def test_with_cargo_on_board_there_is_only_a_destination(
         await it.shows("From: choose")
         server.world.robots["robot_0"].cargo = True
         await it.shows("To, for the cargo on board")
-        await it.hides("From:")
-        await it.press("down", "up", "enter")
-        await it.shows("Which robot?")
-        await it.press("escape", "down", "enter")
+        await it.shows("From: here")
+        await it.press("down", "enter")
         await it.shows("Where to?")
         await pick_by_arrows(it, "Base")
         await it.press("enter")
@@ -130,3 +128,45 @@ async def test_a_label_that_looks_like_markup_is_text(server: RosbridgeServer) -
         await it.shows("[bold]Base[/]  (floor_0)")
         await it.press("enter")
         await it.shows("From: [bold]Base[/]")
+
+
+async def test_a_list_filters_as_one_types_and_no_letter_commands(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 2)) as it:
+        await it.press("s", "down", "enter")
+        await it.shows("Where to?")
+        await it.type("Pack")
+        await it.shows("Packing  (floor_0)", "simple-list")
+        await it.hides("Base", "simple-list")
+        await it.press("enter")
+        await it.shows("To: Packing")
+        assert sent(server) == []
+
+
+async def test_what_was_chosen_is_forgotten_when_it_is_left(server: RosbridgeServer) -> None:
+    server.world.robots["robot_0"].cargo = True
+    async with console(config_of(server.url, 1)) as it:
+        await it.until(lambda state: state.robots["robot_0"].has_cargo)
+        await it.press("s", "enter")
+        await it.type("Base")
+        await it.press("enter")
+        await it.shows("To, for the cargo on board: Base")
+        for leave in ("escape", "s"):
+            await it.press(leave, "s", "enter")
+            await it.shows("Where to?")
+            await it.press("escape")
+            await it.shows("To, for the cargo on board: choose")
+        assert sent(server) == []
+
+
+async def test_a_place_that_got_another_id_meanwhile_must_be_chosen_again(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        base = str(vertex(it, "Base"))
+        await it.press("s", "enter")
+        await it.type("Base")
+        await it.press("enter")
+        await it.shows("From: Base")
+        it.store.apply(
+            LabelsReceived("robot_0", "floor_0", {base: "Depot", "0" if base != "0" else "1": "Base"})
+        )
+        await it.shows("Base: changed meanwhile, choose again")
+        await it.shows("From: choose")

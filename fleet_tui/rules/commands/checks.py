@@ -133,7 +133,8 @@ def cargo(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem
     waiting = sum(order.state in PENDING for order in robot.orders.orders)
     if not command.with_cargo:
         if robot.has_cargo and not robot.orders.orders:
-            text = f"{robot.name} has cargo on board and no orders: give only a destination"
+            start = robot.name_of(command.stops[0].vertex) or command.stops[0].vertex
+            text = f"{robot.name} carries cargo: drive to {start} first?"
             yield Problem("cargo on board", text, blocks=False)
     elif not robot.has_cargo:
         sure = state.is_fresh(robot, "cargo")
@@ -159,6 +160,8 @@ CHECKS: tuple[Check, ...] = (
     claimed,
     *VEHICLE_CHECKS,
 )
+OF_ROBOT: tuple[Check, ...] = (no_link, silent, unconfirmable_queue, paused, claimed, *VEHICLE_CHECKS)
+"""Checks that need no more of an order than its robot."""
 FIRST: tuple[Check, ...] = (no_way_there, cargo)
 """Checks of only the first command to a robot: the others follow it."""
 
@@ -187,6 +190,13 @@ def acceptable(state: FleetState, request: Request) -> tuple[Request, list[Probl
         return request, []
     left_out = [command for command in request.commands if command not in able]
     return replace(request, commands=able), not_accepted(state, left_out)
+
+
+def robot_problems(state: FleetState, robot: Robot) -> list[Problem]:
+    """Return what speaks against any order to a robot, errors first."""
+    order = PlaceOrder(robot.name, ())
+    found = dict.fromkeys(problem for check in OF_ROBOT for problem in check(state, robot, order))
+    return sorted(found, key=lambda problem: not problem.blocks)
 
 
 def problems(state: FleetState, request: Request, allowed: Permissions) -> list[Problem]:

@@ -135,13 +135,21 @@ def floor_mismatch(state: FleetState, robot: Robot, command: commands.Command) -
 
 
 def mistakable(robot: Robot, floors: Mapping[str, str]) -> Iterator[Problem]:
-    """Check for ambiguous ids: the wire has only ids, and a place chosen on another floor may be another one
-    on this floor."""
-    here = robot.maps.get(robot.floor or "")
+    """Check for ambiguous ids: an order names a vertex by its id alone, which a robot takes as that of the
+    floor it is on, if that has one. `floors`: the floor that was meant, by id."""
     for vertex, floor in floors.items():
-        if here is None or floor not in robot.maps or floor == robot.floor:
+        others = sorted(_floors(robot, vertex) - {floor})
+        if floor not in robot.maps or floor == robot.floor or not others:
             continue
-        meant, taken = robot.maps[floor].name_of(vertex), here.name_of(vertex)
-        if meant is not None and taken is not None and meant != taken:
-            text = f"{meant} on {floor} has the same id as {taken} on {robot.floor}, where {robot.name} is"
+        meant = f"{_name_on(robot, vertex, floor)} on {floor}"
+        if robot.floor is not None and robot.floor in others:
+            taken = f"{_name_on(robot, vertex, robot.floor)} on {robot.floor}"
+            text = f"{meant} can't be named: {robot.name} takes its id {vertex} as {taken}, where it is"
+            yield Problem("floor mismatch", text)
+        else:
+            text = f"{meant} has the id {vertex}, which {others[0]} has too: the robot decides which is meant"
             yield Problem("floor mismatch", text, blocks=False)
+
+
+def _name_on(robot: Robot, vertex: str, floor: str) -> str:
+    return robot.maps[floor].labels.get(vertex, vertex)

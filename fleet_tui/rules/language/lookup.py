@@ -7,7 +7,7 @@ from msgspec import Struct
 
 from fleet_tui.model.commands import PlaceOrder
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.kind import ORDER, ORDER_TO, Kind
+from fleet_tui.model.kind import ORDER, ORDER_TO
 from fleet_tui.model.order import vertices_of
 from fleet_tui.model.request import Request, chain
 from fleet_tui.model.robot import Robot
@@ -21,6 +21,10 @@ class Place(Struct, frozen=True):
     vertex: str
     name: str
     floor: str
+
+
+HERE = Place("", "here", "")
+"""The start of an order that begins where the robot is."""
 
 
 def places(robot: Robot) -> list[Place]:
@@ -92,22 +96,26 @@ def called(robot: Robot, word: str) -> list[Place]:
     return same or [place for place in everything if place.name.casefold() == word.casefold()]
 
 
-def destination_only(robot: Robot) -> bool:
-    """Tell whether an order has no start: cargo on board without an order, or a kind that takes none."""
+def starts_here(robot: Robot) -> bool:
+    """Tell whether an order may begin where the robot is: with cargo on board and no order, for a kind that
+    reports no cargo, or one that takes no start."""
     accepts = robot.kind.accepts
     idle_with_cargo = robot.has_cargo and not robot.orders.orders
-    return ORDER_TO in accepts and (ORDER not in accepts or idle_with_cargo)
+    return ORDER_TO in accepts and (ORDER not in accepts or idle_with_cargo or not robot.kind.brings_cargo)
 
 
-def may_skip_start(robot: Robot | None) -> bool:
-    """Tell whether the start of an order is optional: a robot that reports no cargo then simply goes
-    there."""
-    kind = robot.kind if robot else Kind()
-    return ORDER in kind.accepts and ORDER_TO in kind.accepts and not kind.brings_cargo
+def is_still(robot: Robot, place: Place) -> bool:
+    """Tell whether a robot's graph and labels still have a place as it was listed."""
+    known = robot.maps.get(place.floor)
+    if known is None or (known.graph is not None and place.vertex not in known.graph.vertices):
+        return False
+    return known.labels.get(place.vertex, place.vertex) == place.name
 
 
-def order_of(robot: Robot, visited: Sequence[Place], only_to: bool = False) -> Request:
-    """Return orders that visit the places in sequence; `only_to`: without a start."""
-    floors = {place.vertex: place.floor for place in visited}
-    vertices = [place.vertex for place in visited]
-    return Request(chain(robot.name, vertices, only_to, robot.kind.takes_stops), floors)
+def order_of(robot: Robot, visited: Sequence[Place]) -> Request:
+    """Return orders that visit the places in sequence, the first of which may be HERE."""
+    is_here = visited[0] == HERE
+    named = visited[is_here:]
+    floors = {place.vertex: place.floor for place in named}
+    vertices = [place.vertex for place in named]
+    return Request(chain(robot.name, vertices, is_here, robot.kind.takes_stops), floors)

@@ -12,7 +12,7 @@ from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.routines.blocks import CarryBlock, GoBlock
 from fleet_tui.model.routines.lane import OrderEnded, OrderWithheld
-from fleet_tui.rules.language.lookup import destination_only, may_skip_start
+from fleet_tui.rules.language.lookup import starts_here
 from fleet_tui.rules.language.words import vertex_of
 
 
@@ -21,7 +21,7 @@ def order_of(robot: Robot, block: GoBlock | CarryBlock) -> Request | None:
     places = (block.place,) if isinstance(block, GoBlock) else (block.start, block.end)
     found = [vertex_of(robot, place) for place in places]
     vertices = [vertex for vertex, _ in found]
-    if isinstance(block, GoBlock) and not (destination_only(robot) or may_skip_start(robot)):
+    if isinstance(block, GoBlock) and not starts_here(robot):
         vertices.insert(0, _start(robot))
     if len(vertices) == 2 and vertices[0] == vertices[1] and isinstance(block, GoBlock):
         return None

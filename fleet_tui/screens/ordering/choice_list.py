@@ -6,6 +6,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.anyone import is_anyone
 from fleet_tui.rules.language.favourites import Given
+from fleet_tui.rules.language.lookup import HERE
 from fleet_tui.rules.routes.order_draft import Draft
 from fleet_tui.screens.ordering.choices import Choice, Choices, choices, lines, no_match, scope
 from fleet_tui.screens.ordering.drafts import draft_of
@@ -26,16 +27,23 @@ class ChoiceList(Matches):
 
     def refill(self, robot: Robot | None) -> None:
         """List the choices, the first one marked if something is typed."""
-        self._found = self._choices(robot)
+        self._show(robot, self._choices(robot))
+        self.highlighted = 0 if self._fields.typed and self._found else None
+
+    def renew(self, robot: Robot | None) -> bool:
+        """List the choices anew, the same one marked; without it none. Returns False if it is gone."""
+        marked = self.at(self.highlighted) if self.highlighted is not None else None
+        self._show(robot, self._choices(robot))
+        is_there = marked is not None and marked in self._found
+        self.highlighted = self._found.index(marked) if is_there and marked is not None else None
+        return marked is None or is_there
+
+    def _show(self, robot: Robot | None, found: Choices) -> None:
         typed, fields = self._fields.typed, self._fields
         start = fields.chosen.get("from") if fields.current == "to" else None
-        self.show(lines(self._state(), robot, typed, self._found, start), mark=bool(typed))
-        self.scope = scope(robot, typed, self._found)
-
-    @property
-    def is_untouched(self) -> bool:
-        """Tell whether nothing is typed or marked, so that other choices may take the place of these."""
-        return not self._fields.typed and self.highlighted is None
+        self._found = found
+        self.show(lines(self._state(), robot, typed, found, start if start != HERE else None), mark=False)
+        self.scope = scope(robot, typed, found)
 
     def unknown(self, robot: Robot | None) -> str:
         """Return that what is typed is no choice, empty if it is one."""
@@ -54,13 +62,9 @@ class ChoiceList(Matches):
         """Return the choice of a line, None beyond the last one."""
         return self._found[index] if index < len(self._found) else None
 
-    def choice(self, robot: Robot | None) -> Choice | None:
-        """Return the choice for Enter, None if none fits or none is marked."""
-        # The last letters may not have been listed yet: update before choosing.
-        found = self._choices(robot)
-        marked = self.highlighted if found == self._found else None
-        self._found = found
-        return found[marked or 0] if found and (self._fields.typed or marked is not None) else None
+    def choice(self) -> Choice | None:
+        """Return the choice for Enter, None if none is marked."""
+        return self.at(self.highlighted) if self.highlighted is not None else None
 
     def draft(self, robot: Robot | None) -> Draft:
         """Return the draft of an order, as if Enter took the marked choice."""

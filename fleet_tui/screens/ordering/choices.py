@@ -7,13 +7,15 @@ from collections.abc import Callable, Sequence
 from fleet_tui.errors import did_you_mean
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import Role, Vertex
-from fleet_tui.model.kind import GOAL
+from fleet_tui.model.kind import GOAL, ORDER
 from fleet_tui.model.link import Phase
+from fleet_tui.model.problem import Problem
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.battery.charging import has_low_battery
 from fleet_tui.rules.commands.pauses import STANDS_AFTER
 from fleet_tui.rules.language.anyone import ANYONE, any_matches
 from fleet_tui.rules.language.favourites import Favourite, Given, favourites
-from fleet_tui.rules.language.lookup import Place, matches, places, recent_ends
+from fleet_tui.rules.language.lookup import HERE, Place, matches, places, recent_ends, starts_here
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, sanitize
 from fleet_tui.view.tables.table import column
@@ -35,10 +37,15 @@ def choices(
     chosen: Place | None = None,
     given: Callable[[], Sequence[Given]] = tuple,
 ) -> Choices:
-    """Return the choices, best first; in `to` the robot's last destination leads, in an empty `from` the
-    favourites of the orders `given`. Without a robot they are those of any."""
+    """Return the choices, best first; in `to` the robot's last destination leads, in `from` HERE, if the
+    robot can start there, and the favourites of the orders `given`, until something else is typed. Without a
+    robot they are those of any."""
     if field == "robot":
         return _robots(state, typed.strip().casefold())
+    if field == "from" and robot is not None and ORDER not in robot.kind.accepts:
+        return [HERE] if _may_be_here(robot, typed) else []
+    if field == "from" and chosen == HERE and typed.strip() == HERE.name:
+        typed = ""
     if robot is None:
         found = any_matches(state, typed)
     else:
@@ -46,12 +53,19 @@ def choices(
         if not typed.strip() and not robot.kind.changes_floors:
             found = [place for place in found if place.floor == robot.floor] or found
     if field == "from" and not typed.strip():
-        listed: list[Choice] = [*favourites(found, given()), *found]
+        here = [HERE] if robot is not None and starts_here(robot) else []
+        listed: list[Choice] = [*here, *favourites(found, given()), *found]
         return listed[:SHOWN]
+    if field == "from" and robot is not None and _may_be_here(robot, typed):
+        found = [*found, HERE]
     if chosen is None or sanitize(chosen.name) != typed:
         return found[:SHOWN]
     # Floors may share labels: Enter takes the chosen one again.
     return [chosen, *(place for place in found[:SHOWN] if place != chosen)]
+
+
+def _may_be_here(robot: Robot, typed: str) -> bool:
+    return starts_here(robot) and HERE.name.startswith(typed.strip().casefold())
 
 
 def _robots(state: FleetState, wanted: str) -> list[str]:
@@ -66,17 +80,18 @@ def is_in_label(robot: Robot | None, typed: str) -> bool:
     return robot is not None and any(typed.casefold() in place.name.casefold() for place in places(robot))
 
 
-def title(robot: Robot | None, has_start: bool) -> str:
+def title(robot: Robot | None) -> str:
     """Return the title of the form; without a robot the order is for anyone."""
     if robot is None:
         return tr("Order for the nearest idle robot")
-    return tr("Destination of the cargo on board") if robot.has_cargo and not has_start else tr("Order")
+    carries = robot.kind.brings_cargo and starts_here(robot)
+    return tr("Destination of the cargo on board") if carries else tr("Order")
 
 
-def wanted_now(robot: Robot, only_to: bool) -> str:
-    """Return the notice after a change of the robot's cargo or orders."""
-    alone = tr("now has cargo and no orders: To only") if robot.has_cargo else tr("needs only To")
-    return tr(f"{robot.name} {alone if only_to else tr('now needs From')}. Enter sends")
+def changed(names: Sequence[str]) -> str:
+    """Return the notice about places that were chosen and are no longer what they were."""
+    listed = ", ".join(map(sanitize, names))
+    return tr(f"{listed}: changed meanwhile, choose again")
 
 
 def missing(field: str, typed: str = "") -> str:
@@ -110,9 +125,17 @@ def hindrance(state: FleetState, robot: Robot | None) -> str:
     return without_places(robot)
 
 
+def warnings(state: FleetState, robot: Robot | None, found: Sequence[Problem]) -> str:
+    """Return what speaks against an order now, its problems `found` and a low battery, empty for nothing."""
+    texts = [tr(sanitize(problem.text)) for problem in found]
+    if robot is not None and robot.battery is not None and has_low_battery(state, robot):
+        texts.append(tr(f"battery of {robot.name}: {robot.battery.value:.0f} %"))
+    return "; ".join(texts)
+
+
 def scope(robot: Robot | None, typed: str, found: Choices) -> str:
     """Return which places are listed before anything is typed, empty if all are on one floor."""
-    listed = [one for one in found if isinstance(one, Place)]
+    listed = [one for one in found if isinstance(one, Place) and one != HERE]
     if robot is None or typed.strip() or not listed:
         return ""
     every, floor = len(places(robot)), sanitize(listed[0].floor)
@@ -151,7 +174,7 @@ def _in_column(name: str, cells: int, about: str) -> str:
 
 
 def _needs_id(place: Place, same: Counter[str], typed: str) -> bool:
-    return place.name != place.vertex and (same[place.name] > 1 or typed.strip() == place.vertex)
+    return place.vertex not in ("", place.name) and (same[place.name] > 1 or typed.strip() == place.vertex)
 
 
 def _vertex(robot: Robot, place: Place) -> Vertex | None:
@@ -162,6 +185,9 @@ def _vertex(robot: Robot, place: Place) -> Vertex | None:
 def _about(state: FleetState, robot: Robot | None, place: Place, start: Place | None) -> str:
     """Return the kind of a place, its floor if it is on another one than the start or the robot, else the
     metres to it in a straight line, from the robot only while it stands."""
+    if place == HERE:
+        carries = robot is not None and robot.kind.brings_cargo
+        return tr("with the cargo on board") if carries else tr("where the robot is")
     if robot is None:
         return sanitize(place.floor) if len(state.floors) > 1 else ""
     vertex, begin = _vertex(robot, place), _vertex(robot, start) if start is not None else None

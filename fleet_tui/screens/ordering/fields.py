@@ -1,14 +1,14 @@
 """The three fields of the order form, one below the other."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from itertools import takewhile
 
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
-from textual.widget import Widget
 from textual.widgets import Static
 
 from fleet_tui.rules.language.favourites import Favourite
-from fleet_tui.rules.language.lookup import Place
+from fleet_tui.rules.language.lookup import HERE, Place
 from fleet_tui.screens.ordering.legs import LegField, Legs
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
@@ -18,8 +18,7 @@ NAMES = ("robot", "from", "to")
 
 
 class OrderFields(Vertical):
-    """Robot, from, to; From is hidden if an order needs no start. `chosen`: the places for the texts of the
-    fields."""
+    """Robot, from, to, in every state of the robot. `chosen`: the places for the texts of the fields."""
 
     def __init__(self, keys: Keys) -> None:
         super().__init__(id="order-fields")
@@ -60,7 +59,9 @@ class OrderFields(Vertical):
     @property
     def first_empty(self) -> LegField:
         """Return the first field to fill: the robot is chosen."""
-        return self._boxes["from" if self._boxes["from"].display and not self.chosen else "to"]
+        return self._boxes[
+            "from" if self.chosen.get("from", HERE) == HERE and "to" not in self.chosen else "to"
+        ]
 
     def clear(self, robot: str) -> None:
         """Clear all but the robot."""
@@ -73,6 +74,8 @@ class OrderFields(Vertical):
         if robot != self._robot:
             self._robot = robot
             self.chosen.clear()
+            if self._boxes["from"].value == HERE.name:
+                self._boxes["from"].put("")
             if self._boxes["to"].legs.places:
                 self._boxes["to"].put("", Legs())
 
@@ -88,10 +91,30 @@ class OrderFields(Vertical):
         self.take("to", favourite.end)
         self.screen.set_focus(self._boxes["to"])
 
-    def visited(self, only_to: bool) -> list[Place]:
-        """Return the places of a complete order; `only_to`: without a start."""
-        first = [] if only_to else [self.chosen["from"]]
-        return [*first, *self._boxes["to"].legs.places, self.chosen["to"]]
+    @property
+    def visited(self) -> list[Place]:
+        """Return the places of a complete order."""
+        return [self.chosen["from"], *self._boxes["to"].legs.places, self.chosen["to"]]
+
+    def start_here(self, may: bool) -> None:
+        """Fill an empty From with HERE where an order may begin there, and clear it elsewhere."""
+        box = self._boxes["from"]
+        if may and not box.value:
+            self.take("from", HERE)
+        elif not may and self.chosen.get("from") == HERE:
+            del self.chosen["from"]
+            box.put("")
+
+    def drop_gone(self, is_still: Callable[[Place], bool]) -> list[str]:
+        """Drop the places that were chosen and are no longer what they were. Returns their names."""
+        gone = [name for name, place in self.chosen.items() if place != HERE and not is_still(place)]
+        names = [self.chosen.pop(name).name for name in gone]
+        box = self._boxes["to"]
+        legs = box.legs.places
+        kept = tuple(takewhile(is_still, legs))
+        if kept != legs:
+            box.put(box.typed, Legs(kept))
+        return [*names, *(leg.name for leg in legs[len(kept) :])]
 
     def drop_changed(self, name: str) -> None:
         """Drop the place of a field whose text has changed."""
@@ -99,14 +122,6 @@ class OrderFields(Vertical):
         if name in self.chosen and sanitize(self.chosen[name].name) != self._boxes[name].typed:
             del self.chosen[name]
 
-    def show_start(self, is_shown: bool) -> None:
-        """Show or hide From."""
-        box = self._boxes["from"]
-        box.display = is_shown
-        if isinstance(box.parent, Widget):
-            box.parent.display = is_shown
-
     def step(self, step: int) -> None:
         """Go to the next (1) or previous (-1) field, around the ends."""
-        shown = [name for name, box in self._boxes.items() if box.display]
-        self.screen.set_focus(self._boxes[shown[(shown.index(self.current) + step) % len(shown)]])
+        self.screen.set_focus(self._boxes[NAMES[(NAMES.index(self.current) + step) % len(NAMES)]])

@@ -9,23 +9,29 @@ from textual.widgets import Button, Input, Static
 
 from fleet_tui.controllers.ordering.past_orders import PastOrders
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.problem import Problem
+from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.checks import robot_problems
 from fleet_tui.rules.language.anyone import ANYONE
 from fleet_tui.rules.language.favourites import Favourite
-from fleet_tui.rules.language.lookup import Place, destination_only, may_skip_start
+from fleet_tui.rules.language.lookup import HERE, Place, is_still, order_of, starts_here
 from fleet_tui.rules.routes.order_draft import Draft
 from fleet_tui.screens.ordering.choice_list import ChoiceList
 from fleet_tui.screens.ordering.choices import (
     Choice,
+    changed,
     hindrance,
     is_in_label,
     missing,
     no_match,
     title,
+    warnings,
     without_places,
 )
 from fleet_tui.screens.ordering.fields import OrderFields
 from fleet_tui.screens.ordering.legs import SIGN, Legs
+from fleet_tui.screens.ordering.picture import is_same, picture_of
 from fleet_tui.screens.ordering.proposal import Proposal
 from fleet_tui.screens.ordering.sending import Give, GiveAnyone, OrderSending
 from fleet_tui.screens.overlay import MouseButton, ReturningOverlay
@@ -37,16 +43,25 @@ NEXT, SEND = "Enter  next", "Enter  send"
 
 class OrderForm(ReturningOverlay):
     """`start` opens it for a robot. A complete request goes to `give`, the places of one without a robot to
-    `give_anyone`; `past` are the orders to give again."""
+    `give_anyone`; `past` are the orders to give again; `objections` returns what speaks against a request.
+
+    It works on one picture of the robot's graphs, labels and floor: when these change, `look` lists the
+    choices anew and drops what was chosen and is gone, and Enter asks again.
+    """
 
     def __init__(
-        self, state: Callable[[], FleetState], give: Give, give_anyone: GiveAnyone, past: PastOrders
+        self,
+        state: Callable[[], FleetState],
+        give: Give,
+        give_anyone: GiveAnyone,
+        past: PastOrders,
+        objections: Callable[[Request], list[Problem]],
     ) -> None:
         super().__init__(id="order-form")
-        self._state, self._past = state, past
-        self._picked: Place | None = None
-        self._way: Sequence[Place] = ()
-        self._said_of: list[str] = []
+        self._state, self._past, self._objections = state, past, objections
+        self._picture = picture_of(state(), None)
+        self._said, self._said_of = "", list[str]()
+        self._clicked = ""
         self.route = Static(id="route", markup=False)
         self._send = MouseButton(tr(NEXT), id="send", compact=True)
         self._fields = OrderFields(
@@ -77,49 +92,90 @@ class OrderForm(ReturningOverlay):
         return self._state().robots.get(self._fields["robot"].value.strip())
 
     def start(self, robot: str, picked: Place | None = None, way: Sequence[Place] = ()) -> None:
-        """Open for a robot. A vertex `picked` on the map is the start, or the end if none is needed; `way`
-        are both, as proposed."""
-        self._picked, self._way = picked, way
+        """Open for a robot, with nothing chosen but what is given: a vertex `picked` on the map is the start,
+        or the end if none is needed; `way` are both, as proposed."""
         self._fields.clear(robot)
-        self._say("")
+        self._said, self._picture = "", picture_of(self._state(), self._robot())
+        may_be_here = (chosen := self._robot()) is not None and starts_here(chosen)
+        if picked is not None:
+            self._fields.take("to" if may_be_here else "from", picked)
+        if way:
+            self._fields.take("to", way[-1])
+        if way and not may_be_here:
+            self._fields.take("from", way[0])
         self._arrange()
         self.open(self._fields.first_empty)
         self._list()
-        self._past.read(lambda: self._choices.is_untouched and self._list())
+        self._past.read(lambda: self.is_open and self._choices.renew(self._robot()))
+
+    def look(self) -> bool:
+        """Show what is true now. Returns False, having said so, if a choice is not what it was."""
+        if not self.is_open:
+            return True
+        robot = self._robot()
+        picture = picture_of(self._state(), robot)
+        holds = True
+        if not is_same(picture, self._picture):
+            self._picture = picture
+            gone = self._fields.drop_gone(self._is_still)
+            self._arrange()
+            holds = self._choices.renew(robot) and not gone
+            self.border_subtitle = self._choices.scope
+            if not holds:
+                self._say(changed(gone or [self._fields[self._fields.current].typed]))
+        self._tell()
+        return holds
+
+    def _is_still(self, place: Place) -> bool:
+        robot = self._robot()
+        robots = [robot] if robot is not None else self._state().robots.values()
+        return any(is_still(one, place) for one in robots)
 
     def _arrange(self) -> None:
-        """Hide the start if there is cargo on board without an order."""
-        has_start = (robot := self._robot()) is None or not destination_only(robot)
-        self._fields.show_start(has_start)
-        if self._picked is not None:
-            field = "from" if has_start and not may_skip_start(robot) else "to"
-            self._fields.take(field, self._picked)
-        if self._way and has_start and not may_skip_start(robot):
-            self._fields.take("from", self._way[0])
-        if self._way:
-            self._fields.take("to", self._way[-1])
-        self._picked, self._way = None, ()
-        self.border_title = title(robot, has_start)
+        """Let From begin where the robot is, if it may."""
+        robot = self._robot()
+        self._fields.start_here(robot is not None and starts_here(robot))
+        self.border_title = title(robot)
 
     def _say(self, text: str, field: str = "") -> None:
-        """Show an error, and focus its field."""
-        self._said_of = self._fields.values
-        self.query_one("#missing", Static).update(tr(text))
+        """Show an error until something else is typed, and focus its field."""
+        self._said, self._said_of = text, self._fields.values
         if field:
             self.screen.set_focus(self._fields[field])
+        self._tell()
+
+    def _tell(self) -> None:
+        """Show the error, else what speaks against the order now."""
+        state, robot = self._state(), self._robot()
+        unknown, found = self._choices.unknown(robot), self._problems(robot)
+        self._send.disabled = bool(unknown) or (self._is_last and any(problem.blocks for problem in found))
+        text = tr(self._said) or hindrance(state, robot) or unknown or warnings(state, robot, found)
+        note = self.query_one("#missing", Static)
+        if text != note.content:  # an update lays out the whole screen
+            note.update(text)
+
+    @property
+    def _is_last(self) -> bool:
+        return self._fields.current == "to"
+
+    def _problems(self, robot: Robot | None) -> list[Problem]:
+        """Return what speaks against the order that Enter would give, or against any to this robot."""
+        if robot is None:
+            return []
+        draft = self._choices.draft(robot)
+        if len(draft.places) + draft.starts_here < 2:
+            return robot_problems(self._state(), robot)
+        return self._objections(order_of(robot, [*[HERE] * draft.starts_here, *draft.places]))
 
     @on(events.DescendantFocus)
     def _list(self) -> None:
         """List the matches of the field with the cursor, the first one marked."""
         if self.is_open:
             robot = self._robot()
-            self._send.label = tr(SEND if self._fields.current == "to" else NEXT)
+            self._send.label = tr(SEND if self._is_last else NEXT)
             self._choices.refill(robot)
             self.border_subtitle = self._choices.scope
-            unknown = self._choices.unknown(robot)
-            self._send.disabled = bool(unknown)
-            if notice := hindrance(self._state(), robot) or unknown:
-                self._say(notice)
+            self._tell()
 
     @on(Input.Changed)
     def filter(self, event: Input.Changed) -> None:
@@ -132,21 +188,36 @@ class OrderForm(ReturningOverlay):
         if field == "robot":
             self._arrange()
         if self._fields.values != self._said_of:
-            self._say("")
+            self._said = ""
         self._list()
 
     @on(ChoiceList.OptionSelected, "#matches")
     def click_match(self, event: ChoiceList.OptionSelected) -> None:
-        """Take a match by mouse."""
+        """Choose a match by mouse; a double click or the button sends."""
         event.stop()
-        if self.is_open and (choice := self._choices.at(event.option_index)) is not None:
-            self._take(self._fields.current, choice)
+        choice = self._choices.at(event.option_index)
+        if not self.is_open or choice is None or not self.look():
+            return
+        self._clicked = self._fields.current
+        self._choose(self._clicked, choice)
+        if self._is_last:
+            self._list()
+
+    @on(ChoiceList.DoubleClicked)
+    def send_clicked(self, event: ChoiceList.DoubleClicked) -> None:
+        """Send what the first click of two chose as the destination."""
+        event.stop()
+        if self.is_open and self._clicked == "to":
+            self._finish()
 
     @on(Button.Pressed, "#send")
     def _enter(self) -> None:
         """Take the marked match and go on; in the last field send."""
-        if (choice := self._choice()) is not None:
-            self._take(self._fields.current, choice)
+        if self.look() and (choice := self._choice()) is not None:
+            was_last = self._is_last
+            self._choose(self._fields.current, choice)
+            if was_last:
+                self._finish()
 
     def _add_leg(self) -> None:
         """Take the marked match as one place of several, unless the sign is part of a label."""
@@ -155,42 +226,41 @@ class OrderForm(ReturningOverlay):
             box.insert_text_at_cursor(SIGN)
         elif field == "from":
             self._enter()
-        elif isinstance(choice := self._choice(), Place):
+        elif self.look() and isinstance(choice := self._choice(), Place):
             box.put("", Legs((*box.legs.places, choice)))
             self._list()
 
     def _choice(self) -> Choice | None:
-        """Return the choice for Enter, None after showing an error if no choice fits."""
+        """Return the choice for Enter, None after showing an error if none is marked."""
         robot, field, typed = self._robot(), self._fields.current, self._fields.typed
-        if (choice := self._choices.choice(robot)) is not None:
+        if (choice := self._choices.choice()) is not None:
             return choice
         if field == "robot" and not typed:
             return ANYONE
-        if field == "from" and not typed and may_skip_start(robot):
-            self._fields.step(1)
+        if typed and self._choices.option_count:
+            self._choices.highlighted = 0
+            self._say(missing(field, typed))
         else:
             problem = no_match(robot, field, typed) if typed else missing(field)
             self._say(without_places(robot) or problem)
         return None
 
-    def _take(self, field: str, choice: Choice) -> None:
-        """Fill the field and go on to the next one; after the last one send."""
+    def _choose(self, field: str, choice: Choice) -> None:
+        """Fill the field, and go on to the next one."""
         if isinstance(choice, Favourite):
             self._fields.take_both(choice)
             return
         if isinstance(choice, str):
             self._fields[field].put(choice)
+            self._fields.choose_for(choice)
             self._arrange()
         else:
             self._fields.take(field, choice)
-        if field == "to":
-            self._finish()
-        else:
+        if field != "to":
             self._fields.step(1)
 
     def _finish(self) -> None:
         """Send a complete request; name missing input."""
         problem, field = self._sending.finish(self._robot(), self.action_close)
         if problem:
-            self._arrange()
             self._say(problem, field)

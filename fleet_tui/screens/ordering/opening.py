@@ -20,4 +20,4 @@ def order_form(screen: "MainScreen", ask: Ask, give: Give) -> tuple[OrderForm, A
     store, dispatch = screen.store, screen.dispatch
     anyone = AnyoneOrders(store, dispatch, screen.notices, ask)
     past = PastOrders(store, lambda: screen.files.audit, partial(run_in_background, screen))
-    return OrderForm(lambda: store.state, give, anyone.give, past), anyone
+    return OrderForm(lambda: store.state, give, anyone.give, past, dispatch.objections), anyone

@@ -6,8 +6,8 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.anyone import is_anyone
-from fleet_tui.rules.language.lookup import Place, destination_only, may_skip_start, order_of
-from fleet_tui.screens.ordering.choices import missing, wanted_now
+from fleet_tui.rules.language.lookup import Place, order_of
+from fleet_tui.screens.ordering.choices import missing
 from fleet_tui.screens.ordering.fields import OrderFields
 from fleet_tui.text.language import tr
 
@@ -32,18 +32,13 @@ class OrderSending:
             return self._for(robot, sent)
         if not is_anyone(typed := self._fields["robot"].value.strip(), self._state()):
             return tr(f"Robot: no match for {typed!r}"), "robot"
-        return self._without(("from", "to")) or (self._give_anyone(self._fields.visited(False), sent), "to")
+        return self._without(("from", "to")) or (self._give_anyone(self._fields.visited, sent), "to")
 
     def _for(self, robot: Robot, sent: Callable[[], None]) -> tuple[str, str]:
-        fields = self._fields
-        fields.choose_for(robot.name)
-        only_to = destination_only(robot)
-        if only_to == fields["from"].display:
-            return wanted_now(robot, only_to), "to" if only_to else "from"
-        only_to = only_to or (may_skip_start(robot) and not fields["from"].value.strip())
-        if problem := self._without(("to",) if only_to else ("from", "to")):
+        self._fields.choose_for(robot.name)
+        if problem := self._without(("from", "to")):
             return problem
-        return self._give(order_of(robot, fields.visited(only_to), only_to), sent), "to"
+        return self._give(order_of(robot, self._fields.visited), sent), "to"
 
     def _without(self, names: Sequence[str]) -> tuple[str, str] | None:
         """Return the first field that lacks a place, None without one."""

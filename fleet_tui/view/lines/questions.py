@@ -63,7 +63,8 @@ def question(state: FleetState, request: Request, found: Sequence[Problem]) -> s
     lost = list(losses(state, request))
     if lost:
         return "\n".join([*lost, *against])
-    ask = [tr(f"{', '.join(against)}: send anyway?")] if against else [tr("Send?")]
+    told = ", ".join(against)
+    ask = [told if told.endswith("?") else tr(f"{told}: send anyway?")] if against else [tr("Send?")]
     robots = list(dict.fromkeys(command.robot for command in request.commands))
     more = tr(f" and {len(robots) - SHOWN} more") if len(robots) > SHOWN else ""
     named = [", ".join(map(sanitize, robots[:SHOWN])) + more] if len(robots) > 1 else []

@@ -57,4 +57,9 @@ def test_a_place_chosen_on_another_floor_whose_id_is_another_place_here() -> Non
     """Ids of floors may be the same; the wire knows only ids."""
     state = ready(graph(1, 2, 10, floor=F1), labels({1: "Attic", 2: "Roof"}, F1), floors=2)
     assert found(state, place_order(R0, 1, 2), v1=F0, v2=F0) == []
-    assert found(state, place_order(R0, 1, 2), v1=F1, v2=F1) == [("floor mismatch", False)] * 2
+    assert found(state, place_order(R0, 1, 2), v1=F1, v2=F1) == [("floor mismatch", True)] * 2
+
+
+def test_a_place_of_another_floor_with_the_label_and_the_id_of_one_here() -> None:
+    state = ready(graph(1, 2, 10, floor=F1), labels({1: "Base", 2: "Store"}, F1), floors=2)
+    assert ("floor mismatch", True) in found(state, place_order(R0, 1, 2), v1=F0, v2=F1)

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from fleet_tui.model.events import CargoReported
 from fleet_tui.model.kind import ORDER, ORDER_TO, Kind
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.language.lookup import Place, destination_only, matches, may_skip_start, places, plain_id
+from fleet_tui.rules.language.lookup import Place, matches, places, plain_id, starts_here
 from tests.support.fleets import (
     F0,
     R0,
@@ -86,11 +86,11 @@ def test_whatever_is_typed_finds_only_places_of_the_robots_graphs(typed: str) ->
 
 def test_an_order_needs_no_start_with_cargo_and_nothing_to_do() -> None:
     state = fleet()
-    assert not destination_only(state.robots[R0])
+    assert not starts_here(state.robots[R0])
     loaded = reduced(state, CargoReported(R0, T0, True))
-    assert destination_only(loaded.robots[R0])
-    assert not destination_only(reduced(loaded, queue(T0, (1, 1, 2, "Q"))).robots[R0])
-    assert not destination_only(reduced(loaded, CargoReported(R0, T0, False)).robots[R0])
+    assert starts_here(loaded.robots[R0])
+    assert not starts_here(reduced(loaded, queue(T0, (1, 1, 2, "Q"))).robots[R0])
+    assert not starts_here(reduced(loaded, CargoReported(R0, T0, False)).robots[R0])
 
 
 def test_a_label_that_is_a_number_comes_before_the_id() -> None:
@@ -99,14 +99,8 @@ def test_a_label_that_is_a_number_comes_before_the_id() -> None:
 
 
 @pytest.mark.parametrize(
-    ("kind", "only_to", "may_skip"),
-    [
-        (FULL, False, False),
-        (GOALS, False, True),
-        (Kind(accepts=(ORDER_TO,)), True, False),
-        (Kind(accepts=(ORDER,)), False, False),
-    ],
+    ("kind", "may_start_here"),
+    [(FULL, False), (GOALS, True), (Kind(accepts=(ORDER_TO,)), True), (Kind(accepts=(ORDER,)), False)],
 )
-def test_which_orders_need_a_start(kind: Kind, only_to: bool, may_skip: bool) -> None:
-    robot = moved(kind).robots[R0]
-    assert (destination_only(robot), may_skip_start(robot)) == (only_to, may_skip)
+def test_which_orders_may_start_where_the_robot_is(kind: Kind, may_start_here: bool) -> None:
+    assert starts_here(moved(kind).robots[R0]) == may_start_here

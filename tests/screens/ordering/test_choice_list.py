@@ -1,5 +1,7 @@
 """The list of choices below the fields: by mouse, by arrows, by what was typed last."""
 
+from textual.widgets import Input
+
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console
 from tests.support.ordering import sent, vertex
@@ -16,6 +18,9 @@ async def test_an_order_by_mouse_alone(server: RosbridgeServer) -> None:
             wanted = "Base" if field == "from" else "Charger"
             row = next(y for y, text in enumerate(labels) if text.startswith(wanted))
             await it.pilot.click("#matches", offset=(3, row))
+        await it.shows("Enter  send")
+        assert it.app.main.query_one("#to", Input).value == "Charger" and sent(server) == []
+        await it.pilot.click("#send")
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
         ids = {"initial_point": vertex(it, "Base"), "end_point": vertex(it, "Charger")}
         assert sent(server) == [("Execute_order", ids)]
@@ -33,3 +38,18 @@ async def test_an_arrow_marks_a_choice_where_nothing_is_typed(server: RosbridgeS
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
         ids = {"initial_point": vertex(it, first), "end_point": vertex(it, "Consumidores")}
         assert sent(server) == [("Execute_order", ids)]
+
+
+async def test_a_double_click_on_a_destination_sends_and_one_on_a_start_does_not(
+    server: RosbridgeServer,
+) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        it.app.main.rest.orders.start()
+        await it.shows("Charger ", "matches")
+        await it.pilot.double_click("#matches", offset=(3, 0))
+        await it.settled()
+        assert it.app.main.query_one("#from", Input).value and not it.app.main.query_one("#to", Input).value
+        await it.pilot.pause(0.6)  # longer than two clicks of one
+        await it.pilot.double_click("#matches", offset=(3, 1))
+        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
+        assert len(sent(server)) == 1

@@ -1,18 +1,23 @@
-"""Legs of the order form: with a start, or of the cargo on board."""
+"""The order form in the states of a robot: the same fields, with a start or of the cargo on board."""
 
+import pytest
+from textual.widgets import Input
+
+from fleet_tui.model.events import LabelsReceived
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console
 from tests.support.ordering import sent, vertex
 from tests.support.watched_store import config_of
 
 
-async def test_with_cargo_and_no_orders_there_is_only_a_destination(server: RosbridgeServer) -> None:
+async def test_with_cargo_and_no_orders_from_is_here_and_enter_passes_it(server: RosbridgeServer) -> None:
     server.world.robots["robot_0"].cargo = True
     async with console(config_of(server.url, 1)) as it:
         await it.until(lambda state: state.robots["robot_0"].has_cargo)
         await it.press("o")
         await it.shows("Destination of the cargo")
-        assert "From" not in it.text
+        assert it.app.main.query_one("#from", Input).value == "here"
+        await it.press("enter")
         await it.type("Base")
         await it.press("enter")
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
@@ -20,9 +25,24 @@ async def test_with_cargo_and_no_orders_there_is_only_a_destination(server: Rosb
         assert sent(server) == [("Execute_order_with_cargo", wanted)]
 
 
-async def test_cargo_that_came_on_board_meanwhile_changes_the_form_not_the_command(
-    server: RosbridgeServer,
-) -> None:
+async def test_another_start_than_here_is_asked_about(server: RosbridgeServer) -> None:
+    server.world.robots["robot_0"].cargo = True
+    async with console(config_of(server.url, 1)) as it:
+        await it.until(lambda state: state.robots["robot_0"].has_cargo)
+        await it.press("o")
+        await it.type("Base")
+        await it.press("enter")
+        await it.type("Packing")
+        await it.press("enter")
+        await it.shows("robot_0 carries cargo: drive to Base first?")
+        assert sent(server) == []
+        await it.press("y")
+        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
+        ids = {"initial_point": vertex(it, "Base"), "end_point": vertex(it, "Packing")}
+        assert sent(server) == [("Execute_order", ids)]
+
+
+async def test_cargo_that_came_on_board_meanwhile_is_asked_about(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         await it.press("o")
         await it.type("Base")
@@ -31,8 +51,48 @@ async def test_cargo_that_came_on_board_meanwhile_changes_the_form_not_the_comma
         server.world.robots["robot_0"].cargo = True
         await it.until(lambda state: state.robots["robot_0"].has_cargo)
         await it.press("enter")
-        await it.shows("now has cargo and no orders")
+        await it.shows("robot_0 carries cargo: drive to Base first?")
         assert sent(server) == []
+
+
+async def test_cargo_that_left_meanwhile_needs_a_start(server: RosbridgeServer) -> None:
+    server.world.robots["robot_0"].cargo = True
+    async with console(config_of(server.url, 1)) as it:
+        await it.until(lambda state: state.robots["robot_0"].has_cargo)
+        await it.press("o", "enter")
+        await it.type("Store")
+        server.world.robots["robot_0"].cargo = False
+        await it.until(lambda state: not state.robots["robot_0"].has_cargo)
         await it.press("enter")
-        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
-        assert [name for name, _ in sent(server)] == ["Execute_order_with_cargo"]
+        await it.shows("From is missing")
+        assert sent(server) == []
+
+
+@pytest.mark.parametrize("field", ["from", "to"])
+async def test_a_place_that_got_another_id_while_the_form_is_open_must_be_chosen_again(
+    server: RosbridgeServer, field: str
+) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        ids = it.store.state.robots["robot_0"].maps["floor_0"].labels
+        swapped = {"Base": "Packing", "Packing": "Base"}
+        await it.press("o")
+        await it.type("Base" if field == "from" else "Store")
+        await it.press("enter")
+        await it.type("Store" if field == "from" else "Base")
+        labels = {id_: swapped.get(label, label) for id_, label in ids.items()}
+        it.store.apply(LabelsReceived("robot_0", "floor_0", labels))
+        await it.press("enter")
+        await it.shows("Base: changed meanwhile, choose again")
+        assert sent(server) == []
+
+
+async def test_notices_of_the_form_are_those_of_now(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("o")
+        server.world.robots["robot_0"].battery = 5.0
+        await it.shows("battery of robot_0: 5 %", "missing")
+        server.world.robots["robot_0"].paused = True
+        await it.shows("robot_0 is paused", "missing")
+        server.world.robots["robot_0"].paused = False
+        server.world.robots["robot_0"].battery = 80.0
+        await it.hides("robot_0", "missing")
