@@ -16,6 +16,7 @@ from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.checks import SAME_WITHIN, acceptable, problems, repeated
 from fleet_tui.rules.commands.local_queue import hold_all
 from fleet_tui.rules.commands.rights import not_allowed
+from fleet_tui.rules.commands.subject import Subject, subject_of, what_changed
 from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.questions import losses, question
@@ -127,28 +128,42 @@ class Dispatch:
             return problem
         found = self.objections(request)
         if asks or found or any(losses(self._store.state, request)):
-            self._ask(partial(self._question, request), partial(self._send_after_all, request, sent, prepare))
+            asked = subject_of(self._store.state, request)
+            send = partial(self._send_after_all, request, asked, sent, prepare)
+            self._ask(partial(self._question, request, asked), send)
         elif problem := self._send(request, sent, prepare):
             self._notices.say(problem)
         return ""
 
-    def _question(self, request: Request) -> str:
-        """Return the question, empty once there is nothing to ask: the order to cancel may have ended."""
-        if problem := self.objection(request):
+    def _question(self, request: Request, asked: Subject) -> str:
+        """Return the question, empty once there is nothing to ask: the order to cancel may have ended, or may
+        be another one."""
+        if problem := self.objection(request) or self.withdrawn(request, asked):
             self._notices.say(problem)
             return ""
         return question(self._store.state, request, self.objections(request))
 
-    def _send_after_all(self, request: Request, sent: Callable[[], None], prepare: Prepare | None) -> None:
-        if problem := self.send_confirmed(request, sent, prepare):
+    def withdrawn(self, request: Request, asked: Subject) -> str:
+        """Return why a question is void: it is not about what was `asked` any more. Empty while it is."""
+        change = what_changed(self._store.state, request, asked)
+        return f"not sent: {sanitize(change)}" if change else ""
+
+    def _send_after_all(
+        self, request: Request, asked: Subject, sent: Callable[[], None], prepare: Prepare | None
+    ) -> None:
+        if problem := self.send_confirmed(request, asked, sent, prepare):
             self._notices.say(problem)
 
     def send_confirmed(
-        self, request: Request, sent: Callable[[], None] = lambda: None, prepare: Prepare | None = None
+        self,
+        request: Request,
+        asked: Subject,
+        sent: Callable[[], None] = lambda: None,
+        prepare: Prepare | None = None,
     ) -> str:
         """Send a confirmed request, checked again: the fleet may have changed during the question. Returns
         the reason that it, or a part of it, was not sent."""
-        return self.objection(request) or self._send(request, sent, prepare)
+        return self.objection(request) or self.withdrawn(request, asked) or self._send(request, sent, prepare)
 
     def _refusal(self) -> str:
         """Return the reason to send nothing but pauses now."""

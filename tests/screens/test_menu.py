@@ -1,5 +1,7 @@
 """Menus of rows: by number, by mark, and once."""
 
+from functools import partial
+
 import pytest
 
 from fleet_tui.simulator.server import RosbridgeServer
@@ -73,3 +75,14 @@ async def test_all_robots_are_paused_from_every_screen(server: RosbridgeServer, 
         await it.press(screen, "P")
         await it.until(lambda state: all(state.is_paused(robot) for robot in state.robots.values()))
         assert [call for call, _ in sent(server)] == ["Pause", "Pause"]
+
+
+async def test_a_long_list_filters_as_one_types_and_no_letter_is_a_command(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        chosen: list[int] = []
+        entries = [(f"place {n} (p)", partial(chosen.append, n)) for n in range(12)]
+        it.app.main.rest.menu.show("Places", entries)
+        await it.type("p 11")
+        await it.hides("place 10")
+        await it.press("enter")
+        assert chosen == [11] and sent(server) == []

@@ -99,3 +99,11 @@ async def test_the_wheel_zooms_and_what_is_under_the_pointer_stays() -> None:
         x, y = view.picture.viewport.camera(SCENE).to_cell(*SCENE.frame.to_pixel(2.0, 2.0))
         assert abs(x - vertex[0]) <= 2
         assert abs(y + 1 - vertex[1]) <= 2
+
+
+async def test_a_label_is_as_good_a_target_as_its_vertex() -> None:
+    async with started() as (pilot, app, _):
+        label = next((row.index("Store") + 3, y) for y, row in enumerate(app.rows()) if "Store" in row)
+        await pilot.click(MapView, offset=label)
+        await pilot.pause()
+        assert [getattr(one, "id", "") for one in app.picked] == ["2"]

@@ -10,7 +10,7 @@ from fleet_tui.errors import CommandError
 from fleet_tui.model.request import Request
 from fleet_tui.rules.language.anyone import parse_anyone
 from fleet_tui.rules.language.completion import complete
-from fleet_tui.rules.language.lookup import Place, order_of
+from fleet_tui.rules.language.lookup import Place, is_still, order_of
 from fleet_tui.rules.routes.dispatching import to_any
 from fleet_tui.rules.routes.nearest import Nearest, nearest, why_none, why_not
 from fleet_tui.state.store import Store
@@ -56,7 +56,11 @@ class AnyoneOrders:
     def _send(self, found: Nearest, places: Sequence[Place], sent: Callable[[], None]) -> None:
         """Send the confirmed order; propose another robot if this one is not idle any more."""
         state = self._store.state
-        if reason := why_not(state, state.robots[found.robot]):
+        robot = state.robots[found.robot]
+        changed = [place.name for place in found.places if not is_still(robot, place)]
+        if changed:
+            problem = f"not sent: {sanitize(changed[0])} of {found.robot} is another place now"
+        elif reason := why_not(state, robot):
             problem = self._propose(places, sent, f"{found.robot} is now {reason}")
         else:
             problem = self._dispatch.give(self._request(found), sent)

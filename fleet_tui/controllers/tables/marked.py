@@ -11,6 +11,7 @@ from fleet_tui.model.commands import Command, PauseRobot, PlaceOrder
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
+from fleet_tui.rules.commands.subject import Subject, subject_of
 from fleet_tui.rules.language.anyone import own_place
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.state.store import Store
@@ -25,9 +26,10 @@ sent."""
 
 
 class _Asked(Struct, frozen=True):
-    """The request for one row; `lack`: the reason that it can't have it."""
+    """The request for one row, and what it is about; `lack`: the reason that it can't have it."""
 
     request: Request
+    subject: Subject
     lack: str = ""
 
 
@@ -57,7 +59,8 @@ class MarkedCommands:
     def give(self, requests: Sequence[Request]) -> None:
         """Send the requests of marked rows, after one question if they are several. A pause is never asked
         about."""
-        asked = [_Asked(request) for request in requests]
+        state = self._store.state
+        asked = [_Asked(request, subject_of(state, request)) for request in requests]
         if len(requests) == 1:
             self._dispatch.do(requests[0], self._done)
         elif all(isinstance(one, PauseRobot) for request in requests for one in request.commands):
@@ -101,8 +104,8 @@ class MarkedCommands:
         state, request = self._store.state, asked.request
         found = self._dispatch.objections(request)
         against = asked.lack or next((problem.text for problem in found if problem.blocks), "")
-        if against:
-            yield f"not sent: {sanitize(against)}"
+        if against or (withdrawn := self._dispatch.withdrawn(request, asked.subject)):
+            yield f"not sent: {sanitize(against)}" if against else withdrawn
             return
         warnings = "".join(f" ({sanitize(problem.text)})" for problem in found)
         lost = list(losses(state, request)) or [request_text(state, request)]
@@ -112,7 +115,11 @@ class MarkedCommands:
     def _send(self, asked: Sequence[_Asked]) -> None:
         told, since = list[tuple[Command, str]](), monotonic()
         for one in asked:
-            problem = f"not sent: {one.lack}" if one.lack else self._dispatch.send_confirmed(one.request)
+            problem = (
+                f"not sent: {one.lack}"
+                if one.lack
+                else self._dispatch.send_confirmed(one.request, one.subject)
+            )
             told += [(command, problem) for command in one.request.commands]
         self._outcomes(told, since)
         self._done()
@@ -121,7 +128,7 @@ class MarkedCommands:
 def _asked_of(state: FleetState, request: Request, robot: Robot, other: Robot) -> _Asked:
     """Return the orders of a robot for another one, whose graph may have other ids for the same labels."""
     if robot is other:
-        return _Asked(request)
+        return _Asked(request, subject_of(state, request))
     orders = [one for one in request.commands if isinstance(one, PlaceOrder)]
     own = dict[str, str]()
     lacks = list[str]()
@@ -139,4 +146,5 @@ def _asked_of(state: FleetState, request: Request, robot: Robot, other: Robot) -
         for one in orders
     )
     floors = {own[vertex]: floor for vertex, floor in request.floors.items()}
-    return _Asked(replace(request, commands=commands, floors=floors), next(iter(lacks), ""))
+    own_request = replace(request, commands=commands, floors=floors)
+    return _Asked(own_request, subject_of(state, own_request), next(iter(lacks), ""))

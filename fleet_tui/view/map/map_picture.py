@@ -6,14 +6,14 @@ from dataclasses import replace
 import numpy as np
 
 from fleet_tui.text.language import tr
-from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.sanitize import cell_width, sanitize
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.caption import Caption, caption_row
 from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.modes.mode import CursorMode, MapMode, ViewMode
 from fleet_tui.view.map.picture import backdrop, picture
-from fleet_tui.view.map.places import seen_robots
+from fleet_tui.view.map.places import Place, seen_robots
 from fleet_tui.view.map.placing.labels import Backdrop
 from fleet_tui.view.map.robots import Arrangement
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
@@ -86,10 +86,19 @@ class MapPicture:
         return CAPTION_ROWS + Camera.lines_of((frame.width, frame.height), width, self.scene.area)
 
     def pick(self, x: int, y: int) -> SceneRobot | SceneVertex | None:
-        """Return the object at cell (x, y) of the whole picture, if any."""
+        """Return the object at cell (x, y) of the whole picture, if any. A label is its vertex."""
         if self.scene is None or y < CAPTION_ROWS:
             return None
-        return pick(self.scene, self.viewport.camera(self.scene), x, y - CAPTION_ROWS)
+        return pick(self.scene, self.viewport.camera(self.scene), x, y - CAPTION_ROWS, self._labelled(x, y))
+
+    def _labelled(self, x: int, y: int) -> Place | None:
+        """Return the cell of the vertex whose label covers a cell of the whole picture, None for none."""
+        aside = self._arrangement.labels.aside
+        for label in self._backdrop.labels if self._backdrop is not None else ():
+            left, row = aside.get(label.at, label.at)
+            if row == y - CAPTION_ROWS and left <= x < left + cell_width(label.text):
+                return label.vertex
+        return None
 
     def place_of(self, x: int, y: int) -> Point:
         """Return the place in metres of cell (x, y) of the whole picture, of which there must be a scene."""

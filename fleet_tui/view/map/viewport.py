@@ -6,7 +6,7 @@ from typing import NamedTuple, TypeVar
 
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.view.map.camera import Area, Camera
-from fleet_tui.view.map.places import seen_robots, seen_vertices
+from fleet_tui.view.map.places import Place, seen_robots, seen_vertices
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 
 Thing = TypeVar("Thing")
@@ -233,13 +233,18 @@ def _area(scene: Scene) -> Area:
     return scene.area or (0.0, 0.0, float(scene.frame.width), float(scene.frame.height))
 
 
-def pick(scene: Scene, camera: Camera, x: int, y: int) -> SceneRobot | SceneVertex | None:
-    """Return the object at cell (x, y): the nearest robot, else labelled vertex, else vertex."""
+def pick(
+    scene: Scene, camera: Camera, x: int, y: int, label_of: Place | None = None
+) -> SceneRobot | SceneVertex | None:
+    """Return the object at cell (x, y): the nearest robot, else the vertex in the cell `label_of` whose label
+    is there, else the nearest labelled vertex, else vertex."""
     found = _nearest(seen_robots(scene, camera), x, y)
     if found:
         return found
     vertices = seen_vertices(scene, camera)
     labelled = [at for at in vertices if at[0].label]
+    if label_of is not None:
+        x, y = label_of
     return _nearest(labelled, x, y) or _nearest(vertices, x, y)
 
 

@@ -1,0 +1,65 @@
+"""The object of a request, remembered while its question is open: a yes is about what was asked."""
+
+from collections.abc import Iterator
+
+from msgspec import Struct
+
+from fleet_tui.model.commands import CancelOrder, ClearOrders, PlaceOrder
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.order import Order, vertices_of
+from fleet_tui.model.request import Request
+from fleet_tui.model.set_up.commands import CancelGoal
+from fleet_tui.rules.commands.goals import active
+from fleet_tui.rules.commands.local_queue import all_orders, clearable
+
+
+class Subject(Struct, frozen=True):
+    """Orders that a request removes, by their robots; the labels of places that it names, by robot and
+    vertex; the goals that it cancels, by their robots. `at`: when that was so (monotonic)."""
+
+    at: float
+    orders: dict[str, tuple[Order, ...]]
+    places: dict[tuple[str, str], str | None]
+    goals: dict[str, tuple[str, ...]]
+
+
+def subject_of(state: FleetState, request: Request) -> Subject:
+    """Return what a request is about now."""
+    orders: dict[str, tuple[Order, ...]] = {}
+    places: dict[tuple[str, str], str | None] = {}
+    goals: dict[str, tuple[str, ...]] = {}
+    for command in request.commands:
+        robot = state.robots[command.robot]
+        if isinstance(command, CancelOrder):
+            named = tuple(order for order in all_orders(state, robot) if order.id == command.order_id)
+            orders[robot.name] = orders.get(robot.name, ()) + named
+        elif isinstance(command, ClearOrders):
+            orders[robot.name] = tuple(clearable(state, robot))
+        elif isinstance(command, PlaceOrder):
+            places |= {(robot.name, id_): robot.name_of(id_) for id_ in vertices_of(command.stops)}
+        elif isinstance(command, CancelGoal):
+            goals[robot.name] = tuple(goal.id for goal in active(robot.goals))
+    return Subject(state.now, orders, places, goals)
+
+
+def what_changed(state: FleetState, request: Request, asked: Subject) -> str:
+    """Return what is no longer as it was asked about, empty for nothing. A clear may lose fewer orders than
+    were listed, never others."""
+    return next(_changes(state, subject_of(state, request), asked), "")
+
+
+def _changes(state: FleetState, now: Subject, asked: Subject) -> Iterator[str]:
+    for name, orders in asked.orders.items():
+        gone = {one.order.id for one in state.robots[name].gone if one.at >= asked.at}
+        before = {order.id: order for order in orders}
+        for order in now.orders.get(name, ()):
+            if order.id not in before:
+                yield f"{name} has a further order, {order.id}"
+            elif order.id in gone or order.stops != before[order.id].stops:
+                yield f"order {order.id} of {name} is another one now"
+    for (name, vertex), label in asked.places.items():
+        if now.places.get((name, vertex)) != label:
+            yield f"vertex {vertex} of {name} is {now.places.get((name, vertex)) or 'gone'} now"
+    for name, goals in asked.goals.items():
+        if not set(now.goals.get(name, ())) <= set(goals):
+            yield f"{name} has another goal now"
