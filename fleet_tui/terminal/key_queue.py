@@ -38,7 +38,8 @@ class KeyDone(Message):
 
 
 class KeyQueue:
-    """Delivers keys and pastes in their order; once it `guards`, without typed text that would command."""
+    """Delivers keys, pastes and the mouse in their order; once it `guards`, without typed text that would
+    command."""
 
     def __init__(self, app: App[Any], deliver: Callable[[events.Event], Awaitable[None]]) -> None:
         self._app, self._deliver = app, deliver
@@ -47,7 +48,7 @@ class KeyQueue:
         self._typing, self._guards = Typing(), False
         self._dropped: Callable[[int, bool], None] = lambda count, is_blind: None
         self._pauses_all: Callable[[str], bool] = lambda key: False
-        self._waiting: deque[events.Key | events.Paste] = deque()
+        self._waiting: deque[events.Event] = deque()
         self._serial, self._rounds = 0, 0
         self._target: MessagePump = app
         self._timer: Timer | None = None
@@ -78,8 +79,8 @@ class KeyQueue:
         if now - self._beat_at > STANDSTILL + BEAT:
             self._typing.stood_still(now)
 
-    async def take(self, event: events.Key | events.Paste) -> None:
-        """Deliver a key once those before it are done."""
+    async def take(self, event: events.Event) -> None:
+        """Deliver an event of the keyboard or the mouse once the keys before it are done."""
         self._waiting.append(event)
         if self._rounds and self._timer is None:
             self._timer = self._app.set_timer(PATIENCE, partial(self._lose_patience, self._serial))
@@ -88,7 +89,9 @@ class KeyQueue:
     async def _next(self) -> None:
         while self._waiting and not self._rounds:
             event = self._waiting.popleft()
-            if isinstance(event, events.Paste) or self._acts(event):
+            if isinstance(event, events.MouseEvent):
+                await self._deliver(event)
+            elif not isinstance(event, events.Key) or self._acts(event):
                 await self._begin(event)
 
     async def _begin(self, event: events.Event) -> None:

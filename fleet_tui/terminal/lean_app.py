@@ -89,7 +89,7 @@ class LeanApp(App[None]):
             await self.startup.finish()
         if isinstance(event, events.Key | events.MouseScrollDown | events.MouseScrollUp):
             self.answer.asked()
-        if isinstance(event, events.Key | events.Paste) and not event.is_forwarded:
+        if isinstance(event, events.InputEvent | events.Paste) and not event.is_forwarded:
             await self.keys.take(event)
         else:
             await super().on_event(event)
