@@ -9,7 +9,7 @@ TOGETHER := -q -n 6 --maxschedchunk 1
 # Compiled once, not by each of a few hundred processes.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test quick lint types compiled tested unit bench faults fuzz soak pictures docs lock format dist dist-check clean
+.PHONY: demo test quick lint types compiled tested unit bench faults typed fuzz soak pictures docs lock format dist dist-check clean
 
 demo: $(READY)
 	@$(BIN)/fleet-tui demo
@@ -55,6 +55,10 @@ faults: $(READY)
 	@rm -f $(VENV)/faults.jsonl
 	@FLEET_TUI_FAULTS=$(CURDIR)/$(VENV)/faults.jsonl $(BIN)/pytest $(TOGETHER) tests/faults
 	@$(BIN)/python -m tests.support.fault_report $(VENV)/faults.jsonl docs/faults.md
+
+# Random keys in every form, list and menu: nothing leaves that nobody meant.
+typed: $(READY)
+	@FLEET_TUI_SEQUENCES=$(or $(SEQUENCES),10000) $(BIN)/pytest -q -p no:xdist --timeout 0 tests/scenarios/test_typed_at_random.py
 
 # Coverage-guided, and no part of the tests: atheris has no wheels for some systems.
 fuzz: $(READY)

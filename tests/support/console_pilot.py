@@ -53,6 +53,12 @@ class Console:
             self._send(key)
             await self.settled()
 
+    async def press_after(self, seconds: float, key: str) -> None:
+        """Press a key so many seconds after the last one, when all that that one led to is done."""
+        self._key_at += seconds
+        self._send(key, after=0.0)
+        await self.settled()
+
     async def type(self, text: str) -> None:
         """Type text a second later, as a person or a paste does: every character is already there."""
         self._key_at += 1.0
