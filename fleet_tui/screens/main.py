@@ -155,7 +155,8 @@ class MainScreen(Screen[None]):
         pane.show(self.newest.of(pane), sought)
 
     def _show_hints(self, state: FleetState, robot: str) -> None:
-        pane = Pane.ANYWHERE if self._in_overlay() else self.focused_pane()
+        types = self._in_overlay() or isinstance(self.focused, Input)
+        pane = Pane.ANYWHERE if types else self.focused_pane()
         idle = idle_hints(state, robot) | (self.rest.snap.idle_keys if self.is_complete else set())
         about = self.focused.KEY if isinstance(self.focused, RobotOverlay) else ""
         hidden = hidden_keys(state, robot) | idle | self.unoffered | {about}
