@@ -59,10 +59,14 @@ def operator_name(config: Config) -> str:
         return f"uid {os.getuid()}"
 
 
+def console_name() -> str:
+    """Return the name of this process in records: its host and its process id."""
+    return f"{os.uname().nodename}:{os.getpid()}"
+
+
 def new_origin(config: Config, demo: bool = False) -> Origin:
     """Return the author of this process's records."""
-    console = f"{os.uname().nodename}:{os.getpid()}"
-    return Origin(operator_name(config), console, secrets.token_hex(4), demo)
+    return Origin(operator_name(config), console_name(), secrets.token_hex(4), demo)
 
 
 class Audit:

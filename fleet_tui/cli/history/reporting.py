@@ -19,7 +19,7 @@ from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.history.totals import BlockedPlace, ChargeTotal
 from fleet_tui.model.order import natural
 from fleet_tui.rules.history.division import divided
-from fleet_tui.rules.history.shift import LOST, causes_of, counted, outages_of, robots_of
+from fleet_tui.rules.history.shift import NOT_DRIVEN, causes_of, counted, outages_of, robots_of
 from fleet_tui.rules.history.timeline import main_activities, shares
 from fleet_tui.view.report.axis import LocalTime
 from fleet_tui.view.report.content import ReportContent
@@ -62,7 +62,7 @@ def _content(config: Config, history: History, totals: Totals, since: float, unt
         open_orders=totals.open_orders(),
         causes=causes_of(history.alarms(since, until), since, until),
         outages=outages_of(history.links(since, until), since, until),
-        losses=history.orders(since, until, stages=LOST),
+        losses=history.orders(since, until, stages=NOT_DRIVEN),
         refusals=history.commands(since, until, stages=failed),
         time=time,
         timeline=main_activities(names, time, activities) if time.is_exact else {},

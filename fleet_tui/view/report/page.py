@@ -80,6 +80,7 @@ def _tiles(content: ReportContent) -> list[Element]:
         ("done", sum(one.done for one in counts), False),
         ("of these late", sum(one.late for one in counts), False),
         ("lost or failed", lost, lost > 0),
+        ("left the queue", sum(one.left for one in counts), False),
         ("cancelled", sum(one.cancelled for one in counts), False),
         ("still open", content.open_orders, False),
         ("alarms", alarms, False),
@@ -94,7 +95,15 @@ def _tile(name: str, value: str, is_bad: bool) -> Element:
 
 
 def _robots(content: ReportContent) -> list[Element]:
-    heads = ["Robot", "Done", "Late", "Lost", "Cancelled", *(one.value.capitalize() for one in ACTIVITIES)]
+    heads = [
+        "Robot",
+        "Done",
+        "Late",
+        "Lost",
+        "Left",
+        "Cancelled",
+        *(one.value.capitalize() for one in ACTIVITIES),
+    ]
     rows = [
         [
             *(robot.name, *_counts(robot.orders)),
@@ -111,7 +120,8 @@ def _robots(content: ReportContent) -> list[Element]:
 
 
 def _counts(counts: OrderCounts) -> list[str]:
-    return [str(value or "") for value in (counts.done, counts.late, counts.lost, counts.cancelled)]
+    shown = (counts.done, counts.late, counts.lost, counts.left, counts.cancelled)
+    return [str(value or "") for value in shown]
 
 
 def _timeline(content: ReportContent) -> list[Element]:
@@ -139,7 +149,7 @@ def _routes(content: ReportContent) -> list[Element]:
         [way, *_counts(counts), _seconds(counts.mean or 0.0), _seconds(counts.longest)]
         for way, counts in ways[:MOST_ROWS]
     ]
-    heads = ["Route", "Done", "Late", "Lost", "Cancelled", "Usual time", "Longest"]
+    heads = ["Route", "Done", "Late", "Lost", "Left", "Cancelled", "Usual time", "Longest"]
     said = "Late: took more than twice the mean time of its route, of which at least three were done."
     return [
         element("h2", "Routes"),
@@ -191,7 +201,7 @@ def _losses(content: ReportContent) -> list[Element]:
         for order in content.losses[-MOST_ROWS:]
     ]
     heads = ["Time", "Robot", "Order", "End", "Reason"]
-    title = element("h2", "Orders that were lost or failed")
+    title = element("h2", "Orders that were lost, failed or left the queue")
     return [title, table(heads, rows, 9), *_more(content.losses)] if rows else []
 
 

@@ -27,7 +27,9 @@ def clock(at: float, is_long: bool) -> str:
 
 def content(name: str = "robot_0") -> ReportContent:
     """A shift in which everything has a line."""
-    counts = OrderCounts(done=20, late=3, lost=2, cancelled=1, timed=20, seconds=2000.0, longest=900.0)
+    counts = OrderCounts(
+        done=20, late=3, lost=2, left=5, cancelled=1, timed=20, seconds=2000.0, longest=900.0
+    )
     seconds = {Activity.DRIVING: 7200.0, Activity.BLOCKED: 600.0, Activity.OFFLINE: 120.0}
     return ReportContent(
         site=name,
@@ -78,10 +80,9 @@ def test_the_next_shift_reads_its_notes_first() -> None:
 
 def test_figures_are_in_words() -> None:
     text = "|".join(Text(page(content())).lines)
-    assert (
-        "|20|done|3|of these late|2|lost or failed|1|cancelled|4|still open|7|alarms|12 min|downtime" in text
-    )
-    assert "|robot_0|20|3|2|1|2 h|10 min|2 min|64 %|21 %|2 h|" in text
+    assert "|20|done|3|of these late|2|lost or failed|5|left the queue|1|cancelled|4|still open|" in text
+    assert "|7|alarms|12 min|downtime" in text
+    assert "|robot_0|20|3|2|5|1|2 h|10 min|2 min|64 %|21 %|2 h|" in text
     assert "|robot_0|high|7|2|5 min|90 s|12 s|" in text  # the alarm
     assert "|robot_0|2|61 s|" in text  # the link
     assert "|t300|robot_0|robot_0|lost|robot_0|" in text
