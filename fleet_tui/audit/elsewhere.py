@@ -35,8 +35,8 @@ def removal_of(record: AuditRecord, state: FleetState, console: str, at: float) 
         return None
     if _address(record.url) != _address(state.links[robot.link].url):
         return None
-    by = f"{record.operator} at {record.console}"
-    return Removal(f"{record.run} {record.id}", robot.name, record.order or "", by, at, stage)
+    key, order_id = f"{record.run} {record.id}", record.order or ""
+    return Removal(key, robot.name, order_id, record.operator, record.console, at, stage)
 
 
 def _address(url: str) -> str:

@@ -25,7 +25,7 @@ def found(**fields: object) -> Removal | None:
 @pytest.mark.parametrize("change", ["sent", "accepted", "refused", "not confirmed"])
 def test_a_cancel_or_clear_is_told_with_its_author_and_stage(change: str) -> None:
     cancel = found(what="cancel", order="7", change=change)
-    assert cancel == Removal("run1 3", R0, "7", "ana at host:1", T0, Stage(change))
+    assert cancel == Removal("run1 3", R0, "7", "ana", "host:1", T0, Stage(change))
     clear = found(what="clear", change=change)
     assert clear is not None and clear.order_id == "" and clear.text == "cleared by ana at host:1"
 
@@ -58,9 +58,9 @@ def test_only_what_others_do_from_now_on_is_posted(tmp_path: Path) -> None:
         give(ben, 3, PauseRobot(R0), Stage.SENT)
         give(ben, 4, CancelOrder(R0, "7"), Stage.SENT, Stage.REFUSED)
         eventually(lambda: len(posted) >= 2)
-    assert [(one.removal.by, one.removal.stage) for one in posted[-2:]] == [
-        ("ben at host:2", Stage.SENT),
-        ("ben at host:2", Stage.REFUSED),
+    assert [(one.removal.console, one.removal.stage) for one in posted[-2:]] == [
+        ("host:2", Stage.SENT),
+        ("host:2", Stage.REFUSED),
     ]
     assert {one.removal.order_id for one in posted} == {"7"}
     assert len(read(tmp_path)) == 9

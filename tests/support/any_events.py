@@ -287,7 +287,7 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
     desk_events.EdgeOpened: st.builds(desk_events.EdgeOpened, CLOSED, st.text(max_size=3)),
     desk_events.OrdersRemoved: st.builds(
         desk_events.OrdersRemoved,
-        st.builds(Removal, IDS, ROBOTS, IDS, IDS, AT, st.sampled_from(Stage)),
+        st.builds(Removal, IDS, ROBOTS, IDS, IDS, IDS, AT, st.sampled_from(Stage)),
     ),
     vehicle_events.VehicleReported: st.builds(vehicle_events.VehicleReported, ROBOTS, AT, VEHICLES),
     vehicle_events.ConnectionReported: st.builds(

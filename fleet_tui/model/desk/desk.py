@@ -35,19 +35,23 @@ class ClosedEdge(Struct, frozen=True):
 
 class Removal(Struct, frozen=True):
     """A command of another console that removes orders of a robot: `order_id` is empty for all of them, `at`
-    the monotonic second of its sending, `stage` its newest; `key` identifies it."""
+    the monotonic second of its sending, `stage` its newest; `key` identifies it; `by` is the operator,
+    `console` host:process."""
 
     key: str
     robot: str
     order_id: str
     by: str
+    console: str
     at: float
     stage: Stage
 
     @property
     def text(self) -> str:
-        """Return what was done, and who did it."""
-        return f"{'cancelled' if self.order_id else 'cleared'} by {self.by}"
+        """Return what was done, by whom and where."""
+        if self.order_id:
+            return f"cancelled by {self.by} at {self.console}"
+        return f"cleared by {self.by} at {self.console}"
 
 
 class Desk(Struct, frozen=True):

@@ -345,9 +345,9 @@ def test_an_order_that_a_robot_takes_after_it_was_started_anew_is_found() -> Non
     assert (first(state).stage, first(state).order_id) == (Stage.CONFIRMED, "1")
 
 
-def elsewhere(at: float, stage: Stage = SENT, order_id: str = "", by: str = "ana at pc:7") -> OrdersRemoved:
+def elsewhere(at: float, stage: Stage = SENT, order_id: str = "") -> OrdersRemoved:
     """A cancel or clear of another console."""
-    return OrdersRemoved(Removal("run 9", R0, order_id, by, at, stage))
+    return OrdersRemoved(Removal("run 9", R0, order_id, "ana", "pc:7", at, stage))
 
 
 @pytest.mark.parametrize(
@@ -378,7 +378,7 @@ def test_what_another_console_took_away_is_cancelled_elsewhere_with_its_name(
         elsewhere(T0 + 1.9, Stage.REFUSED),
         elsewhere(T0 + 1.9, order_id="6"),
         elsewhere(T0 - 5),
-        OrdersRemoved(Removal("run 9", "robot_1", "", "ana", T0 + 1.9, SENT)),
+        OrdersRemoved(Removal("run 9", "robot_1", "", "ana", "pc:7", T0 + 1.9, SENT)),
     ],
 )
 def test_what_removed_another_order_or_none_explains_nothing(removal: OrdersRemoved) -> None:
