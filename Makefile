@@ -9,7 +9,7 @@ TOGETHER := -q -n 6 --maxschedchunk 1
 # Compiled once, not by each of a few hundred processes.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test quick lint types compiled tested unit bench faults fuzz soak pictures docs lock format dist dist-check clean
+.PHONY: demo test quick lint types compiled tested unit bench faults kills fuzz soak pictures docs lock format dist dist-check clean
 
 demo: $(READY)
 	@$(BIN)/fleet-tui demo
@@ -55,6 +55,10 @@ faults: $(READY)
 	@rm -f $(VENV)/faults.jsonl
 	@FLEET_TUI_FAULTS=$(CURDIR)/$(VENV)/faults.jsonl $(BIN)/pytest $(TOGETHER) tests/faults
 	@$(BIN)/python -m tests.support.fault_report $(VENV)/faults.jsonl docs/faults.md
+
+# Each console is killed as its command reaches the robot: its audit log has the command. 1.5 s each.
+kills: $(READY)
+	@FLEET_TUI_KILLS=$(or $(KILLS),500) $(BIN)/pytest -q -p no:xdist tests/faults/test_kills.py
 
 # Coverage-guided, and no part of the tests: atheris has no wheels for some systems.
 fuzz: $(READY)

@@ -4,7 +4,6 @@ import logging
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import closing as closing_log
 from contextlib import contextmanager
 from datetime import datetime
 from pathlib import Path
@@ -67,16 +66,19 @@ def _read(
     console: str,
     closing: threading.Event,
 ) -> None:
-    problem = ""
-    with closing_log(AuditTail(folder / FILE_NAME)) as log:
-        while not closing.wait(EVERY):
-            try:
-                for record in log.new():
-                    at = time.monotonic() - (time.time() - datetime.fromisoformat(record.time).timestamp())
-                    if (removal := removal_of(record, store.state, console, at)) is not None:
-                        post(OrdersRemoved(removal))
-                problem = ""
-            except (OSError, ValueError) as error:
-                if str(error) != problem:
-                    LOG.warning("audit log of other consoles: %s", error)
-                problem = str(error)
+    problem, log = "", None
+    while not closing.is_set():
+        try:
+            log = log or AuditTail(folder / FILE_NAME)
+            for record in log.new():
+                at = time.monotonic() - (time.time() - datetime.fromisoformat(record.time).timestamp())
+                if (removal := removal_of(record, store.state, console, at)) is not None:
+                    post(OrdersRemoved(removal))
+            problem = ""
+        except (OSError, ValueError) as error:
+            if str(error) != problem:
+                LOG.warning("audit log of other consoles: %s", error)
+            problem = str(error)
+        closing.wait(EVERY)
+    if log is not None:
+        log.close()

@@ -13,6 +13,7 @@ from textual.worker import WorkerFailed
 from fleet_tui.terminal.answer import KeyAnswer
 from fleet_tui.terminal.display_driver import DisplayDriver
 from fleet_tui.terminal.key_releases import parse_releases, tell_releases
+from fleet_tui.terminal.terminal_driver import TerminalDriver
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -40,6 +41,11 @@ class LeanApp(App[None]):
         super().__init__(driver_class=driver_class, ansi_color=ansi_color)
         parse_releases()
         self.output, self.answer = DisplayDriver(self, self.LEAN), KeyAnswer()
+
+    def get_driver_class(self) -> type[Driver]:
+        """Return the driver that Textual chooses, for a terminal our own."""
+        chosen = super().get_driver_class()
+        return TerminalDriver if chosen.__name__ == "LinuxDriver" else chosen
 
     def _handle_exception(self, error: Exception) -> None:
         # Textual ends the app.
