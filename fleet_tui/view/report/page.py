@@ -71,6 +71,48 @@ def _notes(content: ReportContent) -> list[Element]:
     return [element("h2", "Notes"), element("div", *(told or [none]), class_="notes")]
 
 
+def _handover(content: ReportContent) -> list[Element]:
+    """Return what the next shift takes over, each by name."""
+    local, going_on = content.local, content.handover
+    orders = [
+        [
+            *(order.robot, order.order, *_ends(order.way), order.stage),
+            *(local.moment(order.begun or order.queued, False), order.operator or "another client"),
+        ]
+        for order in going_on.orders
+    ]
+    alarms = [
+        [
+            *(alarm.source, alarm.kind, alarm.priority, alarm.text, local.moment(alarm.raised, False)),
+            *("over" if alarm.returned is not None else "holds", alarm.operator or "nobody"),
+        ]
+        for alarm in going_on.alarms
+    ]
+    claims = [[claim.robot, claim.operator, claim.host] for claim in going_on.claims]
+    order_heads = ["Robot", "Order", "From", "To", "State", "Since", "By"]
+    alarm_heads = ["Robot, link", "Alarm", "Priority", "Text", "Since", "State", "Acknowledged by"]
+    unknown = going_on.claims_unknown
+    return [
+        element("h2", "Handed over: open orders"),
+        *(_capped(order_heads, orders, 9) or [_none("No order is open.")]),
+        element("h2", "Handed over: open alarms"),
+        *(_capped(alarm_heads, alarms, 9) or [_none("No alarm is open.")]),
+        element("h2", "Handed over: claimed robots"),
+        *([element("p", f"Claims unknown: {unknown}", class_="warning")] if unknown else []),
+        *(_capped(["Robot", "By", "Console"], claims, 9) or [_none("No robot is claimed.")] * (not unknown)),
+    ]
+
+
+def _ends(way: str) -> tuple[str, str]:
+    """Return the first and the last stop of a way; one to a single stop begins at the robot."""
+    start, arrow, _ = way.partition(" -> ")
+    return (start, way.rpartition(" -> ")[2]) if arrow else ("", way.removeprefix("-> "))
+
+
+def _capped(heads: Sequence[str], rows: Sequence[Sequence[str]], texts: int) -> list[Element]:
+    return [table(heads, rows[:MOST_ROWS], texts), *_more(rows)] if rows else []
+
+
 def _tiles(content: ReportContent) -> list[Element]:
     counts = [robot.orders for robot in content.robots]
     lost = sum(one.lost for one in counts)
@@ -82,7 +124,7 @@ def _tiles(content: ReportContent) -> list[Element]:
         ("lost or failed", lost, lost > 0),
         ("left the queue", sum(one.left for one in counts), False),
         ("cancelled", sum(one.cancelled for one in counts), False),
-        ("still open", content.open_orders, False),
+        ("still open", len(content.handover.orders), False),
         ("alarms", alarms, False),
     ]
     made = [_tile(name, f"{value:,}", is_bad) for name, value, is_bad in tiles]
@@ -219,7 +261,18 @@ def _refusals(content: ReportContent) -> list[Element]:
 
 
 SECTIONS: Sequence[Callable[[ReportContent], list[Element]]] = (
-    *(_notes, _tiles, _robots, _timeline, _losses, _routes, _alarms, _links, _batteries, _floors, _refusals),
+    _notes,
+    _handover,
+    _tiles,
+    _robots,
+    _timeline,
+    _losses,
+    _routes,
+    _alarms,
+    _links,
+    _batteries,
+    _floors,
+    _refusals,
 )
 
 
