@@ -125,6 +125,24 @@ def test_a_goal_that_is_no_longer_listed_is_lost() -> None:
     assert record(state).stage is Stage.LOST
 
 
+def test_a_goal_whose_end_is_reported_after_it_was_lost_has_that_end() -> None:
+    """Its link was away: the list that comes then has it no more, a later one has its end."""
+    to_one = PlaceOrder(R0, at_vertices("2"))
+    state = lived(sent(site(), T0 + 1, "our-name", to_one), T0 + 1.2, goal("our-name"))
+    state = reduced(lived(state, T0 + 2), tick(T0 + 3))
+    assert record(state).stage is Stage.LOST
+    state = lived(state, T0 + 60, goal("our-name", DONE))
+    assert record(state).stage is Stage.DONE
+    assert record(state).detail == "order our-name: as reported by the robot; corrects: lost"
+
+
+def test_a_stop_that_was_reached_is_not_the_end_of_a_lost_order() -> None:
+    state = lived(sent(site(), T0 + 1, "our-name"), T0 + 1.2, goal("our-name"))
+    state = reduced(lived(state, T0 + 2), tick(T0 + 3))
+    state = lived(state, T0 + 60, goal("our-name", DONE))
+    assert record(state).stage is Stage.LOST
+
+
 def test_a_target_is_that_of_the_goal_that_begins() -> None:
     pose, at = Pose(10.0, 0.0), T0 + 1.05
     before = reduced(site(), goals(T0 + 1), TargetReported(R0, at, pose), goals(T0 + 1.3, goal("another1")))
