@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from functools import partial
 
 from fleet_tui.model.alarm import Key
-from fleet_tui.model.commands import Stage
+from fleet_tui.model.commands import ORDER_ENDS, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Charge, LaterCause, LinkChange, OrderChange, Span
 from fleet_tui.model.link import LinkState, Phase
@@ -100,11 +100,15 @@ class Observer:
         told, now = self._ends.get(robot.name, {}), dict[_Gone, Stage]()
         for gone in robot.gone:
             key = gone.order.id, gone.at
+            before = told.get(key)
+            if before is not None and not ORDER_ENDS[before].is_inferred:
+                now[key] = before
+                continue
             end = seen_end(state, robot, gone)
             if end.is_open:
                 continue
             now[key] = end.stage
-            if told.get(key) is not end.stage:
+            if before is not end.stage:
                 yield _change(state, robot, gone.order, gone.at, end.stage.value, end.reason)
         if now or told:
             self._ends[robot.name] = now
