@@ -50,10 +50,14 @@ def _member(robot: Robot) -> Member:
 
 
 def _take_member(robot: Robot, event: MemberReported) -> Robot:
-    """Apply the report of a driver: all of it is as old as its stamp."""
+    """Apply the report of a driver: all of it is as old as its stamp, the sign of life, too."""
+    last = robot.last_received
     robot = apply_report(
         robot, events.PoseReported(robot.name, event.at, event.pose, event.floor, event.stamp)
     )
+    if event.stamp is not None and robot.pose is not None:
+        at = robot.pose.at
+        robot = replace(robot, last_received=at if last is None else max(last, at))
     return _charged(_with_member(robot, replace(_member(robot), mode=event.mode, task=event.task)), event)
 
 

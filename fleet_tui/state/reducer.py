@@ -51,7 +51,7 @@ LIVE_MAPS_KEPT, LIVE_CELLS_KEPT = 4, 16_000_000
 
 def _pass_time(state: FleetState, event: events.TimePassed) -> FleetState:
     before = state.now
-    state = with_lags(replace(state, now=event.at, wall=event.wall), event.at, event.behind)
+    state = with_lags(replace(state, now=event.at, wall=event.wall), event.behind)
     if state.desk.acted:  # what time changes, nobody did
         state = replace(state, desk=replace(state.desk, acted=""))
     state = _without_ended(state)
@@ -210,6 +210,7 @@ def apply(state: FleetState, event: events.Event) -> FleetState:
             | events.CommandPathChanged()
             | events.MessagesUnsourced()
             | events.SubscriptionsAdvanced()
+            | events.BridgeAnswered()
             | events.FrameRejected()
         ):
             return apply_to_link(state, event)

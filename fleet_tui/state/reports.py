@@ -20,6 +20,8 @@ from fleet_tui.text.limits import LONGEST_NAME, MOST_ORDERS, truncate
 CLOCK_DRIFT = 1e-3
 # Stamps of one robot never go backwards unless its clock was set.
 CLOCK_STEP = 0.5
+# Seconds from one message to the next from which they are no stream: one of them may be latched.
+STREAM_GAP = 5.0
 # A robot brakes after it accepted a pause; further than this, it drives.
 BRAKING_DISTANCE = 0.5
 JUMPS_KEPT = 100
@@ -35,6 +37,13 @@ def set_clock(clock: StampClock | None, at: float, stamp: float) -> StampClock:
         return StampClock(offset, stamp, at)
     crept = clock.offset + CLOCK_DRIFT * max(0.0, at - clock.at)
     return StampClock(min(crept, offset), stamp, at)
+
+
+def _is_live(clock: StampClock, at: float, stamp: float) -> bool:
+    """Tell whether a message comes as it is sent, after the last one that set the clock, however old its
+    stamp: a lone one may be latched, and stamps run faster than arrivals while a backlog is read."""
+    since = at - clock.at
+    return since <= STREAM_GAP and stamp - clock.stamp <= since
 
 
 def _place(robot: Robot, pose: Reading[Pose], frame_id: str) -> Reading[Pose]:
@@ -91,12 +100,16 @@ def _standing(robot: Robot, pose: Reading[Pose], frame_id: str) -> Reading[Pose]
 
 
 def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
-    """Apply a pose, as old as its stamp lags the freshest: one that arrives late must not look new."""
-    clock, true_at = robot.clock, event.at
+    """Apply a pose, as old as its stamp lags the freshest: one that arrives late must not look new. Its
+    robot speaks now if it is one of a live stream."""
+    clock = robot.clock
+    true_at = spoke_at = event.at
     if event.stamp is not None:
+        is_live = clock is not None and _is_live(clock, event.at, event.stamp)
         clock = set_clock(clock, event.at, event.stamp)
         # For an extreme stamp the sum is off by minutes: no value is newer than its arrival.
         true_at = min(event.at, event.stamp + clock.offset)
+        spoke_at = event.at if is_live else true_at
     pose, frame_id = Reading(event.pose, true_at), truncate(event.frame_id.lstrip("/"), LONGEST_NAME)
     driving = _drives_on(robot, event.pose)
     stood_at = robot.paused_at or (event.pose if robot.paused_by_us else None)
@@ -111,7 +124,7 @@ def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
         pace=_pace(robot, event.pose, frame_id, true_at),
         frame_id=frame_id,
         clock=clock,
-        last_received=max(robot.last_received if robot.last_received is not None else true_at, true_at),
+        last_received=max(robot.last_received or spoke_at, spoke_at),
         paused_by_us=robot.paused_by_us and not driving,
         paused_at=None if driving else stood_at,
     )

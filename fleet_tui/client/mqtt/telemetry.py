@@ -106,7 +106,9 @@ class VehicleTelemetry:
 
     def on_answer(self, seconds: float) -> None:
         """Take the broker's answer to a sign of life."""
-        self.counter.round_trips.take(seconds, time.monotonic())
+        now = time.monotonic()
+        self.counter.round_trips.take(seconds, now)
+        self._writer.apply(events.BridgeAnswered(self._link, now, seconds))
         self._set_path(CommandPath.ALIVE, "", True)
 
     def on_message(self, topic: str, payload: bytes, retained: bool) -> None:

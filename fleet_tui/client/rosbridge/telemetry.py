@@ -19,6 +19,7 @@ from fleet_tui.client.rosbridge.pacing import Pacing
 from fleet_tui.client.rosbridge.services import Services
 from fleet_tui.client.rosbridge.set_up.camera_channel import CameraChannel
 from fleet_tui.client.rosbridge.set_up.stream_writer import StreamWriter
+from fleet_tui.client.rosbridge.soundings import Soundings
 from fleet_tui.client.rosbridge.sourcing import Sourcing
 from fleet_tui.client.rosbridge.subscriber import Subscriber
 from fleet_tui.client.writer import Writer
@@ -76,6 +77,7 @@ class Telemetry:
         self._sourcing = Sourcing(
             link, self._calls, feeds, self._reading, lambda: self._subscriber.types, writer.apply
         )
+        self._soundings = Soundings(link, self._calls, self._subscriber.is_handled, writer.apply)
         self.show_map = self._subscriber.show_map
         self.subscribe_logs = self._subscriber.log_subscription.listen
         self.counter = self._reading.counter
@@ -127,12 +129,14 @@ class Telemetry:
         self._subscriber.start(now)
         self.services.recheck_types()
         self._sourcing.start()
+        self._soundings.start()
 
     def on_lost(self, reason: str, next_try_in: float) -> None:
         """Report the loss, and stop open work."""
         self._subscriber.stop()
         self.services.stop()
         self._sourcing.stop()
+        self._soundings.stop()
         self._backlog.clear()
         self._fragments.clear()
         self._calls.on_lost()
@@ -240,5 +244,6 @@ class Telemetry:
         self._subscriber.stop()
         self.services.stop()
         self._sourcing.stop()
+        self._soundings.stop()
         self._decoder.shutdown(wait=False, cancel_futures=True)
         self.connection.shut()

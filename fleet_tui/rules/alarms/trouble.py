@@ -5,7 +5,6 @@ from collections.abc import Iterable
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key, Priority
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import MANY, FleetState, is_missing
-from fleet_tui.model.link import Phase
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.conditions import is_news
@@ -15,9 +14,9 @@ from fleet_tui.rules.battery.charging import CHARGES, ON_ITS_WAY
 from fleet_tui.rules.commands.follow_up import seen_end
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import drives_despite_pause
-from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
+from fleet_tui.situation.robots import silent
 
 LONG_STILL = 30.0
 """Seconds of standing with an order that are worth a look: longer than loading takes."""
@@ -147,7 +146,8 @@ def is_odd(state: FleetState, robot: Robot) -> bool:
     """Tell whether a robot is not as usual in a way that a person should look at, alarm or not: its row has
     an amber sign, and `!` goes there. A pause of this console and what a late bridge explains are known."""
     if not state.is_online(robot):
-        return _is_unexpectedly_offline(state, robot) or has_lost(state, robot)
+        is_gone = silent(state, robot) is not None and robot.last_received is not None
+        return is_gone or has_lost(state, robot)
     is_held = state.is_paused(robot) and own_pause(state, robot) is None
     is_held = is_held or drives_despite_pause(state, robot)
     is_held = is_held or is_held_up(state, robot) or is_stopped(state, robot)
@@ -211,12 +211,6 @@ def has_lost(state: FleetState, robot: Robot) -> bool:
         return False
     late = (one for one in robot.gone if one.stage is Stage.LOST and state.now - one.at < LOST_FOR)
     return any(seen_end(state, robot.name, one) is Stage.LOST for one in late)
-
-
-def _is_unexpectedly_offline(state: FleetState, robot: Robot) -> bool:
-    link = state.links[robot.link]
-    explained = link.phase is not Phase.UP or (is_overloaded(link) and not robot.is_gone)
-    return robot.last_received is not None and not explained
 
 
 def _whose(alarm: Alarm) -> list[str]:

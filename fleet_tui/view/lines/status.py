@@ -8,8 +8,8 @@ from fleet_tui.model.kind import PAUSE
 from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.rules.alarms.trouble import to_look_at
 from fleet_tui.rules.commands.pauses import is_held
-from fleet_tui.rules.lag import BEHIND
 from fleet_tui.rules.sites import alarms_by_site, site_of, sites_of
+from fleet_tui.situation.links import LATE_FROM, is_late
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
@@ -42,7 +42,7 @@ def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: f
         paused: len(stopped) >= min(SEVERAL, max(1, sum(map(state.is_online, able)))),
         tr("read-only"): read_only,
         tr("not armed"): not armed,
-        tr(behind_text(state)): state.behind >= BEHIND,
+        tr(behind_text(state)): state.behind >= LATE_FROM,
         _stalled(standstill): standstill > BLIND_AFTER,
     }
     return [note for note, holds in notes.items() if holds]
@@ -84,14 +84,14 @@ def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
     if link.phase is not Phase.UP:
         yield from _no_link_runs(link, now, address)
         return
-    is_late = link.late >= BEHIND
-    yield "● ", StyleRole.WARN if is_late else StyleRole.GOOD
-    if is_late:  # before the address, which a narrow line cuts
+    late = is_late(link)
+    yield "● ", StyleRole.WARN if late else StyleRole.GOOD
+    if late:  # before the address, which a narrow line cuts
         yield tr(f"{duration(link.late)} late: bridge overloaded "), StyleRole.WARN
     yield f"{address} ", StyleRole.TEXT
     if link.last_received is None:
         yield tr("nothing received yet"), StyleRole.DIM
-    elif not is_late:  # what arrives just now is old
+    elif not late:  # what arrives just now is old
         silent = max(0.0, now - link.last_received)
         yield f"{duration(silent)}", StyleRole.DIM if silent < SILENT_AFTER else StyleRole.WARN
     if link.waiting_topics:
@@ -115,7 +115,7 @@ def _worst(state: FleetState) -> LinkState:
             link.phase is Phase.UP,
             link.command_path not in NO_WAY,
             not link.unsourced,
-            link.late < BEHIND,
+            not is_late(link),
             -link.waiting_topics,
             link.last_received or 0.0,
         ),

@@ -14,9 +14,10 @@ from fleet_tui.rules.alarms.vehicles import priority_of, sorted_errors
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
-from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
+from fleet_tui.situation.links import is_late
+from fleet_tui.situation.robots import silent
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
@@ -59,10 +60,10 @@ def failed_command(state: FleetState, robot: Robot, short: bool = False) -> Iter
             yield tr("order failed" if short and is_of_order else sanitize(alarm.text)), StyleRole.ALARM
 
 
-def is_late(state: FleetState, robot: Robot) -> bool:
-    """Tell whether its bridge explains the silence of a robot, and is what needs a person."""
-    is_behind = is_overloaded(state.links[robot.link]) and not robot.is_gone
-    return is_behind and robot.name not in in_trouble(state)
+def is_on_its_way(state: FleetState, robot: Robot) -> bool:
+    """Tell whether what a robot says may still be on its way over a late bridge, which is what needs a
+    person."""
+    return is_late(state.links[robot.link]) and not (silent(state, robot) or robot.name in in_trouble(state))
 
 
 def _late(state: FleetState, robot: Robot, received: float) -> str:
@@ -71,7 +72,7 @@ def _late(state: FleetState, robot: Robot, received: float) -> str:
     if robot.pose is not None and received - robot.pose.at >= 1.0:
         name = "pose"
         return tr(f"{tr(name)} {age(state.now - robot.pose.at)} old")
-    return tr(f"silent {age(state.now - received)}")
+    return tr(f"silent {age(state.now - received + state.links[robot.link].late)}")
 
 
 def news(state: FleetState, robot: Robot) -> Iterator[Run]:
@@ -80,7 +81,7 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     if robot.last_received is None:
         role = StyleRole.ALARM if robot.name in in_trouble(state) else StyleRole.DIM
         yield tr(offline_text(state, robot)), role
-    elif not online and is_late(state, robot):
+    elif not online and is_on_its_way(state, robot):
         yield _late(state, robot, robot.last_received), StyleRole.WARN
     elif not online:
         yield tr(offline_text(state, robot)), StyleRole.ALARM

@@ -10,9 +10,9 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.commands.follow_up import seen_end
-from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.why.orders import CHECK_DELIVERY
 from fleet_tui.rules.why.place import place_text
+from fleet_tui.situation.links import is_late
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
@@ -83,7 +83,7 @@ def value_rows(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Ru
         "paused": (_yes_or_no(robot.paused), robot.paused),
     }
     link = state.links[robot.link]
-    late = link.late if is_overloaded(link) else 0.0
+    late = link.late if is_late(link) else 0.0
     for value, (text, reading) in texts.items():
         if value not in robot.kind.reports:
             continue

@@ -1,0 +1,45 @@
+"""The table of facts: one row for each kind, which alarm, reason, row, status and doctor read."""
+
+from fleet_tui.situation.fact import AlarmClass, FactKind
+
+LATE_LINK = FactKind(
+    "late",
+    "bridge overloaded",
+    "messages on time",
+    AlarmClass(
+        "medium",
+        "a bridge takes at least a second to answer, and its messages wait as long; high once its robots are"
+        " silent, or commands get no reply",
+        "the data shown for its robots is old",
+        "Stop its other clients, publish less often on the robots, or add a bridge: [links] in the config",
+        10,
+    ),
+    keys=("diagnostics",),
+)
+BEHIND = FactKind(
+    "behind",
+    "this console is behind",
+    "this console has caught up",
+    AlarmClass(
+        "medium",
+        "this console is at least a second behind in reading messages",
+        "all data shown is old",
+        "Close other programs on this machine, or raise pose_ms and status_ms: [rates] in the config",
+        10,
+    ),
+)
+SILENT = FactKind(
+    "offline",
+    "offline",
+    "back online",
+    AlarmClass(
+        "medium",
+        "no message for longer than `offline_after`, and than its bridge is late",
+        "it may drive on unseen, and takes no commands",
+        "Check the robot: power, Wi-Fi, its software",
+        5,
+    ),
+    keys=("diagnostics",),
+)
+
+FACTS = (LATE_LINK, BEHIND, SILENT)
