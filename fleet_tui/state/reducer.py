@@ -21,6 +21,7 @@ from fleet_tui.rules.commands.local_queue import with_held_queues
 from fleet_tui.rules.lag import with_lags
 from fleet_tui.rules.localisation.misplaced import with_misplaced
 from fleet_tui.rules.routes.blocked import with_blocked_edges
+from fleet_tui.state.clocks import site_clock
 from fleet_tui.state.command_events import (
     advance_command,
     change_queue,
@@ -143,7 +144,7 @@ def _apply_to_robot(state: FleetState, event: _OfRobot) -> FleetState:
     if (robot := state.robots.get(event.robot)) is None:
         return _with_live_map(state, event) if isinstance(event, events.GridReceived) else state
     if isinstance(event, Navigation):
-        return _moved(state, apply_navigation(robot, event))
+        return _moved(state, apply_navigation(robot, event, site_clock(state, robot)))
     if isinstance(event, VehicleFact):
         return _moved(state, at_last_node(state, apply_vehicle(robot, event), event.at))
     return _apply_report(state, robot, event)
@@ -164,7 +165,7 @@ def _apply_report(
         case events.GridReceived():
             return _with_robots_map(state, event)
         case events.PoseReported():
-            return _moved(state, apply_report(robot, event))
+            return _moved(state, apply_report(robot, event, site_clock(state, robot)))
         case (
             events.BatteryReported()
             | events.CargoReported()

@@ -8,6 +8,7 @@ import pytest
 
 from fleet_tui.adapters.ros.reading import FrameReader, Read
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
@@ -16,6 +17,7 @@ from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.situation.links import LATE_FROM
+from fleet_tui.view.tables.news import news
 from tests.support.bridge_faults import all_online, raised
 from tests.support.fault_report import report
 from tests.support.fleets import R0, place_order
@@ -66,6 +68,26 @@ async def test_standing_robots_repeat_their_last_pose(server: RosbridgeServer) -
         assert [robot.name for robot in store.state.robots.values() if store.state.is_online(robot)] == [R0]
     seen = "the age of their poses; the silent one offline; no bridge overloaded"
     report("old stamps, then a robot loses power", "poses repeat their stamp", seen, noticed, None)
+
+
+async def test_the_first_pose_is_old(server: RosbridgeServer) -> None:
+    pose = pose_of(server, R0)
+    stamp = {**pose["header"]["stamp"], "secs": pose["header"]["stamp"]["secs"] - 40}
+    says(server, f"/{R0}/pose", partial(_with_stamp, stamp))
+    async with linked(usual(server.url, 2)) as (_, store):
+        watch = Stopwatch(store)
+        noticed = await watch.until(lambda state: state.robots[R0].pose is not None)
+        first = store.state.robots[R0].pose
+        assert first is not None and 39.0 < time.monotonic() - first.at < 45.0
+        await watch.until(lambda state: all_online(state) and state.now > first.at + 41.0)
+        assert "pose 4" in row(store.state, R0)
+    seen = "pose 40 s old, at its first message"
+    report("the first pose of a robot is old", "it repeats a stamp of 40 s ago", seen, noticed, None)
+
+
+def row(state: FleetState, name: str) -> str:
+    """The news of a robot in its row."""
+    return ", ".join(text for text, _ in news(state, state.robots[name]))
 
 
 def pose_of(server: RosbridgeServer, name: str) -> Message:

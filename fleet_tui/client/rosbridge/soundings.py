@@ -60,7 +60,8 @@ class Soundings:
             except NoAnswerError:
                 pass  # rosapi or the bridge: only the bridge itself tells
             else:
-                self._report(BridgeAnswered(self._link, monotonic(), took, _stamp(response)))
+                stamp = _stamp(response) if took <= QUICK else None  # of a late answer it is old
+                self._report(BridgeAnswered(self._link, monotonic(), took, stamp))
                 return took
         try:
             took, _ = await self._ask(SERVICE, LONGEST)

@@ -71,7 +71,9 @@ def silent(state: FleetState, robot: Robot, command: Command) -> Iterator[Proble
     """Check that the robot is online."""
     if isinstance(command, ResumeRobot):
         return
-    if robot.last_received is None:
+    if robot.is_undated and not state.is_online(robot):
+        yield Problem("age unknown", f"the one message of {robot.name} is of unknown age", blocks=False)
+    elif robot.last_received is None:
         yield Problem("never seen", f"{robot.name} was never seen", blocks=False)
     elif not state.is_online(robot):
         silence = age(state.now - robot.last_received)

@@ -84,6 +84,8 @@ def silent_robot(state: FleetState, robot: Robot) -> Reason | None:
     if robot.last_received is None:
         what = "message" if robot.connection is None else "state"
         evidence = f"link up, no {what} received"
+        if robot.is_undated:
+            evidence = "link up, one message received: it may be an old one"
         return Reason(offline_text(state, robot), evidence, strength, keys=keys, remedy=remedy)
     name, since = f"offline {age(state.now - robot.last_received)}", robot.last_received
     return Reason(name, "link up, no messages", strength, since, keys=keys, remedy=remedy)

@@ -35,6 +35,9 @@ def _old(state: FleetState, robot: Robot) -> Iterator[Run]:
     for value, name in _NAMES.items():
         if state.is_old(robot, value):
             reading: Reading[object] = getattr(robot, value)
+            if value == "pose" and robot.is_undated:
+                yield tr(f"{tr(name)} of unknown age"), StyleRole.WARN
+                continue
             yield tr(f"{tr(name)} {age(state.now - reading.at)} old"), StyleRole.WARN
 
 

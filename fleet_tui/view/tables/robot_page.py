@@ -6,7 +6,7 @@ from textwrap import wrap
 from typing import Any
 
 from fleet_tui.model.commands import Stage
-from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.fleet import AGE_UNKNOWN, FleetState
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.commands.follow_up import seen_end
@@ -91,12 +91,15 @@ def value_rows(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Ru
             yield named(value.capitalize(), (tr("not received"), StyleRole.DIM))
             continue
         is_old = not state.is_fresh(robot, value)
+        since = _since(state.now - reading.at + (value != "pose") * late, is_narrow)
+        if value == "pose" and robot.is_undated:
+            since = tr(AGE_UNKNOWN)
         age_role = StyleRole.WARN if is_old or late else StyleRole.DIM
         yield named(
             value.capitalize(),
             (f"{text:<{cells}}", StyleRole.DIM if is_old else StyleRole.TEXT),
             # In whole seconds: tenths would never be at rest.
-            (_since(state.now - reading.at + (value != "pose") * late, is_narrow), age_role),
+            (since, age_role),
         )
     yield from _place(state, robot)
 
