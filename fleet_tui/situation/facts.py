@@ -41,5 +41,19 @@ SILENT = FactKind(
     ),
     keys=("diagnostics",),
 )
+BAD_DATA = FactKind(
+    "data",
+    "bad data",
+    "no new bad data",
+    AlarmClass(
+        "low",
+        "a message could not be read in the last 10 s; medium if no message of a robot can be read",
+        "a value of the robot, or of the link, is missing; with none, nobody sees where it is",
+        "Open diagnostics (d), page Raw, and press b for the bad message",
+        60,
+    ),
+    keys=("diagnostics",),
+    page="raw",
+)
 
-FACTS = (LATE_LINK, BEHIND, SILENT)
+FACTS = (LATE_LINK, BEHIND, SILENT, BAD_DATA)

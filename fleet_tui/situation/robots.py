@@ -1,11 +1,14 @@
-"""Facts about robots."""
+"""Facts about robots: what they say, and whether they say anything."""
 
 from fleet_tui.model.alarm import Priority
 from fleet_tui.model.fleet import FleetState, offline_text
-from fleet_tui.model.link import Phase
+from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.situation.fact import Fact
-from fleet_tui.situation.facts import SILENT
+from fleet_tui.situation.facts import BAD_DATA, SILENT
+
+BAD_FOR = 10.0
+"""Seconds without bad data until it counts as over."""
 
 
 def silent_from(state: FleetState, robot: Robot) -> float:
@@ -19,8 +22,37 @@ def silent_from(state: FleetState, robot: Robot) -> float:
 
 def silent(state: FleetState, robot: Robot) -> Fact | None:
     """Find that a robot has stopped speaking, or never did: while its link is up, and whatever its bridge is
-    late by."""
+    late by. One that sends only what nobody can read does speak."""
     since = silent_from(state, robot)
-    if state.links[robot.link].phase is not Phase.UP or state.now <= since:
+    if state.links[robot.link].phase is not Phase.UP or state.now <= since or is_unreadable(state, robot):
         return None
     return Fact(SILENT, robot.name, offline_text(state, robot), Priority.MEDIUM, since)
+
+
+def is_unreadable(state: FleetState, robot: Robot) -> bool:
+    """Tell whether a robot sends, and nothing that can be read: then it is not silent, and its power and its
+    network are well."""
+    if robot.fault_at is None or state.is_online(robot) or state.links[robot.link].phase is not Phase.UP:
+        return False
+    return state.now - robot.fault_at <= state.patience(robot)
+
+
+def bad_data(state: FleetState, source: Robot | LinkState) -> Fact | None:
+    """Find unreadable data from a robot or over a link, a short while ago."""
+    if source.fault_at is None or state.now - source.fault_at >= BAD_FOR:
+        return None
+    is_all = isinstance(source, Robot) and is_unreadable(state, source)
+    text = f"bad data x{source.faults}: {source.last_fault}"
+    if is_all:
+        text = f"all messages are bad, {source.faults} so far: {source.last_fault}"
+    return Fact(BAD_DATA, source.name, text, Priority.MEDIUM if is_all else Priority.LOW, source.fault_at)
+
+
+def bad_text(source: Robot | LinkState) -> str:
+    """Return the short text of bad data."""
+    return f"bad data x{source.faults}"
+
+
+def absence_text(state: FleetState, robot: Robot) -> str:
+    """Return the short text of a robot that is not online: why nothing is known of it."""
+    return bad_text(robot) if is_unreadable(state, robot) else offline_text(state, robot)

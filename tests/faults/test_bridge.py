@@ -85,6 +85,21 @@ async def test_the_first_pose_is_old(server: RosbridgeServer) -> None:
     report("the first pose of a robot is old", "it repeats a stamp of 40 s ago", seen, noticed, None)
 
 
+async def test_all_messages_of_a_robot_are_bad(server: RosbridgeServer) -> None:
+    async with linked(usual(server.url, 2)) as (_, store):
+        await store.until(ready)
+        for topic in [
+            one for one in server.bridge.topics if one.startswith("/robot_1/") and "floor" not in one
+        ]:
+            says(server, topic, lambda _: {"nonsense": "of another version"})
+        watch = Stopwatch(store)
+        noticed = await watch.until(lambda state: not state.is_online(state.robots["robot_1"]))
+        await store.until(raised("data"))
+        assert row(store.state, "robot_1").startswith("bad data x")
+        assert not raised("offline")(store.state) and "all messages are bad" in shown(store.state)
+    report("all messages of a robot are bad", "other fields", "bad data, not offline", noticed, None)
+
+
 def row(state: FleetState, name: str) -> str:
     """The news of a robot in its row."""
     return ", ".join(text for text, _ in news(state, state.robots[name]))

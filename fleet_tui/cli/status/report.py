@@ -7,7 +7,7 @@ from typing import Any
 from fleet_tui.cli.session import missing
 from fleet_tui.cli.status.navigation import navigation
 from fleet_tui.cli.status.vehicle import vehicle
-from fleet_tui.model.fleet import FleetState, offline_text
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.fleets.facility import LANES, Facility
 from fleet_tui.model.kind import PAUSE
 from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
@@ -15,6 +15,7 @@ from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.trouble import in_trouble
 from fleet_tui.situation.links import behind, is_late, late_link
+from fleet_tui.situation.robots import absence_text
 
 VERSION = 2
 
@@ -147,7 +148,7 @@ def _unknown(state: FleetState) -> Iterator[str]:
         if state.is_online(robot):
             yield from (f"{robot.name}: missing: {', '.join(absent)}" for _ in absent[:1])
         elif not (robot.name in troubled or is_late(link)):
-            yield f"{robot.name}: {offline_text(state, robot)}"
+            yield f"{robot.name}: {absence_text(state, robot)}"
 
 
 def report(state: FleetState) -> Values:

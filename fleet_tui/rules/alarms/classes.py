@@ -2,7 +2,7 @@
 
 from fleet_tui.model.alarm import Condition, class_of
 from fleet_tui.situation.fact import AlarmClass
-from fleet_tui.situation.facts import BEHIND, LATE_LINK, SILENT
+from fleet_tui.situation.facts import BAD_DATA, BEHIND, LATE_LINK, SILENT
 
 CLASSES = {
     "link": AlarmClass(
@@ -123,13 +123,7 @@ CLASSES = {
         "Resume it, or find out who paused it",
         30,
     ),
-    "data": AlarmClass(
-        "low",
-        "a message could not be read in the last 10 s",
-        "a value of the robot, or of the link, is missing",
-        "Open diagnostics (d), page Raw, and press b for the bad message",
-        60,
-    ),
+    BAD_DATA.name: BAD_DATA.alarm,
 }
 """All classes, by the names that the configuration uses."""
 

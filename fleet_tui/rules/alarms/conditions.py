@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterator
 
 from fleet_tui.model.alarm import Condition, Priority
-from fleet_tui.model.fleet import FleetState, obstacle_text, offline_text
+from fleet_tui.model.fleet import FleetState, obstacle_text
 from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.facilities import facility_conditions
@@ -23,15 +23,15 @@ from fleet_tui.rules.commands.pauses import drives_despite_pause, is_held
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.situation import links
 from fleet_tui.situation.fact import Fact
-from fleet_tui.situation.facts import SILENT
-from fleet_tui.situation.robots import silent_from
+from fleet_tui.situation.facts import BAD_DATA, SILENT
+from fleet_tui.situation.robots import absence_text, is_unreadable, silent_from
+from fleet_tui.situation.robots import bad_data as find_bad_data
 from fleet_tui.text.durations import age
 
 FIRST_LINK = 10.0
 """Seconds that a first connection, which nothing refuses, may take: on a busy machine it is slow."""
-BAD_AFTER, BAD_FOR = 1.0, 10.0
-"""Seconds from bad data to its alarm (other robots may send some, too), and without any until it counts as
-over."""
+BAD_AFTER = 1.0
+"""Seconds from bad data to its alarm: other robots may send some, too."""
 BEHIND_FOR = 2.0
 """Seconds for which the console or a bridge must be behind: a map may take a moment."""
 CHARGES_WITHIN = 1800.0
@@ -123,19 +123,14 @@ def stuck(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
     return Condition(robot.name, "stuck", Priority.MEDIUM, text, "no longer stuck", due)
 
 
-def is_news(state: FleetState, fault_at: float | None) -> bool:
-    """Tell whether bad data arrived a short while ago; `fault_at` is the time of the latest."""
-    return fault_at is not None and state.now - fault_at < BAD_FOR
-
-
 def bad_data(state: FleetState, source: Robot | LinkState, _active: ActiveConditions) -> Condition | None:
     """Raise after unreadable data from a robot or over a link, a short while ago."""
-    if not is_news(state, source.fault_at):
+    fact = find_bad_data(state, source)
+    if fact is None:
         return None
-    text = f"bad data x{source.faults}: {source.last_fault}"
-    kind = "data" if isinstance(source, Robot) else "frames"
+    kind = BAD_DATA.name if isinstance(source, Robot) else "frames"
     due = state.began.get((source.name, kind), state.now) + BAD_AFTER
-    return Condition(source.name, kind, Priority.LOW, text, "no new bad data", due)
+    return Condition(source.name, kind, fact.priority, fact.text, BAD_DATA.over, due)
 
 
 def no_link(state: FleetState, link: LinkState, _active: ActiveConditions) -> Condition | None:
@@ -176,10 +171,12 @@ def offline(state: FleetState, robot: Robot, active: ActiveConditions) -> Condit
     if not robot.is_gone and last is not None and state.now - last <= limit / 2:
         return None
     raised = was_active(active, robot.name, robot.link, SILENT.name)
+    if is_unreadable(state, robot):
+        return None
     if state.is_online(robot) if raised else state.links[robot.link].phase is not Phase.UP:
         return None
     due = (last or 0.0) + limit if raised else silent_from(state, robot)
-    return Condition(robot.name, SILENT.name, Priority.MEDIUM, offline_text(state, robot), SILENT.over, due)
+    return Condition(robot.name, SILENT.name, Priority.MEDIUM, absence_text(state, robot), SILENT.over, due)
 
 
 def behind(state: FleetState) -> Condition | None:

@@ -7,7 +7,6 @@ from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import MANY, FleetState, is_missing
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.alarms.conditions import is_news
 from fleet_tui.rules.alarms.members import FAILED_MODES
 from fleet_tui.rules.alarms.vehicles import priority_of
 from fleet_tui.rules.battery.charging import CHARGES, ON_ITS_WAY
@@ -16,7 +15,7 @@ from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import drives_despite_pause
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
-from fleet_tui.situation.robots import silent
+from fleet_tui.situation.robots import bad_data, is_unreadable, silent
 
 LONG_STILL = 30.0
 """Seconds of standing with an order that are worth a look: longer than loading takes."""
@@ -147,11 +146,11 @@ def is_odd(state: FleetState, robot: Robot) -> bool:
     an amber sign, and `!` goes there. A pause of this console and what a late bridge explains are known."""
     if not state.is_online(robot):
         is_gone = silent(state, robot) is not None and robot.last_received is not None
-        return is_gone or has_lost(state, robot)
+        return is_gone or is_unreadable(state, robot) or has_lost(state, robot)
     is_held = state.is_paused(robot) and own_pause(state, robot) is None
     is_held = is_held or drives_despite_pause(state, robot)
     is_held = is_held or is_held_up(state, robot) or is_stopped(state, robot)
-    unknown = is_missing(state, robot, "pose") or is_news(state, robot.fault_at)
+    unknown = is_missing(state, robot, "pose") or bad_data(state, robot) is not None
     unknown = unknown or state.has_old(robot, AGING)
     return is_held or unknown or has_lost(state, robot) or may_need_person(state, robot)
 

@@ -20,8 +20,8 @@ from fleet_tui.rules.localisation.off_route import is_off_route, metres_off
 from fleet_tui.rules.movement import JUMPS_WITHIN
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, name_of, stationary_since
 from fleet_tui.situation import links
-from fleet_tui.situation.facts import SILENT
-from fleet_tui.situation.robots import silent
+from fleet_tui.situation.facts import BAD_DATA, SILENT
+from fleet_tui.situation.robots import is_unreadable, silent
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.units import ago
 
@@ -73,6 +73,10 @@ def silent_robot(state: FleetState, robot: Robot) -> Reason | None:
     """Report that it is offline while the link is up: certain unless its bridge is late by as much."""
     if state.links[robot.link].phase is not Phase.UP or state.is_online(robot):
         return None
+    if is_unreadable(state, robot):
+        evidence, remedy = f"link up, messages arrive: {robot.last_fault}", BAD_DATA.alarm.action
+        seen, keys = robot.fault_at, BAD_DATA.keys
+        return Reason(BAD_DATA.word, evidence, seen=seen, keys=keys, remedy=remedy, page=BAD_DATA.page)
     late = links.is_late(state.links[robot.link])
     strength = Strength.POSSIBLE if late and silent(state, robot) is None else Strength.CERTAIN
     remedy, keys = SILENT.alarm.action, SILENT.keys

@@ -3,10 +3,10 @@
 from collections.abc import Iterator, Sequence
 
 from fleet_tui.model.alarm import Alarm, AlarmStage, Priority
-from fleet_tui.model.fleet import FleetState, is_missing, missing_text, obstacle_text, offline_text
+from fleet_tui.model.fleet import FleetState, is_missing, missing_text, obstacle_text
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Reading, Robot
-from fleet_tui.rules.alarms.conditions import is_news, obstacle_lasts
+from fleet_tui.rules.alarms.conditions import obstacle_lasts
 from fleet_tui.rules.alarms.members import issue_text
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
 from fleet_tui.rules.alarms.trouble import AGING, has_lost, in_trouble, is_held_up, is_stopped, shelved
@@ -17,7 +17,7 @@ from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
 from fleet_tui.situation.links import is_late
-from fleet_tui.situation.robots import silent
+from fleet_tui.situation.robots import absence_text, bad_data, bad_text, is_unreadable, silent
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
@@ -78,16 +78,24 @@ def _late(state: FleetState, robot: Robot, received: float) -> str:
     return tr(f"silent {age(state.now - received + state.links[robot.link].late)}")
 
 
+def _absent(state: FleetState, robot: Robot) -> Iterator[Run]:
+    """Yield why nothing is known of a robot that is not online."""
+    if is_unreadable(state, robot):
+        yield tr(absence_text(state, robot)), StyleRole.ALARM
+    elif robot.last_received is None:
+        role = StyleRole.ALARM if robot.name in in_trouble(state) else StyleRole.DIM
+        yield tr(absence_text(state, robot)), role
+    elif is_on_its_way(state, robot):
+        yield _late(state, robot, robot.last_received), StyleRole.WARN
+    else:
+        yield tr(absence_text(state, robot)), StyleRole.ALARM
+
+
 def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     """Return the news of a robot, the most urgent first."""
     online = state.is_online(robot)
-    if robot.last_received is None:
-        role = StyleRole.ALARM if robot.name in in_trouble(state) else StyleRole.DIM
-        yield tr(offline_text(state, robot)), role
-    elif not online and is_on_its_way(state, robot):
-        yield _late(state, robot, robot.last_received), StyleRole.WARN
-    elif not online:
-        yield tr(offline_text(state, robot)), StyleRole.ALARM
+    if not online:
+        yield from _absent(state, robot)
     contact = robot.obstacle if state.was_obstructed(robot) else None
     is_old = state.is_old(robot, "obstacle")
     if contact is not None and not is_old:
@@ -104,8 +112,8 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
         yield tr(f"claimed by {sanitize(' and '.join(holders))}"), StyleRole.ACCENT
     if online:
         yield from _old(state, robot)
-    if is_news(state, robot.fault_at):
-        yield tr(f"bad data x{robot.faults}"), StyleRole.WARN
+    if bad_data(state, robot) is not None and not is_unreadable(state, robot):
+        yield tr(bad_text(robot)), StyleRole.WARN
 
 
 def _contact_role(state: FleetState, robot: Robot) -> StyleRole:
