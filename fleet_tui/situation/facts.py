@@ -55,5 +55,18 @@ BAD_DATA = FactKind(
     keys=("diagnostics",),
     page="raw",
 )
+OBSTACLE = FactKind(
+    "obstacle",
+    "blocked by an obstacle",
+    "cleared: obstacle",
+    AlarmClass(
+        "high",
+        "in contact with an obstacle for longer than `obstacle_after`",
+        "the robot does not drive on; others queue behind it",
+        "Clear the path at the robot",
+        5,
+    ),
+    keys=("centre", "camera", "laser"),
+)
 
-FACTS = (LATE_LINK, BEHIND, SILENT, BAD_DATA)
+FACTS = (LATE_LINK, BEHIND, SILENT, BAD_DATA, OBSTACLE)

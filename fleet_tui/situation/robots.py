@@ -1,11 +1,11 @@
 """Facts about robots: what they say, and whether they say anything."""
 
 from fleet_tui.model.alarm import Priority
-from fleet_tui.model.fleet import FleetState, offline_text
+from fleet_tui.model.fleet import FleetState, obstacle_text, offline_text
 from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.situation.fact import Fact
-from fleet_tui.situation.facts import BAD_DATA, SILENT
+from fleet_tui.situation.facts import BAD_DATA, OBSTACLE, SILENT
 
 BAD_FOR = 10.0
 """Seconds without bad data until it counts as over."""
@@ -56,3 +56,18 @@ def bad_text(source: Robot | LinkState) -> str:
 def absence_text(state: FleetState, robot: Robot) -> str:
     """Return the short text of a robot that is not online: why nothing is known of it."""
     return bad_text(robot) if is_unreadable(state, robot) else offline_text(state, robot)
+
+
+def contact(state: FleetState, robot: Robot) -> Fact | None:
+    """Find a robot that a lasting contact with an obstacle blocks, by a fresh report. The alarm that wants an
+    acknowledgement waits `obstacle_after`."""
+    report = robot.obstacle
+    if report is None or not state.is_obstructed(robot):
+        return None
+    text, since = obstacle_text(state, robot, report), report.at - report.value
+    return Fact(OBSTACLE, robot.name, text, Priority.HIGH, since)
+
+
+def in_contact(state: FleetState) -> list[str]:
+    """Return the names of the robots that obstacles block."""
+    return [name for name, robot in state.robots.items() if contact(state, robot) is not None]

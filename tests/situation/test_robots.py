@@ -1,17 +1,33 @@
 """Facts about robots."""
 
 from fleet_tui.cli.status.report import attention
-from fleet_tui.model.events import MessageRejected
+from fleet_tui.cli.status.status import ATTENTION, verdict
+from fleet_tui.model.events import MessageRejected, ObstacleReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
 from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.commands.checks import problems
 from fleet_tui.rules.why.why import reasons
+from fleet_tui.view.map.floor_scene import floor_scene
 from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.selection import Selection
 from fleet_tui.view.tables.fleet import fleet_table
 from fleet_tui.view.tables.news import news
-from tests.support.fleets import R0, T0, battery, fleet, link_up, place_order, reduced, text_of, tick
+from tests.support.fleets import (
+    F0,
+    R0,
+    T0,
+    battery,
+    fleet,
+    link_up,
+    place_order,
+    pose,
+    queue,
+    reduced,
+    text_of,
+    tick,
+)
 
 BAD = "/robot_0/battery: percentage is missing"
 
@@ -53,3 +69,27 @@ def test_some_bad_data_of_a_robot_that_speaks_is_told_beside() -> None:
     state = reduced(sends_only_bad_data(20.0), battery(T0 + 20.5), tick(T0 + 21.0))
     assert "offline" not in {alarm.condition.kind for alarm in state.alarms}
     assert ("bad data x40", StyleRole.WARN) in list(news(state, state.robots[R0]))
+
+
+def in_contact_for(seconds: float) -> FleetState:
+    at = T0 + 10
+    facts = (pose(at), battery(at), queue(at), ObstacleReported(R0, at, seconds))
+    return reduced(fleet(), link_up(T0), *facts, tick(at + 0.1))
+
+
+def test_contact_of_three_seconds_is_red_and_counted_but_no_alarm_yet() -> None:
+    state = in_contact_for(3.2)
+    assert not state.alarms
+    assert ("obstacle 3.2 s", StyleRole.ALARM) in list(news(state, state.robots[R0]))
+    (robot,) = floor_scene(state, Selection(R0, F0)).robots
+    assert robot.alarmed and robot.obstacle
+    assert "1 robot blocked by an obstacle: robot_0" in attention(state) and verdict(state) == ATTENTION
+
+
+def test_a_passing_contact_is_nothing_and_a_long_one_an_alarm() -> None:
+    state = in_contact_for(2.0)
+    assert not any("obstacle" in line for line in attention(state))
+    (robot,) = floor_scene(state, Selection(R0, F0)).robots
+    assert not robot.alarmed and not robot.obstacle
+    state = in_contact_for(31.0)
+    assert [alarm.text for alarm in state.alarms] == ["obstacle 31 s"]

@@ -14,8 +14,11 @@ from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.trouble import in_trouble
+from fleet_tui.situation.facts import OBSTACLE
 from fleet_tui.situation.links import behind, is_late, late_link
-from fleet_tui.situation.robots import absence_text
+from fleet_tui.situation.robots import absence_text, in_contact
+from fleet_tui.text.limits import some
+from fleet_tui.text.units import counted
 
 VERSION = 2
 
@@ -130,6 +133,8 @@ def attention(state: FleetState) -> list[str]:
         elif link.command_path in NO_WAY:
             is_dead = link.command_path is CommandPath.DEAD
             lines.append(f"{link.name}: {'no command path: ' * is_dead}{link.command_reason}")
+    if blocked := in_contact(state):
+        lines.append(f"{counted(len(blocked), 'robot')} {OBSTACLE.word}: {some(blocked)}")
     for alarm in state.alarms:
         if alarm.holds and alarm.condition.kind not in ("link", "commands"):
             lines.append(f"{alarm.condition.source}: {alarm.text}")

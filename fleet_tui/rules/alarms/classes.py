@@ -2,7 +2,7 @@
 
 from fleet_tui.model.alarm import Condition, class_of
 from fleet_tui.situation.fact import AlarmClass
-from fleet_tui.situation.facts import BAD_DATA, BEHIND, LATE_LINK, SILENT
+from fleet_tui.situation.facts import BAD_DATA, BEHIND, LATE_LINK, OBSTACLE, SILENT
 
 CLASSES = {
     "link": AlarmClass(
@@ -26,13 +26,7 @@ CLASSES = {
         "Source the robots' workspace and restart rosbridge",
         10,
     ),
-    "obstacle": AlarmClass(
-        "high",
-        "in contact with an obstacle for longer than `obstacle_after`",
-        "the robot does not drive on; others queue behind it",
-        "Clear the path at the robot",
-        5,
-    ),
+    OBSTACLE.name: OBSTACLE.alarm,
     "blocked": AlarmClass(
         "high",
         "stopped by its collision monitor for longer than `obstacle_after`",

@@ -23,7 +23,7 @@ from fleet_tui.rules.commands.pauses import drives_despite_pause, is_held
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.situation import links
 from fleet_tui.situation.fact import Fact
-from fleet_tui.situation.facts import BAD_DATA, SILENT
+from fleet_tui.situation.facts import BAD_DATA, OBSTACLE, SILENT
 from fleet_tui.situation.robots import absence_text, is_unreadable, silent_from
 from fleet_tui.situation.robots import bad_data as find_bad_data
 from fleet_tui.text.durations import age
@@ -50,7 +50,7 @@ def obstacle(state: FleetState, robot: Robot, _active: ActiveConditions) -> Cond
     if robot.obstacle is None or not obstacle_lasts(state, robot):
         return None
     text = obstacle_text(state, robot, robot.obstacle)
-    return Condition(robot.name, "obstacle", Priority.HIGH, text, "cleared: obstacle")
+    return Condition(robot.name, OBSTACLE.name, Priority.HIGH, text, OBSTACLE.over)
 
 
 def battery(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:

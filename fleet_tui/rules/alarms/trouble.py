@@ -15,12 +15,10 @@ from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import drives_despite_pause
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
-from fleet_tui.situation.robots import bad_data, is_unreadable, silent
+from fleet_tui.situation.robots import bad_data, contact, is_unreadable, silent
 
 LONG_STILL = 30.0
 """Seconds of standing with an order that are worth a look: longer than loading takes."""
-LONG_CONTACT = 10.0
-"""Seconds of contact with an obstacle that are worth a look: large fleets always have a shorter one."""
 LOOK_EVERY = 0.5
 """Seconds from one look at all of many robots to the next."""
 LOST_FOR = 60.0
@@ -33,12 +31,6 @@ def waits(state: FleetState, robot: Robot) -> bool:
     """Tell whether a robot has stood with an order for so long, by poses that still hold."""
     stands = robot.still_for >= LONG_STILL and robot.orders.current is not None
     return stands and state.is_fresh(robot, "pose")
-
-
-def is_held_up(state: FleetState, robot: Robot) -> bool:
-    """Tell whether a robot has been in contact with an obstacle for so long, by a fresh report."""
-    least = min(LONG_CONTACT, state.limits.obstacle_after)
-    return robot.obstacle is not None and robot.obstacle.value >= least and state.is_obstructed(robot)
 
 
 def may_need_person(state: FleetState, robot: Robot) -> bool:
@@ -149,7 +141,7 @@ def is_odd(state: FleetState, robot: Robot) -> bool:
         return is_gone or is_unreadable(state, robot) or has_lost(state, robot)
     is_held = state.is_paused(robot) and own_pause(state, robot) is None
     is_held = is_held or drives_despite_pause(state, robot)
-    is_held = is_held or is_held_up(state, robot) or is_stopped(state, robot)
+    is_held = is_held or contact(state, robot) is not None or is_stopped(state, robot)
     unknown = is_missing(state, robot, "pose") or bad_data(state, robot) is not None
     unknown = unknown or state.has_old(robot, AGING)
     return is_held or unknown or has_lost(state, robot) or may_need_person(state, robot)
@@ -195,7 +187,7 @@ def is_stopped(state: FleetState, robot: Robot) -> bool:
 def is_halted(state: FleetState, robot: Robot) -> bool:
     """Tell whether a robot cannot drive by its own fresh reports: an obstacle, its collision monitor, an
     emergency stop, a grave error, a mode of its driver."""
-    if state.is_obstructed(robot) or is_stopped(state, robot):
+    if contact(state, robot) is not None or is_stopped(state, robot):
         return True
     if robot.vehicle is not None and state.is_fresh(robot, "vehicle"):
         vehicle = robot.vehicle.value

@@ -6,10 +6,9 @@ from fleet_tui.model.alarm import Alarm, AlarmStage, Priority
 from fleet_tui.model.fleet import FleetState, is_missing, missing_text, obstacle_text
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Reading, Robot
-from fleet_tui.rules.alarms.conditions import obstacle_lasts
 from fleet_tui.rules.alarms.members import issue_text
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
-from fleet_tui.rules.alarms.trouble import AGING, has_lost, in_trouble, is_held_up, is_stopped, shelved
+from fleet_tui.rules.alarms.trouble import AGING, has_lost, in_trouble, is_stopped, shelved
 from fleet_tui.rules.alarms.vehicles import priority_of, sorted_errors
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import own_pause_text
@@ -17,7 +16,7 @@ from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
 from fleet_tui.situation.links import is_late
-from fleet_tui.situation.robots import absence_text, bad_data, bad_text, is_unreadable, silent
+from fleet_tui.situation.robots import absence_text, bad_data, bad_text, contact, is_unreadable, silent
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
@@ -96,17 +95,15 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     online = state.is_online(robot)
     if not online:
         yield from _absent(state, robot)
-    contact = robot.obstacle if state.was_obstructed(robot) else None
-    is_old = state.is_old(robot, "obstacle")
-    if contact is not None and not is_old:
-        yield tr(obstacle_text(state, robot, contact)), _contact_role(state, robot)
+    if (blocked := contact(state, robot)) is not None:
+        yield tr(blocked.text), StyleRole.WARN if robot.name in shelved(state) else StyleRole.ALARM
     yield from _navigation(state, robot)
     yield from _vehicle(state, robot)
     yield from _member(state, robot)
     if state.is_paused(robot) and robot.last_received is not None:
         yield _paused(state, robot), StyleRole.WARN
-    if contact is not None and is_old:
-        yield tr(obstacle_text(state, robot, contact)), StyleRole.DIM
+    if robot.obstacle is not None and state.was_obstructed(robot) and blocked is None:
+        yield tr(obstacle_text(state, robot, robot.obstacle)), StyleRole.DIM
     yield from _lost(state, robot)
     if holders := state.desk.holders(robot.name):
         yield tr(f"claimed by {sanitize(' and '.join(holders))}"), StyleRole.ACCENT
@@ -114,12 +111,6 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
         yield from _old(state, robot)
     if bad_data(state, robot) is not None and not is_unreadable(state, robot):
         yield tr(bad_text(robot)), StyleRole.WARN
-
-
-def _contact_role(state: FleetState, robot: Robot) -> StyleRole:
-    if obstacle_lasts(state, robot) and robot.name not in shelved(state):
-        return StyleRole.ALARM
-    return StyleRole.WARN if is_held_up(state, robot) else StyleRole.TEXT
 
 
 def _lost(state: FleetState, robot: Robot) -> Iterator[Run]:
