@@ -117,7 +117,8 @@ def _take_localisation(
         robot = replace(robot, variance=Reading(event.variance, event.at))
     frame_id = truncate(event.frame_id.lstrip("/"), LONGEST_NAME)
     jumped = relocation(robot, event.pose, frame_id, event.at)
-    robot = replace(robot, located=event.pose, located_at=_true_at(robot, event, site), frame_id=frame_id)
+    located_at = _true_at(robot, event, site)
+    robot = replace(robot, located=event.pose, located_at=located_at, frame_id=frame_id)
     if robot.odometry is not None:
         # Wheels unheard for a while may have started anew from zero, as those of a restarted base: they count
         # from here on with their next message.
@@ -125,5 +126,5 @@ def _take_localisation(
         anchor = event.pose.after(robot.odometry.inverse) if heard else None
         robot = replace(robot, anchor=anchor, relocated=jumped)
         return replace(robot, pose=Reading(event.pose, robot.pose.at)) if robot.pose else robot
-    placed = events.PoseReported(robot.name, event.at, event.pose, frame_id, None)
+    placed = events.PoseReported(robot.name, located_at, event.pose, frame_id, None)
     return replace(apply_report(robot, placed), last_received=robot.last_received)

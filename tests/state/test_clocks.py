@@ -100,3 +100,4 @@ def test_a_localised_pose_is_as_old_as_its_stamp_at_first_sight() -> None:
     state = seen(site, event)
     located = state.robots[R0].located_at
     assert located is not None and round(T0 - located) == 40
+    assert round(age(state)) == 40, "nothing else tells its time"
