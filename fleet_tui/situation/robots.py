@@ -58,6 +58,21 @@ def absence_text(state: FleetState, robot: Robot) -> str:
     return bad_text(robot) if is_unreadable(state, robot) else offline_text(state, robot)
 
 
+def has_old_stamps(state: FleetState, robot: Robot) -> bool:
+    """Tell whether poses of a robot arrive, and their stamps are old: its localisation is slow, or stands and
+    its last pose is repeated."""
+    if robot.clock is None or not state.is_online(robot) or not state.is_old(robot, "pose"):
+        return False
+    silence = robot.kind.silence_of("pose", state.limits.offline_after)
+    return state.now - robot.clock.at <= silence + state.behind
+
+
+def repeats_pose_at_rest(state: FleetState, robot: Robot) -> bool:
+    """Tell whether poses with old stamps mean nothing: many localisations give a pose only after a movement,
+    and the last one is repeated for as long as a robot without an order stands."""
+    return robot.orders.current is None and has_old_stamps(state, robot)
+
+
 def contact(state: FleetState, robot: Robot) -> Fact | None:
     """Find a robot that a lasting contact with an obstacle blocks, by a fresh report. The alarm that wants an
     acknowledgement waits `obstacle_after`."""

@@ -4,6 +4,7 @@ from fleet_tui.model.alarm import Priority
 from fleet_tui.model.events import BridgeAnswered, CommandPathChanged, Event, TimePassed
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
+from fleet_tui.rules.alarms.trouble import is_odd
 from fleet_tui.view.tables.alarms import alarm_table
 from tests.support.alarms import up
 from tests.support.fleets import (
@@ -78,6 +79,17 @@ def test_old_stamps_of_standing_robots_are_no_fault_of_the_bridge() -> None:
     state = standing(16.0)
     assert state.links[LINK].late == 0.0 and kinds(state) == set()
     assert all(map(state.is_online, state.robots.values()))
+
+
+def test_a_standing_robot_that_repeats_its_pose_is_calm_and_one_with_an_order_is_not() -> None:
+    state = reduced(fleet(), link_up(T0), BridgeAnswered(LINK, T0, 0.004))
+    for n in range(500):
+        at = T0 + n / 10
+        state = reduced(state, pose(at, stamp=50.0), queue(at), battery(at), tick(at))
+    assert state.is_old(state.robots[R0], "pose") and not state.alarms
+    assert not is_odd(state, state.robots[R0])
+    state = reduced(state, queue(state.now, (1, 1, 2, "W"), current=1), tick(state.now))
+    assert [alarm.text for alarm in state.alarms] == ["poses arrive 50 s old"]
 
 
 def test_a_robot_that_loses_power_beside_old_stamps_is_told() -> None:

@@ -15,7 +15,7 @@ from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import drives_despite_pause
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
-from fleet_tui.situation.robots import bad_data, contact, is_unreadable, silent
+from fleet_tui.situation.robots import bad_data, contact, is_unreadable, repeats_pose_at_rest, silent
 
 LONG_STILL = 30.0
 """Seconds of standing with an order that are worth a look: longer than loading takes."""
@@ -143,8 +143,15 @@ def is_odd(state: FleetState, robot: Robot) -> bool:
     is_held = is_held or drives_despite_pause(state, robot)
     is_held = is_held or contact(state, robot) is not None or is_stopped(state, robot)
     unknown = is_missing(state, robot, "pose") or bad_data(state, robot) is not None
-    unknown = unknown or state.has_old(robot, AGING)
+    unknown = unknown or _has_old(state, robot)
     return is_held or unknown or has_lost(state, robot) or may_need_person(state, robot)
+
+
+def _has_old(state: FleetState, robot: Robot) -> bool:
+    if not state.has_old(robot, AGING):
+        return False
+    others = tuple(value for value in AGING if value != "pose")
+    return state.has_old(robot, others) or not repeats_pose_at_rest(state, robot)
 
 
 class _Looks:

@@ -21,7 +21,7 @@ from fleet_tui.rules.movement import JUMPS_WITHIN
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, name_of, stationary_since
 from fleet_tui.situation import links
 from fleet_tui.situation.facts import BAD_DATA, SILENT
-from fleet_tui.situation.robots import is_unreadable, silent
+from fleet_tui.situation.robots import has_old_stamps, is_unreadable, silent
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.units import ago
 
@@ -156,9 +156,8 @@ def stale_pose(state: FleetState, robot: Robot) -> Reason | None:
         topic = robot.kind.pose_topic.replace("{robot}", robot.name)
         evidence = f"other reports received, no pose{topic and f' on {topic}'}: position unknown"
         return Reason("no pose", evidence, keys=DIAGNOSE, remedy=NO_POSE)
-    name, clock = f"pose {age(state.now - robot.pose.at)} old", robot.clock
-    silence = robot.kind.silence_of("pose", state.limits.offline_after) + state.behind
-    if clock is not None and state.now - clock.at <= silence:
+    name = f"pose {age(state.now - robot.pose.at)} old"
+    if has_old_stamps(state, robot):
         return Reason(name, "poses arrive late: their time stamps lag", seen=robot.pose.at)
     if lacks_odometry(state, robot):
         topic = robot.kind.odometry_topic.replace("{robot}", robot.name)

@@ -16,7 +16,15 @@ from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
 from fleet_tui.situation.links import is_late
-from fleet_tui.situation.robots import absence_text, bad_data, bad_text, contact, is_unreadable, silent
+from fleet_tui.situation.robots import (
+    absence_text,
+    bad_data,
+    bad_text,
+    contact,
+    is_unreadable,
+    repeats_pose_at_rest,
+    silent,
+)
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
@@ -37,7 +45,9 @@ def _old(state: FleetState, robot: Robot) -> Iterator[Run]:
             if value == "pose" and robot.is_undated:
                 yield tr(f"{tr(name)} of unknown age"), StyleRole.WARN
                 continue
-            yield tr(f"{tr(name)} {age(state.now - reading.at)} old"), StyleRole.WARN
+            is_calm = value == "pose" and repeats_pose_at_rest(state, robot)
+            role = StyleRole.DIM if is_calm else StyleRole.WARN
+            yield tr(f"{tr(name)} {age(state.now - reading.at)} old"), role
 
 
 def _paused(state: FleetState, robot: Robot) -> str:
