@@ -126,7 +126,7 @@ class VehicleTelemetry:
             if isinstance(event, events.MessageRejected | events.FrameRejected):
                 self._log_once(event.text)
             self._writer.store.apply(event)
-            if isinstance(event, VehicleReported):
+            if isinstance(event, VehicleReported) and event.at == at:  # an old state answers no command
                 self.commands.on_state(event.robot, event.vehicle)
 
     def _take_of_master(self, message: BrokerMessage, found: "tuple[events.Event, ...]", at: float) -> None:
