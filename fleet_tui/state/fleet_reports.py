@@ -17,7 +17,7 @@ from fleet_tui.model.fleets.facility import Facility
 from fleet_tui.model.fleets.member import Member
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.state.clocks import site_clock
-from fleet_tui.state.reports import SiteClock, apply_report
+from fleet_tui.state.reports import SiteClock, apply_report, latest
 from fleet_tui.state.task_reports import apply_task
 from fleet_tui.text.limits import MOST_FACILITIES
 
@@ -57,8 +57,8 @@ def _take_member(robot: Robot, event: MemberReported, site: SiteClock | None) ->
         robot, events.PoseReported(robot.name, event.at, event.pose, event.floor, event.stamp), site
     )
     if event.stamp is not None and robot.pose is not None:
-        at = robot.pose.at
-        robot = replace(robot, last_received=at if last is None else max(last, at))
+        spoke_at = None if robot.is_undated else robot.pose.at
+        robot = replace(robot, last_received=latest(last, spoke_at))
     return _charged(_with_member(robot, replace(_member(robot), mode=event.mode, task=event.task)), event)
 
 

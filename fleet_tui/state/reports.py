@@ -147,7 +147,8 @@ def clocked(
     return clock, true_at, true_at if clock.is_compared else None
 
 
-def _latest(last: float | None, spoke_at: float | None) -> float | None:
+def latest(last: float | None, spoke_at: float | None) -> float | None:
+    """Return when a robot spoke last, after a message of which that may be unknown."""
     return last if spoke_at is None else max(last or spoke_at, spoke_at)
 
 
@@ -169,7 +170,7 @@ def _take_pose(robot: Robot, event: events.PoseReported, site: SiteClock | None)
         pace=_pace(robot, event.pose, frame_id, true_at),
         frame_id=frame_id,
         clock=clock,
-        last_received=_latest(robot.last_received, spoke_at),
+        last_received=latest(robot.last_received, spoke_at),
         paused_by_us=robot.paused_by_us and not driving,
         paused_at=None if driving else stood_at,
     )

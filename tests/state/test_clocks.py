@@ -3,6 +3,7 @@
 from fleet_tui.cli.status.report import attention, report
 from fleet_tui.model.events import BridgeAnswered, Event
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.fleets.events import MemberReported
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation_events import LocalisationReported
 from fleet_tui.model.problem import Permissions
@@ -101,3 +102,11 @@ def test_a_localised_pose_is_as_old_as_its_stamp_at_first_sight() -> None:
     located = state.robots[R0].located_at
     assert located is not None and round(T0 - located) == 40
     assert round(age(state)) == 40, "nothing else tells its time"
+
+
+def test_the_first_word_of_a_driver_that_nothing_dates_is_no_sign_of_life() -> None:
+    event = MemberReported(R0, T0, Pose(1.0, 2.0), F0, SITE - 40.0, None, "", "")
+    state = seen(event)
+    assert state.robots[R0].last_received is None
+    dated = seen(BridgeAnswered(LINK, T0 - 0.5, 0.004, SITE - 0.5), event)
+    assert dated.robots[R0].last_received == T0 - 40.0
