@@ -84,11 +84,11 @@ class LiveSession:
         may, files, settings = self._parts.dispatch.permissions, self._parts.files, self._parts.settings
         kept = list(map(tr, files.notes()))
         notes = console_notes(state, may.read_only, may.armed, time.monotonic() - state.now)
-        runs = status_line(state, robot, [*notes, *kept])
+        runs = status_line(state, robot, notes, kept=kept, width=width)
         if may.armed and not may.read_only and may.right >= Right.DISPATCH:
             way_back = f", {resume_all(settings.keys)}"
             notes = [note + way_back * note.endswith(tr(PAUSED)) for note in notes]
-            longer = status_line(state, robot, [*notes, *kept])
+            longer = status_line(state, robot, notes, kept=kept)
             runs = longer if width_of(longer) <= width else runs
         right = status_right(settings.clock(state.wall), files.operator)
         if any(link.phase is not Phase.UP for link in state.links.values()):

@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 
 import msgspec
 
-from fleet_tui.adapters.ros.messages import Stamp
+from fleet_tui.adapters.ros.messages import TimeAnswer
 from fleet_tui.discovery.facts import RosapiFacts
 from fleet_tui.discovery.wire import BridgeConnection
 from fleet_tui.errors import LinkError
@@ -22,12 +22,6 @@ AT_ONCE = 8  # calls open at once: the bridge has a thread for each
 
 def _nothing() -> None:
     """Ignore progress."""
-
-
-class _Time(msgspec.Struct):
-    """The answer of get_time."""
-
-    time: Stamp
 
 
 async def look_around(wire: BridgeConnection) -> RosapiFacts:
@@ -72,7 +66,7 @@ async def clock_ahead(wire: BridgeConnection) -> float | None:
     began, wall = time.monotonic(), time.time()
     try:
         answer = await wire.call("/rosapi/get_time", {}, ANSWER_WITHIN)
-        answered = msgspec.convert(answer, _Time).time.seconds
+        answered = msgspec.convert(answer, TimeAnswer).time.seconds
     except (LinkError, msgspec.ValidationError):
         return None
     return None if answered is None else answered - (wall + (time.monotonic() - began) / 2)

@@ -8,7 +8,7 @@ from fleet_tui.discovery.finding import Finding, Verdict, milliseconds
 from fleet_tui.text.durations import age
 
 SLOW, UNEVEN = 0.3, 0.3  # seconds of a round trip, and between the best and the worst
-LATE = 0.5  # seconds by which poses grow older during the measurement
+LAST = 3  # calls by which the load is judged
 BEHIND = 0.3  # seconds of our own delay, above which others are not judged
 MOST_MESSAGES = {1: 4000, 2: 500}  # per second of one bridge, as measured
 WRONG = 1.0  # seconds by which a clock may be off
@@ -29,31 +29,28 @@ def round_trip_finding(facts: BridgeFacts) -> Finding:
     return Finding(facts.name, "round trip", Verdict.OK, measured, values=values)
 
 
-def _lateness(facts: BridgeFacts) -> tuple[float, float]:
-    """Return the seconds by which poses grew older while all topics were subscribed, and those of calls
-    meanwhile: the medians."""
-    late = [topic.late for topic in facts.topics if topic.late is not None]
-    trips = facts.busy_trips or facts.round_trips
-    return statistics.median(late or [0.0]), statistics.median(trips or [0.0])
+def _calls(facts: BridgeFacts) -> float:
+    """Return the seconds of the last calls beside the messages of all topics: the median. A bridge that falls
+    behind takes ever longer."""
+    return statistics.median(facts.busy_trips[-LAST:] or facts.round_trips or [0.0])
 
 
 def falls_behind(facts: BridgeFacts) -> bool:
-    """Tell whether the bridge is overloaded; unknown if we ourselves were late."""
-    late, calls = _lateness(facts)
-    return (late >= LATE or calls >= SLOW) and facts.behind <= BEHIND
+    """Tell whether the bridge is overloaded, by its answers: stamps are older for reasons of a robot, too.
+    Unknown if we ourselves were late."""
+    return _calls(facts) >= SLOW and facts.behind <= BEHIND
 
 
 def load_finding(facts: BridgeFacts) -> Finding:
-    """Judge whether the bridge keeps up with all topics at once: else calls are slower, stamps older."""
+    """Judge whether the bridge keeps up with all topics at once: else calls are slower."""
     rate = sum(topic.rate or 0.0 for topic in facts.topics)
     if not rate:
         return Finding(facts.name, "load", Verdict.SKIPPED, "no messages to measure")
-    late, calls = _lateness(facts)
-    lateness = f"poses {milliseconds(late)} late at the end, calls {milliseconds(calls)} under load"
-    measured = f"{rate:.0f} messages/s, {lateness}"
-    values = {"messages_per_s": round(rate, 1), "late_s": round(late, 3), "call_s": round(calls, 4)}
+    calls = _calls(facts)
+    measured = f"{rate:.0f} messages/s, calls {milliseconds(calls)} under load"
+    values = {"messages_per_s": round(rate, 1), "call_s": round(calls, 4)}
     if not falls_behind(facts):
-        if late < LATE and calls < SLOW:
+        if calls < SLOW:
             return Finding(facts.name, "load", Verdict.OK, measured, values=values)
         own = f"{measured}; this machine itself lagged by {milliseconds(facts.behind)}"
         return Finding(facts.name, "load", Verdict.SKIPPED, own, values=values)

@@ -23,10 +23,9 @@ from fleet_tui.doctor.listening import listen
 from fleet_tui.errors import LinkError
 
 ROUND_TRIPS = 10
-BETWEEN = 0.05  # seconds between two of them while all topics are subscribed
 
 
-async def measure_calls(wire: BridgeConnection, until: float, pause: float = 0.0) -> tuple[float, ...]:
+async def measure_calls(wire: BridgeConnection, until: float) -> tuple[float, ...]:
     """Return round trips to the bridge itself in seconds, one after the other."""
     trips = list[float]()
     until = min(until, time.monotonic() + ANSWER_WITHIN)
@@ -39,7 +38,6 @@ async def measure_calls(wire: BridgeConnection, until: float, pause: float = 0.0
             if wire.lost or trips:
                 break
         trips.append(time.monotonic() - began)
-        await asyncio.sleep(pause)
     return tuple(trips)
 
 
@@ -115,9 +113,8 @@ async def gather(config: Config, name: str, wire: BridgeConnection, until: float
         ahead = await clock_ahead(wire)
         rosapi = await _look_up(wanted, adapters, wire, rosapi, until)
     answers = await _ask_robots(wanted, adapters, wire, rosapi, until)
-    busy = () if listening.done() else await measure_calls(wire, until, BETWEEN)
     received = await listening
-    lost = wire.lost or received.lost
+    lost, busy = wire.lost or received.lost, received.trips
     return BridgeFacts(
         name, rosapi, tuple(received.topics), trips, ahead, lost, busy, received.behind, adapters, answers
     )

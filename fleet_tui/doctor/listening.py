@@ -29,15 +29,20 @@ ENOUGH_FAST = 10
 # QoS; and the number of them whose subscribers are queried meanwhile.
 FIRST_TRY, RELEASE_TIME, MOST_HELD = 2.0, 0.7, 20
 
+# Seconds between two questions beside the messages: a bridge logs each as an error.
+BEAT_EVERY = 0.5
+
 Asked = list[tuple[Feed, str]]
 
 
 class ListeningResult(NamedTuple):
-    """All topics, the reason that a connection was lost meanwhile, and our own maximum delay in seconds."""
+    """All topics, the reason that a connection was lost meanwhile, our own maximum delay, and the round trips
+    of questions that waited beside the messages, in seconds."""
 
     topics: list[TopicFacts]
     lost: str
     behind: float
+    trips: tuple[float, ...] = ()
 
 
 async def listen(
@@ -53,8 +58,11 @@ async def listen(
     asked = list(_to_subscribe(wanted, rosapi, drawn))
     count = -(-len(asked) // SHARE)
     wires = [BridgeConnection(bridge, adapters) for _ in range(count)]
+    trips = list[float]()
     try:
-        await asyncio.gather(*(_listen(wire, asked[n::count], rosapi, until) for n, wire in enumerate(wires)))
+        await asyncio.gather(
+            *(_listen(wire, asked[n::count], rosapi, until, trips) for n, wire in enumerate(wires))
+        )
         now = time.monotonic()
         received = {topic: one.facts(now) for wire in wires for topic, one in wire.listening.items()}
         complaints = {topic: message for wire in wires for topic, message in wire.complaints.items()}
@@ -64,7 +72,8 @@ async def listen(
             wire.close()
     found = (received.get(one.address) or TopicFacts(one) for one in wanted)
     topics = [replace(one, complaint=complaints.get(one.topic, "")) for one in found]
-    return ListeningResult(topics, lost, max((wire.behind for wire in wires), default=0.0))
+    behind = max((wire.behind for wire in wires), default=0.0)
+    return ListeningResult(topics, lost, behind, tuple(trips))
 
 
 def _to_subscribe(
@@ -87,7 +96,9 @@ def _to_subscribe(
         yield one, types.get(topic, type_)
 
 
-async def _listen(wire: BridgeConnection, topics: Asked, rosapi: RosapiFacts, until: float) -> None:
+async def _listen(
+    wire: BridgeConnection, topics: Asked, rosapi: RosapiFacts, until: float, trips: list[float]
+) -> None:
     if await wire.connect(min(CONNECT_WITHIN, until - time.monotonic())):
         return
     with suppress(LinkError):
@@ -96,8 +107,26 @@ async def _listen(wire: BridgeConnection, topics: Asked, rosapi: RosapiFacts, un
         await _subscribe(wire, topics, rosapi.ros != 1, until)
         ours = min(until, time.monotonic() + AT_MOST)
         retry = asyncio.ensure_future(_retry_silent(wire, topics, rosapi, ours))
-        await _wait(wire, [one for one, _ in topics], ours)
+        beats = asyncio.ensure_future(_beat(wire, until, trips))
+        try:
+            await _wait(wire, [one for one, _ in topics], ours)
+        finally:
+            beats.cancel()
+            await asyncio.gather(beats, return_exceptions=True)
         await retry
+
+
+async def _beat(wire: BridgeConnection, until: float, trips: list[float]) -> None:
+    """Measure how long questions wait beside the messages, and add each to `trips`. The bridge has answered
+    one behind the subscriptions: one without an answer has taken at least as long."""
+    with suppress(LinkError):
+        while True:
+            began = time.monotonic()
+            try:
+                await wire.beat(max(0.1, until - began))
+            finally:
+                trips.append(time.monotonic() - began)
+            await asyncio.sleep(BEAT_EVERY)
 
 
 async def _wait(wire: BridgeConnection, topics: list[Feed], until: float) -> None:

@@ -15,6 +15,7 @@ from fleet_tui.doctor.names import near_topic, robots_on
 from fleet_tui.model.kind import CAMERA
 
 SLOWEST_POSES = 5.0  # Hz; robots give about 10
+OLDER = 0.5  # seconds by which the stamps of poses grow older while they are measured
 UNSEEN = "existence unknown without rosapi"
 
 
@@ -239,6 +240,9 @@ def _judged(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> tuple[Ver
             return Verdict.SKIPPED, f"{measured}: bridge overloaded, see its load above", ""
         slow = f"{measured}: poses should arrive at about 10 Hz"
         return Verdict.WARN, slow, "check the load of the network and the robot's computer"
+    if facts.late is not None and facts.late >= OLDER and not falls_behind(bridge):
+        older = f"{measured}: its stamps were {facts.late:.1f} s older at the end"
+        return Verdict.WARN, older, "check its localisation: it repeats or delays its poses"
     adapter, usual = bridge.adapters[facts.wanted.robot], config.alarms.offline_after
     silence = adapter.kind.silence_of(facts.wanted.key, usual)
     if facts.rate is not None and 1 / facts.rate > silence:

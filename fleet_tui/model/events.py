@@ -188,6 +188,16 @@ class SubscriptionsAdvanced(Struct, frozen=True, tag=True):
     total: int
 
 
+class BridgeAnswered(Struct, frozen=True, tag=True):
+    """A bridge answered a question over the connection for telemetry `after` seconds: it waited as long as
+    the messages beside it. `stamp` is the clock of its site in seconds, None if it did not tell."""
+
+    link: str
+    at: float
+    after: float
+    stamp: float | None = None
+
+
 class CommandIssued(Struct, frozen=True, tag=True):
     """An operator's command that passed the checks: for this floor, else for its robot's current one."""
 
@@ -232,6 +242,7 @@ Event = (
     | CommandPathChanged
     | MessagesUnsourced
     | SubscriptionsAdvanced
+    | BridgeAnswered
     | CommandIssued
     | CommandAdvanced
     | GoalAnswered

@@ -69,10 +69,10 @@ class BlockedEdge(Struct, frozen=True):
 
 class FleetState(Struct, frozen=True, eq=False):
     """Everything known at one instant. `now` is monotonic, `wall` Unix time, both of the last tick; `began`
-    is the start of each condition, alarm or not yet; `behind`: seconds by which this console reads
-    messages late, which count against no robot; `desk`: its people; `facilities` are the
-    lifts, doors and the like of sites, by key; `blocked` are the edges on which robots are held up, by
-    robot."""
+    is the start of each condition, alarm or not yet; `behind`: seconds by which this console reads messages
+    late, which count against no robot, `behind_at` when that was last a second or more; `desk`: its people;
+    `facilities` are the lifts, doors and the like of sites, by key; `blocked` are the edges on which robots
+    are held up, by robot."""
 
     floors: Mapping[str, Floor]
     robots: Mapping[str, Robot]
@@ -84,6 +84,7 @@ class FleetState(Struct, frozen=True, eq=False):
     now: float = 0.0
     wall: float = 0.0
     behind: float = 0.0
+    behind_at: float = 0.0
     desk: Desk = Desk()
     facilities: Mapping[str, Facility] = field(default_factory=dict)
     blocked: Mapping[str, BlockedEdge] = field(default_factory=dict)
@@ -97,11 +98,12 @@ class FleetState(Struct, frozen=True, eq=False):
         return robot.kind.offline_after or self.limits.offline_after
 
     def is_online(self, robot: Robot) -> bool:
-        """Tell whether its last message is within the limit, and its link was not lost since."""
+        """Tell whether its last message is within the limit, as much older as its link is late, and that
+        was not lost since."""
         link, last = self.links[robot.link], robot.last_received
         if last is None or (link.phase is not Phase.UP and last < link.since):
             return False
-        return self.now - last <= self.patience(robot) and not robot.is_gone
+        return self.now - last + link.late <= self.patience(robot) and not robot.is_gone
 
     def was_obstructed(self, robot: Robot) -> bool:
         """Tell whether its last report was a lasting contact with an obstacle."""
@@ -131,6 +133,8 @@ class FleetState(Struct, frozen=True, eq=False):
 
     def _holds(self, robot: Robot, value: str, reading: Reading[object]) -> bool:
         silence = robot.kind.silence_of(value, self.limits.offline_after)
+        if value == "pose" and robot.is_undated:
+            return False
         return self.now - reading.at <= silence + self.behind and self.is_online(robot)
 
     def is_old(self, robot: Robot, value: str) -> bool:
@@ -191,10 +195,16 @@ def missing_text(state: FleetState, robot: Robot, value: str) -> str:
     return f"{value} missing" if is_missing(state, robot, value) else f"no {value} yet"
 
 
+AGE_UNKNOWN = "age unknown"
+"""The text of a robot whose one message may be old: nothing tells its clock."""
+
+
 def offline_text(state: FleetState, robot: Robot) -> str:
     """Return the text of a robot that is not online: since when, and what its broker knows."""
     known = robot.connection.value if robot.connection is not None else None
     if robot.last_received is None:
+        if robot.is_undated:
+            return AGE_UNKNOWN
         return "never seen" if known is None else f"no state yet ({known.text})"
     why = f" ({known.text})" if known is not None and robot.is_gone else ""
     return f"offline {age(state.now - robot.last_received)}{why}"

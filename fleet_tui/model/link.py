@@ -34,10 +34,12 @@ class LinkState(Struct, frozen=True):
     """A bridge: `since` is the start of the phase, `next_try` the next attempt, both monotonic seconds;
     `reason` is the reason for no link in plain words; `commands_connected`: there is a connection for
     commands, tested or not; `was_up`: it has been up before; `outage`: seconds for which it was down before
-    it came up again, else 0; `fault_at` is the time of the last bad frame; `late` are the seconds by which
-    its poses are late, `unsourced` the package whose messages the bridge lacks; `site` is the one that it
-    belongs to; `topics` are the subscriptions that were requested of a bridge with many, of which
-    `waiting_topics` are not handled yet, `subscribed_at` the time of the last handled one."""
+    it came up again, else 0; `fault_at` is the time of the last bad frame; `lag` are the seconds after which
+    it last answered a question over the connection for telemetry, asked at `asked_at`, `late` those of which
+    not this console but the bridge is the cause; `clock` is (arrival - time by the clock of its site) of its
+    last answer that told it, None without one; `unsourced` is the package whose messages the bridge lacks;
+    `site` is the one that it belongs to; `topics` are the subscriptions that were requested of a bridge with
+    many, of which `waiting_topics` are not handled yet, `subscribed_at` the time of the last handled one."""
 
     name: str
     url: str
@@ -54,7 +56,10 @@ class LinkState(Struct, frozen=True):
     faults: int = 0
     last_fault: str = ""
     fault_at: float | None = None
+    lag: float = 0.0
+    asked_at: float = 0.0
     late: float = 0.0
+    clock: float | None = None
     unsourced: str = ""
     site: str = ""
     topics: int = 0

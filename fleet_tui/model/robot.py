@@ -29,11 +29,14 @@ class Reading(Struct, Generic[T], frozen=True):
 
 
 class StampClock(Struct, frozen=True):
-    """A robot's clock relative to ours: `offset` is the freshest (arrival - stamp) seen, in seconds."""
+    """A robot's clock relative to ours: `offset` is the freshest (arrival - stamp) seen, in seconds; until
+    it is seen to run, that of its site. `is_compared`: one of the two tells the age of its messages."""
 
     offset: float
     stamp: float
     at: float
+    is_running: bool = True
+    is_compared: bool = True
 
 
 class RobotMap(Struct, frozen=True, eq=False):
@@ -151,6 +154,11 @@ class Robot(Struct, frozen=True, eq=False):
         if self.connection is None or not self.connection.value.is_gone:
             return False
         return self.last_received is None or self.connection.at >= self.last_received
+
+    @property
+    def is_undated(self) -> bool:
+        """Tell whether the age of its pose is unknown: of its one message, whose clock nothing tells."""
+        return self.clock is not None and not self.clock.is_compared
 
     @property
     def still_for(self) -> float:

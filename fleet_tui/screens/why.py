@@ -16,12 +16,12 @@ from fleet_tui.controllers.set_up.streams import ShownStreams
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.trouble import needs_a_look
-from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.why.complaints import Complaint, complaints
 from fleet_tui.rules.why.load import busiest
 from fleet_tui.rules.why.reason import Reason
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.screens.robot.overlay import RobotOverlay, robot_bindings
+from fleet_tui.situation.links import is_late
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.impact import why_impact
@@ -132,8 +132,9 @@ class Why(RobotOverlay):
 
     def _load(self, state: FleetState, robot: Robot) -> Reason | None:
         counter = self._backend.counters.get(robot.link)
-        is_late = counter is not None and is_overloaded(state.links[robot.link])
-        return busiest(counter, state.now) if counter is not None and is_late else None
+        if counter is None or not is_late(state.links[robot.link]):
+            return None
+        return busiest(counter, state.now)
 
     async def action_help_it(self, id_: str) -> None:
         """Run the key's usual action, about the first reason."""

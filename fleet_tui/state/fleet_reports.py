@@ -16,7 +16,8 @@ from fleet_tui.model.fleets.events import (
 from fleet_tui.model.fleets.facility import Facility
 from fleet_tui.model.fleets.member import Member
 from fleet_tui.model.robot import Reading, Robot
-from fleet_tui.state.reports import apply_report
+from fleet_tui.state.clocks import site_clock
+from fleet_tui.state.reports import SiteClock, apply_report, latest
 from fleet_tui.state.task_reports import apply_task
 from fleet_tui.text.limits import MOST_FACILITIES
 
@@ -32,7 +33,7 @@ def apply_member_fact(state: FleetState, event: MemberFact) -> FleetState:
         case FacilityReported():
             return _with_facility(state, replace(event.facility, link=robot.link))
         case MemberReported():
-            return with_robot(state, _take_member(robot, event))
+            return with_robot(state, _take_member(robot, event, site_clock(state, robot)))
         case StatusReported():
             return with_robot(state, _take_status(robot, event))
         case _:
@@ -49,11 +50,15 @@ def _member(robot: Robot) -> Member:
     return robot.member.value if robot.member else Member()
 
 
-def _take_member(robot: Robot, event: MemberReported) -> Robot:
-    """Apply the report of a driver: all of it is as old as its stamp."""
+def _take_member(robot: Robot, event: MemberReported, site: SiteClock | None) -> Robot:
+    """Apply the report of a driver: all of it is as old as its stamp, the sign of life, too."""
+    last = robot.last_received
     robot = apply_report(
-        robot, events.PoseReported(robot.name, event.at, event.pose, event.floor, event.stamp)
+        robot, events.PoseReported(robot.name, event.at, event.pose, event.floor, event.stamp), site
     )
+    if event.stamp is not None and robot.pose is not None:
+        spoke_at = None if robot.is_undated else robot.pose.at
+        robot = replace(robot, last_received=latest(last, spoke_at))
     return _charged(_with_member(robot, replace(_member(robot), mode=event.mode, task=event.task)), event)
 
 

@@ -15,6 +15,7 @@ LinkEvent = (
     | events.CommandPathChanged
     | events.MessagesUnsourced
     | events.SubscriptionsAdvanced
+    | events.BridgeAnswered
     | events.FrameRejected
 )
 
@@ -40,6 +41,8 @@ def _change_link(state: FleetState, event: events.LinkChanged) -> FleetState:
             was_up=link.was_up or event.phase is Phase.UP,
             unsourced=link.unsourced if event.phase is Phase.UP else "",
             waiting_topics=link.waiting_topics if event.phase is Phase.UP else 0,
+            lag=link.lag if event.phase is Phase.UP else 0.0,
+            clock=link.clock if event.phase is Phase.UP else None,
         ),
     )
 
@@ -61,6 +64,10 @@ def apply_to_link(state: FleetState, event: LinkEvent) -> FleetState:
             return _with_link(
                 state, replace(link, topics=total, waiting_topics=total - done, subscribed_at=at)
             )
+        case events.BridgeAnswered():
+            clock = link.clock if event.stamp is None else event.at - event.stamp
+            asked_at = event.at - event.after
+            return _with_link(state, replace(link, lag=event.after, asked_at=asked_at, clock=clock))
         case events.FrameRejected():
             return _with_link(
                 state,

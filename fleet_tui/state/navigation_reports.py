@@ -8,21 +8,23 @@ from fleet_tui.model import events, navigation_events
 from fleet_tui.model.navigation import Blocked, Progress
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.state.goal_reports import apply_goals, with_sign_of_life
-from fleet_tui.state.reports import apply_report, relocation, set_clock
+from fleet_tui.state.reports import SiteClock, apply_report, clocked, relocation
 from fleet_tui.text.limits import LONGEST_NAME, truncate
 
 
-def apply_navigation(robot: Robot, event: navigation_events.Navigation) -> Robot:
-    """Apply one report of a navigating robot to it."""
+def apply_navigation(
+    robot: Robot, event: navigation_events.Navigation, site: SiteClock | None = None
+) -> Robot:
+    """Apply one report of a navigating robot to it; `site` dates the stamp of its first one."""
     if isinstance(event, navigation_events.OwnWord):
         return _take_word(robot, event)
     if isinstance(event, navigation_events.GoalFact):
         return apply_goals(robot, event)
     match event:
         case navigation_events.OdometryReported():
-            return _take_odometry(robot, event)
+            return _take_odometry(robot, event, site)
         case navigation_events.LocalisationReported():
-            return _take_localisation(robot, event)
+            return _take_localisation(robot, event, site)
         case navigation_events.BlockedReported():
             before = robot.blocked
             goes_on = before is not None and before.value.action == event.action
@@ -76,17 +78,19 @@ def _merged(robot: Robot, new: Progress) -> Progress:
     return replace(new, goal=known.goal, stop=known.stop) if is_leg else new
 
 
-def _take_odometry(robot: Robot, event: navigation_events.OdometryReported) -> Robot:
+def _take_odometry(robot: Robot, event: navigation_events.OdometryReported, site: SiteClock | None) -> Robot:
     """Move a robot by its wheel odometry, from its last localised pose."""
     robot = replace(robot, odometry=event.pose, odometry_at=event.at)
     if robot.anchor is None and robot.located is not None:
         robot = replace(robot, anchor=robot.located.after(event.pose.inverse))
     if robot.anchor is None:
         # It is alive, but its position is unknown.
-        clock = robot.clock if event.stamp is None else set_clock(robot.clock, event.at, event.stamp)
-        return with_sign_of_life(replace(robot, clock=clock), event.at)
+        clock, _, spoke_at = clocked(robot, event.at, event.stamp, site)
+        robot = replace(robot, clock=clock)
+        return robot if spoke_at is None else with_sign_of_life(robot, spoke_at)
     placed = robot.anchor.after(event.pose)
-    return apply_report(robot, events.PoseReported(robot.name, event.at, placed, robot.frame_id, event.stamp))
+    report = events.PoseReported(robot.name, event.at, placed, robot.frame_id, event.stamp)
+    return apply_report(robot, report, site)
 
 
 WHEELS_UNHEARD = 2.0
@@ -96,21 +100,25 @@ SCAN_DELAY = 0.3
 """Seconds by which a localised pose is stamped earlier: with the time of the scan that it is from."""
 
 
-def _true_at(robot: Robot, event: navigation_events.LocalisationReported) -> float:
+def _true_at(robot: Robot, event: navigation_events.LocalisationReported, site: SiteClock | None) -> float:
     """Return the time of a localised pose: a latched one may be old."""
-    if event.stamp is None or robot.clock is None:
+    known = robot.clock or site
+    if event.stamp is None or known is None:
         return event.at
-    return min(event.at, event.stamp + robot.clock.offset + SCAN_DELAY)
+    return min(event.at, event.stamp + known.offset + SCAN_DELAY)
 
 
-def _take_localisation(robot: Robot, event: navigation_events.LocalisationReported) -> Robot:
+def _take_localisation(
+    robot: Robot, event: navigation_events.LocalisationReported, site: SiteClock | None
+) -> Robot:
     """Apply a localised pose. It is latched: no sign of life, and possibly old. With wheel odometry, that
     gives its time."""
     if event.variance is not None:
         robot = replace(robot, variance=Reading(event.variance, event.at))
     frame_id = truncate(event.frame_id.lstrip("/"), LONGEST_NAME)
     jumped = relocation(robot, event.pose, frame_id, event.at)
-    robot = replace(robot, located=event.pose, located_at=_true_at(robot, event), frame_id=frame_id)
+    located_at = _true_at(robot, event, site)
+    robot = replace(robot, located=event.pose, located_at=located_at, frame_id=frame_id)
     if robot.odometry is not None:
         # Wheels unheard for a while may have started anew from zero, as those of a restarted base: they count
         # from here on with their next message.
@@ -118,5 +126,5 @@ def _take_localisation(robot: Robot, event: navigation_events.LocalisationReport
         anchor = event.pose.after(robot.odometry.inverse) if heard else None
         robot = replace(robot, anchor=anchor, relocated=jumped)
         return replace(robot, pose=Reading(event.pose, robot.pose.at)) if robot.pose else robot
-    placed = events.PoseReported(robot.name, event.at, event.pose, frame_id, None)
+    placed = events.PoseReported(robot.name, located_at, event.pose, frame_id, None)
     return replace(apply_report(robot, placed), last_received=robot.last_received)

@@ -22,6 +22,7 @@ from fleet_tui.rules.commands.local_queue import with_held_queues
 from fleet_tui.rules.lag import with_lags
 from fleet_tui.rules.localisation.misplaced import with_misplaced
 from fleet_tui.rules.routes.blocked import with_blocked_edges
+from fleet_tui.state.clocks import site_clock
 from fleet_tui.state.command_events import (
     advance_command,
     change_queue,
@@ -52,7 +53,7 @@ LIVE_MAPS_KEPT, LIVE_CELLS_KEPT = 4, 16_000_000
 
 def _pass_time(state: FleetState, event: events.TimePassed) -> FleetState:
     before = state.now
-    state = with_lags(replace(state, now=event.at, wall=event.wall), event.at, event.behind)
+    state = with_lags(replace(state, now=event.at, wall=event.wall), event.behind)
     if state.desk.acted:  # what time changes, nobody did
         state = replace(state, desk=replace(state.desk, acted=""))
     state = _without_ended(state)
@@ -145,7 +146,7 @@ def _apply_to_robot(state: FleetState, event: _OfRobot) -> FleetState:
     if (robot := state.robots.get(event.robot)) is None:
         return _with_live_map(state, event) if isinstance(event, events.GridReceived) else state
     if isinstance(event, Navigation):
-        return _moved(state, apply_navigation(robot, event))
+        return _moved(state, apply_navigation(robot, event, site_clock(state, robot)))
     if isinstance(event, VehicleFact):
         return _moved(state, at_last_node(state, apply_vehicle(robot, event), event.at))
     return _apply_report(state, robot, event)
@@ -166,7 +167,7 @@ def _apply_report(
         case events.GridReceived():
             return _with_robots_map(state, event)
         case events.PoseReported():
-            return _moved(state, apply_report(robot, event))
+            return _moved(state, apply_report(robot, event, site_clock(state, robot)))
         case (
             events.BatteryReported()
             | events.CargoReported()
@@ -212,6 +213,7 @@ def apply(state: FleetState, event: events.Event) -> FleetState:
             | events.CommandPathChanged()
             | events.MessagesUnsourced()
             | events.SubscriptionsAdvanced()
+            | events.BridgeAnswered()
             | events.FrameRejected()
         ):
             return apply_to_link(state, event)

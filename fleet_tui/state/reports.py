@@ -2,7 +2,7 @@
 
 import math
 from functools import partial
-from typing import assert_never
+from typing import NamedTuple, assert_never
 
 from msgspec.structs import replace
 
@@ -20,6 +20,12 @@ from fleet_tui.text.limits import LONGEST_NAME, MOST_ORDERS, truncate
 CLOCK_DRIFT = 1e-3
 # Stamps of one robot never go backwards unless its clock was set.
 CLOCK_STEP = 0.5
+# Seconds beyond the lateness of a bridge by which a clock that agrees with its site's may seem to be off.
+LATE_TOLERANCE = 1.0
+# Seconds from one message to the next from which they are no stream: one of them may be latched.
+STREAM_GAP = 5.0
+# Seconds by which times differ that are the same.
+ROUNDING = 1e-3
 # A robot brakes after it accepted a pause; further than this, it drives.
 BRAKING_DISTANCE = 0.5
 JUMPS_KEPT = 100
@@ -28,13 +34,48 @@ GONE_FOR, GONE_KEPT = 60.0, 2 * MOST_ORDERS
 TRACES_KEPT = 2 * MOST_ORDERS
 
 
-def set_clock(clock: StampClock | None, at: float, stamp: float) -> StampClock:
-    """Compare a robot's clock with ours, by a message of `stamp` that arrived `at`."""
+class SiteClock(NamedTuple):
+    """The clock of a site: `offset` is (arrival - stamp) of a message that is sent now, `late` the seconds by
+    which its bridge is late."""
+
+    offset: float
+    late: float = 0.0
+
+
+def set_clock(clock: StampClock | None, at: float, stamp: float, site: SiteClock | None = None) -> StampClock:
+    """Compare a robot's clock with ours, by a message of `stamp` that arrived `at`. Its first one may be
+    latched, and is compared with the clock of its site; once its clock runs, that itself is trusted: it may
+    be hours off."""
     offset = at - stamp
-    if clock is None or stamp < clock.stamp - CLOCK_STEP:
+    if clock is None:
+        known = offset if site is None else min(offset, site.offset)
+        return StampClock(known, stamp, at, is_running=False, is_compared=site is not None)
+    if stamp < clock.stamp - CLOCK_STEP:
         return StampClock(offset, stamp, at)
+    if not clock.is_running:
+        return _started(clock, at, stamp, site)
     crept = clock.offset + CLOCK_DRIFT * max(0.0, at - clock.at)
     return StampClock(min(crept, offset), stamp, at)
+
+
+def _started(clock: StampClock, at: float, stamp: float, site: SiteClock | None) -> StampClock:
+    """Return the clock after a further message: it runs if that has another stamp."""
+    offset = at - stamp
+    if stamp == clock.stamp:
+        return StampClock(clock.offset, stamp, at, is_running=False)
+    is_late = site is not None and site.late > 0.0 and offset - site.offset <= site.late + LATE_TOLERANCE
+    if _is_live(clock, at, stamp) and not is_late:
+        return StampClock(min(clock.at - clock.stamp, offset), stamp, at)
+    # A backlog: the clock of its site still tells how old it is.
+    offset = min(clock.offset, offset)
+    return StampClock(offset, stamp, at, is_running=is_late or at - stamp - offset < CLOCK_STEP)
+
+
+def _is_live(clock: StampClock, at: float, stamp: float) -> bool:
+    """Tell whether a message comes as it is sent, after the last one that set the clock, however old its
+    stamp: a lone one may be latched, and stamps run faster than arrivals while a backlog is read."""
+    since = at - clock.at
+    return since <= STREAM_GAP and 0.0 <= stamp - clock.stamp <= since + ROUNDING
 
 
 def _place(robot: Robot, pose: Reading[Pose], frame_id: str) -> Reading[Pose]:
@@ -90,13 +131,31 @@ def _standing(robot: Robot, pose: Reading[Pose], frame_id: str) -> Reading[Pose]
     return standing
 
 
-def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
-    """Apply a pose, as old as its stamp lags the freshest: one that arrives late must not look new."""
-    clock, true_at = robot.clock, event.at
-    if event.stamp is not None:
-        clock = set_clock(clock, event.at, event.stamp)
-        # For an extreme stamp the sum is off by minutes: no value is newer than its arrival.
-        true_at = min(event.at, event.stamp + clock.offset)
+def clocked(
+    robot: Robot, at: float, stamp: float | None, site: SiteClock | None
+) -> tuple[StampClock | None, float, float | None]:
+    """Return a robot's clock after a message, the second at which the message was true, and the one at which
+    its robot spoke, None if that is unknown."""
+    before = robot.clock
+    if stamp is None:
+        return before, at, at
+    clock = set_clock(before, at, stamp, site)
+    # For an extreme stamp the sum is off by minutes: no value is newer than its arrival.
+    true_at = min(at, stamp + clock.offset)
+    if before is not None and _is_live(before, at, stamp):
+        return clock, true_at, at
+    return clock, true_at, true_at if clock.is_compared else None
+
+
+def latest(last: float | None, spoke_at: float | None) -> float | None:
+    """Return when a robot spoke last, after a message of which that may be unknown."""
+    return last if spoke_at is None else max(last or spoke_at, spoke_at)
+
+
+def _take_pose(robot: Robot, event: events.PoseReported, site: SiteClock | None) -> Robot:
+    """Apply a pose, as old as its stamp lags the freshest: one that arrives late must not look new. Its
+    robot speaks now if it is one of a live stream."""
+    clock, true_at, spoke_at = clocked(robot, event.at, event.stamp, site)
     pose, frame_id = Reading(event.pose, true_at), truncate(event.frame_id.lstrip("/"), LONGEST_NAME)
     driving = _drives_on(robot, event.pose)
     stood_at = robot.paused_at or (event.pose if robot.paused_by_us else None)
@@ -111,7 +170,7 @@ def _take_pose(robot: Robot, event: events.PoseReported) -> Robot:
         pace=_pace(robot, event.pose, frame_id, true_at),
         frame_id=frame_id,
         clock=clock,
-        last_received=max(robot.last_received if robot.last_received is not None else true_at, true_at),
+        last_received=latest(robot.last_received, spoke_at),
         paused_by_us=robot.paused_by_us and not driving,
         paused_at=None if driving else stood_at,
     )
@@ -185,11 +244,11 @@ def _take_battery(robot: Robot, event: events.BatteryReported) -> Robot:
     return replace(robot, battery=Reading(percent, event.at), counts_percent=counts_percent)
 
 
-def apply_report(robot: Robot, event: events.Telemetry) -> Robot:
-    """Apply one report of a robot to it."""
+def apply_report(robot: Robot, event: events.Telemetry, site: SiteClock | None = None) -> Robot:
+    """Apply one report of a robot to it; `site` dates the stamp of its first one."""
     match event:
         case events.PoseReported():
-            return _take_pose(robot, event)
+            return _take_pose(robot, event, site)
         case events.BatteryReported():
             robot = _take_battery(robot, event)
         case events.CargoReported():

@@ -18,7 +18,7 @@ _TEXTS = (
     " last_fault lift loaded looks lost_why mission most mutual near newest note noun noun_of others owner"
     " pending present problem question reason refusal remedy removeprefix rest ruled_out shown silence silent"
     " since spread stage state_text steps tmux to_start told too text trying unit value verb way_text"
-    " way_text2 ways what where why CONDITIONS OVERLOADED PAUSED READ_AS_0 STARTED_OVER"
+    " way_text2 ways what where why CONDITIONS PAUSED READ_AS_0 STARTED_OVER"
     " cause e_stop_text mode_text withheld zone"
 )
 TEXTS = frozenset(_TEXTS.split(" "))

@@ -14,7 +14,7 @@ from fleet_tui.doctor.clocks import clock_findings, load_finding, round_trip_fin
     ("late", "calls", "behind", "verdict"),
     [
         (0.02, 0.004, 0.0, Verdict.OK),
-        (3.0, 0.004, 0.0, Verdict.WARN),  # stamps get older
+        (3.0, 0.004, 0.0, Verdict.OK),  # stamps get older: that is the robot's
         (0.02, 0.6, 0.0, Verdict.WARN),  # calls are slower
         (3.0, 0.6, 2.0, Verdict.SKIPPED),  # we are late ourselves
     ],

@@ -52,7 +52,6 @@ async def test_everything_of_a_bridge_is_gathered_and_no_command_is_called(
     server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("fleet_tui.doctor.listening.AT_LEAST", 0.2)
-    monkeypatch.setattr(gather, "BETWEEN", 0.0)
 
     async def gather_all() -> BridgeFacts:
         wire = BridgeConnection(Link(server.url))
@@ -63,6 +62,7 @@ async def test_everything_of_a_bridge_is_gathered_and_no_command_is_called(
             wire.close()
 
     facts = await asyncio.wrap_future(asyncio.run_coroutine_threadsafe(gather_all(), network_loop()))
+    assert facts.busy_trips, "questions beside the messages"
     assert len(facts.round_trips) == gather.ROUND_TRIPS and facts.ahead is not None and not facts.lost
     assert facts.rosapi.ros == 1 and not facts.rosapi.problem
     assert all(one.count for one in facts.topics if not one.wanted.large)

@@ -1,26 +1,31 @@
 """Faults of a ROS 1 bridge that answers, and a console that does not keep up."""
 
+import json
 import time
+from functools import partial
 
 import pytest
 
 from fleet_tui.adapters.ros.reading import FrameReader, Read
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.checks import problems
-from fleet_tui.rules.lag import BEHIND
 from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.situation.links import LATE_FROM
+from fleet_tui.view.tables.news import news
 from tests.support.bridge_faults import all_online, raised
 from tests.support.fault_report import report
-from tests.support.fleets import place_order
+from tests.support.fleets import R0, place_order
 from tests.support.invariants import linked
 from tests.support.links import finished, path, ready
 from tests.support.proxied_link import Stopwatch, fresh, lost, usual
 from tests.support.shown_text import shown
+from tests.support.site_faults import Message, says
 
 UNREGISTERED = "robot nodes not registered: restart them"
 
@@ -46,6 +51,68 @@ async def test_rosapi_is_frozen_or_dead(server: RosbridgeServer, fault: str, mad
         assert not raised("commands")(store.state)
     seen = "nothing: commands and topics continue, also after a reconnect"
     report(f"a {fault.replace('-', ' ')}", made_by, seen, None, healed)
+
+
+async def test_standing_robots_repeat_their_last_pose(server: RosbridgeServer) -> None:
+    names = [f"robot_{n}" for n in range(2)]
+    async with linked(usual(server.url, 2)) as (_, store):
+        await store.until(ready)
+        for name in names:
+            says(server, f"/{name}/pose", partial(_with_stamp, pose_of(server, name)["header"]["stamp"]))
+        await store.until(lambda state: all(state.is_old(state.robots[name], "pose") for name in names))
+        assert not raised("late")(store.state) and all_online(store.state)
+        play(server, [("silent", "robot_1")])
+        watch = Stopwatch(store)
+        noticed = await watch.until(raised("offline"))
+        assert "overloaded" not in shown(store.state)
+        assert [robot.name for robot in store.state.robots.values() if store.state.is_online(robot)] == [R0]
+    seen = "the age of their poses; the silent one offline; no bridge overloaded"
+    report("old stamps, then a robot loses power", "poses repeat their stamp", seen, noticed, None)
+
+
+async def test_the_first_pose_is_old(server: RosbridgeServer) -> None:
+    pose = pose_of(server, R0)
+    stamp = {**pose["header"]["stamp"], "secs": pose["header"]["stamp"]["secs"] - 40}
+    says(server, f"/{R0}/pose", partial(_with_stamp, stamp))
+    async with linked(usual(server.url, 2)) as (_, store):
+        watch = Stopwatch(store)
+        noticed = await watch.until(lambda state: state.robots[R0].pose is not None)
+        first = store.state.robots[R0].pose
+        assert first is not None and 39.0 < time.monotonic() - first.at < 45.0
+        await watch.until(lambda state: all_online(state) and state.now > first.at + 41.0)
+        assert "pose 4" in row(store.state, R0)
+    seen = "pose 40 s old, at its first message"
+    report("the first pose of a robot is old", "it repeats a stamp of 40 s ago", seen, noticed, None)
+
+
+async def test_all_messages_of_a_robot_are_bad(server: RosbridgeServer) -> None:
+    async with linked(usual(server.url, 2)) as (_, store):
+        await store.until(ready)
+        for topic in [
+            one for one in server.bridge.topics if one.startswith("/robot_1/") and "floor" not in one
+        ]:
+            says(server, topic, lambda _: {"nonsense": "of another version"})
+        watch = Stopwatch(store)
+        noticed = await watch.until(lambda state: not state.is_online(state.robots["robot_1"]))
+        await store.until(raised("data"))
+        assert row(store.state, "robot_1").startswith("bad data x")
+        assert not raised("offline")(store.state) and "all messages are bad" in shown(store.state)
+    report("all messages of a robot are bad", "other fields", "bad data, not offline", noticed, None)
+
+
+def row(state: FleetState, name: str) -> str:
+    """The news of a robot in its row."""
+    return ", ".join(text for text, _ in news(state, state.robots[name]))
+
+
+def pose_of(server: RosbridgeServer, name: str) -> Message:
+    """The pose that a robot publishes now."""
+    pose: Message = json.loads(server.bridge.topics[f"/{name}/pose"].payload(time.time()).json)
+    return pose
+
+
+def _with_stamp(stamp: Message, pose: Message) -> Message:
+    return {**pose, "header": {**pose["header"], "stamp": stamp}}
 
 
 async def test_the_master_is_back_and_the_nodes_are_not(server: RosbridgeServer) -> None:
@@ -107,7 +174,7 @@ async def test_this_console_is_behind(monkeypatch: pytest.MonkeyPatch) -> None:
         await store.until(lambda _: link.counters["rosbridge"].overtaken)
         slowness = 0.0
         watch.start()
-        healed = await watch.until(lambda state: state.behind < BEHIND and all_online(state))
+        healed = await watch.until(lambda state: state.behind < LATE_FROM and all_online(state))
     await server.stop()
     seen = "this console is N s behind, one alarm; no robot is blamed"
     report(

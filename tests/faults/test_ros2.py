@@ -120,6 +120,22 @@ async def test_the_bridge_is_overloaded(server: RosbridgeServer) -> None:
     report("ROS 2: an overloaded bridge", "it forwards half of the messages", seen, noticed, healed)
 
 
+async def test_a_robot_loses_power_behind_an_overloaded_bridge(server: RosbridgeServer) -> None:
+    async with linked(usual(server.url, 2)) as (_, store):
+        await store.until(ready)
+        server.bridge.services.lag = 2.0
+        await store.until(raised("late"))
+        assert not raised("offline")(store.state)
+        play(server, [("silent", "robot_1")])
+        watch = Stopwatch(store)
+        noticed = await watch.until(raised("offline"))
+        assert {one.condition.source for one in store.state.alarms if one.condition.kind == "offline"} == {
+            "robot_1"
+        }
+    seen = "messages N s late: bridge overloaded; and that robot offline"
+    report("ROS 2: a robot loses power behind an overloaded bridge", "it is 2 s late", seen, noticed, None)
+
+
 async def test_rosapi_has_died(server: RosbridgeServer) -> None:
     """Nobody tells how this bridge spells the types then: the config must."""
     play(server, [("dead-rosapi", "robot_0")])

@@ -253,6 +253,9 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
     ),
     events.MessageArrived: st.builds(events.MessageArrived, st.just(LINK), AT),
     events.MessagesUnsourced: st.builds(events.MessagesUnsourced, st.just(LINK), st.text(max_size=9)),
+    events.BridgeAnswered: st.builds(
+        events.BridgeAnswered, st.just(LINK), AT, st.floats(0.0, 60.0), st.none() | NUMBERS
+    ),
     events.SubscriptionsAdvanced: st.builds(
         events.SubscriptionsAdvanced, st.just(LINK), AT, st.integers(0, 900), st.integers(900, 901)
     ),

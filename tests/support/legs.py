@@ -38,9 +38,9 @@ def site() -> FleetState:
     """A robot with move_base that stands still, at T0."""
     state = fleet()
     state = replace(state, robots={R0: replace(state.robots[R0], kind=KIND)})
-    pose = OdometryReported(R0, T0, Pose(0.0, 0.0), T0)
+    poses = [OdometryReported(R0, at, Pose(0.0, 0.0), at) for at in (T0 - 0.1, T0)]
     placed = LocalisationReported(R0, T0, Pose(0.0, 0.0), "map", T0, 0.01)
-    return reduced(state, link_up(T0), graph(1, 2, 3), pose, placed, goals(T0), tick(T0))
+    return reduced(state, link_up(T0), graph(1, 2, 3), *poses, placed, goals(T0), tick(T0))
 
 
 def goal(name: str, state: OrderState = ON, said: str = "") -> Goal:

@@ -30,7 +30,19 @@ from fleet_tui.view.tables.doing import UNKNOWN
 
 ROOT = Path(__file__).parent.parent.parent / "fleet_tui"
 TALKING = (
-    *("app", "console", "rules", "model", "controllers", "keys", "screens", "view", "widgets", "adapters"),
+    *(
+        "app",
+        "console",
+        "situation",
+        "rules",
+        "model",
+        "controllers",
+        "keys",
+        "screens",
+        "view",
+        "widgets",
+        "adapters",
+    ),
     *("client", "desk", "programs", "routines", "maps", "recording/play", "recording/recorder", "errors"),
     *("recording/recordings", "history/writer", "transports/reasons", "transports/mqtt/reasons"),
     *(
@@ -68,7 +80,16 @@ AROUND = frozenset(("sanitize", "len", "tr", "int", "round", "max", "min", "abs"
 """Functions after whose argument a place is named."""
 UNHEARD = frozenset(("debug", "info", "warning", "error", "exception", "compile", "TypeVar", "LOG"))
 """Functions whose texts are not shown."""
-TOLD = {"named": (0,), "Value": (0,), "Reason": (0, 1), "Condition": (3, 4), "Problem": (1,), "say": (0,)}
+TOLD = {
+    "named": (0,),
+    "Value": (0,),
+    "Reason": (0, 1),
+    "Condition": (3, 4),
+    "Fact": (2,),
+    "FactKind": (1, 2),
+    "Problem": (1,),
+    "say": (0,),
+}
 """Functions with arguments that are shown, however short: names of lines and columns, causes, alarms."""
 _LABEL = re.compile("[A-Z][a-z]+")
 TYPED = re.compile(

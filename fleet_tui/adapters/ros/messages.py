@@ -37,6 +37,12 @@ class Stamp(msgspec.Struct, frozen=True):
         return found or None
 
 
+class TimeAnswer(msgspec.Struct, frozen=True):
+    """rosapi_msgs/GetTime: the clock of a site."""
+
+    time: Stamp
+
+
 class Header(msgspec.Struct, frozen=True):
     """std_msgs/Header."""
 

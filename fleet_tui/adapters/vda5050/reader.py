@@ -1,6 +1,6 @@
 """Reads the messages of one broker into events. Only counters change here."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import cast
 
 from fleet_tui.adapters.adapter import Adapter, Feed, Limit
@@ -8,7 +8,7 @@ from fleet_tui.adapters.vda5050.adapter import VehicleAdapter
 from fleet_tui.adapters.vda5050.fields import Fields
 from fleet_tui.adapters.vda5050.frames import BrokerMessage, message_of
 from fleet_tui.adapters.vda5050.memory import StateMemory
-from fleet_tui.adapters.vda5050.reading import READERS, MessageOrigin
+from fleet_tui.adapters.vda5050.reading import READERS, MessageOrigin, stamp_of
 from fleet_tui.adapters.vda5050.topics import VehicleAddress
 from fleet_tui.errors import WireError
 from fleet_tui.model import events
@@ -19,7 +19,9 @@ MOST_KNOWN = 20_000
 """Maximum topics that are remembered: a hostile client may make up versions without end."""
 KEPT_TEXT = "retained by the broker, of unknown age: not shown; the sender must not retain it"
 KEPT = ("connection", "factsheet")
-"""Topics whose kept message counts: the other ones are fresh or nothing."""
+"""Topics whose kept message counts, whatever its age."""
+DATED = ("state", "visualization")
+"""Topics whose kept message is as old as its timestamp: by the clock of the other vehicles."""
 
 
 class MessageReader:
@@ -47,6 +49,10 @@ class MessageReader:
         ]
         self.counter = LinkCounter(self._link, asked)
         self._memory = StateMemory()  # the state may be an earlier one now
+        self._site: float | None = None
+        """The least (arrival - timestamp) of the vehicles' messages that were not kept, in seconds."""
+        self._undated: dict[str, BrokerMessage] = {}
+        """By topic: kept messages, until another vehicle tells the clock."""
 
     def whose(self, topic: str) -> tuple[str, VehicleAddress] | None:
         """Return the robot and the address of a topic, None if it is none of a configured vehicle."""
@@ -80,9 +86,43 @@ class MessageReader:
         counter = self.counter.topics[self._feeds[robot, address.name].address]
         counter.count_frame(message.payload, False, at)
         if message.kept and address.name not in KEPT:
+            if address.name in DATED and (dated := self._sent_at(message, at)) is not None:
+                return self._read(message, robot, address, dated)
             # Its age is unknown: the sender's clock may be any.
+            if address.name in DATED:
+                self._undated[message.topic] = message
             counter.failed(KEPT_TEXT)
             return (events.MessageRejected(robot, f"{address.name}: {KEPT_TEXT}"),)
+        self._undated.pop(message.topic, None)
+        read = self._read(message, robot, address, at)
+        return *self._dated_by(read, at), *read
+
+    def _dated_by(self, read: Iterable[events.Event], at: float) -> Iterator[events.Event]:
+        """Yield the events of kept messages, once the clock of another vehicle dates them."""
+        for event in read:
+            if isinstance(event, events.PoseReported) and event.stamp is not None:
+                lag = at - event.stamp
+                self._site = lag if self._site is None else min(self._site, lag)
+        if self._site is None:
+            return
+        for topic, message in list(self._undated.items()):
+            dated, found = self._sent_at(message, at), self.whose(topic)
+            if dated is not None and found is not None:
+                del self._undated[topic]
+                yield from self._read(message, *found, dated)
+
+    def _sent_at(self, message: BrokerMessage, at: float) -> float | None:
+        """Return the monotonic second at which a kept message was sent, None if nothing tells."""
+        try:
+            stamp = stamp_of(Fields.of(message.payload))
+        except (WireError, RecursionError):
+            return None
+        return None if stamp is None or self._site is None else min(at, stamp + self._site)
+
+    def _read(
+        self, message: BrokerMessage, robot: str, address: VehicleAddress, at: float
+    ) -> tuple[events.Event, ...]:
+        counter = self.counter.topics[self._feeds[robot, address.name].address]
         origin = MessageOrigin(robot, address.base, at, message.kept, self._owns[robot], self._memory)
         try:
             fields = Fields.of(message.payload)

@@ -1,6 +1,7 @@
 """The fleet at one moment as plain values, for `status --json`. The schema is in docs/status-json.md."""
 
 import math
+from collections.abc import Iterator
 from typing import Any
 
 from fleet_tui.cli.session import missing
@@ -12,7 +13,12 @@ from fleet_tui.model.kind import PAUSE
 from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Reading, Robot
-from fleet_tui.rules.alarms.conditions import behind, late
+from fleet_tui.rules.alarms.trouble import in_trouble
+from fleet_tui.situation.facts import OBSTACLE
+from fleet_tui.situation.links import behind, is_late, late_link
+from fleet_tui.situation.robots import absence_text, in_contact
+from fleet_tui.text.limits import some
+from fleet_tui.text.units import counted
 
 VERSION = 2
 
@@ -61,7 +67,7 @@ def _pose(robot: Robot, state: FleetState) -> Values | None:
         "x_m": round(pose.x, 2),
         "y_m": round(pose.y, 2),
         "yaw_deg": yaw,
-        "age_s": _age(state, robot.pose.at),
+        "age_s": None if robot.is_undated else _age(state, robot.pose.at),
     }
 
 
@@ -119,7 +125,7 @@ def _robot(state: FleetState, robot: Robot) -> Values:
 def attention(state: FleetState) -> list[str]:
     """Return one line for each thing that needs attention; empty when all is well."""
     # Listed before they have lasted long enough for an alarm: this command does not wait for that.
-    lagging = [behind(state), *(late(state, link, {}) for link in state.links.values())]
+    lagging = [behind(state), *(late_link(state, link) for link in state.links.values())]
     lines = [f"{one.source}: {one.text}" for one in lagging if one is not None]
     for link in state.links.values():
         if link.phase is not Phase.UP:
@@ -127,20 +133,27 @@ def attention(state: FleetState) -> list[str]:
         elif link.command_path in NO_WAY:
             is_dead = link.command_path is CommandPath.DEAD
             lines.append(f"{link.name}: {'no command path: ' * is_dead}{link.command_reason}")
+    if blocked := in_contact(state):
+        lines.append(f"{counted(len(blocked), 'robot')} {OBSTACLE.word}: {some(blocked)}")
     for alarm in state.alarms:
         if alarm.holds and alarm.condition.kind not in ("link", "commands"):
             lines.append(f"{alarm.condition.source}: {alarm.text}")
-    for robot in state.robots.values():
-        absent = missing(robot)
-        if state.links[robot.link].phase is not Phase.UP or not absent:
-            continue
-        lines.append(
-            f"{robot.name}: never seen"
-            if robot.last_received is None
-            else f"{robot.name}: missing: {', '.join(absent)}"
-        )
+    lines += _unknown(state)
     # An alarm may have reported it already.
     return list(dict.fromkeys(lines))
+
+
+def _unknown(state: FleetState) -> Iterator[str]:
+    """Yield the robots that are not online, as far as no alarm tells it, and the values that never came."""
+    troubled = in_trouble(state)
+    for robot in state.robots.values():
+        link, absent = state.links[robot.link], missing(robot)
+        if link.phase is not Phase.UP:
+            continue
+        if state.is_online(robot):
+            yield from (f"{robot.name}: missing: {', '.join(absent)}" for _ in absent[:1])
+        elif not (robot.name in troubled or is_late(link)):
+            yield f"{robot.name}: {absence_text(state, robot)}"
 
 
 def report(state: FleetState) -> Values:

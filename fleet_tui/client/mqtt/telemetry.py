@@ -106,7 +106,9 @@ class VehicleTelemetry:
 
     def on_answer(self, seconds: float) -> None:
         """Take the broker's answer to a sign of life."""
-        self.counter.round_trips.take(seconds, time.monotonic())
+        now = time.monotonic()
+        self.counter.round_trips.take(seconds, now)
+        self._writer.apply(events.BridgeAnswered(self._link, now, seconds))
         self._set_path(CommandPath.ALIVE, "", True)
 
     def on_message(self, topic: str, payload: bytes, retained: bool) -> None:
@@ -124,7 +126,7 @@ class VehicleTelemetry:
             if isinstance(event, events.MessageRejected | events.FrameRejected):
                 self._log_once(event.text)
             self._writer.store.apply(event)
-            if isinstance(event, VehicleReported):
+            if isinstance(event, VehicleReported) and event.at == at:  # an old state answers no command
                 self.commands.on_state(event.robot, event.vehicle)
 
     def _take_of_master(self, message: BrokerMessage, found: "tuple[events.Event, ...]", at: float) -> None:

@@ -91,6 +91,10 @@ class Subscriber:
         if self._is_ros2:
             self._latched.start(self._of_latched(), PER_TOPIC)
 
+    def is_handled(self) -> bool:
+        """Tell whether the bridge has handled all subscriptions so far, and none are under way."""
+        return self._task is None or self._task.done()
+
     async def _are_handled(self) -> bool:
         """Wait until the bridge has handled all subscriptions. Tell whether it shows that."""
         with suppress(LinkError):

@@ -19,6 +19,7 @@ from fleet_tui.client.rosbridge.pacing import Pacing
 from fleet_tui.client.rosbridge.services import Services
 from fleet_tui.client.rosbridge.set_up.camera_channel import CameraChannel
 from fleet_tui.client.rosbridge.set_up.stream_writer import StreamWriter
+from fleet_tui.client.rosbridge.soundings import Soundings
 from fleet_tui.client.rosbridge.sourcing import Sourcing
 from fleet_tui.client.rosbridge.subscriber import Subscriber
 from fleet_tui.client.writer import Writer
@@ -76,6 +77,7 @@ class Telemetry:
         self._sourcing = Sourcing(
             link, self._calls, feeds, self._reading, lambda: self._subscriber.types, writer.apply
         )
+        self._soundings = Soundings(link, self._calls, self._subscriber.is_handled, writer.apply)
         self.show_map = self._subscriber.show_map
         self.subscribe_logs = self._subscriber.log_subscription.listen
         self.counter = self._reading.counter
@@ -127,12 +129,14 @@ class Telemetry:
         self._subscriber.start(now)
         self.services.recheck_types()
         self._sourcing.start()
+        self._soundings.start()
 
     def on_lost(self, reason: str, next_try_in: float) -> None:
         """Report the loss, and stop open work."""
         self._subscriber.stop()
         self.services.stop()
         self._sourcing.stop()
+        self._soundings.stop()
         self._backlog.clear()
         self._fragments.clear()
         self._calls.on_lost()
@@ -143,15 +147,16 @@ class Telemetry:
     def on_frame(self, payload: bytes, is_binary: bool) -> None:
         """Decode a frame here, or off the loop if it is large."""
         wait_for_turn()
-        self._received_at = self._active_at = time.monotonic()
+        at = time.monotonic()
         if len(payload) < LARGE_FRAME:
-            frame = payload, is_binary, self._received_at
+            frame = payload, is_binary, at
             topic = "" if is_binary else topic_of(payload)
             if topic in self._reading.counter.topics and topic not in self._reading.complete:
                 self._backlog.put(topic, frame)
             else:
                 self._read_frame(frame)
             return
+        self._received_at = self._active_at = at
         if self._waiting > MOST_WAITING:
             self.counter.dropped += 1
             behind = f"{self._waiting / 1e6:.0f} MB still being decoded"
@@ -159,13 +164,16 @@ class Telemetry:
             return
         self._waiting += len(payload)
         loop = asyncio.get_running_loop()
-        work = loop.run_in_executor(self._decoder, self._reading.read, payload, is_binary, self._received_at)
-        work.add_done_callback(partial(self._take_late, payload, is_binary, self._received_at))
+        work = loop.run_in_executor(self._decoder, self._reading.read, payload, is_binary, at)
+        work.add_done_callback(partial(self._take_late, payload, is_binary, at))
         if len(payload) > WORTH_A_PROCESS:
             work.add_done_callback(lambda _: loop.call_later(TRIM_AFTER, trim))
 
     def _read_frame(self, frame: Frame) -> None:
-        self._take_frame(*frame, self._reading.read(*frame))
+        read = self._reading.read(*frame)
+        if not isinstance(read, operations.ServiceResponse):  # an answer is no word of a robot
+            self._received_at = self._active_at = frame[2]
+        self._take_frame(*frame, read)
 
     def _take_late(self, payload: bytes, is_binary: bool, at: float, done: "asyncio.Future[Read]") -> None:
         self._waiting -= len(payload)
@@ -240,5 +248,6 @@ class Telemetry:
         self._subscriber.stop()
         self.services.stop()
         self._sourcing.stop()
+        self._soundings.stop()
         self._decoder.shutdown(wait=False, cancel_futures=True)
         self.connection.shut()

@@ -1,19 +1,8 @@
 """Classes of alarms, rationalised as in ISA-18.2: cause, consequence, the operator's action, time to act."""
 
-from typing import NamedTuple
-
 from fleet_tui.model.alarm import Condition, class_of
-
-
-class AlarmClass(NamedTuple):
-    """`priority` is the usual one; `minutes` is the time within which the action still helps."""
-
-    priority: str
-    cause: str
-    consequence: str
-    action: str
-    minutes: float
-
+from fleet_tui.situation.fact import AlarmClass
+from fleet_tui.situation.facts import BAD_DATA, BEHIND, LATE_LINK, OBSTACLE, SILENT
 
 CLASSES = {
     "link": AlarmClass(
@@ -37,13 +26,7 @@ CLASSES = {
         "Source the robots' workspace and restart rosbridge",
         10,
     ),
-    "obstacle": AlarmClass(
-        "high",
-        "in contact with an obstacle for longer than `obstacle_after`",
-        "the robot does not drive on; others queue behind it",
-        "Clear the path at the robot",
-        5,
-    ),
+    OBSTACLE.name: OBSTACLE.alarm,
     "blocked": AlarmClass(
         "high",
         "stopped by its collision monitor for longer than `obstacle_after`",
@@ -65,13 +48,7 @@ CLASSES = {
         "Go to the vehicle if it stands",
         10,
     ),
-    "offline": AlarmClass(
-        "medium",
-        "no message for longer than `offline_after`",
-        "it may drive on unseen, and takes no commands",
-        "Check the robot: power, Wi-Fi, its software",
-        5,
-    ),
+    SILENT.name: SILENT.alarm,
     "stuck": AlarmClass(
         "medium",
         "no movement for `stuck_after` in spite of an order, without an obstacle or a pause;"
@@ -124,21 +101,8 @@ CLASSES = {
         "Resume the robot, or clear its orders",
         30,
     ),
-    "late": AlarmClass(
-        "medium",
-        "messages of a link arrive at least a second late; high once its robots are silent, or commands get"
-        " no reply",
-        "the data shown for its robots is old",
-        "Press w on a robot for the busiest topics; lower their rates, or run a second bridge",
-        10,
-    ),
-    "behind": AlarmClass(
-        "medium",
-        "this console is at least a second behind in reading messages",
-        "all data shown is old",
-        "Close other programs on this machine, or raise pose_ms and status_ms: [rates] in the config",
-        10,
-    ),
+    LATE_LINK.name: LATE_LINK.alarm,
+    BEHIND.name: BEHIND.alarm,
     "battery": AlarmClass(
         "low",
         "below `battery_low`, at a charger for half an hour; medium below `battery_critical`",
@@ -153,13 +117,7 @@ CLASSES = {
         "Resume it, or find out who paused it",
         30,
     ),
-    "data": AlarmClass(
-        "low",
-        "a message could not be read in the last 10 s",
-        "a value of the robot, or of the link, is missing",
-        "Open diagnostics (d), page Raw, and press b for the bad message",
-        60,
-    ),
+    BAD_DATA.name: BAD_DATA.alarm,
 }
 """All classes, by the names that the configuration uses."""
 

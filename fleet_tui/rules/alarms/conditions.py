@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterator
 
 from fleet_tui.model.alarm import Condition, Priority
-from fleet_tui.model.fleet import FleetState, behind_text, obstacle_text, offline_text
+from fleet_tui.model.fleet import FleetState, obstacle_text
 from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.facilities import facility_conditions
@@ -21,18 +21,19 @@ from fleet_tui.rules.causes import cause_of_standing
 from fleet_tui.rules.commands.failures import failed_commands
 from fleet_tui.rules.commands.pauses import drives_despite_pause, is_held
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
-from fleet_tui.rules.lag import BEHIND, is_overloaded
-from fleet_tui.text.durations import age, duration
-from fleet_tui.text.units import counted
+from fleet_tui.situation import links
+from fleet_tui.situation.fact import Fact
+from fleet_tui.situation.facts import BAD_DATA, OBSTACLE, SILENT
+from fleet_tui.situation.robots import absence_text, is_unreadable, silent_from
+from fleet_tui.situation.robots import bad_data as find_bad_data
+from fleet_tui.text.durations import age
 
 FIRST_LINK = 10.0
 """Seconds that a first connection, which nothing refuses, may take: on a busy machine it is slow."""
-BAD_AFTER, BAD_FOR = 1.0, 10.0
-"""Seconds from bad data to its alarm (other robots may send some, too), and without any until it counts as
-over."""
+BAD_AFTER = 1.0
+"""Seconds from bad data to its alarm: other robots may send some, too."""
 BEHIND_FOR = 2.0
 """Seconds for which the console or a bridge must be behind: a map may take a moment."""
-OVERLOADED = "bridge overloaded"
 CHARGES_WITHIN = 1800.0
 """Seconds at a charger after which a battery that is still low needs a person."""
 STILL = 2.0
@@ -49,7 +50,7 @@ def obstacle(state: FleetState, robot: Robot, _active: ActiveConditions) -> Cond
     if robot.obstacle is None or not obstacle_lasts(state, robot):
         return None
     text = obstacle_text(state, robot, robot.obstacle)
-    return Condition(robot.name, "obstacle", Priority.HIGH, text, "cleared: obstacle")
+    return Condition(robot.name, OBSTACLE.name, Priority.HIGH, text, OBSTACLE.over)
 
 
 def battery(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
@@ -122,19 +123,14 @@ def stuck(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
     return Condition(robot.name, "stuck", Priority.MEDIUM, text, "no longer stuck", due)
 
 
-def is_news(state: FleetState, fault_at: float | None) -> bool:
-    """Tell whether bad data arrived a short while ago; `fault_at` is the time of the latest."""
-    return fault_at is not None and state.now - fault_at < BAD_FOR
-
-
 def bad_data(state: FleetState, source: Robot | LinkState, _active: ActiveConditions) -> Condition | None:
     """Raise after unreadable data from a robot or over a link, a short while ago."""
-    if not is_news(state, source.fault_at):
+    fact = find_bad_data(state, source)
+    if fact is None:
         return None
-    text = f"bad data x{source.faults}: {source.last_fault}"
-    kind = "data" if isinstance(source, Robot) else "frames"
+    kind = BAD_DATA.name if isinstance(source, Robot) else "frames"
     due = state.began.get((source.name, kind), state.now) + BAD_AFTER
-    return Condition(source.name, kind, Priority.LOW, text, "no new bad data", due)
+    return Condition(source.name, kind, fact.priority, fact.text, BAD_DATA.over, due)
 
 
 def no_link(state: FleetState, link: LinkState, _active: ActiveConditions) -> Condition | None:
@@ -151,7 +147,7 @@ def no_link(state: FleetState, link: LinkState, _active: ActiveConditions) -> Co
 def dead_commands(state: FleetState, link: LinkState, active: ActiveConditions) -> Condition | None:
     """Raise if telemetry flows, but a command would not get through: a late bridge has its own alarm."""
     raised = (link.name, "commands") in active
-    is_news = link.phase is Phase.UP and not is_overloaded(link)
+    is_news = link.phase is Phase.UP and not links.is_late(link)
     if not (raised or is_news) or (link.phase is Phase.UP and link.command_path not in NO_WAY):
         return None
     text = f"no command path: {link.command_reason}"
@@ -160,52 +156,39 @@ def dead_commands(state: FleetState, link: LinkState, active: ActiveConditions) 
     return Condition(link.name, "commands", Priority.HIGH, text, "command path restored")
 
 
+def _condition(fact: Fact, due: float) -> Condition:
+    """Return a fact as what becomes an alarm at a monotonic second."""
+    kind = fact.kind
+    return Condition(fact.source, kind.name, fact.priority, fact.text, kind.over, due, remedy=fact.remedy)
+
+
 def offline(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
     """Raise after silence for longer than the limit, pending from half of it.
 
-    While the link is down or late its own alarm covers its robots; earlier alarms continue. A new link
-    restarts the silence of all robots.
+    While the link is down its own alarm covers its robots; earlier alarms continue.
     """
-    limit = state.patience(robot)
-    if not robot.is_gone and robot.last_received is not None and state.now - robot.last_received <= limit / 2:
+    last, limit = robot.last_received, state.patience(robot)
+    if not robot.is_gone and last is not None and state.now - last <= limit / 2:
         return None
-    link = state.links[robot.link]
-    raised = was_active(active, robot.name, robot.link, "offline")
-    explained = link.phase is not Phase.UP or (is_overloaded(link) and not robot.is_gone)
-    if state.is_online(robot) if raised else explained:
+    raised = was_active(active, robot.name, robot.link, SILENT.name)
+    if is_unreadable(state, robot):
         return None
-    due = limit + (
-        robot.last_received or 0.0 if raised else max(robot.last_received or 0.0, link.ready_since)
-    )
-    text = offline_text(state, robot)
-    if robot.is_gone and robot.connection is not None and robot.last_received is not None:
-        due = robot.connection.at
-    return Condition(robot.name, "offline", Priority.MEDIUM, text, "back online", due)
+    if state.is_online(robot) if raised else state.links[robot.link].phase is not Phase.UP:
+        return None
+    due = (last or 0.0) + limit if raised else silent_from(state, robot)
+    return Condition(robot.name, SILENT.name, Priority.MEDIUM, absence_text(state, robot), SILENT.over, due)
 
 
 def behind(state: FleetState) -> Condition | None:
-    """Raise if this console does not keep up with incoming messages: the cause is no robot."""
-    if state.behind < BEHIND:
-        return None
-    due = state.began.get(("console", "behind"), state.now) + BEHIND_FOR
-    text = behind_text(state)
-    return Condition("console", "behind", Priority.MEDIUM, text, "this console has caught up", due)
+    """Raise if this console does not keep up with incoming messages for a while."""
+    fact = links.behind(state)
+    return None if fact is None else _condition(fact, fact.since + BEHIND_FOR)
 
 
 def late(state: FleetState, link: LinkState, _active: ActiveConditions) -> Condition | None:
-    """Raise if messages are late while this console keeps up: the bridge is overloaded."""
-    if not is_overloaded(link):
-        return None
-    due = state.began.get((link.name, "late"), state.now) + BEHIND_FOR
-    silent = sum(robot.link == link.name and not state.is_online(robot) for robot in state.robots.values())
-    effects = [f"{counted(silent, 'robot')} silent"] * (silent > 0)
-    effects += ["no reply to commands"] * (link.command_path in NO_WAY)
-    told = ", ".join(effects)
-    text = f"messages {duration(link.late)} late: {OVERLOADED}"
-    if told:
-        text = f"messages {duration(link.late)} late, {told}: {OVERLOADED}"
-    priority = Priority.HIGH if told else Priority.MEDIUM
-    return Condition(link.name, "late", priority, text, "messages on time", due)
+    """Raise if a bridge is late for a while."""
+    fact = links.late_link(state, link)
+    return None if fact is None else _condition(fact, fact.since + BEHIND_FOR)
 
 
 def unsourced(state: FleetState, link: LinkState, _active: ActiveConditions) -> Condition | None:

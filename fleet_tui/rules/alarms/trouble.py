@@ -5,24 +5,20 @@ from collections.abc import Iterable
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key, Priority
 from fleet_tui.model.commands import ORDER_ENDS, Stage
 from fleet_tui.model.fleet import MANY, FleetState, is_missing
-from fleet_tui.model.link import Phase
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.alarms.conditions import is_news
 from fleet_tui.rules.alarms.members import FAILED_MODES
 from fleet_tui.rules.alarms.vehicles import priority_of
 from fleet_tui.rules.battery.charging import CHARGES, ON_ITS_WAY
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.order_ends import seen_end
 from fleet_tui.rules.commands.pauses import drives_despite_pause
-from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
+from fleet_tui.situation.robots import bad_data, contact, is_unreadable, repeats_pose_at_rest, silent
 
 LONG_STILL = 30.0
 """Seconds of standing with an order that are worth a look: longer than loading takes."""
-LONG_CONTACT = 10.0
-"""Seconds of contact with an obstacle that are worth a look: large fleets always have a shorter one."""
 LOOK_EVERY = 0.5
 """Seconds from one look at all of many robots to the next."""
 LOST_FOR = 60.0
@@ -35,12 +31,6 @@ def waits(state: FleetState, robot: Robot) -> bool:
     """Tell whether a robot has stood with an order for so long, by poses that still hold."""
     stands = robot.still_for >= LONG_STILL and robot.orders.current is not None
     return stands and state.is_fresh(robot, "pose")
-
-
-def is_held_up(state: FleetState, robot: Robot) -> bool:
-    """Tell whether a robot has been in contact with an obstacle for so long, by a fresh report."""
-    least = min(LONG_CONTACT, state.limits.obstacle_after)
-    return robot.obstacle is not None and robot.obstacle.value >= least and state.is_obstructed(robot)
 
 
 def may_need_person(state: FleetState, robot: Robot) -> bool:
@@ -147,13 +137,21 @@ def is_odd(state: FleetState, robot: Robot) -> bool:
     """Tell whether a robot is not as usual in a way that a person should look at, alarm or not: its row has
     an amber sign, and `!` goes there. A pause of this console and what a late bridge explains are known."""
     if not state.is_online(robot):
-        return _is_unexpectedly_offline(state, robot) or unexplained_end(state, robot) is not None
+        is_gone = silent(state, robot) is not None and robot.last_received is not None
+        return is_gone or is_unreadable(state, robot) or unexplained_end(state, robot) is not None
     is_held = state.is_paused(robot) and own_pause(state, robot) is None
     is_held = is_held or drives_despite_pause(state, robot)
-    is_held = is_held or is_held_up(state, robot) or is_stopped(state, robot)
-    unknown = is_missing(state, robot, "pose") or is_news(state, robot.fault_at)
-    unknown = unknown or state.has_old(robot, AGING)
+    is_held = is_held or contact(state, robot) is not None or is_stopped(state, robot)
+    unknown = is_missing(state, robot, "pose") or bad_data(state, robot) is not None
+    unknown = unknown or _has_old(state, robot)
     return is_held or unknown or unexplained_end(state, robot) is not None or may_need_person(state, robot)
+
+
+def _has_old(state: FleetState, robot: Robot) -> bool:
+    if not state.has_old(robot, AGING):
+        return False
+    others = tuple(value for value in AGING if value != "pose")
+    return state.has_old(robot, others) or not repeats_pose_at_rest(state, robot)
 
 
 class _Looks:
@@ -196,7 +194,7 @@ def is_stopped(state: FleetState, robot: Robot) -> bool:
 def is_halted(state: FleetState, robot: Robot) -> bool:
     """Tell whether a robot cannot drive by its own fresh reports: an obstacle, its collision monitor, an
     emergency stop, a grave error, a mode of its driver."""
-    if state.is_obstructed(robot) or is_stopped(state, robot):
+    if contact(state, robot) is not None or is_stopped(state, robot):
         return True
     if robot.vehicle is not None and state.is_fresh(robot, "vehicle"):
         vehicle = robot.vehicle.value
@@ -212,12 +210,6 @@ def unexplained_end(state: FleetState, robot: Robot) -> Stage | None:
     late = (one for one in reversed(robot.gone) if state.now - one.at < LOST_FOR)
     ends = (seen_end(state, robot, one) for one in late if ORDER_ENDS[one.stage].is_inferred)
     return next((end.stage for end in ends if ORDER_ENDS[end.stage].is_inferred and not end.is_open), None)
-
-
-def _is_unexpectedly_offline(state: FleetState, robot: Robot) -> bool:
-    link = state.links[robot.link]
-    explained = link.phase is not Phase.UP or (is_overloaded(link) and not robot.is_gone)
-    return robot.last_received is not None and not explained
 
 
 def _whose(alarm: Alarm) -> list[str]:

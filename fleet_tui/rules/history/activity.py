@@ -12,6 +12,7 @@ from fleet_tui.rules.commands.pauses import is_held
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.why.orders import at_stop
 from fleet_tui.rules.why.robot import charges
+from fleet_tui.situation.robots import is_unreadable
 
 MOVES_WITHIN = 2.0
 """Seconds without a change of its pose for which a robot still counts as driving: it turns, it brakes."""
@@ -54,6 +55,8 @@ def _activity(state: FleetState, robot: Robot, blocked: Set[str], kept: Set[str]
 
 def _is_known(state: FleetState, robot: Robot, does: Activity) -> bool:
     """Tell whether fresh reports show what a robot does: its pose that it stands, its queue why."""
+    if is_unreadable(state, robot):
+        return False
     if does in (Activity.OFFLINE, Activity.PAUSED) or is_halted(state, robot):
         return True
     if "pose" in robot.kind.reports and not state.is_fresh(robot, "pose"):

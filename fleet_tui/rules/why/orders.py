@@ -18,7 +18,6 @@ from fleet_tui.rules.causes import cause_of_end, remedy_of
 from fleet_tui.rules.commands.local_queue import waiting
 from fleet_tui.rules.commands.newest import last_command
 from fleet_tui.rules.commands.order_ends import seen_end
-from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.marks import LAST_KEY, mark_of
 from fleet_tui.rules.why.reason import (
     LOOK_AT,
@@ -30,6 +29,7 @@ from fleet_tui.rules.why.reason import (
     stationary_since,
 )
 from fleet_tui.rules.why.traffic import in_the_way, next_stop, vertex_here
+from fleet_tui.situation.links import is_late
 from fleet_tui.text.details import detail_text
 from fleet_tui.text.durations import age
 
@@ -172,7 +172,7 @@ def stale_queue(state: FleetState, robot: Robot) -> Reason | None:
     """Report that its orders are not listed any more, while the robot itself reports."""
     if robot.queue is None or robot.orders.current is None or not state.is_old(robot, "queue"):
         return None
-    if not state.is_online(robot) or is_overloaded(state.links[robot.link]):
+    if not state.is_online(robot) or is_late(state.links[robot.link]):
         return None
     evidence = "its other reports arrive: the program that carries out its orders has probably stopped"
     return Reason(

@@ -9,7 +9,6 @@ from fleet_tui.rules.alarms.navigation import NO_ODOMETRY, lacks_odometry
 from fleet_tui.rules.battery.charging import charger_of, charging_remedy, charging_reported
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import STANDS_AFTER, drives_despite_pause, is_held, own_pause_text
-from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.localisation.jumps import recent_jumps
 from fleet_tui.rules.localisation.misplaced import (
     OFF_ROUTE,
@@ -20,6 +19,9 @@ from fleet_tui.rules.localisation.misplaced import (
 from fleet_tui.rules.localisation.off_route import is_off_route, metres_off
 from fleet_tui.rules.movement import JUMPS_WITHIN
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, name_of, stationary_since
+from fleet_tui.situation import links
+from fleet_tui.situation.facts import BAD_DATA, SILENT
+from fleet_tui.situation.robots import has_old_stamps, is_unreadable, silent
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.units import ago
 
@@ -58,23 +60,26 @@ def no_link(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def late_link(state: FleetState, robot: Robot) -> Reason | None:
-    """Report that newer messages of a robot may still come: its bridge is behind."""
+    """Report that newer messages of a robot may still come: its bridge is late."""
     link = state.links[robot.link]
-    if not is_overloaded(link) or (state.is_online(robot) and not state.is_old(robot, "pose")):
+    fact = links.late_link(state, link)
+    if fact is None or (state.is_online(robot) and not state.is_old(robot, "pose")):
         return None
-    name = f"messages {duration(link.late)} late"
-    remedy = (
-        "Stop its other clients, publish less often on the robots, or add a bridge: [links] in the config"
-    )
-    return Reason(name, f"bridge of {link.name} overloaded", keys=DIAGNOSE, remedy=remedy)
+    name, evidence = f"messages {duration(link.late)} late", f"bridge of {link.name} overloaded"
+    return Reason(name, evidence, keys=fact.kind.keys, remedy=fact.action)
 
 
 def silent_robot(state: FleetState, robot: Robot) -> Reason | None:
-    """Report that it is offline while the link is up."""
+    """Report that it is offline while the link is up: certain unless its bridge is late by as much."""
     if state.links[robot.link].phase is not Phase.UP or state.is_online(robot):
         return None
-    strength = Strength.POSSIBLE if late_link(state, robot) else Strength.CERTAIN
-    remedy = CLASSES["offline"].action
+    if is_unreadable(state, robot):
+        evidence, remedy = f"link up, messages arrive: {robot.last_fault}", BAD_DATA.alarm.action
+        seen, keys = robot.fault_at, BAD_DATA.keys
+        return Reason(BAD_DATA.word, evidence, seen=seen, keys=keys, remedy=remedy, page=BAD_DATA.page)
+    late = links.is_late(state.links[robot.link])
+    strength = Strength.POSSIBLE if late and silent(state, robot) is None else Strength.CERTAIN
+    remedy, keys = SILENT.alarm.action, SILENT.keys
     beside = [one for one in state.robots.values() if one.link == robot.link]
     if len(beside) > 1 and not any(map(state.is_online, beside)):
         remedy = (
@@ -83,9 +88,11 @@ def silent_robot(state: FleetState, robot: Robot) -> Reason | None:
     if robot.last_received is None:
         what = "message" if robot.connection is None else "state"
         evidence = f"link up, no {what} received"
-        return Reason(offline_text(state, robot), evidence, strength, keys=DIAGNOSE, remedy=remedy)
+        if robot.is_undated:
+            evidence = "link up, one message received: it may be an old one"
+        return Reason(offline_text(state, robot), evidence, strength, keys=keys, remedy=remedy)
     name, since = f"offline {age(state.now - robot.last_received)}", robot.last_received
-    return Reason(name, "link up, no messages", strength, since, keys=DIAGNOSE, remedy=remedy)
+    return Reason(name, "link up, no messages", strength, since, keys=keys, remedy=remedy)
 
 
 def paused(state: FleetState, robot: Robot) -> Reason | None:
@@ -149,9 +156,8 @@ def stale_pose(state: FleetState, robot: Robot) -> Reason | None:
         topic = robot.kind.pose_topic.replace("{robot}", robot.name)
         evidence = f"other reports received, no pose{topic and f' on {topic}'}: position unknown"
         return Reason("no pose", evidence, keys=DIAGNOSE, remedy=NO_POSE)
-    name, clock = f"pose {age(state.now - robot.pose.at)} old", robot.clock
-    silence = robot.kind.silence_of("pose", state.limits.offline_after) + state.behind
-    if clock is not None and state.now - clock.at <= silence:
+    name = f"pose {age(state.now - robot.pose.at)} old"
+    if has_old_stamps(state, robot):
         return Reason(name, "poses arrive late: their time stamps lag", seen=robot.pose.at)
     if lacks_odometry(state, robot):
         topic = robot.kind.odometry_topic.replace("{robot}", robot.name)

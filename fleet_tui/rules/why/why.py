@@ -15,6 +15,7 @@ A robot that moves has no reason to stand. Without any evidence, the order that 
 """
 
 from collections.abc import Sequence
+from operator import attrgetter
 from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
@@ -59,8 +60,9 @@ from fleet_tui.rules.why.vehicles import VEHICLE_REASONS
 if TYPE_CHECKING:  # numpy
     from fleet_tui.rules.localisation.match import Match
 
-DEAF: tuple[Rule, ...] = (no_link, late_link, silent_robot)
-"""If one of these holds, everything else is an earlier report."""
+DEAF: tuple[Rule, ...] = (no_link, silent_robot, late_link)
+"""If one of these holds, everything else is an earlier report. Silence for longer than the bridge is late
+is the robot's."""
 
 ASTRAY: tuple[Rule, ...] = (misplaced, jumps, off_graph, despite_pause)
 """Of a robot that moves, too."""
@@ -143,7 +145,7 @@ def reasons(
     carries."""
     deaf, others = _held(DEAF, state, robot), _held(RULES, state, robot)
     if deaf:
-        return _of_deaf(deaf, load, others)
+        return _of_deaf(sorted(deaf, key=attrgetter("strength")), load, others)
     moving, unfit = moves(state, robot), _unfit(state, robot, match)
     if moving is not None and not (unfit or _held(ASTRAY, state, robot)):
         return [moving]

@@ -1,5 +1,6 @@
 """The line that is always visible: the link, the alarms, the selected robot."""
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from fleet_tui.keys.key import key_name
@@ -8,13 +9,13 @@ from fleet_tui.model.kind import PAUSE
 from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.rules.alarms.trouble import to_look_at
 from fleet_tui.rules.commands.pauses import is_held
-from fleet_tui.rules.lag import BEHIND
 from fleet_tui.rules.sites import alarms_by_site, site_of, sites_of
+from fleet_tui.situation.links import LATE_FROM, is_late
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.language import tr
-from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.sanitize import cell_width, fit_words, sanitize
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.table import Run
+from fleet_tui.view.tables.table import Run, width_of
 
 # A link with a message within this many seconds is well.
 SILENT_AFTER = 2.0
@@ -25,6 +26,9 @@ BLIND_AFTER, HUNG_AFTER = 2.0, 10.0
 """Seconds without a tick: a busy machine may cause the first, after the second only a restart helps."""
 PAUSED = "PAUSED"
 """The end of the note that robots are paused."""
+LEAST = 12
+"""Cells below which a note or an address says nothing."""
+_PATH = re.compile(r"(?:/[^/\s:'\"]+)+(/[^/\s:'\"]+)")
 SEVERAL = 2
 """Paused robots from which that is a note; a single one among others tells it in its row."""
 
@@ -42,7 +46,7 @@ def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: f
         paused: len(stopped) >= min(SEVERAL, max(1, sum(map(state.is_online, able)))),
         tr("read-only"): read_only,
         tr("not armed"): not armed,
-        tr(behind_text(state)): state.behind >= BEHIND,
+        tr(behind_text(state)): state.behind >= LATE_FROM,
         _stalled(standstill): standstill > BLIND_AFTER,
     }
     return [note for note, holds in notes.items() if holds]
@@ -84,14 +88,14 @@ def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
     if link.phase is not Phase.UP:
         yield from _no_link_runs(link, now, address)
         return
-    is_late = link.late >= BEHIND
-    yield "● ", StyleRole.WARN if is_late else StyleRole.GOOD
-    if is_late:  # before the address, which a narrow line cuts
+    late = is_late(link)
+    yield "● ", StyleRole.WARN if late else StyleRole.GOOD
+    if late:  # before the address, which a narrow line cuts
         yield tr(f"{duration(link.late)} late: bridge overloaded "), StyleRole.WARN
     yield f"{address} ", StyleRole.TEXT
     if link.last_received is None:
         yield tr("nothing received yet"), StyleRole.DIM
-    elif not is_late:  # what arrives just now is old
+    elif not late:  # what arrives just now is old
         silent = max(0.0, now - link.last_received)
         yield f"{duration(silent)}", StyleRole.DIM if silent < SILENT_AFTER else StyleRole.WARN
     if link.waiting_topics:
@@ -115,7 +119,7 @@ def _worst(state: FleetState) -> LinkState:
             link.phase is Phase.UP,
             link.command_path not in NO_WAY,
             not link.unsourced,
-            link.late < BEHIND,
+            not is_late(link),
             -link.waiting_topics,
             link.last_received or 0.0,
         ),
@@ -123,32 +127,65 @@ def _worst(state: FleetState) -> LinkState:
 
 
 def status_line(
-    state: FleetState, selected: str, notes: Sequence[str] = (), addressed: bool = True
+    state: FleetState,
+    selected: str,
+    notes: Sequence[str] = (),
+    addressed: bool = True,
+    kept: Sequence[str] = (),
+    width: int | None = None,
 ) -> tuple[Run, ...]:
     """Return the parts that must not be cut first: alarms, the selected robot, the link, by its address or
-    only by its name; a recording always by its address."""
+    only by its name; a recording always by its address.
+
+    `kept` are notes on files, recordings and the desk. In `width` cells the link keeps its age: first their
+    paths are shortened, then they are cut, then the address.
+    """
+    head = [*_head(state, selected), *((note + "  ", StyleRole.WARN) for note in notes)]
+    link = _worst(state)
+    address = sanitize(link.url if addressed or link.is_bag else link.name)
+    tail = _link_tail(state, link, address)
+    if width is None:
+        return (*head, *((note + "  ", StyleRole.WARN) for note in kept), *tail)
+    space = width - width_of(head) - width_of(tail)
+    if space < 0:
+        tail = _link_tail(state, link, fit_words(address, max(LEAST, cell_width(address) + space)).rstrip())
+    return (*head, *_in_space(kept, space), *tail)
+
+
+def _in_space(kept: Sequence[str], space: int) -> Iterator[Run]:
+    """Yield notes in so many cells: with short paths if need be, then cut, then none."""
+    text = "".join(note + "  " for note in kept)
+    if cell_width(text) > space:
+        text = _PATH.sub(r"…\1", text)
+    if cell_width(text) <= space:
+        yield text, StyleRole.WARN
+    elif space > LEAST:
+        yield f"{fit_words(text, space - 2).rstrip()}  ", StyleRole.WARN
+
+
+def _head(state: FleetState, selected: str) -> Iterator[Run]:
     fresh, alarms = state.unacknowledged, len(state.alarms) - state.shelved
     site = site_of(state, selected) if sites_of(state) else ""
     shown = f"{sanitize(site)}: {sanitize(selected)}" if site else sanitize(selected)
-    runs: list[Run] = [(f" {shown}  ", StyleRole.ACCENT)]
+    yield f" {shown}  ", StyleRole.ACCENT
     sign, role = ("▲", StyleRole.ALARM) if fresh else ("△", StyleRole.TEXT if alarms else StyleRole.DIM)
-    runs.append(
-        (tr(f"{sign} {alarms} alarm{'s' * (alarms != 1)}") + (tr(f" ({fresh} new)") if fresh else ""), role)
-    )
+    new = tr(f" ({fresh} new)") if fresh else ""
+    yield tr(f"{sign} {alarms} alarm{'s' * (alarms != 1)}") + new, role
     if odd := len(to_look_at(state)):
-        runs.append((tr(f", {odd} to look at"), StyleRole.WARN))
-    runs.extend(_by_site(state, role))
-    runs.append(("  ", StyleRole.TEXT))
-    runs.extend((note + "  ", StyleRole.WARN) for note in notes)
+        yield tr(f", {odd} to look at"), StyleRole.WARN
+    yield from _by_site(state, role)
+    yield "  ", StyleRole.TEXT
+
+
+def _link_tail(state: FleetState, link: LinkState, address: str) -> list[Run]:
     others = len(state.links) - 1
-    link = _worst(state)
+    runs = list(_link_runs(link, state.now, address))
     if others > 0 and link.phase is not Phase.UP:  # before what a narrow line cuts
-        runs.append((f"{sanitize(link.name)} ", StyleRole.ALARM))
-    runs.extend(_link_runs(link, state.now, sanitize(link.url if addressed or link.is_bag else link.name)))
+        runs.insert(0, (f"{sanitize(link.name)} ", StyleRole.ALARM))
     if others > 0:
         up = sum(link.phase is Phase.UP for link in state.links.values())
         runs.append((tr(f"  {up} of {others + 1} links up"), StyleRole.DIM))
-    return tuple(runs)
+    return runs
 
 
 def _by_site(state: FleetState, role: StyleRole) -> Iterator[Run]:

@@ -17,8 +17,8 @@ from fleet_tui.rules.alarms.facilities import closed_edges
 from fleet_tui.rules.alarms.trouble import (
     acknowledged,
     in_trouble,
-    is_held_up,
     is_stopped,
+    shelved,
     trouble_elsewhere,
     urgency,
     waits,
@@ -28,6 +28,7 @@ from fleet_tui.rules.commands.set_up.mode import mapping_text
 from fleet_tui.rules.localisation.misplaced import misplaced_text
 from fleet_tui.rules.marks import marks_of
 from fleet_tui.rules.routes.order_draft import Drafted
+from fleet_tui.situation.robots import in_contact
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.area import worth_seeing
@@ -167,7 +168,7 @@ def _robot(
         selected=robot.name == selection.robot,
         online=state.is_fresh(robot, "pose"),
         paused=is_paused,
-        obstacle=is_held_up(state, robot) or is_stopped(state, robot),
+        obstacle=state.is_obstructed(robot) or is_stopped(state, robot),
         other_map=other_map,
         age=state.now - robot.pose.at,
         size=robot.size,
@@ -181,7 +182,7 @@ def _robot(
 def _robots(state: FleetState, selection: Selection, picture: MapFrame, tied: bool) -> tuple[SceneRobot, ...]:
     """Return the robots on the floor."""
     seen = acknowledged(state)
-    alarmed = in_trouble(state) - seen
+    alarmed = in_trouble(state).union(in_contact(state)) - seen - shelved(state)
     robots = (
         _robot(state, robot, selection, picture, tied, mark)
         for robot, mark in zip(state.robots.values(), marks_of(tuple(state.robots)), strict=True)

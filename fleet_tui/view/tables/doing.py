@@ -3,15 +3,16 @@
 from fleet_tui.model.fleet import FleetState, missing_text
 from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.alarms.trouble import acknowledged, is_held_up, waits
+from fleet_tui.rules.alarms.trouble import acknowledged, waits
 from fleet_tui.rules.history.activity import activities
+from fleet_tui.situation.robots import contact
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.news import failed_command, listed, news, shortened_news
 from fleet_tui.view.tables.table import Run, width_of
 
-UNKNOWN, OBSTACLE, BRIEF = "unknown", "obstacle", "brief obstacle"
+UNKNOWN, OBSTACLE = "unknown", "obstacle"
 ODD = (OBSTACLE, Activity.BLOCKED.value, Activity.PAUSED.value)
 """Words of what needs a look, as counted."""
 CALM = (Activity.IDLE, Activity.CHARGING)
@@ -36,17 +37,14 @@ def doing_text(robot: Robot, does: Activity | None) -> str:
 
 
 def count_word(state: FleetState, robot: Robot, does: Activity | None) -> str:
-    """Return the word that counts a robot, in English: that of its row, in contact with an obstacle one by
-    whether its row is amber for it."""
-    if does is Activity.BLOCKED and state.is_obstructed(robot):
-        return OBSTACLE if is_held_up(state, robot) else BRIEF
+    """Return the word that counts a robot, in English: that of its row."""
+    if does is Activity.BLOCKED and contact(state, robot) is not None:
+        return OBSTACLE
     return UNKNOWN if does is None else does.value
 
 
 def counted(count: int, one: str) -> str:
     """Return so many robots of a word: `2 obstacles`, `2 driving`."""
-    if one == BRIEF:
-        return tr(f"{count} brief obstacle{'s' * (count != 1)}")
     return tr(f"{count} obstacle{'s' * (count != 1)}") if one == OBSTACLE else f"{count} {tr(one)}"
 
 

@@ -24,7 +24,7 @@ from fleet_tui.view.tables.fleet_columns import Columns, floor_text
 from fleet_tui.view.tables.fleet_counts import fleet_counts
 from fleet_tui.view.tables.groups import GroupHead, head_row
 from fleet_tui.view.tables.missions import FOREIGN, destinations, mission, whose_mission
-from fleet_tui.view.tables.news import failed_command, in_cells, is_late, listed, news
+from fleet_tui.view.tables.news import failed_command, in_cells, is_on_its_way, listed, news
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, width_of
 
@@ -43,7 +43,7 @@ def _signed(state: FleetState, robot: Robot, troubled: bool, shelved: bool, odd:
     if not state.is_online(robot):
         if robot.last_received is None and not troubled:  # it may be switched off for today
             return "○ ", StyleRole.DIM
-        return "○ ", StyleRole.WARN if is_late(state, robot) else StyleRole.ALARM
+        return "○ ", StyleRole.WARN if is_on_its_way(state, robot) else StyleRole.ALARM
     if troubled:
         return "▲ ", StyleRole.ALARM
     return ("◇ " if shelved else "● "), StyleRole.WARN if shelved or odd else StyleRole.GOOD

@@ -7,11 +7,11 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity
 from fleet_tui.text.language import tr
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.doing import BRIEF, ODD, UNKNOWN, count_word, counted
+from fleet_tui.view.tables.doing import ODD, UNKNOWN, count_word, counted
 from fleet_tui.view.tables.table import Run, width_of
 
 COUNTED = (
-    *(*ODD, BRIEF, Activity.WAITING.value, Activity.DRIVING.value, Activity.LOADING.value),
+    *(*ODD, Activity.WAITING.value, Activity.DRIVING.value, Activity.LOADING.value),
     *(Activity.IDLE.value, Activity.CHARGING.value, UNKNOWN),
 )
 """What robots online do: first what a person looks for."""

@@ -3,27 +3,28 @@
 from collections.abc import Iterator, Sequence
 
 from fleet_tui.model.alarm import Alarm, AlarmStage, Priority
-from fleet_tui.model.fleet import FleetState, is_missing, missing_text, obstacle_text, offline_text
+from fleet_tui.model.fleet import FleetState, is_missing, missing_text, obstacle_text
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Reading, Robot
-from fleet_tui.rules.alarms.conditions import is_news, obstacle_lasts
 from fleet_tui.rules.alarms.members import issue_text
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
-from fleet_tui.rules.alarms.trouble import (
-    AGING,
-    in_trouble,
-    is_held_up,
-    is_stopped,
-    shelved,
-    unexplained_end,
-)
+from fleet_tui.rules.alarms.trouble import AGING, in_trouble, is_stopped, shelved, unexplained_end
 from fleet_tui.rules.alarms.vehicles import priority_of, sorted_errors
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
-from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
+from fleet_tui.situation.links import is_late
+from fleet_tui.situation.robots import (
+    absence_text,
+    bad_data,
+    bad_text,
+    contact,
+    is_unreadable,
+    repeats_pose_at_rest,
+    silent,
+)
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
@@ -41,7 +42,12 @@ def _old(state: FleetState, robot: Robot) -> Iterator[Run]:
     for value, name in _NAMES.items():
         if state.is_old(robot, value):
             reading: Reading[object] = getattr(robot, value)
-            yield tr(f"{tr(name)} {age(state.now - reading.at)} old"), StyleRole.WARN
+            if value == "pose" and robot.is_undated:
+                yield tr(f"{tr(name)} of unknown age"), StyleRole.WARN
+                continue
+            is_calm = value == "pose" and repeats_pose_at_rest(state, robot)
+            role = StyleRole.DIM if is_calm else StyleRole.WARN
+            yield tr(f"{tr(name)} {age(state.now - reading.at)} old"), role
 
 
 def _paused(state: FleetState, robot: Robot) -> str:
@@ -66,10 +72,10 @@ def failed_command(state: FleetState, robot: Robot, short: bool = False) -> Iter
             yield tr("order failed" if short and is_of_order else sanitize(alarm.text)), StyleRole.ALARM
 
 
-def is_late(state: FleetState, robot: Robot) -> bool:
-    """Tell whether its bridge explains the silence of a robot, and is what needs a person."""
-    is_behind = is_overloaded(state.links[robot.link]) and not robot.is_gone
-    return is_behind and robot.name not in in_trouble(state)
+def is_on_its_way(state: FleetState, robot: Robot) -> bool:
+    """Tell whether what a robot says may still be on its way over a late bridge, which is what needs a
+    person."""
+    return is_late(state.links[robot.link]) and not (silent(state, robot) or robot.name in in_trouble(state))
 
 
 def _late(state: FleetState, robot: Robot, received: float) -> str:
@@ -78,43 +84,43 @@ def _late(state: FleetState, robot: Robot, received: float) -> str:
     if robot.pose is not None and received - robot.pose.at >= 1.0:
         name = "pose"
         return tr(f"{tr(name)} {age(state.now - robot.pose.at)} old")
-    return tr(f"silent {age(state.now - received)}")
+    return tr(f"silent {age(state.now - received + state.links[robot.link].late)}")
+
+
+def _absent(state: FleetState, robot: Robot) -> Iterator[Run]:
+    """Yield why nothing is known of a robot that is not online."""
+    if is_unreadable(state, robot):
+        yield tr(absence_text(state, robot)), StyleRole.ALARM
+    elif robot.last_received is None:
+        role = StyleRole.ALARM if robot.name in in_trouble(state) else StyleRole.DIM
+        yield tr(absence_text(state, robot)), role
+    elif is_on_its_way(state, robot):
+        yield _late(state, robot, robot.last_received), StyleRole.WARN
+    else:
+        yield tr(absence_text(state, robot)), StyleRole.ALARM
 
 
 def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     """Return the news of a robot, the most urgent first."""
     online = state.is_online(robot)
-    if robot.last_received is None:
-        role = StyleRole.ALARM if robot.name in in_trouble(state) else StyleRole.DIM
-        yield tr(offline_text(state, robot)), role
-    elif not online and is_late(state, robot):
-        yield _late(state, robot, robot.last_received), StyleRole.WARN
-    elif not online:
-        yield tr(offline_text(state, robot)), StyleRole.ALARM
-    contact = robot.obstacle if state.was_obstructed(robot) else None
-    is_old = state.is_old(robot, "obstacle")
-    if contact is not None and not is_old:
-        yield tr(obstacle_text(state, robot, contact)), _contact_role(state, robot)
+    if not online:
+        yield from _absent(state, robot)
+    if (blocked := contact(state, robot)) is not None:
+        yield tr(blocked.text), StyleRole.WARN if robot.name in shelved(state) else StyleRole.ALARM
     yield from _navigation(state, robot)
     yield from _vehicle(state, robot)
     yield from _member(state, robot)
     if state.is_paused(robot) and robot.last_received is not None:
         yield _paused(state, robot), StyleRole.WARN
-    if contact is not None and is_old:
-        yield tr(obstacle_text(state, robot, contact)), StyleRole.DIM
+    if robot.obstacle is not None and state.was_obstructed(robot) and blocked is None:
+        yield tr(obstacle_text(state, robot, robot.obstacle)), StyleRole.DIM
     yield from _ended(state, robot)
     if holders := state.desk.holders(robot.name):
         yield tr(f"claimed by {sanitize(' and '.join(holders))}"), StyleRole.ACCENT
     if online:
         yield from _old(state, robot)
-    if is_news(state, robot.fault_at):
-        yield tr(f"bad data x{robot.faults}"), StyleRole.WARN
-
-
-def _contact_role(state: FleetState, robot: Robot) -> StyleRole:
-    if obstacle_lasts(state, robot) and robot.name not in shelved(state):
-        return StyleRole.ALARM
-    return StyleRole.WARN if is_held_up(state, robot) else StyleRole.TEXT
+    if bad_data(state, robot) is not None and not is_unreadable(state, robot):
+        yield tr(bad_text(robot)), StyleRole.WARN
 
 
 def _ended(state: FleetState, robot: Robot) -> Iterator[Run]:

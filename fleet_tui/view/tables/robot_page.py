@@ -6,12 +6,12 @@ from textwrap import wrap
 from typing import Any
 
 from fleet_tui.model.commands import FAILURES, ORDER_ENDS
-from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.fleet import AGE_UNKNOWN, FleetState
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.commands.order_ends import seen_end
-from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.why.place import place_text
+from fleet_tui.situation.links import is_late
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
@@ -82,7 +82,7 @@ def value_rows(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Ru
         "paused": (_yes_or_no(robot.paused), robot.paused),
     }
     link = state.links[robot.link]
-    late = link.late if is_overloaded(link) else 0.0
+    late = link.late if is_late(link) else 0.0
     for value, (text, reading) in texts.items():
         if value not in robot.kind.reports:
             continue
@@ -90,12 +90,15 @@ def value_rows(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Ru
             yield named(value.capitalize(), (tr("not received"), StyleRole.DIM))
             continue
         is_old = not state.is_fresh(robot, value)
+        since = _since(state.now - reading.at + (value != "pose") * late, is_narrow)
+        if value == "pose" and robot.is_undated:
+            since = tr(AGE_UNKNOWN)
         age_role = StyleRole.WARN if is_old or late else StyleRole.DIM
         yield named(
             value.capitalize(),
             (f"{text:<{cells}}", StyleRole.DIM if is_old else StyleRole.TEXT),
             # In whole seconds: tenths would never be at rest.
-            (_since(state.now - reading.at + (value != "pose") * late, is_narrow), age_role),
+            (since, age_role),
         )
     yield from _place(state, robot)
 

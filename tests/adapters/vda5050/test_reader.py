@@ -36,6 +36,44 @@ def test_a_kept_state_is_not_fresh_and_not_shown() -> None:
     assert isinstance(found, ConnectionReported) and found.is_kept
 
 
+def two_vehicles() -> VehicleSite:
+    from fleet_tui.config.load import from_text
+    from tests.support.vda_fleet import ONE, config_text
+
+    other = ONE.replace('"agv"', '"other"').replace('"0001"', '"0002"')
+    return VehicleSite(from_text(config_text(robots=f"{ONE}\n{other}")))
+
+
+OTHER = "uagv/v2/KIT/0002"
+OLD, NOW = "2026-01-02T03:03:25.000Z", "2026-01-02T03:04:05.000Z"
+
+
+def test_a_kept_state_is_as_old_as_its_timestamp_by_the_clock_of_another_vehicle() -> None:
+    site = two_vehicles()
+    site.read("state", state(timestamp=NOW), base=OTHER)
+    site.read("state", state(timestamp=OLD), kept=True)
+    assert site.agv.last_received == site.now - 40.0 and not site.state.is_online(site.agv)
+    assert site.agv.pose is not None and site.agv.pose.at == site.now - 40.0
+    assert site.state.is_online(site.state.robots["other"]) and site.agv.faults == 0
+
+
+def test_a_kept_state_is_dated_once_another_vehicle_reports() -> None:
+    site = two_vehicles()
+    (told,) = site.read("state", state(timestamp=OLD), kept=True)
+    assert isinstance(told, events.MessageRejected) and site.agv.pose is None
+    site.wait(2.0)
+    site.read("state", state(timestamp=NOW), base=OTHER)
+    assert site.agv.last_received == site.now - 40.0 and not site.state.is_online(site.agv)
+
+
+def test_a_live_state_leaves_nothing_of_a_kept_one() -> None:
+    site = two_vehicles()
+    site.read("state", state(timestamp=OLD), kept=True)
+    site.read("state", state(timestamp=NOW))
+    site.read("state", state(timestamp=NOW), base=OTHER)
+    assert site.agv.last_received == site.now and site.state.is_online(site.agv)
+
+
 def test_what_can_not_be_read_names_its_topic() -> None:
     site = VehicleSite()
     (found,) = site.read("state", b"no json")

@@ -6,9 +6,9 @@ import pytest
 
 from fleet_tui.adapters.ros.reading import FrameReader, Read
 from fleet_tui.model.fleet import behind_text
-from fleet_tui.rules.lag import BEHIND
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.situation.links import LATE_FROM
 from tests.support.links import linked, ready
 from tests.support.watched_store import config_of
 
@@ -38,7 +38,7 @@ async def test_a_console_that_is_behind_says_so_and_blames_no_robot(monkeypatch:
             assert {alarm.condition.source for alarm in store.state.alarms} == {"console"}
             assert all(map(store.state.is_online, store.state.robots.values()))
             slowness = 0.0
-            state = await store.until(lambda state: state.behind < BEHIND / 2)
+            state = await store.until(lambda state: state.behind < LATE_FROM / 2)
             await store.until(lambda state: all(map(state.is_online, state.robots.values())))
             seen = counter.overtaken
             count = counter.all.count

@@ -6,6 +6,7 @@ from pathlib import Path
 from fleet_tui.model.alarm import class_of
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.alarms.floods import FLOODS
+from fleet_tui.situation.facts import FACTS
 
 RULES = Path(__file__).parents[3] / "fleet_tui" / "rules"
 
@@ -17,7 +18,7 @@ def test_every_kind_of_alarm_has_a_class() -> None:
         "many commands",
         "frames",
     }
-    kinds |= {f"many {kind}" for kind in FLOODS}
+    kinds |= {f"many {kind}" for kind in FLOODS} | {kind.name for kind in FACTS}
     assert {class_of(kind) for kind in kinds} == set(CLASSES)
 
 

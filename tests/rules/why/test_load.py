@@ -1,7 +1,7 @@
 """The topics that fill an overloaded bridge, named beside the lateness."""
 
 from fleet_tui.model.counters import LinkCounter, TopicCounter
-from fleet_tui.model.events import Event
+from fleet_tui.model.events import BridgeAnswered, Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.why.load import busiest
 from fleet_tui.rules.why.why import reasons
@@ -24,7 +24,7 @@ def late() -> FleetState:
     facts: list[Event] = [link_up(T0), pose(T0, stamp=50.0), tick(T0)]
     for n in range(400):
         at, lag = T0 + n / 10, n * 0.05
-        facts += [pose(at, stamp=50.0 + at - T0 - lag), tick(at)]
+        facts += [pose(at, stamp=50.0 + at - T0 - lag), BridgeAnswered(LINK, at, lag), tick(at)]
     return reduced(fleet(), *facts)
 
 

@@ -9,6 +9,7 @@ from fleet_tui.model.commands import (
     Stage,
 )
 from fleet_tui.model.events import (
+    BridgeAnswered,
     CommandAdvanced,
     Event,
     PausedReported,
@@ -20,6 +21,7 @@ from fleet_tui.rules.why.reason import Strength
 from fleet_tui.rules.why.robot import stale_pose
 from fleet_tui.rules.why.why import reasons
 from tests.support.fleets import (
+    LINK,
     R0,
     T0,
     battery,
@@ -61,7 +63,10 @@ def test_poses_that_come_late_are_told_from_poses_that_stay_away() -> None:
     """A clogged way: each pose is ten seconds old when it arrives, everything else is fresh."""
     fresh = [pose(T0 + n / 10, stamp=n / 10) for n in range(20)]
     late = [pose(T0 + 12 + n / 10, stamp=2 + n / 10) for n in range(20)]
-    state = reduced(fleet(), link_up(T0), *fresh, *late, battery(T0 + 14), queue(T0 + 14), tick(T0 + 14))
+    facts: list[Event] = [link_up(T0), *fresh, *late, battery(T0 + 14), queue(T0 + 14), tick(T0 + 14)]
+    alone = reduced(fleet(), *facts)
+    assert reasons(alone, alone.robots[R0])[0].evidence == "poses arrive late: their time stamps lag"
+    state = reduced(alone, BridgeAnswered(LINK, T0 + 14, 10.0), tick(T0 + 14))
     found = reasons(state, state.robots[R0])[0]
     assert (found.name, found.evidence) == ("messages 10 s late", "bridge of rosbridge overloaded")
     assert "[links]" in found.remedy

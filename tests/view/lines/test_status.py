@@ -183,3 +183,26 @@ def test_no_young_age_is_beside_the_address_of_a_late_bridge() -> None:
     assert line(replace(state, links={LINK: link})).endswith("ws://site:9090 0.0 s")
     late = replace(state, links={LINK: replace(link, late=9.0)})
     assert line(late).endswith("● 9.0 s late: bridge overloaded ws://site:9090 ")
+
+
+KEPT = (
+    "audit: not written: [Errno 13] Permission denied: '/home/operator/.local/state/fleet-tui/audit.jsonl'",
+    "last minutes not kept: Permission denied: '/home/operator/.local/state/fleet-tui/recordings'",
+    "history: not written: unable to open database file",
+)
+
+
+@pytest.mark.parametrize("width", [80, 120, 180])
+def test_notes_on_files_never_push_the_link_out(width: int) -> None:
+    state = reduced(fleet(), link_up(T0), events.MessageArrived(LINK, T0 + 1), tick(T0 + 1))
+    shown = text_of(status_line(state, R0, ["not armed"], kept=KEPT, width=width))
+    assert shown.endswith("● ws://site:9090 0.0 s") and len(shown) <= width
+    assert "not armed" in shown and "audit: not written" in shown and "/home" not in shown
+    assert "/home/operator" in text_of(status_line(state, R0, kept=KEPT, width=400)), "all of it has space"
+
+
+def test_a_long_address_is_cut_before_the_age_of_the_link() -> None:
+    state = reduced(fleet(), link_up(T0), events.MessageArrived(LINK, T0 + 1), tick(T0 + 1))
+    link = replace(state.links[LINK], url=f"wss://{'bridge.' * 12}example.org:9090")
+    shown = text_of(status_line(replace(state, links={LINK: link}), R0, kept=KEPT, width=80))
+    assert "● wss://bridge." in shown and shown.endswith(" 0.0 s") and len(shown) <= 80

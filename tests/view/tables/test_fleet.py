@@ -324,12 +324,10 @@ def test_a_stuck_robot_says_so_in_the_colour_of_alarms() -> None:
     assert "blocked" in row(state) and role_of(state, "blocked") is StyleRole.ALARM
 
 
-def test_a_passing_obstacle_is_no_alarm_yet() -> None:
-    state = received(events.ObstacleReported(R0, T0 + 1, 4.2))
-    assert role_of(state, "obstacle") is StyleRole.TEXT
-    assert role_of(received(events.ObstacleReported(R0, T0 + 1, 10.0)), "obstacle") is StyleRole.WARN
-    lasting = received(events.ObstacleReported(R0, T0 + 1, 31.0))
-    assert role_of(lasting, "obstacle") is StyleRole.ALARM
+@pytest.mark.parametrize("seconds", [3.1, 10.0, 31.0])
+def test_an_obstacle_is_red_before_it_is_an_alarm(seconds: float) -> None:
+    state = received(events.ObstacleReported(R0, T0 + 1, seconds))
+    assert role_of(state, "obstacle") is StyleRole.ALARM and bool(state.alarms) is (seconds > 30.0)
 
 
 def shown(state: FleetState, typed: str, column: str = "") -> list[object]:

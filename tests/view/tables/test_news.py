@@ -94,9 +94,14 @@ def test_a_robot_behind_a_late_bridge_is_silent_and_not_offline() -> None:
     state = reduced(received(), tick(T0 + 60))
     assert ("offline 59 s", StyleRole.ALARM) in found(state)
     link = replace(state.links[LINK], late=9.0)
-    assert found(replace(state, links={LINK: link}, alarms=())) == [("silent 59 s", StyleRole.WARN)]
-    assert ("offline 59 s", StyleRole.ALARM) in found(replace(state, links={LINK: link})), "it has an alarm"
-    newer = replace(state.robots[R0], last_received=T0 + 18)
+    told = found(replace(state, links={LINK: link}, alarms=()))
+    assert told == [("offline 59 s", StyleRole.ALARM)], "for longer than its bridge is late"
+    newer = replace(state.robots[R0], last_received=T0 + 50, pose=None)
+    late = replace(state, links={LINK: link}, alarms=(), robots={R0: newer})
+    assert found(late) == [("silent 19 s", StyleRole.WARN)]
+    late = replace(state, links={LINK: link}, robots={R0: newer})
+    assert ("offline 10 s", StyleRole.ALARM) in found(late), "it has an alarm"
+    newer = replace(state.robots[R0], last_received=T0 + 50)
     assert found(replace(state, links={LINK: link}, alarms=(), robots={R0: newer})) == [
         ("pose 59 s old", StyleRole.WARN)
     ]

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.link import CommandPath, LinkState, Phase
-from fleet_tui.rules.lag import is_overloaded
+from fleet_tui.situation.links import is_late
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
@@ -26,7 +26,7 @@ def down(links: Links) -> tuple[Run, ...]:
     """Return `no link`, and to which bridge, or how late messages are, if some data can't be live; empty if
     all links are up and on time."""
     names = [sanitize(link.name) for link, _ in links if link.phase is not Phase.UP]
-    late = max((link.late for link, _ in links if is_overloaded(link)), default=0.0)
+    late = max((link.late for link, _ in links if is_late(link)), default=0.0)
     if not names:
         return ((tr(f" messages {duration(late)} late"), StyleRole.WARN),) if late else ()
     return (
@@ -63,8 +63,8 @@ def _fields(link: LinkState, counter: LinkCounter, now: float) -> Iterator[tuple
         yield "trend", ((curve, StyleRole.DIM), (f" up to {milliseconds(max(took))}", StyleRole.DIM))
     messages, size = counter.all.rates(now) or (0.0, 0.0)
     total = f", {counter.all.count:,} and {size_text(counter.all.bytes)} in total"
-    late = f"{duration(link.late)}: bridge overloaded" if is_overloaded(link) else duration(link.late)
-    yield "late by", ((late, StyleRole.WARN if is_overloaded(link) else StyleRole.TEXT),)
+    late = f"{duration(link.late)}: bridge overloaded" if is_late(link) else duration(link.late)
+    yield "late by", ((late, StyleRole.WARN if is_late(link) else StyleRole.TEXT),)
     yield "messages", ((f"{messages:.1f} /s, {size_text(size)}/s", StyleRole.TEXT), (total, StyleRole.DIM))
     at = counter.all.at
     silent = at is None or now - at > 2.0

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from fleet_tui.model.counters import TopicCounter
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import LinkState, Phase
-from fleet_tui.rules.lag import is_overloaded
+from fleet_tui.situation.links import is_late
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.text.units import ago, size_text
@@ -50,7 +50,7 @@ def topic_state(link: LinkState, topic: TopicCounter, now: float, silent_after: 
         return tr("● received"), StyleRole.TEXT
     if now - topic.at > silent_after:
         return tr("○ silent"), StyleRole.WARN
-    if is_overloaded(link):
+    if is_late(link):
         return tr("▲ slow" if _is_slow(topic, now) else "▲ late"), StyleRole.WARN
     return tr("● live"), StyleRole.GOOD
 
@@ -100,7 +100,7 @@ def topic_table(
         tr(f", matching {sanitize(wanted)}") if wanted else ""
     )
     title = (tr("Topics"), StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
-    if any(is_overloaded(link) for link, _ in links):
+    if any(is_late(link) for link, _ in links):
         title = (*title, (tr(": lower the rates"), StyleRole.WARN))
     empty = tr("no matching topic") if wanted else tr("console starting")
     return Table(title, rows, empty, head=_head(names, bad, has_sizes))

@@ -1,0 +1,46 @@
+"""Facts: something that is wrong now, and its kind, the row of a table that says how it is told."""
+
+from typing import NamedTuple
+
+from fleet_tui.model.alarm import Priority
+
+
+class AlarmClass(NamedTuple):
+    """A class of alarms, rationalised as in ISA-18.2. `priority` is the usual one; `minutes` is the time
+    within which the action still helps."""
+
+    priority: str
+    cause: str
+    consequence: str
+    action: str
+    minutes: float
+
+
+class FactKind(NamedTuple):
+    """A row of the table. `name` is the kind of its alarm, `word` what a row and a reason call it, `over`
+    the text once it is gone; `alarm` explains it and has the remedy; `keys` are the ids of the keys that
+    help, `page` the page of diagnostics that shows more."""
+
+    name: str
+    word: str
+    over: str
+    alarm: AlarmClass
+    keys: tuple[str, ...] = ()
+    page: str = "topics"
+
+
+class Fact(NamedTuple):
+    """`source` is the robot, the link or the console; `since` the monotonic second from which it holds.
+    `remedy` is empty for that of the row."""
+
+    kind: FactKind
+    source: str
+    text: str
+    priority: Priority
+    since: float
+    remedy: str = ""
+
+    @property
+    def action(self) -> str:
+        """Return what a person is to do."""
+        return self.remedy or self.kind.alarm.action

@@ -1,0 +1,72 @@
+"""The table of facts: one row for each kind, which alarm, reason, row, status and doctor read."""
+
+from fleet_tui.situation.fact import AlarmClass, FactKind
+
+LATE_LINK = FactKind(
+    "late",
+    "bridge overloaded",
+    "messages on time",
+    AlarmClass(
+        "medium",
+        "a bridge takes at least a second to answer, and its messages wait as long; high once its robots are"
+        " silent, or commands get no reply",
+        "the data shown for its robots is old",
+        "Stop its other clients, publish less often on the robots, or add a bridge: [links] in the config",
+        10,
+    ),
+    keys=("diagnostics",),
+)
+BEHIND = FactKind(
+    "behind",
+    "this console is behind",
+    "this console has caught up",
+    AlarmClass(
+        "medium",
+        "this console is at least a second behind in reading messages",
+        "all data shown is old",
+        "Close other programs on this machine, or raise pose_ms and status_ms: [rates] in the config",
+        10,
+    ),
+)
+SILENT = FactKind(
+    "offline",
+    "offline",
+    "back online",
+    AlarmClass(
+        "medium",
+        "no message for longer than `offline_after`, and than its bridge is late",
+        "it may drive on unseen, and takes no commands",
+        "Check the robot: power, Wi-Fi, its software",
+        5,
+    ),
+    keys=("diagnostics",),
+)
+BAD_DATA = FactKind(
+    "data",
+    "bad data",
+    "no new bad data",
+    AlarmClass(
+        "low",
+        "a message could not be read in the last 10 s; medium if no message of a robot can be read",
+        "a value of the robot, or of the link, is missing; with none, nobody sees where it is",
+        "Open diagnostics (d), page Raw, and press b for the bad message",
+        60,
+    ),
+    keys=("diagnostics",),
+    page="raw",
+)
+OBSTACLE = FactKind(
+    "obstacle",
+    "blocked by an obstacle",
+    "cleared: obstacle",
+    AlarmClass(
+        "high",
+        "in contact with an obstacle for longer than `obstacle_after`",
+        "the robot does not drive on; others queue behind it",
+        "Clear the path at the robot",
+        5,
+    ),
+    keys=("centre", "camera", "laser"),
+)
+
+FACTS = (LATE_LINK, BEHIND, SILENT, BAD_DATA, OBSTACLE)

@@ -1,0 +1,26 @@
+"""The clock of a site: what dates the first message of a robot, whose own clock may be any."""
+
+import math
+import statistics
+
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.robot import Robot
+from fleet_tui.state.reports import SiteClock
+
+BROKER = ("mqtt://", "mqtts://")
+
+
+def site_clock(state: FleetState, robot: Robot) -> SiteClock | None:
+    """Return the clock of a robot's site, as its bridge tells it, else as most other robots have it; None if
+    nothing tells, or if it is not needed: its own clock runs. A broker marks messages that it has kept: all
+    others are new, whatever their stamps."""
+    if robot.clock is not None and robot.clock.is_running:
+        return None
+    link = state.links[robot.link]
+    if link.url.startswith(BROKER):
+        return SiteClock(math.inf)
+    if link.clock is not None:
+        return SiteClock(link.clock, link.late)
+    others = (one.clock for one in state.robots.values() if one.link == robot.link)
+    offsets = [clock.offset for clock in others if clock is not None and clock.is_running]
+    return SiteClock(statistics.median(offsets), link.late) if offsets else None

@@ -1,0 +1,95 @@
+"""Facts about robots."""
+
+from fleet_tui.cli.status.report import attention
+from fleet_tui.cli.status.status import ATTENTION, verdict
+from fleet_tui.model.events import MessageRejected, ObstacleReported
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.problem import Permissions
+from fleet_tui.model.request import Request
+from fleet_tui.rules.alarms.classes import action_of
+from fleet_tui.rules.commands.checks import problems
+from fleet_tui.rules.why.why import reasons
+from fleet_tui.view.map.floor_scene import floor_scene
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.selection import Selection
+from fleet_tui.view.tables.fleet import fleet_table
+from fleet_tui.view.tables.news import news
+from tests.support.fleets import (
+    F0,
+    R0,
+    T0,
+    battery,
+    fleet,
+    link_up,
+    place_order,
+    pose,
+    queue,
+    reduced,
+    text_of,
+    tick,
+)
+
+BAD = "/robot_0/battery: percentage is missing"
+
+
+def sends_only_bad_data(seconds: float) -> FleetState:
+    """A robot that was well, and whose every message is bad from T0 on."""
+    state = reduced(fleet(), link_up(T0 - 60), battery(T0), tick(T0))
+    for n in range(round(seconds * 2)):
+        state = reduced(state, tick(T0 + n / 2), MessageRejected(R0, BAD))
+    return reduced(state, tick(T0 + seconds))
+
+
+def test_a_robot_whose_messages_all_are_bad_reads_so() -> None:
+    state = sends_only_bad_data(20.0)
+    robot = state.robots[R0]
+    assert next(news(state, robot)) == ("bad data x40", StyleRole.ALARM)
+    assert "offline" not in text_of(fleet_table(state, R0, 120).rows[0].runs)
+    (alarm,) = state.alarms
+    assert alarm.condition.kind == "data" and alarm.text.startswith(
+        "all messages are bad, 40 so far: /robot_0"
+    )
+    assert "power" not in action_of(alarm.condition)
+    found = reasons(state, robot)[0]
+    assert found.name == "bad data" and BAD in found.evidence and "power" not in found.remedy
+    assert [line for line in attention(state) if "bad" in line] == [f"robot_0: {alarm.text}"]
+    asked = problems(state, Request((place_order(R0, 1, 2),)), Permissions())
+    assert [one.text for one in asked if one.check == "bad data"] == [
+        f"nothing that robot_0 sends can be read: {BAD}"
+    ]
+
+
+def test_one_that_sends_nothing_more_is_offline() -> None:
+    state = reduced(sends_only_bad_data(20.0), tick(T0 + 30.0), tick(T0 + 31.0))
+    assert next(news(state, state.robots[R0]))[0] == "offline 31 s"
+    assert {alarm.condition.kind for alarm in state.alarms if alarm.holds} == {"offline"}
+
+
+def test_some_bad_data_of_a_robot_that_speaks_is_told_beside() -> None:
+    state = reduced(sends_only_bad_data(20.0), battery(T0 + 20.5), tick(T0 + 21.0))
+    assert "offline" not in {alarm.condition.kind for alarm in state.alarms}
+    assert ("bad data x40", StyleRole.WARN) in list(news(state, state.robots[R0]))
+
+
+def in_contact_for(seconds: float) -> FleetState:
+    at = T0 + 10
+    facts = (pose(at), battery(at), queue(at), ObstacleReported(R0, at, seconds))
+    return reduced(fleet(), link_up(T0), *facts, tick(at + 0.1))
+
+
+def test_contact_of_three_seconds_is_red_and_counted_but_no_alarm_yet() -> None:
+    state = in_contact_for(3.2)
+    assert not state.alarms
+    assert ("obstacle 3.2 s", StyleRole.ALARM) in list(news(state, state.robots[R0]))
+    (robot,) = floor_scene(state, Selection(R0, F0)).robots
+    assert robot.alarmed and robot.obstacle
+    assert "1 robot blocked by an obstacle: robot_0" in attention(state) and verdict(state) == ATTENTION
+
+
+def test_a_passing_contact_is_nothing_and_a_long_one_an_alarm() -> None:
+    state = in_contact_for(2.0)
+    assert not any("obstacle" in line for line in attention(state))
+    (robot,) = floor_scene(state, Selection(R0, F0)).robots
+    assert not robot.alarmed and not robot.obstacle
+    state = in_contact_for(31.0)
+    assert [alarm.text for alarm in state.alarms] == ["obstacle 31 s"]
