@@ -146,10 +146,10 @@ class FleetApp(LeanApp, inherit_bindings=False):
         self.theme = f"fleet-{name}"
         self.main.set_role_styles(theme.styles(self._colour))
 
-    def on_key_released(self, released: KeyReleased) -> None:
+    async def on_key_released(self, released: KeyReleased) -> None:
         """Stop what drives only while its key is held."""
         if self.main.is_complete:
-            self.main.rest.release_key(released.key)
+            await self.keys.then(partial(self.main.rest.release_key, released.key))
 
     def on_unmount(self) -> None:
         """Close the connections before the loop goes."""

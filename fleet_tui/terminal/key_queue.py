@@ -48,7 +48,7 @@ class KeyQueue:
         self._typing, self._guards = Typing(), False
         self._dropped: Callable[[int, bool], None] = lambda count, is_blind: None
         self._pauses_all: Callable[[str], bool] = lambda key: False
-        self._waiting: deque[events.Event] = deque()
+        self._waiting: deque[events.Event | Callable[[], object]] = deque()
         self._serial, self._rounds = 0, 0
         self._target: MessagePump = app
         self._timer: Timer | None = None
@@ -86,10 +86,17 @@ class KeyQueue:
             self._timer = self._app.set_timer(PATIENCE, partial(self._lose_patience, self._serial))
         await self._next()
 
+    async def then(self, do: Callable[[], object]) -> None:
+        """Do something once the keys before it are done: the release of a key must not overtake its press."""
+        self._waiting.append(do)
+        await self._next()
+
     async def _next(self) -> None:
         while self._waiting and not self._rounds:
             event = self._waiting.popleft()
-            if isinstance(event, events.MouseEvent):
+            if not isinstance(event, events.Event):
+                event()
+            elif isinstance(event, events.MouseEvent):
                 await self._deliver(event)
             elif not isinstance(event, events.Key) or self._acts(event):
                 await self._begin(event)

@@ -161,7 +161,7 @@ def test_the_disk_is_full(tmp_path: Path) -> None:
     with in_terminal(tmp_path, "--debug", "demo", largest_file=1) as running:
         pause(running)
         running.shows("audit: not written")
-        running.shows("last minutes not kept: ")
+        running.shows("last minutes not kept")
         running.press("q")
         running.ends()
         assert running.child.returncode == 0
