@@ -43,7 +43,7 @@ async def test_an_order_is_done_when_it_is_in_the_queue(server: RosbridgeServer,
 
 
 async def test_a_b_c_is_two_orders_one_after_the_other(server: RosbridgeServer, folder: Path) -> None:
-    done = await run(folder, "order", "2", "Base", "id=19", "base", "--json")
+    done = await run(folder, "order", "1", "Base", "id=19", "base", "--json")
     first, second = (json.loads(line) for line in done.out.splitlines())
     assert done.code == 0 and (first["order_id"], second["order_id"]) == ("1", "2")
     assert first["command"] == "order robot_1 Base Consumidores" and first["done"] is True

@@ -108,7 +108,7 @@ async def test_a_locale_without_the_signs_gets_others(
     out, err = await asyncio.wait_for(process.communicate(), 30)
     assert (process.returncode, err) == (0, b"")
     said = out.decode("latin-1")
-    assert "* 1 robot_0" in said and "all well" in said
+    assert "* 0 robot_0" in said and "all well" in said
 
 
 async def test_watch_says_what_changes_as_json_lines(server: RosbridgeServer, tmp_path: Path) -> None:
