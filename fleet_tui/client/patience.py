@@ -2,7 +2,10 @@
 
 import asyncio
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Coroutine
+from typing import Any, TypeVar
+
+Result = TypeVar("Result")
 
 STEP = 0.5
 """Seconds of a step of waiting: a later end counts no more."""
@@ -23,6 +26,19 @@ async def awake(seconds: float) -> None:
         took = time.monotonic() - began
         stalled = stalled + 1 if took - step > STALLED else 0
         left -= step if stalled else took
+
+
+async def timed(work: Coroutine[Any, Any, Result]) -> tuple[float, Result]:
+    """Await some work. Returns the seconds of running that it took, and its result."""
+    task, took = asyncio.ensure_future(work), 0.0
+    try:
+        while not task.done():
+            began = time.monotonic()
+            await asyncio.wait({task}, timeout=STEP)
+            took += min(time.monotonic() - began, STEP + STALLED)
+    finally:
+        task.cancel()
+    return took, task.result()
 
 
 def call_awake(seconds: float, do: Callable[[], object]) -> "asyncio.Task[None]":

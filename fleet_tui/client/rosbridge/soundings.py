@@ -8,6 +8,7 @@ import msgspec
 
 from fleet_tui.adapters.ros.messages import TimeAnswer
 from fleet_tui.adapters.ros.operations import ServiceResponse
+from fleet_tui.client.patience import timed
 from fleet_tui.client.rosbridge.calls import Calls, NoAnswerError
 from fleet_tui.client.rosbridge.heartbeat import SERVICE
 from fleet_tui.errors import LinkError
@@ -72,9 +73,7 @@ class Soundings:
         return took
 
     async def _ask(self, service: str, within: float) -> tuple[float, ServiceResponse]:
-        began = monotonic()
-        response = await self._calls.call(service, {}, within)
-        return monotonic() - began, response
+        return await timed(self._calls.call(service, {}, within))
 
 
 def _stamp(response: ServiceResponse) -> float | None:
