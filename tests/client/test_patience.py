@@ -9,7 +9,7 @@ from fleet_tui.client.patience import STALLED, STEP, timed
 async def test_time_in_which_the_process_stood_still_is_no_time_that_an_answer_took() -> None:
     async def answered_after_a_standstill() -> str:
         await asyncio.sleep(0)
-        time.sleep(2 * (STEP + STALLED))
+        time.sleep(2 * (STEP + STALLED))  # noqa: ASYNC251  # the loop stands still: that is tested
         return "answer"
 
     took, answer = await timed(answered_after_a_standstill())
