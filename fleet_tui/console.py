@@ -13,7 +13,7 @@ import msgspec
 from fleet_tui.app import FleetApp
 from fleet_tui.audit.log import auditing, operator_name
 from fleet_tui.backend import LiveBackend, OpenLinks, connect_live
-from fleet_tui.config.access import access_problems, unsafe_places
+from fleet_tui.config.access import access_problems
 from fleet_tui.config.fleet import watching
 from fleet_tui.config.load import looked_for, user_folder
 from fleet_tui.config.saving import Saving
@@ -221,7 +221,7 @@ def _ready(
     need_terminal()
     themes, problems = load_themes(user_folder() / "themes")
     _refuse(config, themes)
-    warnings = [*unsafe_places(config), *(f"theme {problem}" for problem in problems)]
+    warnings = [*config.withheld, *(f"theme {problem}" for problem in problems)]
     if log_to_file(debug) is None:
         warnings.append(f"logging off: {state_folder()} is not writable")
     for warning in warnings:

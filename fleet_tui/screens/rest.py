@@ -163,7 +163,8 @@ class Rest:
         files, old_files = self._screen.files, OldFiles()
         self.draft_files = DraftFiles(parts, self.editor, self.checks, files, ask, old_files)
         route_files = RouteFiles(parts, self.editor, files, self._screen.backend.post, old_files)
-        self.sending = DraftSending(parts, self.editor, self.checks, files, route_files)
+        doubt = self._screen.settings.doubt
+        self.sending = DraftSending(parts, self.editor, self.checks, files, route_files, doubt)
         say_from_thread = partial(self._screen.app.call_from_thread, self._screen.notices.say)
         self.mapping = MappingControls(parts, picture, files, ask, in_background, say_from_thread)
         self.values, self.edge_values = VertexValues(parts, self.editor), EdgeValues(parts, self.editor)
