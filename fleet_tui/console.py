@@ -19,7 +19,7 @@ from fleet_tui.config.load import looked_for, user_folder
 from fleet_tui.config.saving import Saving
 from fleet_tui.config.schema import Config, Ui
 from fleet_tui.config.start import initial_state
-from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.controllers.files import READ_ONLY, ConsoleFiles
 from fleet_tui.errors import ConfigError, did_you_mean
 from fleet_tui.keymap import keymap
 from fleet_tui.keys.key import key_name
@@ -124,6 +124,7 @@ def _files(
 
     drafts = partial(draft_of, state_folder(), config, demo)
     files = ConsoleFiles(open_them, pack, saving, drafts, graph_file, state_folder())
+    files.refusal = READ_ONLY if config.operator.read_only else ""
     return files
 
 

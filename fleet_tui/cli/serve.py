@@ -45,7 +45,7 @@ def serve(
     drawing: str | None,
 ) -> None:
     """Serve the console to web browsers. By default read-only, and only on this machine."""
-    command = [sys.executable, "-m", "fleet_tui", *(["demo"] if demo else [])]
+    command = [sys.executable, "-P", "-m", "fleet_tui", *(["demo"] if demo else [])]
     command += _address(url, config_file, demo, allow_commands, debug) if url else _file(config_file, demo)
     command += [] if allow_commands else ["--read-only"]
     command += ["--debug"] if debug else []

@@ -96,7 +96,7 @@ class Rest:
         self.order_form, self.anyone = order_form(screen, self.confirm.ask, self.tables.marked.give_order)
         self.streams = ShownStreams(store, backend, navigation, notices, self.map.picture)
         self.why = Why(lambda: (store.state, navigation.robot), settings.keys, self.streams, backend)
-        self.audit_log = AuditLog(lambda: screen.files.audit)
+        self.audit_log = AuditLog(screen.files)
         self.robot_page = robot_page_overlay(screen, self)
         self._add_tools(screen)
         self._answer_menus(screen)
