@@ -8,9 +8,13 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from fleet_tui.adapters.registry import DEFAULT_KIND
 from fleet_tui.config.load import find, load, load_if_any
+from fleet_tui.config.schema import Config
+from fleet_tui.config.trust import saying_yes
+from fleet_tui.config.withholding import TRUST
 from fleet_tui.errors import ConfigError, LinkError, NoConfigError
 from fleet_tui.log_file import log_to_file
 from fleet_tui.terminal.detect import IN_BROWSER, need_terminal
+from fleet_tui.text.sanitize import sanitize
 
 if TYPE_CHECKING:
     from fleet_tui.entry import Chosen
@@ -35,7 +39,7 @@ def open_with(
         raise ConfigError(["--config and --url exclude each other"])
     site = None
     try:
-        config = None if url else load(find(config_file))
+        config = None if url else _trusted(load(find(config_file)))
     except NoConfigError:
         config = None
     if config is None:
@@ -49,6 +53,20 @@ def open_with(
     from fleet_tui.console import open_console
 
     open_console(config, read_only, drawing, debug, site=site)
+
+
+def _trusted(config: Config) -> Config:
+    """Return the configuration, and all of it if a person trusts what somebody else could have written."""
+    if TRUST not in "".join(config.withheld) or not sys.stdin.isatty() or IN_BROWSER in os.environ:
+        return config
+    import click
+
+    for line in config.withheld:
+        click.echo(sanitize(line), err=True)
+    if not click.confirm("Trust what is in it now?", err=True):
+        return config
+    with saying_yes():
+        return load(config.path)
 
 
 def open_demo(

@@ -14,13 +14,13 @@ from fleet_tui.app import FleetApp
 from fleet_tui.audit.elsewhere import watched_removals
 from fleet_tui.audit.log import auditing, operator_name
 from fleet_tui.backend import LiveBackend, OpenLinks, connect_live
-from fleet_tui.config.access import access_problems, unsafe_places
+from fleet_tui.config.access import access_problems
 from fleet_tui.config.fleet import watching
 from fleet_tui.config.load import looked_for, user_folder
 from fleet_tui.config.saving import Saving
 from fleet_tui.config.schema import Config, Ui
 from fleet_tui.config.start import initial_state
-from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.controllers.files import READ_ONLY, ConsoleFiles
 from fleet_tui.errors import ConfigError, did_you_mean
 from fleet_tui.keymap import keymap
 from fleet_tui.keys.key import key_name
@@ -126,6 +126,7 @@ def _files(
 
     drafts = partial(draft_of, state_folder(), config, demo)
     files = ConsoleFiles(open_them, pack, saving, drafts, graph_file, state_folder())
+    files.refusal = READ_ONLY if config.operator.read_only else ""
     return files
 
 
@@ -223,7 +224,7 @@ def _ready(
     need_terminal()
     themes, problems = load_themes(user_folder() / "themes")
     _refuse(config, themes)
-    warnings = [*unsafe_places(config), *(f"theme {problem}" for problem in problems)]
+    warnings = [*config.withheld, *(f"theme {problem}" for problem in problems)]
     if log_to_file(debug) is None:
         warnings.append(f"logging off: {state_folder()} is not writable")
     for warning in warnings:

@@ -32,7 +32,7 @@ def simulated(
 ) -> Iterator[list[str]]:
     """Start the simulator on free ports; return the URLs of its bridges. It ends with us, even if we are
     killed."""
-    command = [sys.executable, "-m", "fleet_tui", "sim", "--port", "0", "--stop-with-stdin"]
+    command = [sys.executable, "-P", "-m", "fleet_tui", "sim", "--port", "0", "--stop-with-stdin"]
     command += ["--robots", str(robots), "--floors", str(floors), "--fault", faults]
     command += ["--speed", str(speed), "--kind", kind, *(["--ros", ros] if ros else [])]
     pipe, nothing = subprocess.PIPE, subprocess.DEVNULL

@@ -55,6 +55,7 @@ def test_the_console_watches_where_it_was_told_to_and_names_what_is_wrong_with_a
     open_console(config_of("ws://site:9090"), read_only, "ascii", False, demo=True)
     (app,) = opened
     assert isinstance(app, FleetApp) and app._config.operator.read_only is read_only
+    assert bool(app.main.files.refusal) is read_only
     assert app.main.notices.text.startswith("theme ")
 
 

@@ -11,17 +11,25 @@ from fleet_tui.errors import ConfigError, FleetError, LinkError
 from fleet_tui.text.sanitize import sanitize
 
 
+def of_file(config_file: str | None) -> Config:
+    """Return the configuration of a file; tells what of it does not count. Raises ConfigError."""
+    config = load(find(config_file))
+    for line in config.withheld:
+        click.echo(sanitize(f"warning: {line}"), err=True)
+    return config
+
+
 def chosen(config_file: str | None, url: str | None) -> Config:
     """Return the configuration of a file, or of an address with warnings on uncertain settings. Raises
     ConfigError, LinkError if the bridge can't be reached, FleetError if no robot is found."""
-    return load(find(config_file)) if not _is_address(config_file, url) else _warned(_discovered(url))
+    return of_file(config_file) if not _is_address(config_file, url) else _warned(_discovered(url))
 
 
 def chosen_to_command(config_file: str | None, url: str | None) -> Config:
     """Return the same, without robots of uncertain kind: commands to them would be in another kind's
     format."""
     if not _is_address(config_file, url):
-        return load(find(config_file))
+        return of_file(config_file)
     site = _discovered(url)
     if site.unclear:
         raise ConfigError(site.unclear)
@@ -32,7 +40,7 @@ def chosen_to_examine(config_file: str | None, url: str | None, within: float) -
     """Return the same; for an address without robots a configuration without any, and the reason, empty if
     the bridge itself can't be reached."""
     if not _is_address(config_file, url):
-        return load(find(config_file)), ""
+        return of_file(config_file), ""
     bridge = bridge_at(url or "")
     try:
         return _warned(Discovering(bridge, within).result()), ""

@@ -12,7 +12,7 @@ from fleet_tui import __version__
 from fleet_tui.arriving import open_with
 from fleet_tui.cli.completion import completion
 from fleet_tui.cli.options import FileName, NearestGroup, common, fleet, merged, screen, with_url
-from fleet_tui.config.access import access_problems, unsafe_places
+from fleet_tui.config.access import access_problems
 from fleet_tui.config.check import missing_files
 from fleet_tui.config.load import find, read, user_folder
 from fleet_tui.config.schema import Config
@@ -114,7 +114,7 @@ def check(config_file: str | None, debug: bool, file: str | None) -> None:
     config, problems = read(path)
     problems += [*missing_files(config), *_graph_problems(config)]
     problems += [*access_problems(config), *_theme_problems(config)]
-    for line in unsafe_places(config):
+    for line in config.withheld:
         click.echo(sanitize(f"{path}: warning: {line}"), err=True)
     if problems:
         raise ConfigError([f"{path}: {line}" for line in problems])

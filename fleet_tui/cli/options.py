@@ -8,6 +8,7 @@ from typing import Any, TypeVar
 
 import click
 
+from fleet_tui.config.trust import saying_yes
 from fleet_tui.errors import did_you_mean, is_address
 
 F = TypeVar("F", bound=Callable[..., Any])
@@ -143,7 +144,21 @@ def _config_and_debug(command: F, use: str) -> F:
     command = click.option(
         *("--config", "config_file"), type=FileName(), metavar="FILE", help=use, hidden=not use
     )(command)
+    command = click.option(
+        "--trust-config",
+        is_flag=True,
+        expose_value=False,
+        is_eager=True,
+        callback=_trust,
+        help="Trust what the configuration and its files contain now, whoever can write them.",
+        hidden=not use,
+    )(command)
     return click.option("--debug", is_flag=True, help="Show tracebacks and log everything.")(command)
+
+
+def _trust(ctx: click.Context, _param: click.Parameter, value: bool) -> None:
+    if value and not ctx.resilient_parsing:
+        ctx.find_root().with_resource(saying_yes())
 
 
 class Address(click.types.StringParamType):

@@ -4,8 +4,8 @@ import sys
 
 import click
 
+from fleet_tui.cli.chosen import of_file
 from fleet_tui.cli.options import NearestGroup, drawing_mode, fleet, merged
-from fleet_tui.config.load import find, load
 from fleet_tui.config.rights import own_rights
 from fleet_tui.errors import ConfigError, FleetError, NoConfigError
 from fleet_tui.log_file import log_to_file
@@ -45,7 +45,7 @@ def serve(
     drawing: str | None,
 ) -> None:
     """Serve the console to web browsers. By default read-only, and only on this machine."""
-    command = [sys.executable, "-m", "fleet_tui", *(["demo"] if demo else [])]
+    command = [sys.executable, "-P", "-m", "fleet_tui", *(["demo"] if demo else [])]
     command += _address(url, config_file, demo, allow_commands, debug) if url else _file(config_file, demo)
     command += [] if allow_commands else ["--read-only"]
     command += ["--debug"] if debug else []
@@ -76,13 +76,12 @@ def _address(url: str, config_file: str | None, demo: bool, allow_commands: bool
 def _file(config_file: str | None, demo: bool) -> list[str]:
     """Return the option for a configuration; a demo needs none."""
     try:
-        path = find(config_file)
+        path = of_file(config_file).path
     except NoConfigError:
         if demo:
             return []
         raise
-    load(path)
-    return ["--config", str(path.absolute())]
+    return ["--config", str(path)]
 
 
 def _said(allow_commands: bool) -> str:

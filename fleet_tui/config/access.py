@@ -3,13 +3,14 @@
 import os
 import re
 import stat
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
 import msgspec
 
 from fleet_tui.config.schema import LINK_FILES, SECRETS, Config, Link, link_key
+from fleet_tui.config.trust import doubt
 from fleet_tui.errors import ConfigError
 
 SECRET_FILES = tuple(f"{key}_file" for key in SECRETS)
@@ -70,7 +71,7 @@ def _content(bridge: Link, key: str) -> bytes:
     try:
         # A pipe must not block.
         with os.fdopen(os.open(name, os.O_RDONLY | os.O_NONBLOCK), "rb") as opened:
-            problem = _exposure(os.fstat(opened.fileno()), key not in PUBLIC)
+            problem = _exposure(os.fstat(opened.fileno()), key not in PUBLIC) or doubt(Path(name))
             content = b"" if problem else opened.read(LONGEST + 1)
     except (OSError, ValueError) as error:
         # Its name is not shown: it may be the secret itself, entered by mistake.
@@ -92,21 +93,3 @@ def _exposure(found: os.stat_result, is_private: bool) -> str:
     if is_private and found.st_uid not in (os.geteuid(), 0):
         return "owned by another user: chown it"
     return ""
-
-
-def unsafe_places(config: Config) -> Iterator[str]:
-    """Return one line for each path through which any user of this machine could change the config's file,
-    or the routines, which run programs."""
-    path = config.path
-    if path == Path():  # it is in no file
-        return
-    # A link can be replaced in its own folder, too.
-    own = path, config.routine_folder
-    for place in dict.fromkeys((*own, *path.absolute().parents, *path.resolve().parents)):
-        try:
-            mode = place.stat().st_mode
-        except OSError:
-            continue
-        # In a folder like /tmp users can't replace the files of others.
-        if mode & stat.S_IWOTH and not (stat.S_ISDIR(mode) and mode & stat.S_ISVTX):
-            yield f"{place} is writable by everyone: chmod o-w {place}"

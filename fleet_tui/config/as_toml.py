@@ -5,7 +5,7 @@ from collections.abc import Mapping
 
 import msgspec
 
-from fleet_tui.config.schema import Config
+from fleet_tui.config.schema import NOT_IN_FILE, Config
 
 
 def _value(value: object) -> str:
@@ -29,7 +29,7 @@ def as_toml(config: Config) -> str:
     """Return the text of a file that parses to this configuration."""
     text = []
     for name, part in msgspec.to_builtins(config, enc_hook=str).items():
-        if name == "path":
+        if name in NOT_IN_FILE:
             continue
         head, tables = (f"[[{name}]]", part) if isinstance(part, list) else (f"[{name}]", [part])
         for table in tables:

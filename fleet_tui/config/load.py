@@ -15,8 +15,9 @@ import platformdirs
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.registry import KINDS
 from fleet_tui.config.check import EMPTY, checked
-from fleet_tui.config.schema import Config, expanded
-from fleet_tui.config.small_file import read_toml
+from fleet_tui.config.schema import NOT_IN_FILE, Config, expanded
+from fleet_tui.config.small_file import LARGEST, read_text, toml
+from fleet_tui.config.withholding import safe
 from fleet_tui.errors import ConfigError, NoConfigError, did_you_mean
 
 _WORDS = {"str": "text", "int": "a whole number", "float": "a number", "bool": "true or false"} | {
@@ -100,9 +101,11 @@ def load(path: Path, needs_robots: bool = True) -> Config:
 
 
 def read(path: Path) -> tuple[Config, list[str]]:
-    """Parse a file as far as possible, and return its problems. Raises ConfigError for invalid TOML."""
+    """Parse a file as far as possible, without what must come from a safe one, and return its problems.
+    Raises ConfigError for invalid TOML."""
     try:
-        table = read_toml(path)
+        text = read_text(path, LARGEST)
+        table = toml(text)
     except FileNotFoundError:
         made = f"fleet-tui config init --output {path} writes one"
         raise ConfigError([f"{path}: no such file: {made}"]) from None
@@ -113,7 +116,7 @@ def read(path: Path) -> tuple[Config, list[str]]:
     except (ValueError, RecursionError) as problem:
         raise ConfigError([f"{path}: not TOML: {problem}"]) from None
     config, problems = _config_of(table)
-    return msgspec.structs.replace(config, path=path.absolute()), problems
+    return safe(msgspec.structs.replace(config, path=path.absolute()), text), problems
 
 
 def from_text(text: str) -> Config:
@@ -130,8 +133,7 @@ def from_text(text: str) -> Config:
 def _config_of(table: Mapping[str, object]) -> tuple[Config, list[str]]:
     problems: list[str] = []
     config: Config = _read(Config, table, "", problems) or Config()
-    if "path" in table:
-        problems.append("path: unknown key")
+    problems += [f"{name}: unknown key" for name in NOT_IN_FILE if name in table]
     return config, problems + checked(config)
 
 
@@ -146,7 +148,7 @@ def _read(struct: type[Any], table: object, where: str, problems: list[str]) -> 
     )
     values: dict[str, Any] = {}
     for name, field in fields.items():
-        if name in table and name != "path":
+        if name in table and not (struct is Config and name in NOT_IN_FILE):
             value = _read_value(field.type, table[name], where + name, problems)
             if value is not None:
                 values[name] = value

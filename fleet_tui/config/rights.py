@@ -6,20 +6,18 @@ and no configuration takes part.
 
 import grp
 import os
-import pwd
-import stat
 from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 
 from fleet_tui.config.schema import Config
 from fleet_tui.config.small_file import read_toml
+from fleet_tui.config.trust import ROOT, doubt, user_name
 from fleet_tui.errors import did_you_mean
 from fleet_tui.model.problem import Permissions, Right
 
 FILE = Path("/etc/fleet-tui/rights.toml")
-OWNER = 0
-"""The user id of root."""
+OWNER = ROOT
 TABLES = {right.word: right for right in Right}
 KEYS = ("users", "groups")
 
@@ -53,10 +51,7 @@ def own_rights(file: Path | None = None) -> Permissions:
 
 def own_user() -> str:
     """Return the name of the real user of this process, its number if it has none."""
-    try:
-        return pwd.getpwuid(os.getuid()).pw_name
-    except KeyError:
-        return str(os.getuid())
+    return user_name(os.getuid())
 
 
 def own_groups() -> list[str]:
@@ -77,12 +72,9 @@ def permissions_of(config: Config) -> Permissions:
 def _trusted(path: Path) -> Mapping[str, Mapping[str, list[str]]]:
     """Return the tables of the file. Raises OSError, or ValueError if somebody else than root may have
     written it, or it is wrong."""
-    for one in (path, path.parent):
-        status = one.stat()
-        if status.st_uid != OWNER:
-            raise RightsError(f"{one} is not owned by root: chown root {one}")
-        if status.st_mode & (stat.S_IWGRP | stat.S_IWOTH):
-            raise RightsError(f"{one} is writable by others: chmod go-w {one}")
+    path.stat()
+    if found := doubt(path, OWNER):
+        raise RightsError(found)
     table = read_toml(path)
     for word, entries in table.items():
         if word not in TABLES:

@@ -29,6 +29,8 @@ class Saving:
 
     def write(self, name: str) -> Path:
         """Write it, overwriting any file, and return the path. Raises FleetError."""
+        if self._config.withheld:
+            raise FleetError(f"not saved, parts of it are off: {self._config.withheld[0]}")
         # In a copy elsewhere the names of files must still be valid.
         text = as_toml(self._config.whole()) if self._source is None else self._source.text
         path = write_config(text, name)

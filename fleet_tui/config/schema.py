@@ -16,6 +16,8 @@ S = TypeVar("S", bound=msgspec.Struct)
 
 SECRETS = ("authorization", "rosauth", "user", "password")
 """Secrets of links: each is in a file or an environment variable, `KEY_file` or `KEY_env`."""
+NOT_IN_FILE = ("path", "doubt", "withheld")
+"""Fields of a configuration that no file sets."""
 LINK_FILES = ("ca_file", "client_cert", "client_key", *(f"{key}_file" for key in SECRETS))
 
 NotNegative = Annotated[float, msgspec.Meta(ge=0, lt=1e6)]
@@ -175,7 +177,8 @@ class RoutinesConfig(msgspec.Struct, frozen=True):
 
 
 class Config(msgspec.Struct, frozen=True):
-    """A whole configuration; `path` is its file."""
+    """A whole configuration; `path` is its file, `doubt` how somebody else could have written that, and
+    `withheld` tells what does not count for that reason, or for such files that it names."""
 
     rosbridge: Link = Link()
     links: dict[str, Link] = {}
@@ -197,6 +200,8 @@ class Config(msgspec.Struct, frozen=True):
     profile: Profile = Profile()
     profiles: dict[str, Profile] = {}
     path: Path = Path()
+    doubt: str = ""
+    withheld: list[str] = []
 
     def link(self, name: str) -> Link:
         """Return a link, with or without robots."""

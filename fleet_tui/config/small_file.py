@@ -40,7 +40,11 @@ def read_text(path: Path, largest: int) -> str:
 
 def read_toml(path: Path) -> dict[str, Any]:
     """Return a TOML file. Raises OSError, and ValueError or RecursionError for invalid TOML."""
-    text = read_text(path, LARGEST)
+    return toml(read_text(path, LARGEST))
+
+
+def toml(text: str) -> dict[str, Any]:
+    """Return a TOML text. Raises ValueError or RecursionError for invalid TOML."""
     if _MANY_PARTS.search(text):
         raise ValueError("a key of more than 30 parts")
     return tomllib.loads(text)

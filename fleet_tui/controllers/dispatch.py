@@ -7,6 +7,7 @@ from functools import partial
 from msgspec.structs import replace
 
 from fleet_tui.backend import Backend
+from fleet_tui.controllers.files import READ_ONLY
 from fleet_tui.controllers.notices import Notices
 from fleet_tui.controllers.startup_requests import StartupRequests
 from fleet_tui.model.commands import Command
@@ -54,7 +55,7 @@ class Dispatch:
         if refusal := self.permissions.refusal(needed):
             return refusal
         if self.permissions.read_only:
-            return "not here: this console is read-only"
+            return READ_ONLY
         return self._refusal()
 
     def desk_refusal(self) -> str:

@@ -16,9 +16,12 @@ Pack = Callable[[str, Callable[[], bool]], Path]
 """From a screenshot (SVG) to the archive; ends early once cancelled. Raises OSError."""
 
 
+READ_ONLY = "not here: this console is read-only"
+
+
 class ConsoleFiles:
     """The audit log, the recordings, the history, the desk, the incident archive and the configuration.
-    None: not written here."""
+    None: not written here. `refusal`: why a person may write nothing from here, empty if they may."""
 
     def __init__(
         self,
@@ -34,6 +37,7 @@ class ConsoleFiles:
         one; `folder` keeps earlier versions."""
         self._open_them, self.pack, self.saving, self.folder = open_them, pack, saving, folder
         self.draft, self.graph_file = draft, graph_file
+        self.refusal = ""
         self.audit: Audit | None = None
         self.recordings: Recordings | None = None
         self.history: HistoryWriter | None = None

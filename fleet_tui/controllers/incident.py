@@ -34,6 +34,8 @@ class IncidentPacking:
         pack = self._files.pack
         if pack is None:
             self._say("nothing to pack: not a live console")
+        elif self._files.refusal:
+            self._say(self._files.refusal)
         elif self._packing:
             self._say("still packing: the doctor takes up to 10 s")
         else:

@@ -28,6 +28,8 @@ class RecordingSwitch:
         """Start a recording, or stop it."""
         if self._files.recordings is None:
             self._say("nothing to record: not a live console")
+        elif self._files.refusal:
+            self._say(self._files.refusal)
         elif not self._switching:
             self._switching = True
             self._in_thread(self._turn)

@@ -13,7 +13,6 @@ from typing import assert_never
 
 from msgspec import structs
 
-from fleet_tui.config.access import unsafe_places
 from fleet_tui.config.entries import DEFAULT_LINK
 from fleet_tui.config.fleet import adapters_of
 from fleet_tui.config.schema import Config
@@ -174,7 +173,7 @@ def _all(whole: Config, config: Config, timeout: float, take: Take) -> int:
     """Check everything of `config`, a part of the whole one, in its order, each finding handed over at once;
     returns the number of bridges and brokers reached."""
     until = time.monotonic() + timeout - min(SPARE, timeout / 4)
-    for line_ in unsafe_places(config):
+    for line_ in config.withheld:
         take(Finding("config", "safety", Verdict.WARN, line_))
     with ThreadPoolExecutor(1) as pool:
         loading = pool.submit(_files, config)

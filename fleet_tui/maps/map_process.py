@@ -33,7 +33,7 @@ def decode_apart(profile: Profile, feed: Feed, payload: bytes) -> GridReceived:
     Raises WireError.
     """
     task = msgspec.json.encode(_Task(profile, feed)) + b"\n"
-    command = [sys.executable, "-m", "fleet_tui.maps.map_process"]
+    command = [sys.executable, "-P", "-m", "fleet_tui.maps.map_process"]
     try:
         done = subprocess.run(
             command, input=task + payload, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=LONGEST

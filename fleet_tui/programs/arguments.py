@@ -83,7 +83,8 @@ def start_kept(program: ProgramEntry, environment: Mapping[str, str]) -> list[st
 
 def start_session(program: ProgramEntry, folder: Path) -> list[str]:
     """Return the arguments that start its command in a session of its own, without systemd."""
-    return [sys.executable, "-m", "fleet_tui.programs.session", str(folder), program.name, *program.start]
+    own = [sys.executable, "-P", "-m", "fleet_tui.programs.session"]
+    return [*own, str(folder), program.name, *program.start]
 
 
 def log(program: ProgramEntry, folder: Path, has_systemd: bool, follow: bool = True) -> list[str]:

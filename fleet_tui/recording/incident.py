@@ -166,6 +166,7 @@ def examined(config: Config, within: float, is_over: Callable[[], bool]) -> byte
         file.flush()
         command = [
             sys.executable,
+            "-P",
             "-m",
             "fleet_tui",
             "doctor",

@@ -7,6 +7,8 @@ from pathlib import Path
 from msgspec import Struct
 
 from fleet_tui.config.small_file import read_text
+from fleet_tui.config.trust import doubt_of_content
+from fleet_tui.config.withholding import or_trusted
 from fleet_tui.errors import RoutineError, did_you_mean
 from fleet_tui.model.routines.blocks import ParsedRoutine
 from fleet_tui.rules.routines.parsing import parse_routine
@@ -38,7 +40,8 @@ def routine_names(folder: Path) -> list[str]:
 
 
 def read_routine(folder: Path, name: str) -> RoutineFile:
-    """Return a routine by its name. Raises RoutineError."""
+    """Return a routine by its name. Raises RoutineError, also for one that somebody else could have
+    written."""
     name = name.removesuffix(SUFFIX)
     if not NAME.fullmatch(name):
         raise RoutineError(
@@ -56,4 +59,6 @@ def read_routine(folder: Path, name: str) -> RoutineFile:
     except (OSError, ValueError) as problem:
         reason = problem.strerror if isinstance(problem, OSError) else f"{problem}: divide it"
         raise RoutineError(f"{path}: {reason}") from None
+    if found := doubt_of_content(path, text):
+        raise RoutineError(or_trusted(found))
     return RoutineFile(name, path, parse_routine(text), hashlib.sha256(text.encode()).hexdigest())

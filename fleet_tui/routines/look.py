@@ -18,11 +18,19 @@ from fleet_tui.text.units import counted
 
 
 class RoutinePlace(Struct, frozen=True):
-    """The folders of the routines and of their progress, and the URL of each robot's bridge."""
+    """The folders of the routines and of their progress, the URL of each robot's bridge, and the reason that
+    none may run."""
 
     folder: Path
     state: Path
     urls: Mapping[str, str]
+    refusal: str = ""
+
+    def read(self, name: str) -> RoutineFile:
+        """Return a routine by its name. Raises RoutineError."""
+        if self.refusal:
+            raise RoutineError(self.refusal)
+        return read_routine(self.folder, name)
 
 
 def look_at_all(place: RoutinePlace, state: FleetState) -> list[RoutineRow]:
@@ -43,7 +51,7 @@ def plans_of(state: FleetState, file: RoutineFile) -> dict[str, LanePlan]:
 
 def _row(place: RoutinePlace, state: FleetState, name: str) -> RoutineRow:
     try:
-        file = read_routine(place.folder, name)
+        file = place.read(name)
     except RoutineError as problem:
         return RoutineRow(name, problem=str(problem))
     plans, progress = plans_of(state, file), load_progress(progress_path(place.state, file.path))

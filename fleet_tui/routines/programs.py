@@ -4,10 +4,11 @@ import asyncio
 import os
 import shutil
 import threading
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
 
+from fleet_tui.config.withholding import doubt_of_command
 from fleet_tui.model.routines.blocks import RunBlock
 from fleet_tui.model.routines.lane import ProgramEnded
 from fleet_tui.programs.process import EndedProcess, run
@@ -38,7 +39,7 @@ def program_problem(folder: Path, arguments: Sequence[str]) -> str:
     """Return the reason that a program can't be run, empty if it can."""
     word = arguments[0]
     if program_path(folder, word):
-        return ""
+        return doubt_of_command(arguments, folder)
     if "\0" not in word and (folder / word).is_file():
         return f"{word}: not executable by this user: run chmod +x {folder / word}"
     return f"{truncate(word, 80)}: not found in {folder}, nor on PATH: correct the name"
@@ -53,7 +54,7 @@ class ProgramRun:
         arguments = [path, *block.arguments[1:]]
         self._within = block.within
         self._loop = asyncio.new_event_loop()
-        process = run(arguments, block.within, {**os.environ, ROBOT: robot}, folder)
+        process = _run_safe(arguments, block.within, {**os.environ, ROBOT: robot}, folder)
         self._task = self._loop.create_task(process)
         self._thread = threading.Thread(target=self._run, name="fleet-tui-program", daemon=True)
         self._thread.start()
@@ -74,6 +75,15 @@ class ProgramRun:
     def join(self) -> None:
         """Wait a moment for the end."""
         self._thread.join(JOIN)
+
+
+async def _run_safe(
+    arguments: Sequence[str], within: float, environment: Mapping[str, str], folder: Path
+) -> EndedProcess:
+    """Run a program, unless somebody else could have written it: it may be a new one since the check."""
+    if found := doubt_of_command(arguments, folder):
+        return EndedProcess(None, problem=found)
+    return await run(arguments, within, environment, folder)
 
 
 def _outcome(process: EndedProcess, within: float) -> ProgramEnded:

@@ -9,7 +9,7 @@ from fleet_tui.errors import RoutineError
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.routines.blocks import RoutineProblem
 from fleet_tui.routines.clock import next_time
-from fleet_tui.routines.files import RoutineFile, read_routine
+from fleet_tui.routines.files import RoutineFile
 from fleet_tui.routines.look import RoutinePlace, plans_of
 from fleet_tui.routines.programs import program_problem
 from fleet_tui.rules.routines.checking import check_routine
@@ -59,7 +59,7 @@ def timeline_of(state: FleetState, file: RoutineFile) -> list[TimelineEntry]:
 def examine(place: RoutinePlace, state: FleetState, name: str) -> Examined:
     """Read and check a routine."""
     try:
-        file = read_routine(place.folder, name)
+        file = place.read(name)
     except RoutineError as problem:
         return Examined(None, problems=(sanitize(str(problem)),))
     robots = tuple(plans_of(state, file))

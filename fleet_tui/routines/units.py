@@ -67,7 +67,7 @@ def _program() -> list[str]:
     """Return the absolute path of this program, not that of a service's PATH."""
     beside = Path(sys.executable).with_name("fleet-tui")
     found = str(beside) if beside.is_file() else shutil.which("fleet-tui")
-    return [str(Path(found).absolute())] if found else [sys.executable, "-m", "fleet_tui"]
+    return [str(Path(found).absolute())] if found else [sys.executable, "-P", "-m", "fleet_tui"]
 
 
 def _quoted(word: str) -> str:

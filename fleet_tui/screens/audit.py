@@ -1,6 +1,6 @@
 """The audit log on the screen: typed text filters it, Enter shows one command from the key to its end."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from datetime import datetime
 from functools import partial
 from typing import ClassVar
@@ -12,9 +12,9 @@ from textual.widgets import Input, Static
 from textual.worker import get_current_worker
 
 from fleet_tui.audit.export import export
-from fleet_tui.audit.log import Audit
 from fleet_tui.audit.reader import AuditReader
 from fleet_tui.audit.search import Search, search_of
+from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.errors import FleetError
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.screens.overlay import Overlay
@@ -34,9 +34,9 @@ class AuditLog(Overlay):
 
     BINDINGS: ClassVar[list[BindingType]] = [("escape", "close", "Close")]
 
-    def __init__(self, audit: "Callable[[], Audit | None]") -> None:
+    def __init__(self, files: ConsoleFiles) -> None:
         super().__init__(id="audit")
-        self._audit = audit
+        self._files = files
         self._records: list[AuditRecord] = []
         self.rows = RowsPane(id="audit-rows")
         self.rows.can_focus = False  # keys are typed into the field
@@ -75,7 +75,7 @@ class AuditLog(Overlay):
 
     def _wanted(self) -> "tuple[AuditReader, Search] | None":
         """Return the log and the search, unless the typed text is no valid search."""
-        audit = self._audit()
+        audit = self._files.audit
         if audit is None:
             self._list([], empty=tr("no audit log on this console"))
             return None
@@ -140,6 +140,9 @@ class AuditLog(Overlay):
         self._find("" if self.query_one(Field).value == this else this)
 
     def _export(self) -> None:
+        if self._files.refusal:
+            self._say(tr(self._files.refusal))
+            return
         wanted = self._wanted()
         if wanted is not None:
             self._say(tr("writing ..."))

@@ -96,7 +96,7 @@ class Rest:
         self.order_form, self.anyone = order_form(screen, self.confirm.ask, self.tables.marked.give_order)
         self.streams = ShownStreams(store, backend, navigation, notices, self.map.picture)
         self.why = Why(lambda: (store.state, navigation.robot), settings.keys, self.streams, backend)
-        self.audit_log = AuditLog(lambda: screen.files.audit)
+        self.audit_log = AuditLog(screen.files)
         self.robot_page = robot_page_overlay(screen, self)
         self._add_tools(screen)
         self._answer_menus(screen)
@@ -163,7 +163,8 @@ class Rest:
         files, old_files = self._screen.files, OldFiles()
         self.draft_files = DraftFiles(parts, self.editor, self.checks, files, ask, old_files)
         route_files = RouteFiles(parts, self.editor, files, self._screen.backend.post, old_files)
-        self.sending = DraftSending(parts, self.editor, self.checks, files, route_files)
+        doubt = self._screen.settings.doubt
+        self.sending = DraftSending(parts, self.editor, self.checks, files, route_files, doubt)
         say_from_thread = partial(self._screen.app.call_from_thread, self._screen.notices.say)
         self.mapping = MappingControls(parts, picture, files, ask, in_background, say_from_thread)
         self.values, self.edge_values = VertexValues(parts, self.editor), EdgeValues(parts, self.editor)

@@ -38,7 +38,8 @@ def routines_overlay(
 ) -> "Routines":
     """Return the overlay for the routines of a console's configuration."""
     settings = screen.settings
-    place = RoutinePlace(settings.routines, state_folder() / "routines", settings.bridge_urls)
+    folder, urls = state_folder() / "routines", settings.bridge_urls
+    place = RoutinePlace(settings.routines, folder, urls, settings.doubt)
     parts = screen.store, screen.dispatch, screen.notices
     led = LedRoutines(place, *parts, screen.files, in_background)
     return Routines(place, RoutineRequests(place, *parts, led, ask, open_menu, in_background), led, ask)

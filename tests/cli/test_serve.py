@@ -41,8 +41,8 @@ def served(monkeypatch: pytest.MonkeyPatch, *args: str) -> tuple[list[str], str]
     found = CliRunner().invoke(serve, args)
     assert found.exit_code == 0, found.output
     (command,) = told
-    assert command[:3] == [sys.executable, "-m", "fleet_tui"]
-    return command[3:], found.stderr
+    assert command[:4] == [sys.executable, "-P", "-m", "fleet_tui"]
+    return command[4:], found.stderr
 
 
 def test_a_tab_watches_unless_commands_are_allowed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -6,10 +6,10 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.config.access import access_problems, secret, unsafe_places
+from fleet_tui.config.access import access_problems, secret
 from fleet_tui.config.check import checked
 from fleet_tui.config.load import load
-from fleet_tui.config.schema import Config, Link
+from fleet_tui.config.schema import Link
 from fleet_tui.errors import ConfigError
 from tests.support.secrets import SHARED, WORD, bridged, kept
 from tests.support.watched_store import config_of
@@ -80,35 +80,3 @@ def test_files_of_a_link_lie_beside_the_config(tmp_path: Path) -> None:
     assert access_problems(config) == []
     assert secret(config.bridge("b"), "authorization") == WORD
     assert config.bridge("b").max_message_mb == 7
-
-
-def test_a_config_that_anybody_can_change_is_reported(tmp_path: Path) -> None:
-    config = replace(config_of("ws://a"), path=tmp_path / "in" / "config.toml")
-    (tmp_path / "in").mkdir()
-    config.path.touch(0o644)
-    assert not [line for line in unsafe_places(config) if str(tmp_path) in line]
-    config.path.chmod(0o646)
-    (tmp_path / "in").chmod(0o777)
-    found = list(unsafe_places(config))
-    assert f"{config.path} is writable by everyone: chmod o-w {config.path}" in found
-    assert any(f"{tmp_path / 'in'} is writable" in line for line in found)
-    (tmp_path / "safe").mkdir()
-    config.path.rename(tmp_path / "safe" / "config.toml")
-    config.path.symlink_to(tmp_path / "safe" / "config.toml")
-    config.path.chmod(0o644)
-    found = list(unsafe_places(config))
-    assert [line for line in found if str(tmp_path) in line] == [
-        f"{tmp_path / 'in'} is writable by everyone: chmod o-w {tmp_path / 'in'}"
-    ]
-    (tmp_path / "in").chmod(0o1777)
-    assert not any(f"{tmp_path / 'in'} is writable" in line for line in unsafe_places(config))
-
-
-def test_a_folder_of_routines_that_everyone_may_write_is_named(tmp_path: Path) -> None:
-    folder = tmp_path / "routines"
-    folder.mkdir()
-    folder.chmod(0o777)
-    config = Config(path=tmp_path / "config.toml")
-    assert f"{folder} is writable by everyone: chmod o-w {folder}" in list(unsafe_places(config))
-    folder.chmod(0o755)
-    assert not [line for line in unsafe_places(config) if str(folder) in line]

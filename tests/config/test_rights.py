@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.config import rights
+from fleet_tui.config import rights, trust
 from fleet_tui.config.rights import own_groups, own_rights, own_user, permissions_of
 from fleet_tui.config.schema import Config, Operator
 from fleet_tui.model.problem import Permissions, Right
@@ -63,24 +63,33 @@ def test_a_file_that_is_wrong_lets_everybody_only_view(file: Path, text: str, wh
     assert found.right is Right.VIEW and f"{file}: " in found.why and why.split(" (did")[0] in found.why
 
 
-@pytest.mark.parametrize("mode", [0o664, 0o646])
-def test_a_file_that_others_can_write_is_refused(file: Path, mode: int) -> None:
+@pytest.mark.parametrize(("mode", "by", "remedy"), [(0o664, "others", "g-w"), (0o646, "everyone", "o-w")])
+def test_a_file_that_others_can_write_is_refused(
+    file: Path, monkeypatch: pytest.MonkeyPatch, mode: int, by: str, remedy: str
+) -> None:
+    monkeypatch.setattr(trust, "members", lambda _group: {"eve"})
     write(file, f'[setup]\nusers = ["{own_user()}"]')
     file.chmod(mode)
-    found = own_rights()
-    assert (found.right, found.why) == (
-        Right.VIEW,
-        f"{file}: {file} is writable by others: chmod go-w {file}",
+    assert own_rights() == Permissions(
+        right=Right.VIEW, why=f"{file}: {file} is writable by {by}: chmod {remedy} {file}"
     )
     file.chmod(0o644)
-    file.parent.chmod(0o777)
-    assert own_rights().why == f"{file}: {file.parent} is writable by others: chmod go-w {file.parent}"
+    file.parent.chmod(0o757)
+    assert own_rights().why == f"{file}: {file.parent} is writable by everyone: chmod o-w {file.parent}"
 
 
-def test_a_file_of_somebody_else_is_refused(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.skipif(os.getuid() != 0, reason="only root can give a file away")
+def test_a_file_of_somebody_else_is_refused_also_behind_a_link(file: Path) -> None:
     write(file, f'[setup]\nusers = ["{own_user()}"]')
-    monkeypatch.setattr(rights, "OWNER", os.getuid() + 1)
-    assert own_rights().why == f"{file}: {file} is not owned by root: chown root {file}"
+    target = file.with_name("target.toml")
+    file.rename(target)
+    file.symlink_to(target)
+    assert own_rights().right is Right.SETUP
+    os.chown(target, 65534, 65534)
+    assert own_rights().why == f"{file}: {target} is not owned by root: chown root {target}"
+    os.chown(target, 0, 0)
+    os.chown(file, 65534, 65534, follow_symlinks=False)
+    assert own_rights().why == f"{file}: {file} is not owned by root: chown -h root {file}"
 
 
 def test_no_configuration_widens_it_and_it_may_narrow(file: Path) -> None:
@@ -98,7 +107,7 @@ def test_no_variable_of_the_environment_counts(file: Path, monkeypatch: pytest.M
 
 def test_the_place_is_fixed_and_its_owner_is_root() -> None:
     source = Path(rights.__file__).read_text()
-    assert 'FILE = Path("/etc/fleet-tui/rights.toml")' in source and "OWNER = 0\n" in source
+    assert 'FILE = Path("/etc/fleet-tui/rights.toml")' in source and (rights.OWNER, trust.ROOT) == (0, 0)
     assert "os.environ" not in source and "getenv" not in source
 
 

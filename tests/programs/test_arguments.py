@@ -1,6 +1,7 @@
 """Argument lists: no shell ever sees a word of the configuration as anything but a word."""
 
 import shlex
+import subprocess
 from pathlib import Path
 
 from hypothesis import given
@@ -58,5 +59,14 @@ def test_logs_are_followed_or_printed(tmp_path: Path) -> None:
 
 def test_a_session_is_a_program_of_its_own(tmp_path: Path) -> None:
     assert start_session(KEPT, tmp_path)[1:] == [
-        *("-m", "fleet_tui.programs.session", str(tmp_path), "mapping", "sleep", "60")
+        *("-P", "-m", "fleet_tui.programs.session", str(tmp_path), "mapping", "sleep", "60")
     ]
+
+
+def test_a_process_of_its_own_takes_no_module_from_the_current_folder(tmp_path: Path) -> None:
+    planted = tmp_path / "fleet_tui"
+    planted.mkdir()
+    (planted / "__init__.py").write_text(f"open({str(tmp_path / 'ran')!r}, 'w')")
+    program = ProgramEntry("own", start=["true"])
+    subprocess.run(start_session(program, tmp_path / "state"), cwd=tmp_path, check=False, timeout=30)
+    assert not (tmp_path / "ran").exists()

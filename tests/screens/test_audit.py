@@ -14,6 +14,7 @@ from textual.widgets import Input
 from fleet_tui.audit.file import FILE_NAME, AuditFile
 from fleet_tui.audit.log import auditing, encode
 from fleet_tui.audit.reader import AuditReader
+from fleet_tui.controllers.files import READ_ONLY
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import Console, console
 from tests.support.records import record
@@ -29,6 +30,10 @@ async def audited(
     async with console(config, size) as it:
         with auditing(folder, config, it.store) as it.app.main.files.audit:
             yield it
+
+
+def has_exports(folder: Path) -> bool:
+    return any(folder.rglob("*.csv"))
 
 
 def field(it: Console) -> str:
@@ -106,6 +111,15 @@ async def test_what_matches_goes_to_a_new_file_for_its_owner(server: RosbridgeSe
     rows = exported(tmp_path)
     assert {row["robot"] for row in rows} == {"robot_1"}
     assert [row["change"] for row in rows] == ["confirmed", "accepted", "sent", "checked"]
+
+
+async def test_a_read_only_console_exports_nothing(server: RosbridgeServer, tmp_path: Path) -> None:
+    async with audited(server, tmp_path) as it:
+        it.app.main.files.refusal = READ_ONLY
+        await open_log(it, "console: opened")
+        await it.press("ctrl+s")
+        await it.shows("not here: this console is read-only")
+    assert not has_exports(tmp_path)
 
 
 async def test_a_time_that_is_none_is_answered_in_place_of_the_list(

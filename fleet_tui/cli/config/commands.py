@@ -4,9 +4,10 @@ import os
 
 import click
 
+from fleet_tui.cli.chosen import of_file
 from fleet_tui.cli.offers import files
 from fleet_tui.cli.options import NearestGroup, common, merged, screen, timeout
-from fleet_tui.config.load import find, load, user_folder
+from fleet_tui.config.load import find, user_folder
 from fleet_tui.config.schema import Config
 from fleet_tui.log_file import log_to_file
 from fleet_tui.text.sanitize import sanitize
@@ -38,7 +39,7 @@ def init(config_file: str | None, debug: bool, url: str, output: str, force: boo
     from fleet_tui.cli.config.init import example, from_live, next_steps, write
 
     log_to_file(debug)
-    known = load(find(config_file)) if config_file else Config()
+    known = of_file(config_file) if config_file else Config()
     site = from_live(known, url, timeout) if url else None
     write(site.text if site else example(), output, force, click.echo)
     for line in next_steps(site, output):
@@ -56,7 +57,7 @@ def show(
     """Show all effective values except secrets."""
     from fleet_tui.cli.config.origins import show as lines
 
-    found = load(find(config_file))
+    found = of_file(config_file)
     options = {"operator.read_only": read_only, "ui.drawing": drawing}
     for line in lines(found, _why(config_file), with_origin, options):
         click.echo(sanitize(line))

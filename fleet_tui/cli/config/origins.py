@@ -14,7 +14,7 @@ from fleet_tui.adapters.registry import KINDS, kind_of
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.audit.log import operator_name
 from fleet_tui.config.access import without_secrets
-from fleet_tui.config.schema import Config
+from fleet_tui.config.schema import NOT_IN_FILE, Config
 from fleet_tui.keymap import keymap
 
 Found = tuple[str, object]
@@ -31,7 +31,7 @@ def values(config: Config) -> Iterator[Found]:
     for field in msgspec.structs.fields(Config):
         value = getattr(config, field.name)
         match field.name:
-            case "path":
+            case name if name in NOT_IN_FILE:
                 continue
             case "profile" | "profiles":
                 named = {"profile": value} if field.name == "profile" else value

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from fleet_tui.config.load import find, load
+from fleet_tui.cli.chosen import of_file
 from fleet_tui.config.schema import Config
 from fleet_tui.discovery.address import bridge_at
 from fleet_tui.errors import FleetError
@@ -20,7 +20,7 @@ def site_of(config_file: str | None, url: str | None) -> Config:
     """Return the configuration of a file, or one of an address alone: nothing is asked of its robots."""
     if config_file and url:
         raise click.UsageError("--config and --url exclude each other")
-    return Config(rosbridge=bridge_at(url)) if url else load(find(config_file))
+    return Config(rosbridge=bridge_at(url)) if url else of_file(config_file)
 
 
 @contextmanager

@@ -7,8 +7,8 @@ import sys
 import click
 
 from fleet_tui.cli import offers
+from fleet_tui.cli.chosen import of_file
 from fleet_tui.cli.options import NearestGroup, common, merged, timeout
-from fleet_tui.config.load import find, load
 from fleet_tui.config.programs import ProgramEntry
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import ConfigError, did_you_mean
@@ -82,7 +82,7 @@ def log(name: str, follow: bool, config_file: str | None, debug: bool) -> None:
 
 def _configured(config_file: str | None, debug: bool) -> Config:
     log_to_file(debug)
-    config = load(find(config_file))
+    config = of_file(config_file)
     if not config.programs:
         raise ConfigError([f"{config.path}: no [[programs]], see: fleet-tui docs programs"])
     return config

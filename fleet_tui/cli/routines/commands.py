@@ -82,11 +82,11 @@ def run_command(
 @merged
 def list_command(as_json: bool, config_file: str | None, debug: bool) -> None:
     """List the routines with their times, states and last runs."""
+    from fleet_tui.cli.chosen import of_file
     from fleet_tui.cli.routines.listing import list_routines
-    from fleet_tui.config.load import find, load
 
     log_to_file(debug)
-    sys.exit(list_routines(load(find(config_file)), as_json, click.echo))
+    sys.exit(list_routines(of_file(config_file), as_json, click.echo))
 
 
 @routine.command("install")
@@ -96,8 +96,8 @@ def list_command(as_json: bool, config_file: str | None, debug: bool) -> None:
 @merged
 def install_command(name: str, only_print: bool, config_file: str | None, debug: bool) -> None:
     """Write a timer of the user's systemd for the times of a routine. Enables nothing."""
+    from fleet_tui.cli.chosen import of_file
     from fleet_tui.cli.routines.installing import install_routine
-    from fleet_tui.config.load import find, load
 
     log_to_file(debug)
-    sys.exit(install_routine(load(find(config_file)), name, only_print, click.echo))
+    sys.exit(install_routine(of_file(config_file), name, only_print, click.echo))

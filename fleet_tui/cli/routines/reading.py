@@ -9,7 +9,7 @@ from fleet_tui.cli.orders.sending import Sending
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import RoutineError
 from fleet_tui.log_file import state_folder
-from fleet_tui.routines.files import RoutineFile, read_routine
+from fleet_tui.routines.files import RoutineFile
 from fleet_tui.routines.look import RoutinePlace
 from fleet_tui.rules.routines.checking import robots_of
 from fleet_tui.text.sanitize import sanitize
@@ -19,13 +19,13 @@ Say = Callable[..., None]
 
 def place_of(config: Config) -> RoutinePlace:
     """Return the folders of the routines of a configuration."""
-    return RoutinePlace(config.routine_folder, state_folder() / "routines", config.bridge_urls)
+    return RoutinePlace(config.routine_folder, state_folder() / "routines", config.bridge_urls, config.doubt)
 
 
 def named_routine(config: Config, name: str) -> RoutineFile:
     """Return the file of a routine. Raises click's UsageError if it can't be read."""
     try:
-        return read_routine(config.routine_folder, name)
+        return place_of(config).read(name)
     except RoutineError as problem:
         raise click.UsageError(sanitize(str(problem))) from None
 

@@ -4,6 +4,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import NamedTuple, TypeVar
 
+from fleet_tui.config.trust import doubt
 from fleet_tui.controllers.editing.editor import GraphEditor
 from fleet_tui.controllers.editing.files import format_of, joined
 from fleet_tui.controllers.editing.old_files import OldFiles
@@ -72,10 +73,11 @@ class RouteFiles:
         path = self._files.graph_file(floor)
         if path is None:
             return f'not sent: set graph = "FILE.geojson" in [[floors]] of {floor}, the robot loads that file'
-        if (found := format_of(path)) is not FORMAT:
+        if (format_ := format_of(path)) is not FORMAT:
             remedy = "run fleet-tui graph convert, and name the new file in [[floors]] graph"
-            return f"not sent: {path.name} is {found.value}, not geojson: {remedy}"
-        return ""
+            return f"not sent: {path.name} is {format_.value}, not geojson: {remedy}"
+        # The robot reads it after it was written here.
+        return f"not sent: {found}" if (found := doubt(path)) else ""
 
     def file_of(self, floor: DocumentFloor) -> RouteFile:
         """Return the file for a draft. Raises GraphError, also for what the route server refuses."""

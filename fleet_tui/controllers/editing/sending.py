@@ -33,9 +33,11 @@ class DraftSending:
         checks: DraftChecks,
         files: ConsoleFiles,
         route_files: RouteFiles,
+        doubt: str = "",
     ) -> None:
+        """`doubt` is that of the configuration."""
         self._parts, self._editor, self._checks, self._files = parts, editor, checks, files
-        self._route_files = route_files
+        self._route_files, self._doubt = route_files, doubt
 
     def start(self) -> None:
         """Offer to send, with the number of warnings and differences."""
@@ -43,7 +45,7 @@ class DraftSending:
         if opened is None:
             return
         floor, robot = opened[0].floor, parts.store.state.robots[parts.navigation.robot]
-        refusal = parts.dispatch.set_up_refusal()
+        refusal = parts.dispatch.set_up_refusal() or (f"not sent: {self._doubt}" if self._doubt else "")
         if not refusal and not robot.kind.can(GRAPH):
             refusal = robot.kind.lack(GRAPH)
         if not refusal and floor.name not in robot.maps:

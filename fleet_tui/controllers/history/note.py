@@ -25,6 +25,8 @@ class NoteCommand:
         text = truncate(text.strip())
         if self._files.history is None:
             return Typed(problem="no note: this console keeps no history")
+        if self._files.refusal:
+            return Typed(problem=self._files.refusal)
         if not text:
             return Typed(problem="note TEXT: what should the next shift know?")
         remark = sanitize(text)

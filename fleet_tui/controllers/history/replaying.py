@@ -48,7 +48,7 @@ class PastReplay:
         arguments = ["replay", str(path), "--at", start.isoformat(timespec="seconds")]
         if loss := self._loss():
             return f"{loss}: in another terminal: {shlex.join(['fleet-tui', *arguments])}"
-        return self._run([sys.executable, "-m", "fleet_tui", *arguments])
+        return self._run([sys.executable, "-P", "-m", "fleet_tui", *arguments])
 
 
 def run_in_terminal(command: Sequence[str]) -> str:

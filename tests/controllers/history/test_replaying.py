@@ -31,8 +31,8 @@ def test_it_is_opened_shortly_before_the_moment_and_not_before_its_begin(tmp_pat
     found = replaying.find(begun + 1)
     assert found == (tape, begun) and replaying.find(begun - 100) is None
     assert replaying.open((tape, begun), begun + 100) == "closed"
-    assert ran[0][:3] == [sys.executable, "-m", "fleet_tui"]
-    assert ran[0][3:] == ["replay", str(tape), "--at", local(math.ceil(begun + 100 - BEFORE))]
+    assert ran[0][:4] == [sys.executable, "-P", "-m", "fleet_tui"]
+    assert ran[0][4:] == ["replay", str(tape), "--at", local(math.ceil(begun + 100 - BEFORE))]
     replaying.open((tape, begun), begun + 1)
     assert ran[1][-1] >= local(begun)
 
