@@ -9,7 +9,7 @@ TOGETHER := -q -n 6 --maxschedchunk 1
 # Compiled once, not by each of a few hundred processes.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test quick lint types compiled tested unit bench faults typed fuzz soak pictures docs lock format dist dist-check clean
+.PHONY: demo test quick lint types compiled tested unit bench faults kills typed fuzz soak pictures docs lock format dist dist-check clean
 
 demo: $(READY)
 	@$(BIN)/fleet-tui demo
@@ -59,6 +59,10 @@ faults: $(READY)
 # Random keys in every form, list and menu: nothing leaves that nobody meant.
 typed: $(READY)
 	@FLEET_TUI_SEQUENCES=$(or $(SEQUENCES),10000) $(BIN)/pytest -q -p no:xdist --timeout 0 tests/scenarios/test_typed_at_random.py
+
+# Each console is killed as its command reaches the robot: its audit log has the command. 1.5 s each.
+kills: $(READY)
+	@FLEET_TUI_KILLS=$(or $(KILLS),500) $(BIN)/pytest -q -p no:xdist tests/faults/test_kills.py
 
 # Coverage-guided, and no part of the tests: atheris has no wheels for some systems.
 fuzz: $(READY)

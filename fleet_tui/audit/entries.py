@@ -156,7 +156,7 @@ def alarm_records(
 ) -> Iterator[AuditRecord]:
     """Return each change of an alarm; an operator's at another console of the desk in that one's name."""
     by = after.desk.acted
-    for change in transitions(before.alarms, after.alarms, wall):
+    for change in transitions(before.alarms, after.alarms, wall, by_time=after.now != before.now):
         cleared = change.now is AlarmStage.CLEARED
         word = f"{change.word}, {AlarmStage.CLEARED.value}" if cleared else change.word
         if by and change.step in ANSWERS:

@@ -1,15 +1,14 @@
 """The audit log of one console: every change of a command or an alarm becomes a line in a file.
 
-It watches the store, so a command's line is written before the command is sent, unless the disk takes longer
-than a moment. It never raises: lines that can't be written are kept, reported on the screen, and written
-later.
+It watches the store, so a command's line is written before the command is sent, however busy the machine is,
+unless the disk hangs. It never raises: lines that can't be written are kept, reported on the screen, and
+written later.
 """
 
 import getpass
 import itertools
 import json
 import logging
-import math
 import os
 import secrets
 import sys
@@ -35,10 +34,13 @@ LOG = logging.getLogger(__name__)
 
 # Records that wait for a writable disk, and seconds between two attempts.
 WAITING, RETRY = 10_000, 1.0
-# Seconds that an event waits for its lines; for those above SLOW, in total, this many in each RETRY.
-PATIENCE, SLOW, SLOW_TOGETHER = 0.05, 0.02, 0.1
-# Seconds more for each line: a request to a thousand robots has as many.
-FOR_LINE = 0.0005
+# Seconds in which the disk writes no line until it hangs, and in which it has not written all; only those
+# count in which this process and the writing thread could run.
+PATIENCE, LONGEST = 0.05, 0.5
+# Seconds of a look, and those by which it may be late in a process that can run.
+LOOK, ON_TIME = 0.005, 0.005
+# Seconds that alarms, which nothing is sent after, wait for a slow disk in each RETRY.
+SLOW_TOGETHER = 0.1
 # Seconds without a written line after which an unresponsive disk is given up at the end.
 LAST_CHANCE = 0.5
 
@@ -59,10 +61,14 @@ def operator_name(config: Config) -> str:
         return f"uid {os.getuid()}"
 
 
+def console_name() -> str:
+    """Return the name of this process in records: its host and its process id."""
+    return f"{os.uname().nodename}:{os.getpid()}"
+
+
 def new_origin(config: Config, demo: bool = False) -> Origin:
     """Return the author of this process's records."""
-    console = f"{os.uname().nodename}:{os.getpid()}"
-    return Origin(operator_name(config), console, secrets.token_hex(4), demo)
+    return Origin(operator_name(config), console_name(), secrets.token_hex(4), demo)
 
 
 class Audit:
@@ -74,8 +80,8 @@ class Audit:
         self._taken = self._done = self._lost = 0
         """Numbers of records: taken; of these written or dropped; lost without being counted as taken."""
         self._problem = ""
-        self._begun = math.inf
-        """Since when a line is being written (monotonic)."""
+        self._is_writing = self._hangs = False
+        """Whether a line has been handed to the disk, and whether that does not respond."""
         self._slow, self._slow_since = 0.0, 0.0
         self._closed = False
         self._changed = threading.Condition()
@@ -85,7 +91,7 @@ class Audit:
     @property
     def problem(self) -> str:
         """Return the reason that lines are not written now."""
-        return self._problem or (HANGS if time.monotonic() - self._begun > PATIENCE else "")
+        return self._problem or (HANGS if self._hangs else "")
 
     @property
     def notes(self) -> list[str]:
@@ -97,8 +103,9 @@ class Audit:
     def watch(self, before: FleetState, after: FleetState) -> None:
         """Write the changes from one state to the next."""
         now, wall = time.monotonic(), time.time()
-        commands = command_records(self.origin, before, after, lambda at: wall - (now - at))
-        self._take(itertools.chain(commands, alarm_records(self.origin, before, after, wall)))
+        commands = list(command_records(self.origin, before, after, lambda at: wall - (now - at)))
+        alarms = alarm_records(self.origin, before, after, wall)
+        self._take(itertools.chain(commands, alarms), is_urgent=bool(commands))
 
     def log_console(self, change: str, words: str = "") -> None:
         """Write an event of the console itself."""
@@ -121,7 +128,7 @@ class Audit:
     def _of_console(self, change: str, words: str) -> AuditRecord:
         return self.origin.record(time.time(), kind="console", what="console", change=change, words=words)
 
-    def _take(self, records: Iterable[AuditRecord]) -> None:
+    def _take(self, records: Iterable[AuditRecord], is_urgent: bool = True) -> None:
         with self._changed:
             if self._closed:
                 return
@@ -133,7 +140,7 @@ class Audit:
                 LOG.exception("audit")
                 self._lost += 1
             self._changed.notify_all()
-            self._wait()
+            self._wait(is_urgent)
 
     def _append(self, line: bytes) -> None:
         if len(self._waiting) >= WAITING:
@@ -143,18 +150,37 @@ class Audit:
         self._waiting.append(line)
         self._taken += 1
 
-    def _wait(self) -> None:
-        """Wait briefly until everything is written."""
+    def _wait(self, is_urgent: bool) -> None:
+        """Wait until everything is written, or the disk does not respond: a command is sent after this."""
         began = time.monotonic()
         if began > self._slow_since + RETRY:
             self._slow, self._slow_since = 0.0, began
-        if self._slow > SLOW_TOGETHER or self.problem:
+        if self.problem or (not is_urgent and self._slow > SLOW_TOGETHER):
             return
-        more = FOR_LINE * (self._taken - self._done)
-        if not self._changed.wait_for(lambda: self._done == self._taken or self._problem, PATIENCE + more):
-            LOG.error("audit: not written: %s: %s", self.file.path, HANGS)
-        took = time.monotonic() - began
-        self._slow += took * (took > SLOW + more)
+        done, idle, longest = self._done, 0.0, 0.0
+        while self._done != self._taken and not self._problem and self._thread.is_alive():
+            look = time.monotonic()
+            self._changed.wait(LOOK)
+            took = time.monotonic() - look
+            if self._done != done:
+                done, idle = self._done, 0.0
+            # A late look tells of a busy machine; so does a line that is not handed to the disk yet.
+            elif self._is_writing and took < LOOK + ON_TIME:
+                idle += took
+            longest += took if took < LOOK + ON_TIME else 0.0
+            if (idle > PATIENCE or longest > LONGEST) and self._is_writing and not self._wants_to_run():
+                self._hangs = True
+                LOG.error("audit: not written: %s: %s", self.file.path, HANGS)
+                break
+        self._slow += time.monotonic() - began
+
+    def _wants_to_run(self) -> bool:
+        """Tell whether the writing thread waits for a processor, not for the disk."""
+        try:
+            status = Path(f"/proc/self/task/{self._thread.native_id}/stat").read_text()
+        except OSError:
+            return False
+        return status.rpartition(")")[2].split()[0] == "R"
 
     def _work(self) -> None:
         """Write line after line; on the log's own thread."""
@@ -174,12 +200,12 @@ class Audit:
             self._changed.wait_for(lambda: self._waiting or self._closed)
             if not self._waiting:
                 return None
-            self._begun = time.monotonic()
+            self._is_writing = True
             return self._waiting.popleft()
 
     def _succeeded(self) -> None:
         with self._changed:
-            self._begun = math.inf
+            self._is_writing = self._hangs = False
             self._done += 1
             if not self._waiting:
                 self._problem = ""
@@ -192,7 +218,7 @@ class Audit:
     def _failed(self, line: bytes, problem: str) -> bool:
         """Keep the line, and wait for the next attempt; False if there will be none."""
         with self._changed:
-            self._begun = math.inf
+            self._is_writing = self._hangs = False
             self._waiting.appendleft(line)
             if problem != self._problem:
                 LOG.error("audit: not written: %s: %s", self.file.path, problem)

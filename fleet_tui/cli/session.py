@@ -5,10 +5,12 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+from fleet_tui.audit.elsewhere import watched_removals
 from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.client.tap import Tap
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
+from fleet_tui.log_file import state_folder
 from fleet_tui.maps.floor_files import load_graphs
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
@@ -42,7 +44,8 @@ def session(
 ) -> Iterator[tuple[FleetLink, WaitingStore]]:
     """Connect to every bridge of a config, load the floors' graphs, and close again."""
     store = store or WaitingStore(initial_state(config, time.monotonic()))
-    with opened(FleetLink(config, store, tap), config) as link:
+    link = FleetLink(config, store, tap)
+    with opened(link, config), watched_removals(state_folder(), store, link.post):
         yield link, store
 
 

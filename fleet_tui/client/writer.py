@@ -16,6 +16,9 @@ LOG = logging.getLogger(__name__)
 
 TICK = 0.1
 TIDY_EVERY = 60.0
+STALL, CATCHES_UP = 1.0, 3.0
+"""Seconds without a tick from which the process was stopped, suspended or starved, and for which it then
+catches up at most."""
 # Python lets a busy thread run 5 ms before another gets its turn: too long for a command to wait
 # while the screen is drawn.
 SWITCH_INTERVAL = 0.0005
@@ -34,6 +37,7 @@ class Writer:
         self._ticker: asyncio.Future[None] | None = None
         self._tidied = time.monotonic()
         self._tidy = freeze
+        self._stall, self._stalled_until = 0.0, 0.0
 
     def start(self) -> None:
         """Start the clock ticks."""
@@ -51,7 +55,7 @@ class Writer:
                 now = time.monotonic()
                 for look in self.before_tick:
                     look(now)
-                behind = max([now - due, *(age(now) for age in self.backlogs)])
+                behind = max([self._stalled(now, now - due), *(age(now) for age in self.backlogs)])
                 self.apply(TimePassed(now, time.time(), behind if behind > TICK else 0.0))
                 if now - self._tidied > TIDY_EVERY:
                     self._tidied = now
@@ -62,6 +66,13 @@ class Writer:
                 LOG.exception("tick")
             due = time.monotonic() + TICK
             await asyncio.sleep(TICK)
+
+    def _stalled(self, now: float, late: float) -> float:
+        """Return the seconds for which the loop did not run, also for a while after: what arrived meanwhile
+        is read first, and nothing of it counts as missing."""
+        if late >= STALL:
+            self._stall, self._stalled_until = late, now + min(late, CATCHES_UP)
+        return max(late, self._stall) if now < self._stalled_until else late
 
     def apply(self, event: Event) -> None:
         """Apply an event without a frame. On the loop."""

@@ -15,8 +15,16 @@ import msgspec
 from fleet_tui.config.rights import permissions_of
 from fleet_tui.config.schema import Config
 from fleet_tui.desk.fact_file import FactFile
-from fleet_tui.desk.facts import Fact, SharedAcknowledgement, SharedClosure, SharedNote, SharedShelving
+from fleet_tui.desk.facts import (
+    Fact,
+    SharedAcknowledgement,
+    SharedClosure,
+    SharedNote,
+    SharedRemoval,
+    SharedShelving,
+)
 from fleet_tui.desk.presence import Presence, PresenceFile, PresenceReader, boot_id
+from fleet_tui.desk.removals import own_removals, removal_event
 from fleet_tui.desk.replies import Replies
 from fleet_tui.model.alarm import AlarmStage, AlarmStep, transitions
 from fleet_tui.model.desk.desk import Colleague
@@ -102,17 +110,26 @@ class SharedDesk:
 
     def watch(self, before: FleetState, after: FleetState) -> None:
         """Share what this console's operator did; written later."""
-        if after.desk.acted or not self._shares:
+        if not self._shares:
+            return
+        for fields in own_removals(before, after):
+            self._share(SharedRemoval, **fields)
+        if after.desk.acted:
             return
         if after.desk.closed is not before.desk.closed:
-            was, now = ({edge.ends: edge for edge in state.desk.closed} for state in (before, after))
-            for ends in sorted(was.keys() - now.keys()):
-                self._share(SharedClosure, ends=ends, closed=False)
-            for edge in after.desk.closed:  # one closed twice, too: somebody may just open it
-                if was.get(edge.ends) != edge:
-                    self._share(SharedClosure, ends=edge.ends, closed=True, wall=edge.wall)
-        if after.now != before.now:  # time did it
-            return
+            self._share_edges(before, after)
+        if after.now == before.now:  # else time did it
+            self._share_answers(before, after)
+
+    def _share_edges(self, before: FleetState, after: FleetState) -> None:
+        was, now = ({edge.ends: edge for edge in state.desk.closed} for state in (before, after))
+        for ends in sorted(was.keys() - now.keys()):
+            self._share(SharedClosure, ends=ends, closed=False)
+        for edge in after.desk.closed:  # one closed twice, too: somebody may just open it
+            if was.get(edge.ends) != edge:
+                self._share(SharedClosure, ends=edge.ends, closed=True, wall=edge.wall)
+
+    def _share_answers(self, before: FleetState, after: FleetState) -> None:
         for change in transitions(before.alarms, after.alarms, after.wall):
             source, kind = change.alarm.key
             if change.step is AlarmStep.ACKNOWLEDGE:
@@ -209,7 +226,11 @@ class SharedDesk:
             elif isinstance(fact, SharedNote):
                 if is_new or abs(time.time() - fact.wall) < NOTES_FOR:
                     self.on_note(Note(fact.wall, shown(fact.by), fact.text), is_new)
-            elif is_new:
+            elif not is_new:
+                continue
+            elif isinstance(fact, SharedRemoval):
+                self._post(removal_event(fact, shown(fact.by)))
+            else:
                 self._replies.take(fact, shown(fact.by))
         self._replies.post()
 

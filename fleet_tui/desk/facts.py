@@ -4,6 +4,8 @@ from typing import Annotated
 
 from msgspec import Meta, Struct
 
+from fleet_tui.model.commands import Stage
+
 Name = Annotated[str, Meta(max_length=200)]
 Text = Annotated[str, Meta(max_length=2000)]
 
@@ -49,4 +51,13 @@ class SharedClosure(SharedFact, frozen=True, tag="edge"):
     closed: bool
 
 
-Fact = SharedAcknowledgement | SharedShelving | SharedNote | SharedClosure
+class SharedRemoval(SharedFact, frozen=True, tag="removal"):
+    """A cancel or clear reached a stage: `order` is empty for all of the robot's, `request` its number."""
+
+    robot: Name
+    order: Name
+    request: int
+    stage: Stage
+
+
+Fact = SharedAcknowledgement | SharedShelving | SharedNote | SharedClosure | SharedRemoval

@@ -57,11 +57,16 @@ def boot_id() -> str:
     return ""
 
 
+def new_console_id() -> str:
+    """Return an id for this console that no other one has: its host, its process, and a random part."""
+    return f"{os.uname().nodename[:60]}-{os.getpid()}-{secrets.token_hex(4)}"
+
+
 class PresenceFile:
     """The file of this console, and its lock."""
 
     def __init__(self, folder: Path) -> None:
-        self.id = f"{os.uname().nodename[:60]}-{os.getpid()}-{secrets.token_hex(4)}"
+        self.id = new_console_id()
         self._path = folder / f"{PREFIX}{self.id}{SUFFIX}"
         self._lock_path = self._path.with_suffix(LOCK)
         self._lock: int | None = None

@@ -1,48 +1,96 @@
-"""The claims of a desk for a command without a screen, which is not at the desk itself."""
+"""The desk for a command without a screen, which is not seen there: claims, and orders that are removed."""
 
+import itertools
 import threading
+import time
+from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from pathlib import Path
 
 from fleet_tui.config.schema import Config
-from fleet_tui.desk.desk import EVERY, colleagues
-from fleet_tui.desk.presence import PresenceReader
+from fleet_tui.desk.desk import EVERY, LAST_CHANCE, colleagues, shown
+from fleet_tui.desk.fact_file import FactFile
+from fleet_tui.desk.facts import SharedRemoval
+from fleet_tui.desk.presence import PresenceReader, new_console_id
+from fleet_tui.desk.removals import own_removals, removal_event
 from fleet_tui.model.desk.events import ColleaguesSeen
 from fleet_tui.model.events import Event
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
 
 FIRST_WITHIN = 1.0
 """Seconds to wait for the first look: a folder that does not respond holds no command back."""
 
 
+class DeskVisit:
+    """A look at the desk every quarter of a second: its thread posts who is there and which orders the others
+    remove, and shares the cancels and clears of `name`."""
+
+    def __init__(self, folder: Path, name: str, post: Callable[[Event], object]) -> None:
+        self._name, self._post, self._own = name, post, new_console_id()
+        self._reader, self._facts = PresenceReader(folder), FactFile(folder)
+        self._waiting, self._numbers = deque[SharedRemoval](), itertools.count(1)
+        self._has_looked, self._closing = threading.Event(), threading.Event()
+        self._thread = threading.Thread(target=self._work, name="fleet-tui-desk", daemon=True)
+        self._problem = ""
+
+    def start(self) -> str:
+        """Look for the first time; return the reason that claims are not known, empty if they are."""
+        self._thread.start()
+        return self._problem if self._has_looked.wait(FIRST_WITHIN) else "not responding"
+
+    def watch(self, before: FleetState, after: FleetState) -> None:
+        """Share what was removed here; written later."""
+        for fields in own_removals(before, after):
+            fact_id = f"{self._own}:{next(self._numbers)}"
+            self._waiting.append(SharedRemoval(fact_id, self._name, time.time(), **fields))
+
+    def close(self) -> None:
+        """Share what is left."""
+        self._closing.set()
+        self._thread.join(LAST_CHANCE)
+
+    def _work(self) -> None:
+        is_last = False
+        while not is_last:
+            is_last = self._closing.is_set()
+            try:
+                self._look()
+            except OSError as problem:
+                self._problem = problem.strerror or str(problem)
+            self._has_looked.set()
+            self._closing.wait(0.0 if is_last else EVERY)
+        self._facts.close()
+
+    def _look(self) -> None:
+        if taken := list(self._waiting):
+            self._facts.append(taken)
+            for _ in taken:
+                self._waiting.popleft()
+        self._post(ColleaguesSeen(colleagues(self._reader.look())))
+        for fact in self._facts.read():
+            is_new = self._has_looked.is_set() and fact.console != self._own
+            if is_new and isinstance(fact, SharedRemoval):
+                self._post(removal_event(fact, shown(fact.by)))
+
+
 @contextmanager
-def watched_claims(
-    config: Config, post: Callable[[Event], object], say: Callable[[str], object]
+def watched_desk(
+    config: Config, store: Store, name: str, post: Callable[[Event], object], say: Callable[[str], object]
 ) -> Iterator[None]:
-    """Post who is at the desk of the configuration, if it has one, while this lasts. Says why claims are not
-    known."""
+    """Visit the desk of the configuration, if it has one, while this lasts. Says why claims are not known."""
     if not config.desk.folder:
         yield
         return
     folder = config.beside(config.desk.folder)
-    reader, looked, closing = PresenceReader(folder), threading.Event(), threading.Event()
-    problems: list[str] = []
-
-    def work() -> None:
-        while not closing.is_set():
-            try:
-                post(ColleaguesSeen(colleagues(reader.look())))
-            except OSError as problem:
-                problems[:] = [f"{problem.strerror or problem}"]
-            looked.set()
-            closing.wait(EVERY)
-
-    threading.Thread(target=work, name="fleet-tui-desk", daemon=True).start()
-    if not looked.wait(FIRST_WITHIN):
-        problems[:] = ["not responding"]
-    if problems:
-        say(sanitize(f"desk: claims unknown: {folder}: {problems[0]}"))
+    visit = DeskVisit(folder, name, post)
+    if problem := visit.start():
+        say(sanitize(f"desk: claims unknown: {folder}: {problem}"))
+    store.watchers.append(visit.watch)
     try:
         yield
     finally:
-        closing.set()
+        store.watchers.remove(visit.watch)
+        visit.close()

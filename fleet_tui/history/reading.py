@@ -6,8 +6,10 @@ from typing import Any, TypeVar
 
 from msgspec import Struct
 
+from fleet_tui.model.commands import Stage
 from fleet_tui.model.history.facts import Activity, Charge, LinkChange, Note, Span
 from fleet_tui.model.history.lives import AlarmLife, PastCommand, PastOrder
+from fleet_tui.rules.commands.confirmation import IN_QUEUE
 from fleet_tui.rules.history.observing import HOUR
 
 S = TypeVar("S", bound=Struct)
@@ -36,6 +38,17 @@ class History:
         if stages:
             wanted = f"ended >= :since AND ended < :until{_at(stages)}"
         return self._rows(PastOrder, "orders", ORDER, wanted, "queued", since, until, robot)
+
+    def open_orders(self) -> list[PastOrder]:
+        """Return the orders that have not ended, also those that wait in a console. Who gave one is known to
+        the console that gave it: if another one observes, by that one's command."""
+        rows = self.database.execute(OPEN_ORDERS, {"waiting": Stage.WAITING.value})
+        return [PastOrder(*row) for row in rows]
+
+    def open_alarms(self) -> list[AlarmLife]:
+        """Return the alarms that hold, or that nobody has acknowledged."""
+        query = f"SELECT {', '.join(ALARM)} FROM alarms WHERE ended IS NULL ORDER BY raised"
+        return [AlarmLife(*row) for row in self.database.execute(query)]
 
     def alarms(self, since: float, until: float, robot: str = "") -> list[AlarmLife]:
         """Return the alarms that were raised or held in a time."""
@@ -151,6 +164,15 @@ ALARM = (
     *("source", "kind", "priority", "text", "raised", "returned", "acknowledged", "ended"),
     *("operator", "count"),
 )
+OPEN_ORDERS = f"""
+SELECT robot, name, way, floor, queued, begun, ended, stage, reason, coalesce(nullif(operator, ''), (
+  SELECT commands.operator FROM commands WHERE commands.robot = orders.robot
+    AND commands.reason = '{IN_QUEUE}' || orders.name ORDER BY at DESC LIMIT 1), '')
+FROM orders WHERE ended IS NULL
+UNION ALL
+SELECT robot, '', way, '', at, NULL, NULL, stage, reason, operator FROM commands WHERE stage = :waiting
+ORDER BY 5
+"""
 COMMAND = ("at", "operator", "robot", "what", "way", "stage", "reason")
 
 

@@ -62,11 +62,6 @@ class Totals:
         values = {"since": since, "until": until, "late": LATE, "least": USUAL_FROM}
         return [OrderTotal(*row) for row in self._database.execute(_ORDERS, values)]
 
-    def open_orders(self) -> int:
-        """Return the number of orders that have not ended."""
-        (count,) = self._database.execute("SELECT count(*) FROM orders WHERE ended IS NULL").fetchone()
-        return int(count)
-
     def activities(self, time: Division) -> list[ActivityTotal]:
         """Return the seconds of each activity of each robot in each part of a time."""
         if time.is_exact:

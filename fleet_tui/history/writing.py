@@ -13,6 +13,7 @@ from fleet_tui.rules.history.observing import BEGUN, HOUR, QUEUED, Fact
 
 LOG = logging.getLogger(__name__)
 ENDS = frozenset(stage.value for stage in ORDER_ENDS)
+INFERRED = frozenset(stage.value for stage, end in ORDER_ENDS.items() if end.is_inferred)
 STAGES = frozenset(stage.value for stage in Stage)
 UNSEEN = "end not seen"
 """The stage of an order that was open when nobody observed the fleet."""
@@ -96,7 +97,8 @@ def _write_charge(database: sqlite3.Connection, charge: Charge) -> None:
 
 def _write_order(database: sqlite3.Connection, change: OrderChange, run: str, operator: str) -> None:
     row = _open_order(database, change, run)
-    if change.stage in ENDS and (row is None or row[1] > change.at) and _has_ended(database, change):
+    is_end = change.stage in ENDS and (row is None or row[1] > change.at)
+    if is_end and (_has_ended(database, change) or _is_corrected(database, change, run)):
         return
     if row is None:
         _insert_order(database, change, run, operator)
@@ -137,6 +139,27 @@ def _has_ended(database: sqlite3.Connection, change: OrderChange) -> bool:
     query = "SELECT 1 FROM orders WHERE ended BETWEEN ? AND ? AND robot = ? AND name = ? AND stage = ?"
     values = (change.at - SAME_END, change.at + SAME_END, change.robot, change.order, change.stage)
     return database.execute(query, values).fetchone() is not None
+
+
+def _is_corrected(database: sqlite3.Connection, change: OrderChange, run: str) -> bool:
+    """Replace an end that was inferred by what is known now; tell whether there was one."""
+    inferred = ", ".join(f"'{stage}'" for stage in sorted(INFERRED))
+    cursor = database.execute(
+        "UPDATE orders SET stage = :stage, reason = :reason WHERE id = (SELECT max(id) FROM orders"
+        f" WHERE robot = :robot AND name = :name AND stage IN ({inferred})"
+        " AND (abs(ended - :at) <= :same OR (run = :run AND request = :request)))",
+        {
+            "stage": change.stage,
+            "reason": change.reason,
+            "robot": change.robot,
+            "name": change.order,
+            "at": change.at,
+            "same": SAME_END,
+            "run": run,
+            "request": change.request,
+        },
+    )
+    return cursor.rowcount > 0
 
 
 def _insert_order(database: sqlite3.Connection, change: OrderChange, run: str, operator: str) -> None:

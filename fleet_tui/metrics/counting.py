@@ -11,7 +11,7 @@ from fleet_tui.model.history.facts import OrderChange
 from fleet_tui.rules.history.observing import Observer
 
 ENDS = frozenset(stage.value for stage in ORDER_ENDS)
-FROM_ZERO = (Stage.DONE.value, Stage.LOST.value, Stage.FAILED.value)
+FROM_ZERO = (Stage.DONE.value, Stage.LOST.value, Stage.LEFT.value, Stage.FAILED.value)
 
 
 class Counting:

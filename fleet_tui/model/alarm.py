@@ -217,6 +217,14 @@ def unshelve(alarms: Sequence[Alarm], key: Key) -> tuple[Alarm, ...]:
     return tuple(alarm for alarm in taken if alarm.stage is not AlarmStage.CLEARED)
 
 
+def withdraw(alarms: Sequence[Alarm], keys: Collection[Key]) -> tuple[Alarm, ...]:
+    """Return the alarms without those whose cause turned out not to be one."""
+    # The same object means no change.
+    if not any(alarm.key in keys for alarm in alarms):
+        return tuple(alarms)
+    return tuple(alarm for alarm in alarms if alarm.key not in keys)
+
+
 class AlarmChange(Struct, frozen=True):
     """One step of one alarm, for a history: the alarm after it, or the last state of one that was cleared;
     `wall` is Unix seconds."""
@@ -234,8 +242,11 @@ class AlarmChange(Struct, frozen=True):
         return "raised again" if again else self.step.value
 
 
-def transitions(before: Sequence[Alarm], after: Sequence[Alarm], wall: float) -> list[AlarmChange]:
-    """Return every step between the alarms before and after one event, in the order of the alarms."""
+def transitions(
+    before: Sequence[Alarm], after: Sequence[Alarm], wall: float, by_time: bool = False
+) -> list[AlarmChange]:
+    """Return every step between the alarms before and after one event, in the order of the alarms. `by_time`:
+    no operator took it."""
     if before is after:
         return []
     old = {alarm.key: alarm for alarm in before}
@@ -245,6 +256,8 @@ def transitions(before: Sequence[Alarm], after: Sequence[Alarm], wall: float) ->
         was = old[key].stage if key in old else AlarmStage.CLEARED
         now = new[key].stage if key in new else AlarmStage.CLEARED
         step = _STEPS.get((was, now))
+        if by_time and step in (AlarmStep.ACKNOWLEDGE, AlarmStep.CLEAR) and now is AlarmStage.CLEARED:
+            step = AlarmStep.RETURN
         if step is not None:
             changes.append(AlarmChange(alarm, was, step, now, wall))
     return changes

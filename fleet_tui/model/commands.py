@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from enum import Enum
+from typing import NamedTuple
 
 from msgspec import Struct, field
 from msgspec.structs import replace
@@ -84,23 +85,52 @@ class Stage(Enum):
     DONE = "done"
     CANCELLED = "cancelled"
     CANCELLED_ELSEWHERE = "cancelled elsewhere"
+    LEFT = "left the queue"
     LOST = "lost"
     FAILED = "failed"
     REPLACED = "replaced"
 
 
+class Tally(Enum):
+    """The column of a shift that counts an order; the value is the part of its name in a metric."""
+
+    DONE = "done"
+    LOST = "lost or failed"
+    LEFT = "left the queue"
+    CANCELLED = "cancelled"
+
+
+class OrderEnd(NamedTuple):
+    """An end of an order that was in the queue. `over` is its verb once it is no longer news, empty if it
+    needs no person; `remedy` is what to do, empty for that of the alarm's class; `is_inferred`: no report
+    states it, so that a later one may correct it."""
+
+    tally: Tally
+    over: str = ""
+    remedy: str = ""
+    is_inferred: bool = False
+
+
+CHECK_DELIVERY = "Check where the robot and its load are, correct its pose if it is wrong, order again"
+"""The only remedy that advises to repeat the order: nothing else carries it out."""
+ORDER_ENDS: Mapping[Stage, OrderEnd] = {
+    Stage.DONE: OrderEnd(Tally.DONE),
+    Stage.CANCELLED: OrderEnd(Tally.CANCELLED),
+    Stage.CANCELLED_ELSEWHERE: OrderEnd(
+        Tally.CANCELLED, "was cancelled elsewhere", "Ask who cancelled it, before anything else is ordered"
+    ),
+    Stage.LEFT: OrderEnd(
+        Tally.LEFT, "left the queue", "Ask who removed it, and look where the robot and its load are", True
+    ),
+    Stage.LOST: OrderEnd(Tally.LOST, "was lost", CHECK_DELIVERY, True),
+    Stage.FAILED: OrderEnd(Tally.LOST, "failed"),
+    Stage.REPLACED: OrderEnd(
+        Tally.CANCELLED, "was replaced", "Ask who gave the newer order, before anything else is ordered"
+    ),
+}
+"""Ends of an order that was in the queue: alarm, `w`, row, history, report and metrics read them here."""
+_REPORTED = frozenset(stage for stage, end in ORDER_ENDS.items() if not end.is_inferred)
 _SEEN = frozenset({Stage.CONFIRMED, Stage.NOT_CONFIRMED, Stage.UNVERIFIABLE})
-ORDER_ENDS = frozenset(
-    {
-        Stage.DONE,
-        Stage.CANCELLED,
-        Stage.CANCELLED_ELSEWHERE,
-        Stage.LOST,
-        Stage.FAILED,
-        Stage.REPLACED,
-    }
-)
-"""Ends of an order that was in the queue."""
 
 NEXT: Mapping[Stage, frozenset[Stage]] = {
     Stage.CHECKED: frozenset({Stage.SENT, Stage.NOT_SENT, Stage.WAITING}),
@@ -114,19 +144,21 @@ NEXT: Mapping[Stage, frozenset[Stage]] = {
     Stage.REFUSED: frozenset(),
     Stage.NOT_SENT: frozenset(),
     # Only for orders; a pause can only be lost, and any other command has ended.
-    Stage.CONFIRMED: ORDER_ENDS | {Stage.WAITING},
+    Stage.CONFIRMED: frozenset({*ORDER_ENDS, Stage.WAITING}),
     # A robot that was frozen carries out commands when it resumes.
     Stage.NOT_CONFIRMED: frozenset({Stage.LATE}),
-    Stage.LATE: ORDER_ENDS | {Stage.WAITING},
+    Stage.LATE: frozenset({*ORDER_ENDS, Stage.WAITING}),
     Stage.UNVERIFIABLE: frozenset({Stage.LOST}),
     Stage.DONE: frozenset(),
     Stage.CANCELLED: frozenset(),
     Stage.CANCELLED_ELSEWHERE: frozenset(),
-    Stage.LOST: frozenset(),
+    # Inferred from a queue: corrected by a report, or by what another console did.
+    Stage.LEFT: _REPORTED,
+    Stage.LOST: _REPORTED,
     Stage.FAILED: frozenset(),
     Stage.REPLACED: frozenset(),
 }
-"""The allowed transitions. A stage without a next one is an end."""
+"""The allowed transitions. A stage without a next one is final."""
 
 OPEN = frozenset({Stage.CHECKED, Stage.WAITING, Stage.SENT, Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
 """Stages in which the outcome of a command is still unknown."""
@@ -137,10 +169,7 @@ FAILURES = frozenset(
         Stage.NOT_SENT,
         Stage.NOT_CONFIRMED,
         Stage.LATE,
-        Stage.CANCELLED_ELSEWHERE,
-        Stage.LOST,
-        Stage.FAILED,
-        Stage.REPLACED,
+        *(stage for stage, end in ORDER_ENDS.items() if end.over),
     }
 )
 """The stages that need a person."""

@@ -1,7 +1,8 @@
 """Order ends: inferred from queue and pose for an order that is no longer driven.
 
-A robot of the source only shows that an order is gone. It counts as done unless there is evidence against it:
-one rule, for the orders of this console and for all others.
+A robot of the source only shows that an order is gone. It counts as done unless there is evidence against it,
+and as lost only if it may have ended unseen, or its robot has forgotten it: one rule, for the orders of this
+console and for all others.
 """
 
 import math
@@ -10,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping
 from msgspec import Struct
 from msgspec.structs import replace
 
-from fleet_tui.model.commands import Stage
+from fleet_tui.model.commands import ORDER_ENDS, Stage
 from fleet_tui.model.order import BEGUN, Order, OrderQueue, OrderState
 from fleet_tui.text.durations import age
 
@@ -150,7 +151,7 @@ def _unlisted_end(trace: OrderTrace, last_listed: float | None, at: float, away:
         blind = f"left the queue while no queue was received for {age(at - last_listed)}"
         return Stage.LOST, f"{blind}: may have been completed"
     if not trace.begun:
-        return Stage.LOST, "left the queue before it started"
+        return Stage.LEFT, "not by this console, before it started"
     seen = away(trace.order)
     if seen is None:
         return Stage.DONE, "left the queue after it started"
@@ -159,7 +160,7 @@ def _unlisted_end(trace: OrderTrace, last_listed: float | None, at: float, away:
         blind = f"left the queue while no pose was received for {age(at - seen_at)}"
         return Stage.LOST, f"{blind}: may have been completed"
     where = "on another floor" if metres == math.inf else f"{metres:.0f} m from its end"
-    return Stage.LOST, f"left the queue with the robot {where}"
+    return Stage.LEFT, f"not by this console, with the robot {where}"
 
 
 UNSAID = "as reported by the robot"
@@ -179,6 +180,25 @@ def listed_end(order: Order, at: float) -> GoneOrder:
     """Return the end of an order that the robot lists as over."""
     assert order.state is not None
     return GoneOrder(order, at, _ENDS[order.state], order.said or UNSAID)
+
+
+def corrected(gone: tuple[GoneOrder, ...], queue: OrderQueue, reports_ends: bool) -> tuple[GoneOrder, ...]:
+    """Return the orders that left, those with an inferred end with the one that the robot lists now."""
+    over = {order.id: order for order in queue.orders if order.is_over}
+    if not any(_is_taken_back(one, over, reports_ends) for one in gone):
+        return gone
+    return tuple(
+        listed_end(over[one.order.id], one.at) if _is_taken_back(one, over, reports_ends) else one
+        for one in gone
+    )
+
+
+def _is_taken_back(gone: GoneOrder, over: Mapping[str, Order], reports_ends: bool) -> bool:
+    order = over.get(gone.order.id)
+    if order is None or not ORDER_ENDS[gone.stage].is_inferred or gone.reason == STARTED_OVER:
+        return False
+    # Where ends are reported an id is never used twice; a goal that is listed again has a new serial.
+    return (reports_ends or _is_same(gone.order, order)) and listed_end(order, gone.at) != gone
 
 
 def latest(gone: Iterable[GoneOrder], order_id: str, since: float) -> GoneOrder | None:

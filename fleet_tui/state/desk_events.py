@@ -6,11 +6,14 @@ from msgspec.structs import replace
 
 from fleet_tui.model.alarm import acknowledge, shelve, unshelve
 from fleet_tui.model.desk import events
-from fleet_tui.model.desk.desk import ClosedEdge, Desk
+from fleet_tui.model.desk.desk import ClosedEdge, Desk, Removal
 from fleet_tui.model.fleet import FleetState
 
 MOST_CLOSED = 1000
 """Closed edges of all floors; of more the oldest are forgotten."""
+
+REMOVALS_KEPT = 200
+"""Commands of other consoles that are kept to explain the ends of orders."""
 
 
 def apply_operator(state: FleetState, event: events.OperatorEvent) -> FleetState:
@@ -52,9 +55,18 @@ def _change(state: FleetState, event: events.DeskChange) -> FleetState:
             desk = replace(desk, closed=closed, acted=event.by)
         case events.EdgeOpened():
             desk = replace(desk, closed=_but(desk, event.ends), acted=event.by)
+        case events.OrdersRemoved():
+            desk = replace(desk, removals=_with_removal(desk, event.removal))
         case _:
             assert_never(event)
     return replace(state, desk=desk)
+
+
+def _with_removal(desk: Desk, removal: Removal) -> tuple[Removal, ...]:
+    """Keep the time at which a command was sent, whatever became of it."""
+    sent = next((one.at for one in desk.removals if one.key == removal.key), removal.at)
+    others = (one for one in desk.removals if one.key != removal.key)
+    return (*others, replace(removal, at=min(sent, removal.at)))[-REMOVALS_KEPT:]
 
 
 def _without(desk: Desk, robot: str) -> tuple[str, ...]:

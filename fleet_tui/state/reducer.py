@@ -6,7 +6,7 @@ from typing import assert_never
 from msgspec.structs import replace
 
 from fleet_tui.model import events, navigation_events
-from fleet_tui.model.alarm import advance
+from fleet_tui.model.alarm import advance, withdraw
 from fleet_tui.model.desk.events import OperatorEvent
 from fleet_tui.model.fleet import FleetState, with_robot
 from fleet_tui.model.fleets.events import DispatchFailed, MemberFact, RequestAnswered
@@ -17,6 +17,7 @@ from fleet_tui.model.robot import Robot, with_fault
 from fleet_tui.model.vehicles.events import VehicleFact
 from fleet_tui.rules.alarms.conditions import conditions
 from fleet_tui.rules.alarms.floods import without_floods
+from fleet_tui.rules.commands.failures import taken_back
 from fleet_tui.rules.commands.local_queue import with_held_queues
 from fleet_tui.rules.lag import with_lags
 from fleet_tui.rules.localisation.misplaced import with_misplaced
@@ -61,6 +62,7 @@ def _pass_time(state: FleetState, event: events.TimePassed) -> FleetState:
     began = {one.key: state.began.get(one.key, event.at) for one in found}
     due = without_floods(state, found, held)
     alarms = advance(state.alarms, due, event.at, event.wall, state.limits.clear_after, state.limits.latched)
+    alarms = withdraw(alarms, taken_back(state))
     return with_blocked_edges(replace(state, began=began, alarms=alarms))
 
 

@@ -9,7 +9,7 @@ from msgspec.structs import replace
 from fleet_tui.model import events
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.order import Order, OrderQueue, vertices_of
-from fleet_tui.model.order_life import trace_movement, trace_queue
+from fleet_tui.model.order_life import corrected, trace_movement, trace_queue
 from fleet_tui.model.robot import Reading, Robot, RobotMap, StampClock, with_fault
 from fleet_tui.rules.localisation.jumps import pose_jump
 from fleet_tui.rules.movement import JUMPS_WITHIN, jump, moved, progressed
@@ -170,7 +170,8 @@ def _apply_queue(robot: Robot, event: events.QueueReported) -> Robot:
         older = {id_: trace for id_, trace in robot.traces.items() if id_ not in traces}
         kept = list((older | dict(traces)).items())[-TRACES_KEPT:]
         return with_fault(replace(robot, traces=dict(kept)), event.fault)
-    recent = (one for one in robot.gone if at - one.at < GONE_FOR) if gone else robot.gone
+    left = corrected(robot.gone, queue, robot.kind.reports_ends)
+    recent = (one for one in left if at - one.at < GONE_FOR) if gone else left
     return replace(robot, traces=traces, gone=(*recent, *gone)[-GONE_KEPT:])
 
 

@@ -14,6 +14,7 @@ from fleet_tui.terminal.answer import KeyAnswer
 from fleet_tui.terminal.display_driver import DisplayDriver
 from fleet_tui.terminal.key_queue import KeyDone, KeyQueue
 from fleet_tui.terminal.key_releases import parse_releases, tell_releases
+from fleet_tui.terminal.terminal_driver import TerminalDriver
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -45,6 +46,11 @@ class LeanApp(App[None]):
         self.keys = KeyQueue(self, super().on_event)
         self.keys.unread_for = self.output.unread_for
         self.output.read_again = self.keys.read_again
+
+    def get_driver_class(self) -> type[Driver]:
+        """Return the driver that Textual chooses, for a terminal our own."""
+        chosen = super().get_driver_class()
+        return TerminalDriver if chosen.__name__ == "LinuxDriver" else chosen
 
     def _handle_exception(self, error: Exception) -> None:
         # Textual ends the app.

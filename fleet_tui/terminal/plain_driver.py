@@ -3,13 +3,12 @@
 Names and texts of robots are not changed.
 """
 
-from textual.drivers.linux_driver import LinuxDriver
-
+from fleet_tui.terminal.terminal_driver import TerminalDriver
 from fleet_tui.text.ascii_fallback import PLAIN
 
 
-class PlainDriver(LinuxDriver):
-    """Textual's driver, with ASCII glyphs."""
+class PlainDriver(TerminalDriver):
+    """The driver for a terminal, with ASCII glyphs."""
 
     def write(self, data: str) -> None:
         """Send text, every glyph in ASCII. Each takes one cell, as before."""

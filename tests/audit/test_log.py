@@ -9,20 +9,21 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
 from fleet_tui.audit import log as module
 from fleet_tui.audit.entries import TEXT_KEPT, Origin
 from fleet_tui.audit.file import FILE_NAME, AuditFile
 from fleet_tui.audit.log import Audit, auditing, encode, operator_name
 from fleet_tui.config.schema import Config, Operator
-from fleet_tui.model.commands import (
-    Stage,
-)
+from fleet_tui.model.alarm import Alarm, Condition, Priority
+from fleet_tui.model.commands import Stage
 from fleet_tui.model.events import CommandAdvanced, CommandIssued
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.state.store import Store
 from tests.support.fleets import (
     F0,
+    R0,
     T0,
     WALL,
     tick,
@@ -181,19 +182,60 @@ def test_a_disk_that_does_not_answer_holds_nobody(tmp_path: Path, disk: BadDisk)
 def test_a_slow_disk_holds_nobody_for_long(
     tmp_path: Path, disk: BadDisk, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Each line takes less than would be said: after the first nobody waits for a while."""
+    """Each line takes less than would be said: after the first no alarm waits for a while."""
 
     def append(line: bytes) -> None:
         time.sleep(0.03)  # the slowness itself
         AuditFile.append(disk, line)
 
     monkeypatch.setattr(disk, "append", append)
-    audit = Audit(disk, ANA)
+    audit, quiet = Audit(disk, ANA), known_fleet()
     began = time.monotonic()
     for n in range(100):
-        audit.log_console(f"n{n}")
+        condition = Condition(R0, f"kind {n}", Priority.LOW, "text", "over")
+        audit.watch(quiet, replace(quiet, alarms=(Alarm(condition, WALL, WALL, T0),)))
     assert time.monotonic() - began < 100 * 0.03
     becomes(lambda: disk.path.exists() and len(read(tmp_path)) == 100)
+
+
+def test_a_command_waits_for_a_slow_disk(tmp_path: Path, disk: BadDisk) -> None:
+    """However slow it was before: it is sent after its line is written."""
+    disk.seconds = 0.03
+    store, audit = Store(known_fleet()), Audit(disk, ANA)
+    store.watchers.append(audit.watch)
+    for n in range(1, 21):
+        store.apply(CommandIssued(n, ORDER, T0, WALL))
+        assert [one.id for one in read(tmp_path)] == [*range(1, n + 1)]
+    assert audit.notes == []
+
+
+@pytest.mark.parametrize("starved", ["before", "within"])
+def test_a_busy_machine_is_no_disk_that_hangs(
+    tmp_path: Path, disk: BadDisk, monkeypatch: pytest.MonkeyPatch, starved: str
+) -> None:
+    """The writing thread gets no processor: before it has the line, or while it writes."""
+    store, audit = Store(known_fleet()), Audit(disk, ANA)
+    store.watchers.append(audit.watch)
+    next_line, append = audit._next, disk.append
+
+    def late() -> bytes | None:
+        time.sleep(4 * module.PATIENCE)
+        return next_line()
+
+    def busy(line: bytes) -> None:
+        end = time.thread_time() + 4 * module.PATIENCE
+        while time.thread_time() < end:
+            pass
+        append(line)
+
+    if starved == "before":
+        monkeypatch.setattr(audit, "_next", late)
+        give(store, 1, ORDER)  # the thread was waiting already
+    else:
+        monkeypatch.setattr(disk, "append", busy)
+    give(store, 2, ORDER)
+    assert read(tmp_path)[-1].id == 2
+    assert audit.notes == []
 
 
 def test_one_slow_line_leaves_no_command_before_its_own(

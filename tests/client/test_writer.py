@@ -1,6 +1,7 @@
 """The one writer: a tick ten times a second, whatever fails in it, and events in their order."""
 
 import gc
+import time
 from collections.abc import AsyncIterator
 
 import pytest
@@ -66,3 +67,17 @@ async def test_events_of_any_thread_are_applied_in_their_order_and_tapped(
     await store.until(lambda _: len(store.events) == 5)
     assert isinstance(running.tap, Ear)
     assert store.events == events == running.tap.facts
+
+
+async def test_what_arrived_while_it_did_not_run_is_read_before_anything_counts_as_missing(
+    running: Writer, store: WatchedStore, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(writer, "STALL", 0.2)
+    running.start()
+    await store.until(lambda _: store.told(TimePassed))
+    running.loop.call_soon_threadsafe(time.sleep, 0.35)  # the stop itself
+    await store.until(lambda state: state.behind >= 0.2)
+    ticks = len(store.told(TimePassed))
+    await store.until(lambda _: len(store.told(TimePassed)) > ticks + 1)
+    assert store.state.behind >= 0.2
+    await store.until(lambda state: state.behind < 0.2)

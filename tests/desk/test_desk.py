@@ -14,6 +14,7 @@ from fleet_tui.desk import desk as desk_module
 from fleet_tui.desk.desk import AT_ONCE, SharedDesk, desk_of
 from fleet_tui.desk.fact_file import FILE
 from fleet_tui.model.alarm import AlarmStage
+from fleet_tui.model.commands import CancelOrder, Stage
 from fleet_tui.model.desk.desk import ends_of
 from fleet_tui.model.desk.events import (
     AlarmAcknowledged,
@@ -27,7 +28,7 @@ from fleet_tui.model.desk.events import (
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Note
 from fleet_tui.state.store import Store
-from tests.support.fleets import LINK, T0, fleet, link_lost
+from tests.support.fleets import LINK, T0, commanded, fleet, link_lost
 from tests.support.polling import eventually
 from tests.support.shared_desk import R3, DeskConsole, at_desk
 
@@ -261,3 +262,15 @@ def test_without_a_desk_there_is_none_and_read_only_shares_nothing(tmp_path: Pat
         assert isinstance(made, SharedDesk)
         made.share_note(Note(0.0, "ana", "x"))
         assert made.notes == []
+
+
+def test_a_cancel_or_clear_is_known_at_the_others_with_its_author(tmp_path: Path) -> None:
+    with at_desk(tmp_path, "ana", "ben") as (ana, ben):
+        for fact in commanded(7, CancelOrder(R3, "5"), Stage.SENT, Stage.REFUSED):
+            ana.post(fact)
+        ben.becomes(lambda state: [one.stage for one in state.desk.removals] == [Stage.REFUSED])
+        (removal,) = ben.state.desk.removals
+        assert (removal.robot, removal.order_id) == (R3, "5") and removal.text.startswith(
+            "cancelled by ana at "
+        )
+        assert ana.state.desk.removals == ()

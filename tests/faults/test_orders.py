@@ -1,19 +1,29 @@
 """Outcomes of sent commands: each end is reported, also an end caused by another client."""
 
+from pathlib import Path
+
 import pytest
 
-from fleet_tui.model.commands import Stage
+from fleet_tui.audit.elsewhere import watched_removals
+from fleet_tui.audit.entries import Origin
+from fleet_tui.audit.file import FILE_NAME, AuditFile
+from fleet_tui.audit.log import Audit
+from fleet_tui.model.commands import ClearOrders, Stage
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.order_life import BLIND_AFTER
 from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.fault_report import report
 from tests.support.fleets import place_order
 from tests.support.invariants import linked
 from tests.support.links import finished, ready
-from tests.support.proxied_link import Holds, Stopwatch, usual
+from tests.support.links import linked as plainly_linked
+from tests.support.proxied_link import Holds, Stopwatch, lost, through, usual
 from tests.support.shown_text import shown
 
 ORDER = place_order("robot_0", 19, 0)
+FAR = place_order("robot_0", 0, 19)
+"""An order that ends far from where the robot is."""
 
 
 def stage(wanted: Stage) -> Holds:
@@ -119,6 +129,66 @@ async def test_another_console_cancels(server: RosbridgeServer) -> None:
         assert ": cancelled elsewhere" in shown(state)
     seen = "cancelled elsewhere, an alarm"
     report("another console cancels an order", "the robot lists it as cancelled", seen, noticed, None)
+
+
+async def test_another_console_of_this_machine_clears(server: RosbridgeServer, tmp_path: Path) -> None:
+    config = usual(server.url, 2)
+    async with linked(config) as (link, store), plainly_linked(config) as (other, other_store):
+        await store.until(ready)
+        await other_store.until(ready)
+        audit = Audit(AuditFile(tmp_path / FILE_NAME), Origin("ben", "host:2", "run2"))
+        other_store.watchers.append(audit.watch)
+        with watched_removals(tmp_path, store, link.post, "host:1"):
+            assert (await finished(link, store, ORDER)).stage is Stage.CONFIRMED
+            watch = Stopwatch(store)
+            assert (await finished(other, other_store, ClearOrders("robot_0"))).stage is Stage.CONFIRMED
+            noticed = await watch.until(stage(Stage.CANCELLED_ELSEWHERE))
+        other_store.watchers.clear()
+        assert audit.close(other_store.state) == 0
+        state = await store.until(alarms)
+        assert alarms(state) == [
+            "cancelled elsewhere: order Consumidores -> Base (order 1: cleared by ben at host:2)"
+        ]
+    seen = "cancelled elsewhere, with the operator and the console"
+    report("another console clears a queue", "its audit log has the command", seen, noticed, None)
+
+
+async def test_an_order_leaves_the_queue_and_nothing_tells_why(server: RosbridgeServer) -> None:
+    robot = server.world.robots["robot_0"]
+    async with linked(usual(server.url, 2)) as (link, store):
+        await store.until(ready)
+        assert (await finished(link, store, FAR)).stage is Stage.CONFIRMED
+        watch = Stopwatch(store)
+        robot.drop({order.id for order in robot.orders})
+        noticed = await watch.until(stage(Stage.LEFT))
+        (text,) = alarms(await store.until(alarms))
+        assert text.startswith("left the queue: order Base -> Consumidores (order 1: not by this console, ")
+    seen = "left the queue, not by this console; no advice to order again"
+    report("an order leaves the queue", "removed by a client without a desk", seen, noticed, None)
+
+
+async def test_an_order_that_ended_while_the_link_was_away_is_told_later(server: RosbridgeServer) -> None:
+    robot = server.world.robots["robot_0"]
+    async with through(server) as (proxy, link, store, watch):
+        assert (await finished(link, store, FAR)).stage is Stage.CONFIRMED
+        (order,) = robot.orders
+        await proxy.refuse()
+        await store.until(lost("connection refused"))
+        robot.drop({order.id})
+        away = store.state.now
+        await store.until(lambda state: state.now - away > BLIND_AFTER + 1.0)
+        await proxy.listen()
+        watch.start()
+        noticed = await watch.until(stage(Stage.LOST))
+        assert alarms(await store.until(alarms))[0].startswith("lost: order Base -> Consumidores (order 1: ")
+        order.status = "D"
+        robot.ended = [order]
+        watch.start()
+        healed = await watch.until(stage(Stage.DONE))
+        assert store.state.commands[-1].detail == "order 1: as reported by the robot; corrects: lost"
+        await store.until(lambda state: not alarms(state))
+    seen = "lost; once the robot lists its end done, and the alarm goes"
+    report("an order ends while the link is away", "its end is listed later", seen, noticed, healed)
 
 
 async def test_another_console_pauses(server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -11,7 +11,10 @@ from pathlib import Path
 import pytest
 
 from tests.support import terminal_session as in_terminal_module
+from tests.support.cli import config_file
 from tests.support.fault_report import report
+from tests.support.in_pty import serving
+from tests.support.invariants import read
 from tests.support.terminal_session import InTerminal, exists, in_terminal
 
 RESTORED = "the shell, its terminal as before"
@@ -101,6 +104,38 @@ def test_to_the_shell_and_back(demo: InTerminal) -> None:
     demo.child.send_signal(signal.SIGCONT)
     healed = demo.until(lambda: "robot_1" in demo.text() and "floor_0" in demo.text(), what="the picture")
     report("SIGTSTP, fg", "sent to the process", RESTORED, noticed, healed)
+
+
+STOPPED = 20.0 if "FLEET_TUI_FAULTS" in os.environ else 4.0
+"""Seconds for which a console is stopped, four times as long as it waits for an answer."""
+
+
+def test_stopped_while_the_answer_comes(tmp_path: Path) -> None:
+    """Time in which it does not run is no time waited: nothing is missing, no robot is blamed."""
+    with serving("fleet_tui", "sim", "--port", "0", "--stop-with-stdin", "--robots", "2") as (url, simulator):
+        config = config_file(tmp_path, url, 2, 2)
+        config.write_text(f"{config.read_text()}[alarms]\nno_answer_after = {STOPPED / 4}\n")
+        with in_terminal(tmp_path, "--config", str(config)) as running:
+            log = running.home / "state" / "fleet-tui" / "audit.jsonl"
+
+            def changes(what: str) -> list[str]:
+                return [record.change for record in read(log) if record.what == what]
+
+            running.until(lambda: "robot_1" in running.text() and "●" in running.text(), what="a link")
+            simulator.send_signal(signal.SIGSTOP)
+            command(running)
+            running.child.send_signal(signal.SIGSTOP)
+            simulator.send_signal(signal.SIGCONT)
+            time.sleep(STOPPED)  # the fault itself
+            running.child.send_signal(signal.SIGCONT)
+            noticed = running.until(lambda: "this console is " in running.text(), what="that it was stopped")
+            running.until(lambda: "confirmed" in changes("pause"), what="the outcome")
+            running.until(lambda: len(changes("behind")) == 2, what="the end of it")
+            assert changes("pause") == ["checked", "sent", "accepted", "confirmed"]
+            assert changes("offline") == []
+            assert changes("behind") == ["raised", "returned, cleared"]
+    seen = "`this console is 20 s behind`, an alarm; the outcome of its command, no robot offline"
+    report("SIGSTOP for 20 s, SIGCONT", "sent to the process, before an answer comes", seen, noticed, None)
 
 
 def test_resized_to_nothing_and_back_hundreds_of_times(demo: InTerminal) -> None:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from fleet_tui.audit.entries import Origin
 from fleet_tui.history.database import open_to_write
 from fleet_tui.history.reading import History
 from fleet_tui.history.writing import write
@@ -82,3 +83,36 @@ def test_charges_of_one_robot_in_a_time(database: sqlite3.Connection) -> None:
         for at in (1.0, 60.0, 120.0):
             write(database, Charge(robot, at, at / 2), "run1", "ana")
     assert History(database).charges("r", 50.0, 120.0) == [Charge("r", 60.0, 30.0)]
+
+
+def test_what_goes_on_has_its_operator_whoever_observes(database: sqlite3.Connection) -> None:
+    """An order that was only queued, one of another console, one that waits in a console, one of nobody's."""
+    order(database, "over", 1.0, 9.0)
+    order(database, "5", 3.0, 0.0)
+    own = OrderChange("r", "6", "A -> B", 4.0, "queued", request=1)
+    write(database, own, "run1", "ana")
+    order(database, "7", 5.0, 0.0)
+    told = {"kind": "command", "what": "order", "robot": "r", "start": "A", "end": "B"}
+    ben = Origin("ben", "host:2", "run2")
+    words = "seen in the queue as order 7"
+    write(database, ben.record(5.0, change="confirmed", id=1, words=words, **told), "run2", "ben")
+    write(database, ben.record(6.0, change="waiting here", id=2, **told), "run2", "ben")
+    found = [(one.order, one.stage, one.operator) for one in History(database).open_orders()]
+    assert found == [
+        ("5", "queued", ""),
+        ("6", "queued", "ana"),
+        ("7", "queued", "ben"),
+        ("", "waiting here", "ben"),
+    ]
+
+
+def test_alarms_are_open_until_they_are_over_and_seen(database: sqlite3.Connection) -> None:
+    lives = {"r": ["raised"], "s": ["raised", "returned"], "t": ["raised", "returned, cleared"]}
+    for robot, changes in lives.items():
+        told = {"kind": "alarm", "what": "stuck", "robot": robot, "priority": "high"}
+        for at, change in enumerate(changes):
+            write(database, ANA.record(5.0 + at, change=change, **told), "run1", "ana")
+    assert [(one.source, one.returned) for one in History(database).open_alarms()] == [
+        ("r", None),
+        ("s", 6.0),
+    ]

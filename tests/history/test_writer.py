@@ -237,17 +237,17 @@ def test_an_order_that_two_consoles_saw_counts_once_when_the_second_takes_over(
         each.apply(tick(T0 + 2))
     eventually(lambda: rows(first.path, "orders") == 2)
     store.apply(queue(T0 + 3, (8, 1, 2, "P")))
-    store.apply(tick(T0 + 3))
+    store.apply(tick(T0 + 4))
     second = running(other_store, Origin("bob", "host:2", "run2"))
     other_store.apply(queue(T0 + 4, (8, 1, 2, "P")))
-    other_store.apply(tick(T0 + 4))
+    other_store.apply(tick(T0 + 5))
     eventually(lambda: len(ended(first.path)) == 1)
     first.close()  # the last order ends while none of them observes
     other_store.apply(queue(T0 + 9))
-    other_store.apply(tick(T0 + 9))
+    other_store.apply(tick(T0 + 10))
     eventually(lambda: len(ended(first.path)) == 2)
     second.close()
-    assert sorted(ended(first.path)) == [("7", "lost"), ("8", "lost")]
+    assert sorted(ended(first.path)) == [("7", "left the queue"), ("8", "lost")]
 
 
 def test_an_order_that_ended_before_the_second_console_observes_has_its_end(

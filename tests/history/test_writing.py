@@ -214,3 +214,13 @@ def test_an_operator_of_a_console_that_does_not_observe_acknowledges_it(database
         write(database, seen, seen.run, operator)
     (life,) = History(database).alarms(*ALL)
     assert (life.acknowledged, life.operator, life.ended) == (130.0, "bob", None)
+
+
+def test_an_inferred_end_is_replaced_by_what_is_known_later(database: sqlite3.Connection) -> None:
+    """Also in a history that is made from the audit log, where the correction has a time of its own."""
+    for at, stage in ((1.0, "queued"), (5.0, "left the queue"), (5.0, "cancelled elsewhere")):
+        write(database, OrderChange("r", "7", "A -> B", at, stage), "run1", "ana")
+    for at, stage in ((1.0, "queued"), (5.0, "lost"), (500.0, "done")):
+        write(database, OrderChange("r", "8", "A -> B", at, stage, request=3), "run1", "ana")
+    rows = database.execute("SELECT name, stage, ended FROM orders ORDER BY name").fetchall()
+    assert rows == [("7", "cancelled elsewhere", 5.0), ("8", "done", 5.0)]

@@ -135,7 +135,7 @@ def test_an_order_with_ids_of_text_is_recognised_and_told() -> None:
     ],
 )
 def test_an_order_that_is_listed_as_over_ended_so(state: OrderState, stage: Stage) -> None:
-    ended = confirmed(reported(T0 + 2, goal(state)), tick(T0 + 2))
+    ended = confirmed(reported(T0 + 2, goal(state)), tick(T0 + 3))
     assert only(ended).stage is stage and stage in ORDER_ENDS
     alarms = [alarm.text for alarm in ended.alarms if alarm.condition.kind == "command"]
     assert bool(alarms) == (stage in FAILURES)
@@ -184,7 +184,7 @@ def test_an_order_to_a_pose_is_done_where_the_robot_was_there() -> None:
     state = reduced(fleet(), *begun, *asked, driving[0], tick(T0 + 1), pose(T0 + 2, 3.0), driving[1])
     assert only(reduced(state, reported(T0 + 2.5, last=1), tick(T0 + 3))).stage is Stage.DONE
     left = reduced(fleet(), *begun, *asked, driving[0], tick(T0 + 1), pose(T0 + 2, 30.0), driving[1])
-    assert only(reduced(left, reported(T0 + 2.5, last=1), tick(T0 + 3))).detail.endswith("27 m from its end")
+    assert only(reduced(left, reported(T0 + 2.5, last=1), tick(T0 + 4))).detail.endswith("27 m from its end")
 
 
 def test_no_queue_current_and_an_empty_id_is_none() -> None:

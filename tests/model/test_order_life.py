@@ -51,10 +51,10 @@ def end(
     ("trace", "now", "where", "stage", "reason"),
     [
         (OrderTrace(DRIVEN, True, 11.0), queue(), away(9.0, 12.0), Stage.DONE, "driven to the end"),
-        (OrderTrace(QUEUED), queue(), unplaced, Stage.LOST, "before it started"),
+        (OrderTrace(QUEUED), queue(), unplaced, Stage.LEFT, "before it started"),
         (OrderTrace(DRIVEN, True), queue(), unplaced, Stage.DONE, "after it started"),
-        (OrderTrace(DRIVEN, True), queue(), away(7.2, 12.0), Stage.LOST, "the robot 7 m from its end"),
-        (OrderTrace(DRIVEN, True), queue(), away(math.inf, 12.0), Stage.LOST, "on another floor"),
+        (OrderTrace(DRIVEN, True), queue(), away(7.2, 12.0), Stage.LEFT, "the robot 7 m from its end"),
+        (OrderTrace(DRIVEN, True), queue(), away(math.inf, 12.0), Stage.LEFT, "on another floor"),
         (OrderTrace(DRIVEN, True), queue(), away(7.0, 2.0), Stage.LOST, "no pose was received for 10 s"),
         (OrderTrace(DRIVEN, True, 11.0), queue(last=0), unplaced, Stage.LOST, STARTED_OVER),
         (

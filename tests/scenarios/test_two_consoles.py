@@ -3,10 +3,17 @@
 import time
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
+from pathlib import Path
 
+import pytest
+
+from fleet_tui.audit.elsewhere import watched_removals
+from fleet_tui.audit.entries import Origin
+from fleet_tui.audit.file import FILE_NAME, AuditFile
+from fleet_tui.audit.log import Audit
 from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.start import initial_state
-from fleet_tui.model.commands import CancelOrder, ClearOrders, CommandRecord, PauseRobot, Stage
+from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, CommandRecord, PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console
@@ -66,7 +73,32 @@ async def test_an_order_of_the_other_one_is_shown_and_can_be_cancelled(server: R
         assert stages(record) == [*SENT, Stage.ACCEPTED, Stage.CONFIRMED]
         await it.shows("cancel order 1: confirmed (no longer in the queue)", "message")
         # All that the other console sees of it is that the order is gone.
-        await other.store.until(lambda state: state.commands[0].stage is Stage.LOST)
+        await other.store.until(lambda state: state.commands[0].stage is Stage.LEFT)
+        assert other.store.state.commands[0].detail.startswith("order 1: not by this console, ")
+
+
+@pytest.mark.parametrize("removal", [CancelOrder(R0, "1"), ClearOrders(R0)])
+async def test_an_order_that_another_console_of_this_machine_removed_is_told_with_its_author(
+    server: RosbridgeServer, tmp_path: Path, removal: Command
+) -> None:
+    """Its audit log is the evidence; the robot only shows that the order is gone."""
+    async with other_console(server.url) as ana, other_console(server.url) as ben:
+        audit = Audit(AuditFile(tmp_path / FILE_NAME), Origin("ben", "host:2", "run2"))
+        ben.store.watchers.append(audit.watch)
+        with watched_removals(tmp_path, ana.store, ana.link.post, "host:1"):
+            ana.link.submit(place_order(R0, BASE, CONSUMIDORES))
+            await ana.ended()
+            ben.link.submit(removal)
+            await ben.ended()
+            ended = await ana.store.until(lambda state: not state.commands[0].has_open_order)
+        record = ended.commands[0]
+        verb = "cancelled" if isinstance(removal, CancelOrder) else "cleared"
+        assert (record.stage, record.detail) == (
+            Stage.CANCELLED_ELSEWHERE,
+            f"order 1: {verb} by ben at host:2",
+        )
+        ben.store.watchers.clear()
+        assert audit.close(ben.store.state) == 0
 
 
 async def test_both_cancel_the_same_order(server: RosbridgeServer) -> None:

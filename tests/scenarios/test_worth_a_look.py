@@ -40,7 +40,7 @@ def fresh(*facts: Event, at: float = T0 + 10.0) -> FleetState:
 
 def lost() -> FleetState:
     state = fresh()
-    gone = GoneOrder(Order("7", (), None, "", 1), state.now, Stage.LOST, "")
+    gone = GoneOrder(Order("7", (), None, "", 1), state.now - 2.0, Stage.LOST, "")
     return with_robot(state, replace(state.robots[R0], gone=(gone,)))
 
 

@@ -1,5 +1,8 @@
 """Tasks as the orders of robots: one at a time, moved between robots, interrupted and ended."""
 
+import pytest
+
+from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.fleets.events import MemberReported
 from fleet_tui.model.geometry import Pose
@@ -69,6 +72,15 @@ def test_a_task_whose_end_was_missed_is_lost_not_done_after_a_minute() -> None:
     assert states(state) == [OrderState.LOST]
     assert "unknown whether it was done" in state.robots[R0].orders.orders[0].said
     assert states(reduced(state, reported(T0 + 62, "a"))) == [ON]
+
+
+@pytest.mark.parametrize("later", [62.0, 80.0])
+def test_a_lost_task_whose_end_is_reported_later_has_that_end(later: float) -> None:
+    """Also when it is no longer listed: its end is news."""
+    state = reduced(rmf_fleet(), reported(T0, "a"), driving(T0 + 61, "b"), tick(T0 + 61))
+    assert [gone.stage for gone in state.robots[R0].gone] == [Stage.LOST]
+    state = reduced(state, driving(T0 + later, "b"), tick(T0 + later), reported(T0 + later, "a", DONE))
+    assert [gone.stage for gone in state.robots[R0].gone] == [Stage.DONE]
 
 
 def test_a_task_is_not_lost_while_it_is_driven_or_while_its_adapter_is_silent() -> None:

@@ -12,7 +12,7 @@ from fleet_tui.model.commands import (
     Stage,
 )
 from fleet_tui.model.desk import events as desk_events
-from fleet_tui.model.desk.desk import Colleague
+from fleet_tui.model.desk.desk import Colleague, Removal
 from fleet_tui.model.fleets import events as fleet_events
 from fleet_tui.model.fleets.facility import DOOR, LANES, LIFT, Facility
 from fleet_tui.model.geometry import MapFrame, Pose
@@ -285,6 +285,10 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
     desk_events.RobotReleased: st.builds(desk_events.RobotReleased, ROBOTS),
     desk_events.EdgeClosed: st.builds(desk_events.EdgeClosed, CLOSED, AT, st.text(max_size=3)),
     desk_events.EdgeOpened: st.builds(desk_events.EdgeOpened, CLOSED, st.text(max_size=3)),
+    desk_events.OrdersRemoved: st.builds(
+        desk_events.OrdersRemoved,
+        st.builds(Removal, IDS, ROBOTS, IDS, IDS, IDS, AT, st.sampled_from(Stage)),
+    ),
     vehicle_events.VehicleReported: st.builds(vehicle_events.VehicleReported, ROBOTS, AT, VEHICLES),
     vehicle_events.ConnectionReported: st.builds(
         vehicle_events.ConnectionReported,

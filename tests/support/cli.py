@@ -5,6 +5,7 @@ import json
 import os
 import sys
 import tempfile
+from collections.abc import Callable
 from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
@@ -52,8 +53,15 @@ async def started(
     )
 
 
-async def run(folder: Path, *args: str, stdin: str | None = None, within: float = 30.0) -> Ended:
-    """Run `fleet-tui` with the config of a folder to its end, while this loop goes on serving."""
+async def run(
+    folder: Path,
+    *args: str,
+    stdin: str | None = None,
+    within: float = 30.0,
+    on_start: Callable[[int], object] = lambda _pid: None,
+) -> Ended:
+    """Run `fleet-tui` with the config of a folder to its end, while this loop goes on serving; `on_start`
+    gets its process id."""
     with ExitStack() as opened:
         given, out, err = (opened.enter_context(tempfile.TemporaryFile()) for _ in range(3))
         given.write((stdin or "").encode())
@@ -61,8 +69,13 @@ async def run(folder: Path, *args: str, stdin: str | None = None, within: float 
         streams = [given.fileno(), out.fileno(), err.fileno()]
         ended = opened.enter_context(warm_cli().start(args, folder, _environment(folder), streams))
         ended.setblocking(False)
+        loop, told = asyncio.get_running_loop(), b""
         async with asyncio.timeout(within):
-            code = int(await asyncio.get_running_loop().sock_recv(ended, 10))
+            while b" " not in told:
+                told += await loop.sock_recv(ended, 20)
+            pid, _, code_told = told.partition(b" ")
+            on_start(int(pid))
+            code = int(code_told or await loop.sock_recv(ended, 20))
         said = [(file.seek(0), file.read().decode())[1] for file in (out, err)]
     return Ended(code, *said)
 

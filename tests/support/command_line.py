@@ -18,6 +18,6 @@ def run(*args: str, cwd: Path, **env: str) -> subprocess.CompletedProcess[str]:
         streams = [nothing.fileno(), out.fileno(), err.fileno()]
         with warm_cli().start(args, cwd, environment, streams) as ended:
             ended.settimeout(WITHIN)
-            code = int(ended.recv(10))
+            _, code = b"".join(iter(lambda: ended.recv(20), b"")).split()
         said = [(file.seek(0), file.read().decode())[1] for file in (out, err)]
-    return subprocess.CompletedProcess(args, code, *said)
+    return subprocess.CompletedProcess(args, int(code), *said)

@@ -1,7 +1,7 @@
 """The command line without its imports: a process that has done them forks for each command.
 
 A request is a packet with arguments, folder and environment, and with four descriptors: standard input,
-output and error of the command, and a socket that gets its exit code.
+output and error of the command, and a socket that gets its process id and exit code.
 """
 
 import atexit
@@ -38,7 +38,7 @@ class WarmCli:
     def start(
         self, args: Sequence[str], cwd: Path, env: Mapping[str, str], streams: Sequence[int]
     ) -> socket.socket:
-        """Start a command on these standard streams. The socket gets its exit code."""
+        """Start a command on these standard streams. The socket gets its process id, then its exit code."""
         ours, theirs = socket.socketpair()
         request = json.dumps([list(args), str(cwd), dict(env)]).encode()
         with theirs:
@@ -58,6 +58,21 @@ def warm_cli() -> WarmCli:
     return _WARM[0]
 
 
+STARVED = "FLEET_TUI_STARVED"
+"""Name of a variable with that of a thread which gets a processor last."""
+
+
+def _starve(name: str) -> None:
+    real = threading.Thread.start
+
+    def start(thread: threading.Thread) -> None:
+        real(thread)
+        if thread.name == name and thread.native_id is not None:
+            os.setpriority(os.PRIO_PROCESS, thread.native_id, 19)
+
+    threading.Thread.start = start  # type: ignore[assignment,method-assign]  # in a process of its own
+
+
 def _be(args: list[str], cwd: str, env: dict[str, str], streams: list[int]) -> int:
     """Be the command, in a child."""
     for number, stream in enumerate(streams):
@@ -66,6 +81,7 @@ def _be(args: list[str], cwd: str, env: dict[str, str], streams: list[int]) -> i
     os.environ.clear()
     os.environ.update(env)
     signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+    _starve(env.get(STARVED, ""))
     sys.argv = [str(Path(importlib.import_module("fleet_tui").__path__[0]) / "__main__.py"), *args]
     from fleet_tui.__main__ import main
 
@@ -97,6 +113,7 @@ def _fork(request: bytes, descriptors: list[int]) -> None:
             code = _be(args, cwd, env, streams)
         finally:
             os._exit(code)
+    os.write(answer, f"{child} ".encode())
     _, status = os.waitpid(child, 0)
     os.write(answer, str(os.waitstatus_to_exitcode(status)).encode())
     os._exit(0)

@@ -10,6 +10,8 @@ from fleet_tui import __version__
 from fleet_tui.cli.history.printing import unwatched
 from fleet_tui.config.schema import Config
 from fleet_tui.config.whole_file import write_whole
+from fleet_tui.desk.desk import shown
+from fleet_tui.desk.presence import PresenceReader
 from fleet_tui.errors import FleetError
 from fleet_tui.history.reading import History
 from fleet_tui.history.totals import Totals
@@ -19,10 +21,10 @@ from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.history.totals import BlockedPlace, ChargeTotal
 from fleet_tui.model.order import natural
 from fleet_tui.rules.history.division import divided
-from fleet_tui.rules.history.shift import LOST, causes_of, counted, outages_of, robots_of
+from fleet_tui.rules.history.shift import NOT_DRIVEN, causes_of, counted, outages_of, robots_of
 from fleet_tui.rules.history.timeline import main_activities, shares
 from fleet_tui.view.report.axis import LocalTime
-from fleet_tui.view.report.content import ReportContent
+from fleet_tui.view.report.content import Claim, Handover, ReportContent
 from fleet_tui.view.report.heat import FloorHeat, around
 from fleet_tui.view.report.page import page
 
@@ -59,10 +61,10 @@ def _content(config: Config, history: History, totals: Totals, since: float, unt
         notes=history.notes(since, until),
         robots=robots,
         routes=counted(orders, "way"),
-        open_orders=totals.open_orders(),
+        handover=_handover(config, history),
         causes=causes_of(history.alarms(since, until), since, until),
         outages=outages_of(history.links(since, until), since, until),
-        losses=history.orders(since, until, stages=LOST),
+        losses=history.orders(since, until, stages=NOT_DRIVEN),
         refusals=history.commands(since, until, stages=failed),
         time=time,
         timeline=main_activities(names, time, activities) if time.is_exact else {},
@@ -72,6 +74,19 @@ def _content(config: Config, history: History, totals: Totals, since: float, unt
         battery_low=config.alarms.battery_low,
         local=LocalTime(_offset(until), _clock, _moment),
     )
+
+
+def _handover(config: Config, history: History) -> Handover:
+    orders, alarms = history.open_orders(), history.open_alarms()
+    if not config.desk.folder:
+        return Handover(orders, alarms, ())
+    folder = config.beside(config.desk.folder)
+    try:
+        found = PresenceReader(folder).look()
+    except OSError as problem:
+        return Handover(orders, alarms, (), f"{folder}: {problem.strerror}")
+    claims = [Claim(robot, shown(one.name), shown(one.host)) for one in found for robot in one.claims]
+    return Handover(orders, alarms, sorted(claims, key=lambda claim: natural(claim.robot)))
 
 
 def _begun(history: History, since: float) -> float | None:

@@ -8,7 +8,7 @@ from functools import partial
 
 import click
 
-from fleet_tui.audit.log import auditing
+from fleet_tui.audit.log import auditing, operator_name
 from fleet_tui.cli.orders.outcome import DONE, NO_LINK, NOT_DONE, NOT_SENT, Outcome, exit_code, print_outcome
 from fleet_tui.cli.orders.sending import LINK_WITHIN, How, Sending, reaches, unreported
 from fleet_tui.cli.orders.set_up import await_set_up
@@ -16,7 +16,7 @@ from fleet_tui.cli.session import session
 from fleet_tui.config.rights import own_rights, permissions_of
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
-from fleet_tui.desk.watching import watched_claims
+from fleet_tui.desk.watching import watched_desk
 from fleet_tui.errors import CommandError
 from fleet_tui.log_file import state_folder
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
@@ -89,7 +89,8 @@ def sending(config: Config, asked: How, say: Say) -> Iterator[Sending]:
     with ExitStack() as opened:  # and closed after the last records: that takes time
         try:
             link, store = opened.enter_context(session(config))
-            opened.enter_context(watched_claims(config, link.post, partial(say, err=True)))
+            name, warn = operator_name(config), partial(say, err=True)
+            opened.enter_context(watched_desk(config, store, name, link.post, warn))
             given = Sending(link, store, asked)
             with auditing(state_folder(), config, store) as audit:
                 given.log = audit.log_console

@@ -9,11 +9,13 @@ import uuid
 from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import UTC, datetime
+from functools import partial
 
 import msgspec
 
 from fleet_tui.adapters.adapter import Adapter, Publication
 from fleet_tui.adapters.vda5050.answers import answer
+from fleet_tui.client.patience import call_awake
 from fleet_tui.client.writer import Writer
 from fleet_tui.errors import CommandError, LinkError
 from fleet_tui.model.commands import Command, PauseRobot, PlaceOrder, Stage
@@ -45,7 +47,7 @@ class AwaitedAnswer:
     command_id: int
     command: Command
     number: int
-    timer: asyncio.TimerHandle
+    timer: "asyncio.Task[None]"
     is_late: bool = False
 
 
@@ -75,7 +77,7 @@ class VehicleCommands:
             return
         name = message.name if isinstance(command, PlaceOrder) else ""
         self._writer.apply(CommandAdvanced(command_id, Stage.SENT, time.monotonic(), "", name))
-        timer = asyncio.get_running_loop().call_later(self._timeout, self._overdue, message.name)
+        timer = call_awake(self._timeout, partial(self._overdue, message.name))
         self._asked[message.name] = AwaitedAnswer(command_id, command, number, timer)
 
     def _message(self, command: Command, command_id: int, late: float) -> Publication:
@@ -131,7 +133,7 @@ class VehicleCommands:
         """Wait for the end of an action that is being carried out: that is no missing answer."""
         if not asked.is_late:
             asked.timer.cancel()
-            asked.timer = asyncio.get_running_loop().call_later(self._timeout, self._overdue, id_)
+            asked.timer = call_awake(self._timeout, partial(self._overdue, id_))
 
     def _end(self, id_: str, stage: Stage, detail: str) -> None:
         asked = self._asked.pop(id_)
@@ -148,7 +150,7 @@ class VehicleCommands:
             del self._asked[id_]
             return
         asked.is_late = True
-        asked.timer = asyncio.get_running_loop().call_later(LATE_ANSWER, self._overdue, id_)
+        asked.timer = call_awake(LATE_ANSWER, partial(self._overdue, id_))
         detail = f"from {asked.command.robot} in {self._timeout:g} s: may still be carried out"
         self._advance(asked.command_id, Stage.NO_ANSWER, detail)
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from fleet_tui.adapters.ros import operations
+from fleet_tui.client.patience import awake
 from fleet_tui.errors import LinkError
 from fleet_tui.transports.rosbridge.connection import Connection
 
@@ -47,14 +48,18 @@ class Calls:
         return PendingCall(call_id, service, answer)
 
     async def wait(self, call: "PendingCall", within: float) -> operations.ServiceResponse:
-        """Wait at most `within` seconds for an answer; may be called again until `forget`.
+        """Wait at most `within` seconds of running for an answer; may be called again until `forget`.
 
         Raises LinkLostError or NoAnswerError.
         """
+        patience = asyncio.ensure_future(awake(within))
         try:
-            return await asyncio.wait_for(asyncio.shield(call.answer), within)
-        except TimeoutError:
-            raise NoAnswerError(f"from {call.service} in {within:g} s: may still be carried out") from None
+            await asyncio.wait((call.answer, patience), return_when=asyncio.FIRST_COMPLETED)
+        finally:
+            patience.cancel()
+        if not call.answer.done():
+            raise NoAnswerError(f"from {call.service} in {within:g} s: may still be carried out")
+        return call.answer.result()
 
     def forget(self, call: "PendingCall") -> None:
         """Stop waiting for this answer."""

@@ -6,10 +6,12 @@ import time
 import uuid
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
+from functools import partial
 
 from fleet_tui.adapters.adapter import ActionGoal, Adapter, Outgoing, Publication, ServiceCall
 from fleet_tui.adapters.ros import operations
 from fleet_tui.adapters.service_outcome import said
+from fleet_tui.client.patience import call_awake
 from fleet_tui.client.rosbridge.answers import Answers, decoded
 from fleet_tui.client.rosbridge.calls import Calls, PendingCall
 from fleet_tui.client.rosbridge.goal_channel import Goals
@@ -158,7 +160,7 @@ class CommandChannel:
         elif calls:
             self._keep(asyncio.ensure_future(self._answers.wait(command_id, command, calls, at)))
         elif any(isinstance(one, Publication) and one.is_request for one in outgoing):
-            asyncio.get_running_loop().call_later(self._timeout, self._not_answered, command_id)
+            self._keep(call_awake(self._timeout, partial(self._not_answered, command_id)))
         elif not isinstance(command, PlaceOrder):  # which is taken when the robot lists it
             self._advance(command_id, Stage.ACCEPTED, UNANSWERED if outgoing else "")
 

@@ -2,6 +2,8 @@
 
 from msgspec import Struct
 
+from fleet_tui.model.commands import Stage
+
 
 class Colleague(Struct, frozen=True):
     """Another console of the desk: `id` is unique, `name` its operator, `robot` the one it looks at, `claims`
@@ -31,15 +33,38 @@ class ClosedEdge(Struct, frozen=True):
     wall: float
 
 
+class Removal(Struct, frozen=True):
+    """A command of another console that removes orders of a robot: `order_id` is empty for all of them, `at`
+    the monotonic second of its sending, `stage` its newest; `key` identifies it; `by` is the operator,
+    `console` host:process."""
+
+    key: str
+    robot: str
+    order_id: str
+    by: str
+    console: str
+    at: float
+    stage: Stage
+
+    @property
+    def text(self) -> str:
+        """Return what was done, by whom and where."""
+        if self.order_id:
+            return f"cancelled by {self.by} at {self.console}"
+        return f"cleared by {self.by} at {self.console}"
+
+
 class Desk(Struct, frozen=True):
     """`me` is this console's operator, empty without a desk; `claims` are this console's. `acted`: the
-    operator of the other console that made the last change of an alarm or edge, empty if it was this one."""
+    operator of the other console that made the last change of an alarm or edge, empty if it was this one.
+    `removals`: the last commands of other consoles that removed orders, with or without a desk."""
 
     me: str = ""
     claims: tuple[str, ...] = ()
     others: tuple[Colleague, ...] = ()
     closed: tuple[ClosedEdge, ...] = ()
     acted: str = ""
+    removals: tuple[Removal, ...] = ()
 
     def holders(self, robot: str) -> list[str]:
         """Return the operators of all consoles that have claimed a robot."""

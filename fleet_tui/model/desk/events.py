@@ -5,7 +5,7 @@
 
 from msgspec import Struct
 
-from fleet_tui.model.desk.desk import Colleague, Ends
+from fleet_tui.model.desk.desk import Colleague, Ends, Removal
 
 
 class AlarmAcknowledged(Struct, frozen=True, tag=True):
@@ -72,6 +72,14 @@ class EdgeOpened(Struct, frozen=True, tag=True):
     by: str = ""
 
 
+class OrdersRemoved(Struct, frozen=True, tag=True):
+    """Another console asked a robot to remove orders, or that command reached another stage."""
+
+    removal: Removal
+
+
 AlarmAnswer = AlarmAcknowledged | AlarmShelved | AlarmUnshelved
-DeskChange = DeskJoined | ColleaguesSeen | RobotClaimed | RobotReleased | EdgeClosed | EdgeOpened
+DeskChange = (
+    DeskJoined | ColleaguesSeen | RobotClaimed | RobotReleased | EdgeClosed | EdgeOpened | OrdersRemoved
+)
 OperatorEvent = AlarmAnswer | DeskChange

@@ -82,8 +82,8 @@ CLASSES = {
     ),
     "command": AlarmClass(
         "medium",
-        "a command was refused, not confirmed or carried out late; an order was lost, failed or replaced;"
-        " high for a failed pause",
+        "a command was refused, not confirmed or carried out late; an order ended neither done nor cancelled"
+        " here; high for a failed pause",
         "the robots are not doing as requested",
         "Read the reason, check the robot, then give the command again",
         2,

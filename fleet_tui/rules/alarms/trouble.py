@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key, Priority
-from fleet_tui.model.commands import Stage
+from fleet_tui.model.commands import ORDER_ENDS, Stage
 from fleet_tui.model.fleet import MANY, FleetState, is_missing
 from fleet_tui.model.link import Phase
 from fleet_tui.model.order import natural
@@ -12,8 +12,8 @@ from fleet_tui.rules.alarms.conditions import is_news
 from fleet_tui.rules.alarms.members import FAILED_MODES
 from fleet_tui.rules.alarms.vehicles import priority_of
 from fleet_tui.rules.battery.charging import CHARGES, ON_ITS_WAY
-from fleet_tui.rules.commands.follow_up import seen_end
 from fleet_tui.rules.commands.newest import own_pause
+from fleet_tui.rules.commands.order_ends import seen_end
 from fleet_tui.rules.commands.pauses import drives_despite_pause
 from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.localisation.jumps import is_jumping
@@ -147,13 +147,13 @@ def is_odd(state: FleetState, robot: Robot) -> bool:
     """Tell whether a robot is not as usual in a way that a person should look at, alarm or not: its row has
     an amber sign, and `!` goes there. A pause of this console and what a late bridge explains are known."""
     if not state.is_online(robot):
-        return _is_unexpectedly_offline(state, robot) or has_lost(state, robot)
+        return _is_unexpectedly_offline(state, robot) or unexplained_end(state, robot) is not None
     is_held = state.is_paused(robot) and own_pause(state, robot) is None
     is_held = is_held or drives_despite_pause(state, robot)
     is_held = is_held or is_held_up(state, robot) or is_stopped(state, robot)
     unknown = is_missing(state, robot, "pose") or is_news(state, robot.fault_at)
     unknown = unknown or state.has_old(robot, AGING)
-    return is_held or unknown or has_lost(state, robot) or may_need_person(state, robot)
+    return is_held or unknown or unexplained_end(state, robot) is not None or may_need_person(state, robot)
 
 
 class _Looks:
@@ -204,13 +204,14 @@ def is_halted(state: FleetState, robot: Robot) -> bool:
     return robot.member is not None and robot.member.value.mode in FAILED_MODES and state.is_online(robot)
 
 
-def has_lost(state: FleetState, robot: Robot) -> bool:
-    """Tell whether a robot without an order lost one a short while ago: somebody has to see where its load
-    is. One that was cancelled here is not lost."""
+def unexplained_end(state: FleetState, robot: Robot) -> Stage | None:
+    """Return the last end that is only inferred of an order that a robot without another one had a short
+    while ago: somebody has to see where its load is. None if there is none."""
     if robot.orders.current is not None:
-        return False
-    late = (one for one in robot.gone if one.stage is Stage.LOST and state.now - one.at < LOST_FOR)
-    return any(seen_end(state, robot.name, one) is Stage.LOST for one in late)
+        return None
+    late = (one for one in reversed(robot.gone) if state.now - one.at < LOST_FOR)
+    ends = (seen_end(state, robot, one) for one in late if ORDER_ENDS[one.stage].is_inferred)
+    return next((end.stage for end in ends if ORDER_ENDS[end.stage].is_inferred and not end.is_open), None)
 
 
 def _is_unexpectedly_offline(state: FleetState, robot: Robot) -> bool:

@@ -34,6 +34,9 @@ from fleet_tui.rules.commands.set_up.confirmation import instead_of_set_up, set_
 BIDDING = 15.0
 """Seconds for which fleets may bid for an order to any robot, before one has it."""
 
+IN_QUEUE = "seen in the queue as order "
+"""The reason of an order that is confirmed; its id follows."""
+
 
 def before(robot: Robot, now: float) -> Baseline:
     """Return the robot's reports up to `now`, when a command is given."""
@@ -118,7 +121,7 @@ def _seen(state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool)
                 return record.advanced(Step(Stage.REFUSED, state.now, order.said))
             if record.stage is Stage.SENT:  # a goal, whose acceptance has no other answer
                 record = record.advanced(Step(Stage.ACCEPTED, state.now))
-            step = Step(Stage.CONFIRMED, state.now, f"seen in the queue as order {order.id}")
+            step = Step(Stage.CONFIRMED, state.now, f"{IN_QUEUE}{order.id}")
             return record.recognised(order, step)
         case CancelOrder() | ClearOrders():
             if _is_bid_for(state, record) or _still_there(robot, record) != [] or _is_driven(state, record):

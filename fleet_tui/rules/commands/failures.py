@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from typing import assert_never
 
 from fleet_tui.model import commands
-from fleet_tui.model.alarm import Condition, Key, Priority
+from fleet_tui.model.alarm import Condition, Key, Priority, class_of
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import route_text
 from fleet_tui.model.order_life import UNSAID
@@ -21,12 +21,12 @@ from fleet_tui.text.details import detail_text
 
 FAILED_FOR = 30.0
 """Seconds for which a command that failed counts as news."""
-_OVER = {
-    stage: f"was {stage.value}"
-    for stage in commands.FAILURES & (commands.ORDER_ENDS | {commands.Stage.LATE}) - {commands.Stage.FAILED}
+_OVER = {commands.Stage.LATE: "was carried out late"} | {
+    stage: end.over for stage, end in commands.ORDER_ENDS.items()
 }
 _CAUSED = frozenset({commands.Stage.REFUSED, commands.Stage.FAILED, commands.Stage.NOT_CONFIRMED})
 """Failures of which the cause is first: the request is known to the operator."""
+_INFERRED = frozenset(stage for stage, end in commands.ORDER_ENDS.items() if end.is_inferred)
 DRIVES_ON = "It still has the order: pause it, or stop it at the robot, then cancel again"
 MANY = 5
 """Failed commands to at least this many robots given together are one alarm."""
@@ -72,6 +72,20 @@ def failed_commands(state: FleetState) -> Iterator[Condition]:
         yield _failed(state, key, records)
 
 
+def taken_back(state: FleetState) -> set[Key]:
+    """Return the keys of the alarms on ends of orders that all were corrected to one that needs no person."""
+    alarms = [alarm for alarm in state.alarms if class_of(alarm.condition.kind) == "command"]
+    if not alarms:
+        return set()
+    corrected = {
+        f"{record.id} {stage.value}"
+        for record in state.commands
+        if record.stage in commands.ORDER_ENDS and record.stage not in commands.FAILURES
+        for stage in _INFERRED
+    }
+    return {alarm.key for alarm in alarms if alarm.condition.parts and alarm.condition.parts <= corrected}
+
+
 def _texts(last: commands.CommandRecord, request: str) -> tuple[str, str]:
     """Return the text of a failure while it is news, and after."""
     detail = last.detail.removeprefix(f"order {last.order_id}: ")
@@ -99,6 +113,8 @@ def _failed(state: FleetState, key: Key, records: Sequence[commands.CommandRecor
     drives_on = isinstance(last.command, commands.CancelOrder | commands.ClearOrders)
     drives_on = drives_on and state.robots[last.command.robot].orders.current is not None
     remedy = remedy_of(last.detail) if last.stage is commands.Stage.FAILED else ""
+    if isinstance(last.command, commands.PlaceOrder) and last.stage in commands.ORDER_ENDS:
+        remedy = remedy or commands.ORDER_ENDS[last.stage].remedy
     return Condition(
         *key,
         Priority.HIGH if high else Priority.MEDIUM,

@@ -5,6 +5,7 @@ from typing import assert_never
 from msgspec.structs import replace
 
 from fleet_tui.model.commands import (
+    ORDER_ENDS,
     CancelOrder,
     ClearOrders,
     CommandRecord,
@@ -15,13 +16,19 @@ from fleet_tui.model.commands import (
     Step,
 )
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.order import Order
 from fleet_tui.model.order_life import STARTED_OVER, GoneOrder, latest, listed_end
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetUpCommand
 from fleet_tui.rules.commands.confirmation import is_repeated
 from fleet_tui.rules.commands.local_queue import next_id
 from fleet_tui.rules.commands.newest import last_command
+from fleet_tui.rules.commands.order_ends import (
+    BY_THIS_CONSOLE,
+    MAY_HAVE_REMOVED,
+    end_of,
+    removals,
+    removes,
+)
 from fleet_tui.rules.commands.order_search import find_order
 from fleet_tui.rules.commands.pauses import is_overtaken
 from fleet_tui.text.durations import age
@@ -34,8 +41,6 @@ LATE_ORDER, LATE_OTHER = 600.0, 60.0
 _UNSEEN = Stage.LOST, Stage.DONE
 """Detail of a goal without a final status that the robot reported as done."""
 _TAKEN = frozenset({Stage.CONFIRMED, Stage.UNVERIFIABLE, Stage.LATE})
-_REMOVED = frozenset({Stage.ACCEPTED, Stage.CONFIRMED, Stage.LATE})
-_MAY_HAVE_REMOVED = _REMOVED | {Stage.SENT, Stage.NO_ANSWER, Stage.UNKNOWN, Stage.NOT_CONFIRMED}
 
 
 def follow_up(state: FleetState, record: CommandRecord) -> CommandRecord:
@@ -49,7 +54,7 @@ def follow_up(state: FleetState, record: CommandRecord) -> CommandRecord:
         case PauseRobot():
             return _lost_pause(state, robot, record)
         case PlaceOrder():
-            return _ended(state, robot, record) if record.has_open_order else record
+            return (_ended if record.has_open_order else _corrected)(state, robot, record)
         case CancelOrder() | ClearOrders() | ResumeRobot() | SetUpCommand():
             return record
         case _:
@@ -68,33 +73,54 @@ def _lost_pause(state: FleetState, robot: Robot, record: CommandRecord) -> Comma
 def _ended(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRecord:
     assert record.order_id is not None
     # Not since it was confirmed: a queue may be processed after a tick later than its arrival.
-    gone = latest(robot.gone, record.order_id, record.issued_at) or _listed(robot, record.order_id)
+    gone = latest(robot.gone, record.order_id, record.issued_at) or _listed(robot, record, record.at)
     if gone is None:
         return record
     answers = robot.kind.keeps_goals and not record.name
     if answers and record.answer is None and state.now - gone.at < ANSWER_WITHIN:
         return record  # its own answer has the reason
-    stage = _end_stage(state, record, gone)
-    if stage is Stage.WAITING:
+    if _is_held(state, record, gone):
         return _waiting(state, robot, record, "stopped, goal kept here")
+    stage, reason, is_open = end_of(state, robot, gone, record)
     if stage is Stage.DONE and record.has_further_leg(robot.kind):
-        if _removals(state, record, gone):
+        if removals(state, robot, gone, record):
             # The rest is kept here: having sent the request suffices, whatever the robot did with it.
-            return record.advanced(
-                Step(Stage.CANCELLED, state.now, f"order {record.order_id}: by this console")
-            )
+            return _advanced_to(state, record, Stage.CANCELLED, BY_THIS_CONSOLE)
         record = replace(record, leg=record.leg + 1)
         return _waiting(state, robot, record, "stop reached, next goal follows")
-    reason = "by this console" if stage is Stage.CANCELLED else gone.reason
     answer = record.answer
     if answer is not None and (stage in (Stage.DONE, Stage.FAILED) or (stage, answer.stage) == _UNSEEN):
         # Skipped stops are only in its answer.
         stage, reason = answer.stage, answer.detail or reason
     elif answers and stage is Stage.DONE and _is_of_several_stops(record):
         reason = "succeeded, result missing: stops may have been missed"
-    # The id of a goal says nothing to a person who looks for the cause.
-    order = "" if stage is Stage.FAILED and robot.kind.keeps_goals else f"order {record.order_id}: "
-    return record.advanced(Step(stage, state.now, order + reason))
+    elif is_open:
+        return record  # another console may have removed it
+    if stage is Stage.FAILED and robot.kind.keeps_goals:
+        # The id of a goal says nothing to a person who looks for the cause.
+        return record.advanced(Step(stage, state.now, reason))
+    return _advanced_to(state, record, stage, reason)
+
+
+def _advanced_to(state: FleetState, record: CommandRecord, stage: Stage, reason: str) -> CommandRecord:
+    return record.advanced(Step(stage, state.now, f"order {record.order_id}: {reason}"))
+
+
+def _corrected(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRecord:
+    """Return the record of an order whose end was inferred with the one that is reported since, or that
+    another console caused."""
+    end = ORDER_ENDS.get(record.stage)
+    if end is None or not end.is_inferred or STARTED_OVER in record.detail:
+        return record
+    known = [one for one in robot.gone if one.order.id == record.order_id and one.at >= record.issued_at]
+    listed = _listed(robot, record, state.now)
+    gone = listed or (known[-1] if known else None)
+    if gone is None or not (robot.kind.reports_ends or gone.order.serial == record.order_serial):
+        return record
+    stage, reason, _ = end_of(state, robot, gone, record)
+    if stage is Stage.DONE and record.has_further_leg(robot.kind):
+        return record  # that was only one of its stops
+    return _advanced_to(state, record, stage, f"{reason}; corrects: {record.stage.value}")
 
 
 def _waiting(state: FleetState, robot: Robot, record: CommandRecord, why: str) -> CommandRecord:
@@ -106,25 +132,11 @@ def _is_of_several_stops(record: CommandRecord) -> bool:
     return isinstance(record.command, PlaceOrder) and len(record.command.stops) > 1
 
 
-def _listed(robot: Robot, order_id: str) -> GoneOrder | None:
-    """Return the end of an order that was over when it was first seen."""
-    over = (order for order in robot.orders.orders if order.id == order_id and order.is_over)
-    return next((listed_end(order, robot.queue.at) for order in over if robot.queue), None)
-
-
-def _end_stage(state: FleetState, record: CommandRecord, gone: GoneOrder) -> Stage:
-    if gone.reason == STARTED_OVER:
-        return Stage.LOST
-    if gone.stage in (Stage.FAILED, Stage.REPLACED):
-        return gone.stage
-    ours = _removals(state, record, gone)
-    if gone.stage is Stage.DONE:
-        return Stage.CANCELLED if ours & _REMOVED else Stage.DONE
-    if ours & _MAY_HAVE_REMOVED:
-        return Stage.CANCELLED
-    if _is_held(state, record, gone):
-        return Stage.WAITING
-    return Stage.CANCELLED_ELSEWHERE if gone.stage is Stage.CANCELLED else gone.stage
+def _listed(robot: Robot, record: CommandRecord, at: float) -> GoneOrder | None:
+    """Return the end of an order that was over when it was first seen, or seen again, at a monotonic
+    second."""
+    over = (order for order in robot.orders.orders if order.id == record.order_id and order.is_over)
+    return next((listed_end(order, at) for order in over), None)
 
 
 def _is_held(state: FleetState, record: CommandRecord, gone: GoneOrder) -> bool:
@@ -133,53 +145,15 @@ def _is_held(state: FleetState, record: CommandRecord, gone: GoneOrder) -> bool:
     return (
         robot.kind.holds
         and gone.stage is Stage.CANCELLED
+        and not removals(state, robot, gone, record) & MAY_HAVE_REMOVED
         and any(
             isinstance(other.command, PauseRobot)
             and other.command.robot == robot.name
             and sent <= other.issued_at <= gone.at
-            and other.stage in _MAY_HAVE_REMOVED
+            and other.stage in MAY_HAVE_REMOVED
             for other in state.commands
         )
     )
-
-
-def _removals(state: FleetState, record: CommandRecord, gone: GoneOrder) -> set[Stage]:
-    """Return the stages of this console's other commands since `record` that were to remove an order. A clear
-    cancels the goals of this console, also those not listed yet."""
-    return {
-        other.stage
-        for other in state.commands
-        if other.command.robot == record.command.robot
-        and other.id != record.id
-        and record.issued_at <= other.issued_at <= gone.at
-        and (_removes(other, gone.order) or (record.name and isinstance(other.command, ClearOrders)))
-    }
-
-
-def seen_end(state: FleetState, robot: str, gone: GoneOrder) -> Stage:
-    """Return how an order of any client ended: one that was cancelled here is neither lost nor done."""
-    ours = {
-        record.stage
-        for record in state.commands
-        if record.command.robot == robot
-        and gone.at - LATE_OTHER < record.issued_at <= gone.at
-        and _removes(record, gone.order)
-    }
-    may = {Stage.LOST: _MAY_HAVE_REMOVED, Stage.DONE: _REMOVED}.get(gone.stage, frozenset())
-    return Stage.CANCELLED if ours & may and gone.reason != STARTED_OVER else gone.stage
-
-
-def _removes(record: CommandRecord, order: Order) -> bool:
-    match record.command:
-        case CancelOrder(_, cancelled):
-            return cancelled == order.id
-        case ClearOrders():
-            last = record.before.last_serial
-            return last is None or order.serial <= last
-        case PlaceOrder() | PauseRobot() | ResumeRobot() | SetUpCommand():
-            return False
-        case _:
-            assert_never(record.command)
 
 
 def _carried_out_late(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRecord:
@@ -193,10 +167,10 @@ def _carried_out_late(state: FleetState, robot: Robot, record: CommandRecord) ->
         case CancelOrder() | ClearOrders():
             happened = any(
                 one.at > record.at
-                and one.stage in (Stage.CANCELLED, Stage.LOST)
+                and one.stage in (Stage.CANCELLED, Stage.LEFT, Stage.LOST)
                 and one.reason != STARTED_OVER
-                and _removes(record, one.order)
-                and not _removals(state, record, one) & _MAY_HAVE_REMOVED
+                and removes(record, one.order)
+                and not removals(state, robot, one, record) & MAY_HAVE_REMOVED
                 for one in robot.gone
             )
         case PauseRobot():

@@ -55,9 +55,12 @@ def _with_missed(goals: Goals) -> Goals:
 def _listed(old: Goal, goal: Goal, at: float, seen_at: float) -> Goal:
     """Return a goal updated by a list."""
     begun = seen_at if old.begun_at is None and goal.state in BEGUN else old.begun_at
-    # An order may go on after its end, when its master control adds to it; else its first end counts.
-    is_over, was_over = goal.state in OVER, old.state in OVER and old.ended_at is not None
-    ended = None if not is_over else seen_at if old.ended_at is None else old.ended_at
+    # An order may go on after its end, when its master control adds to it; else its first end counts, if it
+    # was reported.
+    is_over = goal.state in OVER
+    was_over = old.state in OVER and old.ended_at is not None
+    was_over = was_over and (old.state is not OrderState.LOST or goal.state is OrderState.LOST)
+    ended = None if not is_over else old.ended_at if was_over else seen_at
     return replace(
         old,
         stops=goal.stops if goal.stops and not old.is_ours else old.stops,

@@ -4,14 +4,14 @@ from collections.abc import Iterator
 from functools import partial
 
 from fleet_tui.model.alarm import Key
-from fleet_tui.model.commands import CommandRecord
+from fleet_tui.model.commands import ORDER_ENDS, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Charge, LaterCause, LinkChange, OrderChange, Span
 from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.order import Order, route_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.told import told
-from fleet_tui.rules.commands.follow_up import seen_end
+from fleet_tui.rules.commands.order_ends import placed_by, seen_end
 from fleet_tui.rules.history.activity import activity
 from fleet_tui.rules.why.reason import name_of
 
@@ -28,6 +28,8 @@ PERCENT = 1.0
 """A change of a battery that is told at once."""
 QUEUED, BEGUN = "queued", "begun"
 
+_Gone = tuple[str, float]
+"""The id of an order, and when it left the queue."""
 Fact = Span | Charge | OrderChange | LinkChange | LaterCause
 
 
@@ -41,6 +43,8 @@ class Observer:
         self._robots: dict[str, Robot] = {}
         self._links: dict[str, bool] = {}
         self._causes: dict[Key, str] = {}
+        self._ends: dict[str, dict[_Gone, Stage]] = {}
+        """The ends of the orders that left each robot's queue, as told: one may be corrected."""
 
     def observe(self, state: FleetState) -> Iterator[Fact]:
         """Return what is new in a state. Robots count from their first message on."""
@@ -76,15 +80,11 @@ class Observer:
         self._causes = causes
 
     def _orders(self, state: FleetState, robot: Robot) -> Iterator[OrderChange]:
+        yield from self._order_ends(state, robot)
         before = self._robots.get(robot.name)
-        if before is not None and before.traces is robot.traces and before.gone is robot.gone:
+        if before is not None and before.traces is robot.traces:
             return
-        traces, gone = (before.traces, before.gone) if before else ({}, ())
-        for gone_order in robot.gone:
-            if gone_order not in gone:
-                stage = seen_end(state, robot.name, gone_order)
-                reason = gone_order.reason if stage is gone_order.stage else "by this console"
-                yield _change(state, robot, gone_order.order, gone_order.at, stage.value, reason)
+        traces = before.traces if before else {}
         for id_, trace in robot.traces.items():
             known = traces.get(id_)
             if known is not None and not _is_same(known.order, trace.order):
@@ -95,6 +95,23 @@ class Observer:
                 yield _change(state, robot, trace.order, min(taken, begun), QUEUED)
             if trace.begun and not (known and known.begun):
                 yield _change(state, robot, trace.order, begun, BEGUN)
+
+    def _order_ends(self, state: FleetState, robot: Robot) -> Iterator[OrderChange]:
+        told, now = self._ends.get(robot.name, {}), dict[_Gone, Stage]()
+        for gone in robot.gone:
+            key = gone.order.id, gone.at
+            before = told.get(key)
+            if before is not None and not ORDER_ENDS[before].is_inferred:
+                now[key] = before
+                continue
+            end = seen_end(state, robot, gone)
+            if end.is_open:
+                continue
+            now[key] = end.stage
+            if before is not end.stage:
+                yield _change(state, robot, gone.order, gone.at, end.stage.value, end.reason)
+        if now or told:
+            self._ends[robot.name] = now
 
     def _span(self, state: FleetState, robot: Robot) -> Iterator[Span]:
         does, now, before = activity(state, robot), state.wall, self._spans.get(robot.name)
@@ -148,18 +165,6 @@ def _change(
     state: FleetState, robot: Robot, order: Order, at: float, stage: str, reason: str = ""
 ) -> OrderChange:
     way = order.label or route_text(order.stops, partial(name_of, robot))
-    record = _record_of(state, robot, order)
+    record = placed_by(state, robot, order)
     request = record.id if record else None
     return OrderChange(robot.name, order.id, way, _wall(state, at), stage, robot.floor or "", reason, request)
-
-
-def _record_of(state: FleetState, robot: Robot, order: Order) -> CommandRecord | None:
-    """The command of this console that placed an order, None for another client's."""
-    found = (
-        record
-        for record in reversed(state.commands)
-        if record.command.robot == robot.name
-        and record.order_id == order.id
-        and record.order_serial == order.serial
-    )
-    return next(found, None)

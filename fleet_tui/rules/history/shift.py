@@ -5,26 +5,29 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from msgspec import Struct
 
-from fleet_tui.model.commands import Stage
+from fleet_tui.model.commands import ORDER_ENDS, Tally
 from fleet_tui.model.history.facts import Activity, LinkChange
 from fleet_tui.model.history.lives import AlarmLife
 from fleet_tui.model.history.totals import ActivityTotal, ChargeTotal, OrderTotal
 from fleet_tui.model.order import natural
 
-DONE = Stage.DONE.value
-CANCELLED = frozenset({Stage.CANCELLED.value, Stage.CANCELLED_ELSEWHERE.value, Stage.REPLACED.value})
-LOST = frozenset({Stage.LOST.value, Stage.FAILED.value})
+TALLIES = {stage.value: end.tally for stage, end in ORDER_ENDS.items()}
+"""The column that counts an order, by the word of its end."""
+NOT_DRIVEN = frozenset(word for word, tally in TALLIES.items() if tally in (Tally.LOST, Tally.LEFT))
+"""The words of the ends after which nobody is known to have wanted the order away."""
 DOWN = frozenset({Activity.BLOCKED, Activity.PAUSED, Activity.OFFLINE})
 """Activities of a robot that can't work."""
 
 
 class OrderCounts(Struct):
-    """Orders that ended: `late` are among the done ones; `unseen` have an end that nobody saw. `seconds` is
-    the sum of the `timed` done ones from begin to end, `longest` the longest."""
+    """Orders that ended: `late` are among the done ones; `lost` includes those that failed; `unseen` have an
+    end that nobody saw. `seconds` is the sum of the `timed` done ones from begin to end, `longest` the
+    longest."""
 
     done: int = 0
     late: int = 0
     lost: int = 0
+    left: int = 0
     cancelled: int = 0
     unseen: int = 0
     timed: int = 0
@@ -33,18 +36,21 @@ class OrderCounts(Struct):
 
     def add(self, total: OrderTotal) -> None:
         """Count the orders of one end."""
-        if total.stage == DONE:
-            self.done += total.count
-            self.late += total.late
-            self.timed += total.timed
-            self.seconds += total.seconds
-            self.longest = max(self.longest, total.longest)
-        elif total.stage in LOST:
-            self.lost += total.count
-        elif total.stage in CANCELLED:
-            self.cancelled += total.count
-        else:
-            self.unseen += total.count
+        match TALLIES.get(total.stage):
+            case Tally.DONE:
+                self.done += total.count
+                self.late += total.late
+                self.timed += total.timed
+                self.seconds += total.seconds
+                self.longest = max(self.longest, total.longest)
+            case Tally.LOST:
+                self.lost += total.count
+            case Tally.LEFT:
+                self.left += total.count
+            case Tally.CANCELLED:
+                self.cancelled += total.count
+            case None:
+                self.unseen += total.count
 
     @property
     def mean(self) -> float | None:

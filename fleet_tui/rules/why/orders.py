@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 from fleet_tui.model.commands import (
     FAILURES,
+    ORDER_ENDS,
     CancelOrder,
     ClearOrders,
     PlaceOrder,
@@ -14,9 +15,9 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.causes import cause_of_end, remedy_of
-from fleet_tui.rules.commands.follow_up import seen_end
 from fleet_tui.rules.commands.local_queue import waiting
 from fleet_tui.rules.commands.newest import last_command
+from fleet_tui.rules.commands.order_ends import seen_end
 from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.marks import LAST_KEY, mark_of
 from fleet_tui.rules.why.reason import (
@@ -33,7 +34,6 @@ from fleet_tui.text.details import detail_text
 from fleet_tui.text.durations import age
 
 REJECTED = "Check that its navigation is active: `fleet-tui doctor` asks it"
-CHECK_DELIVERY = "Check where the robot and its load are, correct its pose if it is wrong, order again"
 SHORT = 20.0
 """Seconds of standing with an order that need no cause."""
 RESTART = "Restart the program that carries out its orders, then check them"
@@ -52,7 +52,8 @@ def command(state: FleetState, robot: Robot) -> Reason | None:
     evidence = record.detail or f"issued {age(state.now - record.issued_at)} ago"
     strength = Strength.LIKELY if robot.orders.open else Strength.CERTAIN
     keys = (verb,) if failed else ()
-    remedy = {Stage.FAILED: CLASSES["command"].action, Stage.LOST: CHECK_DELIVERY}.get(record.stage, "")
+    end = ORDER_ENDS.get(record.stage)
+    remedy = "" if end is None else end.remedy or CLASSES["command"].action
     if record.stage is Stage.FAILED and (held := remedy_of(evidence)):
         remedy, keys = held, (*LOOK_AT, *keys, "diagnostics")
     if robot.kind.keeps_goals and record.stage is Stage.REFUSED:
@@ -69,20 +70,21 @@ def command(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def failed_order(state: FleetState, robot: Robot) -> Reason | None:
-    """Report that the last order failed or was lost, whoever gave it, and none came since."""
+    """Report that the last order ended otherwise than it should, whoever gave it, and none came since."""
     last = robot.gone[-1] if robot.gone else None
     if last is None or robot.orders.open or command(state, robot) is not None:
         return None
-    if seen_end(state, robot.name, last) not in (Stage.FAILED, Stage.LOST):
+    end = seen_end(state, robot, last)
+    if end.stage not in (Stage.FAILED, Stage.LEFT, Stage.LOST):
         return None
     evidence, cause = mission(robot, last.order), cause_of_end(robot, last)
     name = f"last order failed: {cause}" if cause else "last order failed, no reason reported"
     remedy = remedy_of(cause)
     keys = (*(LOOK_AT if remedy else ()), "order", "diagnostics")
     remedy = remedy or CLASSES["command"].action
-    if last.stage is Stage.LOST:
-        name, evidence = "last order lost", f"{evidence}{detail_text(last.reason)}"
-        remedy = CHECK_DELIVERY
+    if end.stage is not Stage.FAILED:
+        name, evidence = f"last order {end.stage.value}", f"{evidence}{detail_text(end.reason)}"
+        remedy = ORDER_ENDS[end.stage].remedy
     return Reason(name, evidence, since=last.at, keys=keys, remedy=remedy, page="log")
 
 

@@ -71,6 +71,48 @@ def _notes(content: ReportContent) -> list[Element]:
     return [element("h2", "Notes"), element("div", *(told or [none]), class_="notes")]
 
 
+def _handover(content: ReportContent) -> list[Element]:
+    """Return what the next shift takes over, each by name."""
+    local, going_on = content.local, content.handover
+    orders = [
+        [
+            *(order.robot, order.order, *_ends(order.way), order.stage),
+            *(local.moment(order.begun or order.queued, False), order.operator or "another client"),
+        ]
+        for order in going_on.orders
+    ]
+    alarms = [
+        [
+            *(alarm.source, alarm.kind, alarm.priority, alarm.text, local.moment(alarm.raised, False)),
+            *("over" if alarm.returned is not None else "holds", alarm.operator or "nobody"),
+        ]
+        for alarm in going_on.alarms
+    ]
+    claims = [[claim.robot, claim.operator, claim.host] for claim in going_on.claims]
+    order_heads = ["Robot", "Order", "From", "To", "State", "Since", "By"]
+    alarm_heads = ["Robot, link", "Alarm", "Priority", "Text", "Since", "State", "Acknowledged by"]
+    unknown = going_on.claims_unknown
+    return [
+        element("h2", "Handed over: open orders"),
+        *(_capped(order_heads, orders, 9) or [_none("No order is open.")]),
+        element("h2", "Handed over: open alarms"),
+        *(_capped(alarm_heads, alarms, 9) or [_none("No alarm is open.")]),
+        element("h2", "Handed over: claimed robots"),
+        *([element("p", f"Claims unknown: {unknown}", class_="warning")] if unknown else []),
+        *(_capped(["Robot", "By", "Console"], claims, 9) or [_none("No robot is claimed.")] * (not unknown)),
+    ]
+
+
+def _ends(way: str) -> tuple[str, str]:
+    """Return the first and the last stop of a way; one to a single stop begins at the robot."""
+    start, arrow, _ = way.partition(" -> ")
+    return (start, way.rpartition(" -> ")[2]) if arrow else ("", way.removeprefix("-> "))
+
+
+def _capped(heads: Sequence[str], rows: Sequence[Sequence[str]], texts: int) -> list[Element]:
+    return [table(heads, rows[:MOST_ROWS], texts), *_more(rows)] if rows else []
+
+
 def _tiles(content: ReportContent) -> list[Element]:
     counts = [robot.orders for robot in content.robots]
     lost = sum(one.lost for one in counts)
@@ -80,8 +122,9 @@ def _tiles(content: ReportContent) -> list[Element]:
         ("done", sum(one.done for one in counts), False),
         ("of these late", sum(one.late for one in counts), False),
         ("lost or failed", lost, lost > 0),
+        ("left the queue", sum(one.left for one in counts), False),
         ("cancelled", sum(one.cancelled for one in counts), False),
-        ("still open", content.open_orders, False),
+        ("still open", len(content.handover.orders), False),
         ("alarms", alarms, False),
     ]
     made = [_tile(name, f"{value:,}", is_bad) for name, value, is_bad in tiles]
@@ -94,7 +137,15 @@ def _tile(name: str, value: str, is_bad: bool) -> Element:
 
 
 def _robots(content: ReportContent) -> list[Element]:
-    heads = ["Robot", "Done", "Late", "Lost", "Cancelled", *(one.value.capitalize() for one in ACTIVITIES)]
+    heads = [
+        "Robot",
+        "Done",
+        "Late",
+        "Lost",
+        "Left",
+        "Cancelled",
+        *(one.value.capitalize() for one in ACTIVITIES),
+    ]
     rows = [
         [
             *(robot.name, *_counts(robot.orders)),
@@ -111,7 +162,8 @@ def _robots(content: ReportContent) -> list[Element]:
 
 
 def _counts(counts: OrderCounts) -> list[str]:
-    return [str(value or "") for value in (counts.done, counts.late, counts.lost, counts.cancelled)]
+    shown = (counts.done, counts.late, counts.lost, counts.left, counts.cancelled)
+    return [str(value or "") for value in shown]
 
 
 def _timeline(content: ReportContent) -> list[Element]:
@@ -139,7 +191,7 @@ def _routes(content: ReportContent) -> list[Element]:
         [way, *_counts(counts), _seconds(counts.mean or 0.0), _seconds(counts.longest)]
         for way, counts in ways[:MOST_ROWS]
     ]
-    heads = ["Route", "Done", "Late", "Lost", "Cancelled", "Usual time", "Longest"]
+    heads = ["Route", "Done", "Late", "Lost", "Left", "Cancelled", "Usual time", "Longest"]
     said = "Late: took more than twice the mean time of its route, of which at least three were done."
     return [
         element("h2", "Routes"),
@@ -191,7 +243,7 @@ def _losses(content: ReportContent) -> list[Element]:
         for order in content.losses[-MOST_ROWS:]
     ]
     heads = ["Time", "Robot", "Order", "End", "Reason"]
-    title = element("h2", "Orders that were lost or failed")
+    title = element("h2", "Orders that were lost, failed or left the queue")
     return [title, table(heads, rows, 9), *_more(content.losses)] if rows else []
 
 
@@ -209,7 +261,18 @@ def _refusals(content: ReportContent) -> list[Element]:
 
 
 SECTIONS: Sequence[Callable[[ReportContent], list[Element]]] = (
-    *(_notes, _tiles, _robots, _timeline, _losses, _routes, _alarms, _links, _batteries, _floors, _refusals),
+    _notes,
+    _handover,
+    _tiles,
+    _robots,
+    _timeline,
+    _losses,
+    _routes,
+    _alarms,
+    _links,
+    _batteries,
+    _floors,
+    _refusals,
 )
 
 

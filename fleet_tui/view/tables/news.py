@@ -9,7 +9,14 @@ from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.conditions import is_news, obstacle_lasts
 from fleet_tui.rules.alarms.members import issue_text
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
-from fleet_tui.rules.alarms.trouble import AGING, has_lost, in_trouble, is_held_up, is_stopped, shelved
+from fleet_tui.rules.alarms.trouble import (
+    AGING,
+    in_trouble,
+    is_held_up,
+    is_stopped,
+    shelved,
+    unexplained_end,
+)
 from fleet_tui.rules.alarms.vehicles import priority_of, sorted_errors
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import own_pause_text
@@ -95,7 +102,7 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
         yield _paused(state, robot), StyleRole.WARN
     if contact is not None and is_old:
         yield tr(obstacle_text(state, robot, contact)), StyleRole.DIM
-    yield from _lost(state, robot)
+    yield from _ended(state, robot)
     if holders := state.desk.holders(robot.name):
         yield tr(f"claimed by {sanitize(' and '.join(holders))}"), StyleRole.ACCENT
     if online:
@@ -110,10 +117,11 @@ def _contact_role(state: FleetState, robot: Robot) -> StyleRole:
     return StyleRole.WARN if is_held_up(state, robot) else StyleRole.TEXT
 
 
-def _lost(state: FleetState, robot: Robot) -> Iterator[Run]:
-    """Yield that it lost an order, unless an alarm tells which."""
-    if has_lost(state, robot) and not any(failed_command(state, robot)):
-        yield tr("order lost"), StyleRole.WARN
+def _ended(state: FleetState, robot: Robot) -> Iterator[Run]:
+    """Yield that an order was lost or left the queue, unless an alarm tells which."""
+    end = unexplained_end(state, robot)
+    if end is not None and not any(failed_command(state, robot)):
+        yield tr(f"order {end.value}"), StyleRole.WARN
 
 
 def _navigation(state: FleetState, robot: Robot) -> Iterator[Run]:

@@ -15,7 +15,7 @@ from fleet_tui.model.order_life import GoneOrder
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.told import told
 from fleet_tui.rules.commands.batches import pauses, summary
-from fleet_tui.rules.commands.follow_up import seen_end
+from fleet_tui.rules.commands.order_ends import seen_end
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, fit, folded, sanitize
 from fleet_tui.view.lines.commands import TROUBLE, command_text, stage_text
@@ -31,7 +31,6 @@ WHOLE, HOURS_MINUTES = 60, 5
 """Cells of a pane from which times have seconds, and those of a time without them."""
 LEAST_TEXT = 10
 """Cells that a line of text has at least."""
-FAILED = frozenset({*TROUBLE, Stage.LOST, Stage.FAILED})
 
 
 def recent_table(state: FleetState, clock: Callable[[float], str], lines: int, width: int = WHOLE) -> Table:
@@ -112,7 +111,7 @@ def _command(state: FleetState, record: CommandRecord) -> tuple[Run, ...]:
 
 def _batch(state: FleetState, batch: list[CommandRecord]) -> tuple[Run, ...]:
     name, outcome = summary(state, batch)
-    worst = next((record.stage for record in batch if record.stage in FAILED), batch[0].stage)
+    worst = next((record.stage for record in batch if record.stage in TROUBLE), batch[0].stage)
     return _said(f"{tr(name)}: {tr(outcome)}", worst)
 
 
@@ -142,7 +141,7 @@ def _begun(state: FleetState, robot: Robot, order: Order, is_narrow: bool) -> tu
 
 
 def _order(state: FleetState, robot: Robot, gone: GoneOrder, is_narrow: bool) -> tuple[Run, ...]:
-    stage = seen_end(state, robot.name, gone)
+    stage = seen_end(state, robot, gone).stage
     return _said(_what(state, robot, gone.order, tr(stage.value), is_narrow), stage)
 
 
@@ -154,4 +153,4 @@ def _what(state: FleetState, robot: Robot, order: Order, happened: str, is_narro
 
 
 def _said(text: str, stage: Stage) -> tuple[Run, ...]:
-    return ((text, StyleRole.WARN if stage in FAILED else StyleRole.TEXT),)
+    return ((text, StyleRole.WARN if stage in TROUBLE else StyleRole.TEXT),)

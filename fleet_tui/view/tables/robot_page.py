@@ -5,13 +5,12 @@ from collections.abc import Callable, Iterator
 from textwrap import wrap
 from typing import Any
 
-from fleet_tui.model.commands import Stage
+from fleet_tui.model.commands import FAILURES, ORDER_ENDS
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.classes import action_of
-from fleet_tui.rules.commands.follow_up import seen_end
+from fleet_tui.rules.commands.order_ends import seen_end
 from fleet_tui.rules.lag import is_overloaded
-from fleet_tui.rules.why.orders import CHECK_DELIVERY
 from fleet_tui.rules.why.place import place_text
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.language import tr
@@ -155,12 +154,13 @@ def _orders(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
 def ended_rows(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
     """Yield the last orders that left the queue, each with its end."""
     for gone in reversed(robot.gone[-LAST:]):
-        text, end = whose_mission(state, robot, gone.order), seen_end(state, robot.name, gone)
-        role = StyleRole.WARN if end in (Stage.LOST, Stage.FAILED) else StyleRole.TEXT
+        text = whose_mission(state, robot, gone.order)
+        end = seen_end(state, robot, gone).stage
+        role = StyleRole.WARN if end in FAILURES else StyleRole.TEXT
         ended = tr(f"{age(state.now - gone.at)} ago"), StyleRole.DIM
         yield named("Ended", (f"{text}: {tr(end.value)}", role), ended)
-        if end is Stage.LOST and gone is robot.gone[-1]:
-            yield named("", (tr(CHECK_DELIVERY), StyleRole.TEXT))
+        if gone is robot.gone[-1] and (remedy := ORDER_ENDS[end].remedy):
+            yield named("", (tr(remedy), StyleRole.TEXT))
 
 
 def command_rows(state: FleetState, robot: Robot, clock: Callable[[float], str]) -> Iterator[tuple[Run, ...]]:

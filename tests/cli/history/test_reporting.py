@@ -1,9 +1,13 @@
 """`fleet-tui report`: a file that is whole, and what stands in it."""
 
+import re
 from pathlib import Path
 
+import msgspec
 import pytest
 
+from fleet_tui.desk.presence import Presence
+from fleet_tui.model.history.facts import OrderChange
 from tests.support.browser import CHROMIUM, browser
 from tests.support.command_line import run
 from tests.support.routine_files import ONE_ROBOT
@@ -33,6 +37,21 @@ def test_a_shift_on_one_page(site: Path) -> None:
     assert "<h1>depot</h1>" in text and "nobody watches since" in text
     assert "data:image/png;base64," in text and "left the queue" in text
     assert "<script" not in text and "&lt;script&gt;" in text and "\x1b" not in text
+
+
+def test_what_goes_on_is_handed_over_with_the_claims_of_the_desk(site: Path) -> None:
+    (site / "desk").mkdir()
+    config = site / "config.toml"
+    config.write_text(f'{config.read_text()}\n[desk]\nfolder = "desk"\n')
+    written(site, [OrderChange("robot_0", "9", "Dock -> Hall", an_hour_ago(), "queued", "floor_0")])
+    claims = Presence("pc-1-ab", "eva", "pc", "another boot", claims=("robot_7",))
+    (site / "desk" / "console-pc-1-ab.json").write_bytes(msgspec.json.encode(claims))
+    assert run("report", "--since", "2h", "--output", "shift.html", cwd=site).returncode == 0
+    text = " ".join(re.sub("<[^>]*>", " ", (site / "shift.html").read_text()).split())
+    assert "robot_0 9 Dock Hall queued" in text and "robot_7 eva pc" in text
+    (site / "desk").rename(site / "gone")
+    assert run("report", "--since", "2h", "--output", "shift.html", cwd=site).returncode == 0
+    assert "No such file or directory" in (site / "shift.html").read_text()
 
 
 def test_an_older_one_is_replaced_and_a_bad_place_is_named(site: Path) -> None:

@@ -2,11 +2,13 @@
 
 import asyncio
 import json
+import time
 from typing import Any, cast
 
 import pytest
 
 from fleet_tui.adapters.ros.operations import ServiceResponse
+from fleet_tui.client import patience
 from fleet_tui.client.rosbridge.calls import Calls, LinkLostError, NoAnswerError
 from fleet_tui.errors import LinkError
 from fleet_tui.transports.rosbridge.connection import Connection
@@ -78,3 +80,30 @@ async def test_a_call_that_was_not_sent_waits_for_nothing(calls: Calls, sent: Se
     assert calls.on_response(answer("call:2", "well"))
     assert (await task).values == "well"
     assert not calls.on_response(answer("call:2"))
+
+
+async def test_time_in_which_this_process_did_not_run_is_no_time_waited(calls: Calls) -> None:
+    """What arrived meanwhile is read after it, a few turns of the loop later."""
+    call, loop = calls.start("/s", {}, 1.0), asyncio.get_running_loop()
+
+    def read(turns: int) -> None:
+        if turns:
+            loop.call_soon(read, turns - 1)
+        else:
+            calls.on_response(answer(call.id, "well"))
+
+    def stop() -> None:
+        time.sleep(0.4)  # the stop itself
+        read(5)
+
+    loop.call_soon(stop)
+    assert (await calls.wait(call, 0.2)).values == "well"
+
+
+async def test_a_process_that_is_starved_for_long_gives_up_all_the_same(
+    calls: Calls, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(patience, "STALLED", -1.0)  # each step counts as late
+    call = calls.start("/s", {}, 1.0)
+    with pytest.raises(NoAnswerError):
+        await calls.wait(call, 0.01)

@@ -209,7 +209,7 @@ def test_an_order_that_was_cancelled_here_is_not_lost() -> None:
 def test_a_robot_that_has_just_lost_its_order_is_found_until_it_drives_another() -> None:
     state = low()
     assert next_in_trouble(state, R0) == ""
-    lost = GoneOrder(Order("7", (), None, "", 1), T0, Stage.LOST, "not listed any more")
+    lost = GoneOrder(Order("7", (), None, "", 1), T0 - 2, Stage.LOST, "not listed any more")
     robot = replace(state.robots["robot_1"], gone=(lost,))
     assert next_in_trouble(with_robot(state, robot), R0) == "robot_1"
     assert (

@@ -3,6 +3,7 @@
 import pytest
 from msgspec.structs import replace
 
+from fleet_tui.model.alarm import AlarmStage
 from fleet_tui.model.commands import (
     CancelOrder,
     ClearOrders,
@@ -12,8 +13,11 @@ from fleet_tui.model.commands import (
     ResumeRobot,
     Stage,
 )
+from fleet_tui.model.desk.desk import Removal
+from fleet_tui.model.desk.events import OrdersRemoved
 from fleet_tui.model.events import CommandAdvanced, Event, PausedReported, QueueReported
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.rules.alarms.classes import action_of
 from tests.support.fleets import (
     R0,
     T0,
@@ -70,8 +74,8 @@ def alarm_texts(state: FleetState) -> list[str]:
             "driven to the end",
         ),
         ([queue(T0 + 2, (5, 0, END, "D"))], Stage.DONE, "as reported by the robot"),
-        ([gone(T0 + 2)], Stage.LOST, "before it started"),
-        ([driving(T0 + 2), gone(T0 + 3)], Stage.LOST, "with the robot 3 m from its end"),
+        ([gone(T0 + 2)], Stage.LEFT, "not by this console, before it started"),
+        ([driving(T0 + 2), gone(T0 + 3)], Stage.LEFT, "not by this console, with the robot 3 m from its end"),
         ([driving(T0 + 2), gone(T0 + 3, 0)], Stage.LOST, "order ids started over"),
         ([driving(T0 + 2), pose(T0 + 2, 2.9), gone(T0 + 3, 0)], Stage.LOST, "order ids started over"),
         ([queue(T0 + 2, (5, 3, 4, "W"), current=5)], Stage.LOST, "order ids started over"),
@@ -93,7 +97,7 @@ def test_the_end_of_an_order_is_told(facts: list[Event], stage: Stage, reason: s
     state = given(*facts, tick(T0 + 45))
     record = first(state)
     assert record.stage is stage and reason in record.detail
-    needs_somebody = stage in (Stage.LOST, Stage.CANCELLED_ELSEWHERE)
+    needs_somebody = stage in (Stage.LOST, Stage.LEFT, Stage.CANCELLED_ELSEWHERE)
     found = [text for text in alarm_texts(state) if text.startswith(f"{stage.value}: order 0 -> 7")]
     assert len(found) == needs_somebody
 
@@ -102,8 +106,8 @@ def test_an_order_that_begins_at_its_end_is_not_done_until_the_robot_is_back() -
     """Many orders fetch from elsewhere what belongs where the robot is."""
     away = [pose(T0 + 3 + n, 3.0 + 4 * n) for n in range(10)]
     begun: list[Event] = [pose(T0 + 1.5, 3.0), driving(T0 + 2), *away, driving(T0 + 13)]
-    lost = first(given(*begun, gone(T0 + 14), tick(T0 + 14)))
-    assert lost.stage is Stage.LOST and "with the robot 36 m from its end" in lost.detail
+    left = first(given(*begun, gone(T0 + 14), tick(T0 + 15)))
+    assert left.stage is Stage.LEFT and "with the robot 36 m from its end" in left.detail
     back: list[Event] = [pose(T0 + 20, 3.0), pose(T0 + 21, 3.0), gone(T0 + 21.5), tick(T0 + 22)]
     assert first(given(*begun, driving(T0 + 20), *back)).stage is Stage.DONE
 
@@ -127,7 +131,7 @@ def test_a_robot_that_waits_at_the_end_for_long_has_driven_there() -> None:
 @pytest.mark.parametrize(("letter", "stage"), [("D", Stage.DONE), ("C", Stage.CANCELLED_ELSEWHERE)])
 def test_an_order_that_was_over_when_it_was_first_seen_has_ended(letter: str, stage: Stage) -> None:
     state = reduced(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0), *commanded(1, ORDER, SENT, ACCEPTED))
-    state = reduced(state, queue(T0 + 9, (5, 0, END, letter)), tick(T0 + 9), tick(T0 + 9.1))
+    state = reduced(state, queue(T0 + 9, (5, 0, END, letter)), tick(T0 + 9), tick(T0 + 10))
     assert (first(state).stage, first(state).order_id) == (stage, "5")
 
 
@@ -159,7 +163,7 @@ def test_a_robot_that_is_not_known_to_be_elsewhere_has_driven_what_it_began() ->
 def test_a_queue_that_was_cut_short_ends_no_order() -> None:
     cut = replace(gone(T0 + 2), fault="501 orders, of which 500 are read")
     assert first(given(cut, tick(T0 + 2))).stage is Stage.CONFIRMED
-    assert first(given(cut, gone(T0 + 3), tick(T0 + 3))).stage is Stage.LOST
+    assert first(given(cut, gone(T0 + 3), tick(T0 + 4))).stage is Stage.LEFT
 
 
 @pytest.mark.parametrize("removal", [CancelOrder(R0, "5"), ClearOrders(R0)])
@@ -172,7 +176,7 @@ def test_what_this_console_took_away_is_cancelled_and_no_alarm(removal: Command,
 
 def test_a_cancel_that_was_refused_took_nothing_away() -> None:
     refused = commanded(2, CancelOrder(R0, "5"), SENT, Stage.REFUSED, at=T0 + 2)
-    assert first(given(*refused, gone(T0 + 3), tick(T0 + 3))).stage is Stage.LOST
+    assert first(given(*refused, gone(T0 + 3), tick(T0 + 4))).stage is Stage.LEFT
 
 
 def test_an_order_that_is_done_while_its_cancel_is_refused_is_done() -> None:
@@ -339,3 +343,96 @@ def test_an_order_that_a_robot_takes_after_it_was_started_anew_is_found() -> Non
     state = reduced(fleet(), link_up(T0 - 9), gone(T0 - 1, 4), tick(T0), *commanded(1, ORDER, SENT, ACCEPTED))
     state = reduced(state, queue(T0 + 1, (1, 0, END, "W"), current=1), tick(T0 + 1))
     assert (first(state).stage, first(state).order_id) == (Stage.CONFIRMED, "1")
+
+
+def elsewhere(at: float, stage: Stage = SENT, order_id: str = "") -> OrdersRemoved:
+    """A cancel or clear of another console."""
+    return OrdersRemoved(Removal("run 9", R0, order_id, "ana", "pc:7", at, stage))
+
+
+@pytest.mark.parametrize(
+    ("removal", "reason"),
+    [
+        (elsewhere(T0 + 1.9), "order 5: cleared by ana at pc:7"),
+        (elsewhere(T0 + 1.9, order_id="5"), "order 5: cancelled by ana at pc:7"),
+        (elsewhere(T0 + 2.5), "order 5: cleared by ana at pc:7"),
+    ],
+)
+@pytest.mark.parametrize("left", [gone(T0 + 2), queue(T0 + 2, (5, 0, END, "C"))])
+def test_what_another_console_took_away_is_cancelled_elsewhere_with_its_name(
+    left: QueueReported, removal: OrdersRemoved, reason: str
+) -> None:
+    """Also if this console hears of the end before it hears of the command."""
+    seen = given(left, tick(T0 + 2.1))
+    assert first(seen).stage is Stage.CONFIRMED
+    state = reduced(seen, removal, tick(T0 + 2.6), tick(T0 + 4))
+    assert (first(state).stage, first(state).detail) == (Stage.CANCELLED_ELSEWHERE, reason)
+    (alarm,) = state.alarms
+    assert alarm.text.startswith("cancelled elsewhere: order 0 -> 7 (order 5: c")
+    assert "again" not in action_of(alarm.condition)
+
+
+@pytest.mark.parametrize(
+    "removal",
+    [
+        elsewhere(T0 + 1.9, Stage.REFUSED),
+        elsewhere(T0 + 1.9, order_id="6"),
+        elsewhere(T0 - 5),
+        OrdersRemoved(Removal("run 9", "robot_1", "", "ana", "pc:7", T0 + 1.9, SENT)),
+    ],
+)
+def test_what_removed_another_order_or_none_explains_nothing(removal: OrdersRemoved) -> None:
+    state = given(removal, gone(T0 + 2), tick(T0 + 3))
+    assert first(state).stage is Stage.LEFT
+    (alarm,) = state.alarms
+    assert alarm.text == "left the queue: order 0 -> 7 (order 5: not by this console, before it started)"
+    assert "again" not in action_of(alarm.condition)
+    assert state.alarms[0].condition.over == "left the queue: order 0 -> 7"
+
+
+def test_a_cancel_elsewhere_that_is_refused_later_took_nothing_away() -> None:
+    state = given(elsewhere(T0 + 1.9), elsewhere(T0 + 2.2, Stage.REFUSED), gone(T0 + 2.1), tick(T0 + 4))
+    assert first(state).stage is Stage.LEFT
+
+
+def test_an_order_that_is_done_where_another_console_only_tried_to_cancel_it_is_done() -> None:
+    arrived: list[Event] = [driving(T0 + 2), pose(T0 + 2, 3.0), elsewhere(T0 + 2)]
+    assert first(given(*arrived, gone(T0 + 3), tick(T0 + 5))).stage is Stage.DONE
+    ended = given(*arrived, elsewhere(T0 + 2.1, ACCEPTED), gone(T0 + 3), tick(T0 + 5))
+    assert first(ended).stage is Stage.CANCELLED_ELSEWHERE
+
+
+def test_evidence_that_comes_late_corrects_the_end() -> None:
+    state = given(gone(T0 + 2), tick(T0 + 4))
+    assert first(state).stage is Stage.LEFT
+    state = reduced(state, elsewhere(T0 + 1.9, Stage.CONFIRMED), tick(T0 + 6))
+    record = first(state)
+    assert record.stage is Stage.CANCELLED_ELSEWHERE
+    assert record.detail == "order 5: cleared by ana at pc:7; corrects: left the queue"
+    assert [alarm.text for alarm in state.alarms if alarm.holds] == [
+        "cancelled elsewhere: order 0 -> 7 (order 5: cleared by ana at pc:7; corrects: left the queue)"
+    ]
+
+
+def of_command(state: FleetState) -> list[AlarmStage]:
+    return [alarm.stage for alarm in state.alarms if alarm.condition.kind == "command"]
+
+
+@pytest.mark.parametrize("stage", [AlarmStage.UNACKNOWLEDGED, AlarmStage.RETURNED])
+def test_an_end_that_is_reported_late_takes_the_lost_order_and_its_alarm_back(stage: AlarmStage) -> None:
+    later = T0 + 46 if stage is AlarmStage.UNACKNOWLEDGED else T0 + 200
+    lost = given(driving(T0 + 2), gone(T0 + 44), tick(T0 + 45), tick(later))
+    assert first(lost).stage is Stage.LOST and of_command(lost) == [stage]
+    state = reduced(lost, queue(later, (5, 0, END, "D")), tick(later + 0.1))
+    assert (first(state).stage, first(state).detail) == (
+        Stage.DONE,
+        "order 5: as reported by the robot; corrects: lost",
+    )
+    assert of_command(state) == []
+    assert [one.stage for one in state.robots[R0].gone] == [Stage.DONE]
+
+
+def test_ids_that_started_over_take_nothing_back() -> None:
+    lost = given(driving(T0 + 2), gone(T0 + 3, 0), tick(T0 + 4))
+    state = reduced(lost, queue(T0 + 9, (5, 0, END, "D")), tick(T0 + 10))
+    assert first(state).stage is Stage.LOST

@@ -11,7 +11,7 @@ from fleet_tui.model.navigation_events import (
 from fleet_tui.model.order import Stop, at_vertices
 from fleet_tui.model.request import given_now
 from fleet_tui.rules.commands.local_queue import foreign, next_to_send, orders_to_save
-from tests.support.fleets import F0, R0, T0, reduced
+from tests.support.fleets import F0, R0, T0, reduced, tick
 from tests.support.legs import (
     A_B,
     DONE,
@@ -121,7 +121,25 @@ def test_serials_never_start_over_though_lists_become_empty() -> None:
 
 def test_a_goal_that_is_no_longer_listed_is_lost() -> None:
     state = lived(sent(site(), T0 + 1, "our-name"), T0 + 1.2, goal("our-name"))
-    state = lived(state, T0 + 2)
+    state = reduced(lived(state, T0 + 2), tick(T0 + 3))
+    assert record(state).stage is Stage.LOST
+
+
+def test_a_goal_whose_end_is_reported_after_it_was_lost_has_that_end() -> None:
+    """Its link was away: the list that comes then has it no more, a later one has its end."""
+    to_one = PlaceOrder(R0, at_vertices("2"))
+    state = lived(sent(site(), T0 + 1, "our-name", to_one), T0 + 1.2, goal("our-name"))
+    state = reduced(lived(state, T0 + 2), tick(T0 + 3))
+    assert record(state).stage is Stage.LOST
+    state = lived(state, T0 + 60, goal("our-name", DONE))
+    assert record(state).stage is Stage.DONE
+    assert record(state).detail == "order our-name: as reported by the robot; corrects: lost"
+
+
+def test_a_stop_that_was_reached_is_not_the_end_of_a_lost_order() -> None:
+    state = lived(sent(site(), T0 + 1, "our-name"), T0 + 1.2, goal("our-name"))
+    state = reduced(lived(state, T0 + 2), tick(T0 + 3))
+    state = lived(state, T0 + 60, goal("our-name", DONE))
     assert record(state).stage is Stage.LOST
 
 

@@ -9,6 +9,9 @@ from msgspec import structs
 
 from fleet_tui.model.alarm import Alarm, Condition, Priority
 from fleet_tui.model.commands import CancelOrder, Stage
+from fleet_tui.model.desk.desk import Removal
+from fleet_tui.model.desk.events import OrdersRemoved
+from fleet_tui.model.events import QueueReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity, Charge, LaterCause, LinkChange, OrderChange, Span
 from fleet_tui.rules.history.observing import EVERY, HOUR, SLEPT, Fact, Observer
@@ -23,6 +26,7 @@ from tests.support.fleets import (
     labels,
     link_lost,
     link_up,
+    order_queue,
     place_order,
     pose,
     queue,
@@ -221,3 +225,18 @@ def test_the_cause_of_an_alarm_that_came_later_is_told_once() -> None:
     ):
         found += [fact for fact in observer.observe(state) if isinstance(fact, LaterCause)]
     assert found == [LaterCause(R0, "order", "failed: No progress")]
+
+
+def test_an_end_that_another_console_caused_is_told_so_once_also_if_that_is_known_later() -> None:
+    state = reduced(fleet(), link_up(T0), graph(1, 2), pose(T0), queue(T0, (7, 1, 2, "Q")), tick(T0))
+    observer = Observer()
+    told(observer, state)
+    state = reduced(state, QueueReported(R0, T0 + 1, order_queue(7, -1)), pose(T0 + 1), tick(T0 + 1))
+    assert of_orders(told(observer, state)) == []  # evidence may come
+    state = reduced(state, tick(T0 + 3))
+    assert of_orders(told(observer, state)) == [("7", "left the queue")]
+    removal = Removal("run 9", R0, "", "ben", "pc:7", T0 + 0.9, Stage.SENT)
+    state = reduced(state, OrdersRemoved(removal), tick(T0 + 4))
+    (change,) = (fact for fact in told(observer, state) if isinstance(fact, OrderChange))
+    assert (change.stage, change.reason) == ("cancelled elsewhere", "cleared by ben at pc:7")
+    assert of_orders(told(observer, state)) == []

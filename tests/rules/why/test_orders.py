@@ -2,15 +2,12 @@
 
 from msgspec.structs import replace
 
-from fleet_tui.model.commands import (
-    ClearOrders,
-    Stage,
-)
+from fleet_tui.model.commands import CHECK_DELIVERY, ORDER_ENDS, ClearOrders, Stage
 from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.order import Order, at_vertices
 from fleet_tui.model.order_life import GoneOrder
 from fleet_tui.rules.causes import HELD_FAST, NO_WAY
-from fleet_tui.rules.why.orders import CHECK_DELIVERY, REJECTED, RESTART
+from fleet_tui.rules.why.orders import REJECTED, RESTART
 from fleet_tui.rules.why.reason import LOOK_AT, Reason
 from fleet_tui.rules.why.why import reasons
 from tests.support.fleets import (
@@ -99,4 +96,7 @@ def test_the_order_that_failed_last_is_why_a_robot_has_none() -> None:
         assert after(Stage.FAILED, cause).remedy == NO_WAY
     assert after(Stage.FAILED).page == "log" and "diagnostics" in after(Stage.FAILED).keys
     assert (after(Stage.LOST).name, after(Stage.LOST).remedy) == ("last order lost", CHECK_DELIVERY)
+    left = after(Stage.LEFT)
+    assert (left.name, left.remedy) == ("last order left the queue", ORDER_ENDS[Stage.LEFT].remedy)
+    assert "order again" not in left.remedy
     assert after(Stage.DONE).name == "no orders"

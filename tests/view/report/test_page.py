@@ -8,12 +8,12 @@ from msgspec.structs import replace
 
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.history.facts import Activity, Note
-from fleet_tui.model.history.lives import PastCommand, PastOrder
+from fleet_tui.model.history.lives import AlarmLife, PastCommand, PastOrder
 from fleet_tui.model.history.totals import BlockedPlace, ChargeTotal
 from fleet_tui.rules.history.division import Division
 from fleet_tui.rules.history.shift import AlarmCause, OrderCounts, RobotShift
 from fleet_tui.view.report.axis import LocalTime
-from fleet_tui.view.report.content import ReportContent
+from fleet_tui.view.report.content import Claim, Handover, ReportContent
 from fleet_tui.view.report.heat import FloorHeat
 from fleet_tui.view.report.page import MOST_ROWS, page
 
@@ -27,7 +27,9 @@ def clock(at: float, is_long: bool) -> str:
 
 def content(name: str = "robot_0") -> ReportContent:
     """A shift in which everything has a line."""
-    counts = OrderCounts(done=20, late=3, lost=2, cancelled=1, timed=20, seconds=2000.0, longest=900.0)
+    counts = OrderCounts(
+        done=20, late=3, lost=2, left=5, cancelled=1, timed=20, seconds=2000.0, longest=900.0
+    )
     seconds = {Activity.DRIVING: 7200.0, Activity.BLOCKED: 600.0, Activity.OFFLINE: 120.0}
     return ReportContent(
         site=name,
@@ -39,7 +41,14 @@ def content(name: str = "robot_0") -> ReportContent:
         notes=[Note(100.0, name, f"{name}: lift is slow")],
         robots=[RobotShift(name, counts, seconds, 21.0, 64.0)],
         routes={name: counts},
-        open_orders=4,
+        handover=Handover(
+            [
+                PastOrder(name, "8", f"{name} -> B -> C", "f", 10.0, 20.0, None, "begun", "", name),
+                PastOrder(name, "9", "-> D", "f", 30.0, None, None, "queued", "", ""),
+            ],
+            [AlarmLife(name, "offline", "medium", name, 40.0, None, 50.0, None, name, 1)],
+            [Claim(name, name, name)],
+        ),
         causes=[AlarmCause(name, "high", 7, 2, 300.0, 90.0, 12.0)],
         outages={name: (2, 61.0)},
         losses=[PastOrder(name, "1", name, "f", 1.0, 2.0, 300.0, "lost", name, "")],
@@ -76,12 +85,23 @@ def test_the_next_shift_reads_its_notes_first() -> None:
     assert places == sorted(places) and "t100 robot_0: robot_0: lift is slow" in text
 
 
+def test_what_goes_on_is_handed_over_by_name() -> None:
+    text = "|".join(Text(page(content())).lines)
+    assert "|robot_0|8|robot_0|C|begun|t20|robot_0|" in text
+    assert "|robot_0|9|D|queued|t30|another client|" in text  # only queued, from where it is
+    assert "|robot_0|offline|medium|robot_0|t40|holds|robot_0|" in text
+    assert "|Handed over: claimed robots|Robot|By|Console|robot_0|robot_0|robot_0|" in text
+    unknown = replace(content(), handover=Handover([], [], [], "/desk: gone"))
+    text = "|".join(Text(page(unknown)).lines)
+    assert "|No order is open.|" in text and "|No alarm is open.|" in text
+    assert "|Claims unknown: /desk: gone|" in text and "No robot is claimed." not in text
+
+
 def test_figures_are_in_words() -> None:
     text = "|".join(Text(page(content())).lines)
-    assert (
-        "|20|done|3|of these late|2|lost or failed|1|cancelled|4|still open|7|alarms|12 min|downtime" in text
-    )
-    assert "|robot_0|20|3|2|1|2 h|10 min|2 min|64 %|21 %|2 h|" in text
+    assert "|20|done|3|of these late|2|lost or failed|5|left the queue|1|cancelled|2|still open|" in text
+    assert "|7|alarms|12 min|downtime" in text
+    assert "|robot_0|20|3|2|5|1|2 h|10 min|2 min|64 %|21 %|2 h|" in text
     assert "|robot_0|high|7|2|5 min|90 s|12 s|" in text  # the alarm
     assert "|robot_0|2|61 s|" in text  # the link
     assert "|t300|robot_0|robot_0|lost|robot_0|" in text
@@ -101,8 +121,8 @@ def test_nothing_of_a_name_or_a_note_runs_or_is_fetched() -> None:
 
 def test_an_empty_shift_says_so() -> None:
     empty = replace(
-        content(), notes=[], robots=[], routes={}, causes=[], outages={}, losses=[], refusals=[], timeline={},
-        charges={}, floors=[], unwatched="nobody watches yet",
+        content(), notes=[], handover=Handover([], [], []), robots=[], routes={}, causes=[], outages={},
+        losses=[], refusals=[], timeline={}, charges={}, floors=[], unwatched="nobody watches yet",
     )  # fmt: skip
     text = "|".join(Text(page(empty)).lines)
     for said in ("nobody watches yet", "No notes.", "No robot was seen.", "No order ended.", "No alarm."):

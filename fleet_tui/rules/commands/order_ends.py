@@ -1,0 +1,123 @@
+"""How an order ended: the reports of its robot, with what this and other consoles did to it."""
+
+from typing import NamedTuple, assert_never
+
+from fleet_tui.model.commands import (
+    ORDER_ENDS,
+    CancelOrder,
+    ClearOrders,
+    CommandRecord,
+    PauseRobot,
+    PlaceOrder,
+    ResumeRobot,
+    Stage,
+)
+from fleet_tui.model.desk.desk import Removal
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.order import Order
+from fleet_tui.model.order_life import STARTED_OVER, GoneOrder
+from fleet_tui.model.robot import Robot
+from fleet_tui.model.set_up.commands import SetUpCommand
+
+EVIDENCE_WITHIN = 1.0
+"""Seconds within which another console's command is known here: the end of its order may be seen before."""
+REMOVED_WITHIN = 60.0
+"""Seconds before the end of another client's order in which a cancel or clear counts as its cause."""
+REMOVED = frozenset({Stage.ACCEPTED, Stage.CONFIRMED, Stage.LATE})
+"""Stages of a cancel or clear that took an order away, also one whose robot stood at its end."""
+MAY_HAVE_REMOVED = REMOVED | {Stage.SENT, Stage.NO_ANSWER, Stage.UNKNOWN, Stage.NOT_CONFIRMED}
+BY_THIS_CONSOLE = "by this console"
+
+
+class ExplainedEnd(NamedTuple):
+    """One of ORDER_ENDS and its reason; `is_open`: for a moment yet, evidence for another one may come."""
+
+    stage: Stage
+    reason: str
+    is_open: bool = False
+
+
+def end_of(
+    state: FleetState, robot: Robot, gone: GoneOrder, record: CommandRecord | None = None
+) -> ExplainedEnd:
+    """Explain the end of an order; `record` is the command of this console that placed it."""
+    if gone.reason == STARTED_OVER or gone.stage in (Stage.FAILED, Stage.REPLACED):
+        return ExplainedEnd(gone.stage, gone.reason)
+    causes = REMOVED if gone.stage is Stage.DONE else MAY_HAVE_REMOVED
+    if removals(state, robot, gone, record) & causes:
+        return ExplainedEnd(Stage.CANCELLED, BY_THIS_CONSOLE)
+    if (removal := _elsewhere(state, robot, gone, record)) is not None and removal.stage in causes:
+        return ExplainedEnd(Stage.CANCELLED_ELSEWHERE, removal.text)
+    if gone.stage is Stage.CANCELLED and record is not None:
+        return ExplainedEnd(Stage.CANCELLED_ELSEWHERE, gone.reason, state.now - gone.at < EVIDENCE_WITHIN)
+    is_open = ORDER_ENDS[gone.stage].is_inferred and state.now - gone.at < EVIDENCE_WITHIN
+    return ExplainedEnd(gone.stage, gone.reason, is_open)
+
+
+def seen_end(state: FleetState, robot: Robot, gone: GoneOrder) -> ExplainedEnd:
+    """Explain the end of an order of any client: one of this console as its command tells it."""
+    record = placed_by(state, robot, gone.order)
+    if record is not None and record.stage in ORDER_ENDS:
+        return ExplainedEnd(record.stage, record.detail.removeprefix(f"order {record.order_id}: "))
+    return end_of(state, robot, gone, record)
+
+
+def placed_by(state: FleetState, robot: Robot, order: Order) -> CommandRecord | None:
+    """Return the command of this console that placed an order, None for another client's."""
+    found = (
+        record
+        for record in reversed(state.commands)
+        if record.command.robot == robot.name
+        and record.order_id == order.id
+        and record.order_serial == order.serial
+    )
+    return next(found, None)
+
+
+def removals(
+    state: FleetState, robot: Robot, gone: GoneOrder, record: CommandRecord | None = None
+) -> set[Stage]:
+    """Return the stages of this console's commands that were to remove an order since it was placed. A clear
+    cancels the goals of this console, also those not listed yet."""
+    since = gone.at - REMOVED_WITHIN if record is None else record.issued_at
+    return {
+        other.stage
+        for other in state.commands
+        if other.command.robot == robot.name
+        and other is not record
+        and since <= other.issued_at <= gone.at
+        and (removes(other, gone.order) or _clears_named(other, record))
+    }
+
+
+def removes(record: CommandRecord, order: Order) -> bool:
+    """Tell whether a command is to remove an order."""
+    match record.command:
+        case CancelOrder(_, cancelled):
+            return cancelled == order.id
+        case ClearOrders():
+            last = record.before.last_serial
+            return last is None or order.serial <= last
+        case PlaceOrder() | PauseRobot() | ResumeRobot() | SetUpCommand():
+            return False
+        case _:
+            assert_never(record.command)
+
+
+def _clears_named(other: CommandRecord, record: CommandRecord | None) -> bool:
+    return record is not None and record.name != "" and isinstance(other.command, ClearOrders)
+
+
+def _elsewhere(
+    state: FleetState, robot: Robot, gone: GoneOrder, record: CommandRecord | None
+) -> Removal | None:
+    """Return what another console did to remove an order since it was placed, the last before its end."""
+    since = gone.at - REMOVED_WITHIN if record is None else record.issued_at
+    found = (
+        removal
+        for removal in reversed(state.desk.removals)
+        if removal.robot == robot.name
+        and removal.order_id in ("", gone.order.id)
+        and since <= removal.at <= gone.at + EVIDENCE_WITHIN
+    )
+    return next(found, None)
