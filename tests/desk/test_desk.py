@@ -11,6 +11,7 @@ import pytest
 
 from fleet_tui.config.schema import Config, DeskConfig, Operator
 from fleet_tui.desk import desk as desk_module
+from fleet_tui.desk import fact_file, outbox
 from fleet_tui.desk.desk import AT_ONCE, SharedDesk, desk_of
 from fleet_tui.desk.fact_file import FILE
 from fleet_tui.model.alarm import AlarmStage
@@ -28,7 +29,7 @@ from fleet_tui.model.desk.events import (
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Note
 from fleet_tui.state.store import Store
-from tests.support.fleets import LINK, T0, commanded, fleet, link_lost
+from tests.support.fleets import LINK, T0, commanded, fleet, link_lost, link_up
 from tests.support.polling import eventually
 from tests.support.shared_desk import R3, DeskConsole, at_desk
 
@@ -232,8 +233,69 @@ def test_a_folder_that_does_not_respond_stops_nothing(
         eventually(lambda: ana.desk.notes == [])
 
 
+def test_a_file_that_can_not_be_shortened_grows_by_each_fact_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(fact_file, "LARGEST", 1)
+    monkeypatch.setattr(desk_module, "EVERY", 0.001)
+    (tmp_path / f".{FILE}.new").mkdir()
+    with at_desk(tmp_path, "ana", "ben") as (ana, ben):
+        ana.desk.share_note(Note(time.time(), "ana", "one"))
+        ben.desk.share_note(Note(time.time(), "ben", "two"))
+        eventually(lambda: ana.notes and ben.notes)
+        for number in range(50):  # each is seen after some more looks of ana
+            ben.desk.selected = lambda robot=f"robot_{number % 5}": robot  # type: ignore[misc]  # typed by its default
+            ana.becomes(lambda state, at=number: state.desk.others[0].robot == f"robot_{at % 5}")  # type: ignore[misc]  # as above
+        assert count_lines(tmp_path) == 2
+        (note,) = ana.desk.notes
+        assert note == "desk: facts.jsonl grows, it can't be shortened: Is a directory"
+
+
+def test_answers_that_waited_for_the_folder_are_shared_while_they_are_so(tmp_path: Path) -> None:
+    """Nobody has seen an alarm that came again since."""
+    folder = tmp_path / "desk"
+    ana = DeskConsole(folder, "ana")
+    ana.desk.start(ana.post)
+    try:
+        without_a_link(ana)
+        ana.post(AlarmAcknowledged(*ALARM))
+        ana.post(link_up(T0 + 20))
+        ana.tick(T0 + 100)
+        ana.post(link_lost(T0 + 100))
+        ana.tick(T0 + 110)
+        assert stage(ana.state) is AlarmStage.UNACKNOWLEDGED
+        folder.mkdir()
+        with at_desk(folder, "ben") as (ben,):
+            without_a_link(ben)
+            ana.post(EdgeClosed(EDGE, 1.0))
+            ben.becomes(lambda state: state.desk.closed)
+            assert stage(ben.state) is AlarmStage.UNACKNOWLEDGED
+            assert count_lines(folder) == 1
+    finally:
+        ana.desk.close()
+
+
+def test_a_shelving_that_waited_for_the_folder_lasts_as_long_as_there(tmp_path: Path) -> None:
+    folder = tmp_path / "desk"
+    with_ben = DeskConsole(folder, "ben")
+    ana = DeskConsole(folder, "ana")
+    for one in (ana, with_ben):
+        one.desk.start(one.post)
+    try:
+        without_a_link(ana, with_ben)
+        ana.post(AlarmShelved(*ALARM, T0 + 610))
+        ana.tick(T0 + 510)
+        folder.mkdir()
+        with_ben.becomes(lambda state: stage(state) is AlarmStage.SHELVED)
+        (alarm,) = with_ben.state.alarms
+        assert alarm.shelved_until - with_ben.state.now <= 100
+    finally:
+        ana.desk.close()
+        with_ben.desk.close()
+
+
 def test_what_waits_is_limited_and_the_loss_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(desk_module, "WAITING", 2)
+    monkeypatch.setattr(outbox, "WAITING", 2)
     ana = DeskConsole(tmp_path / "gone", "ana")
     ana.desk.start(ana.post)
     try:
