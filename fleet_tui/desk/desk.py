@@ -12,18 +12,18 @@ from pathlib import Path
 
 from fleet_tui.config.rights import permissions_of
 from fleet_tui.config.schema import Config
+from fleet_tui.desk.commands import elsewhere_event, own_steps
 from fleet_tui.desk.fact_file import FactFile, lasts
 from fleet_tui.desk.facts import (
     Fact,
     SharedAcknowledgement,
     SharedClosure,
+    SharedCommand,
     SharedNote,
-    SharedRemoval,
     SharedShelving,
 )
 from fleet_tui.desk.outbox import FactOutbox
 from fleet_tui.desk.presence import Presence, PresenceFile, PresenceReader, boot_id
-from fleet_tui.desk.removals import own_removals, removal_event
 from fleet_tui.desk.replies import Replies, answer_as_now
 from fleet_tui.model.alarm import AlarmStage, AlarmStep, transitions
 from fleet_tui.model.desk.desk import Colleague
@@ -109,8 +109,8 @@ class SharedDesk:
         """Share what this console's operator did; written later."""
         if not self._shares:
             return
-        for fields in own_removals(before, after):
-            self._share(SharedRemoval, **fields)
+        for fields in own_steps(before, after):
+            self._share(SharedCommand, **fields)
         if after.desk.acted:
             return
         if after.desk.closed is not before.desk.closed:
@@ -219,8 +219,8 @@ class SharedDesk:
                     self.on_note(Note(min(fact.wall, now), shown(fact.by), fact.text), is_new)
             elif not is_new:
                 continue
-            elif isinstance(fact, SharedRemoval):
-                self._post(removal_event(fact, shown(fact.by)))
+            elif isinstance(fact, SharedCommand):
+                self._post(elsewhere_event(fact, shown(fact.by)))
             else:
                 self._replies.take(fact, shown(fact.by))
         self._replies.post()

@@ -55,13 +55,15 @@ class SharedClosure(SharedFact, frozen=True, tag="edge"):
     closed: bool
 
 
-class SharedRemoval(SharedFact, frozen=True, tag="removal"):
-    """A cancel or clear reached a stage: `order` is empty for all of the robot's, `request` its number."""
+class SharedCommand(SharedFact, frozen=True, tag="command"):
+    """A command reached a stage: `what` is its name in the audit log, `order` the one that it removes, else
+    empty, `request` its number."""
 
     robot: Name
+    what: Name
     order: Name
     request: Annotated[int, Meta(ge=0, le=2**53)]
     stage: Stage
 
 
-Fact = SharedAcknowledgement | SharedShelving | SharedNote | SharedClosure | SharedRemoval
+Fact = SharedAcknowledgement | SharedShelving | SharedNote | SharedClosure | SharedCommand

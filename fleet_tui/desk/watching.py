@@ -7,12 +7,12 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from fleet_tui.config.schema import Config
+from fleet_tui.desk.commands import elsewhere_event, own_steps
 from fleet_tui.desk.desk import EVERY, LAST_CHANCE, colleagues, shown
 from fleet_tui.desk.fact_file import FactFile
-from fleet_tui.desk.facts import SharedRemoval
+from fleet_tui.desk.facts import SharedCommand
 from fleet_tui.desk.outbox import FactOutbox
 from fleet_tui.desk.presence import PresenceReader, new_console_id
-from fleet_tui.desk.removals import own_removals, removal_event
 from fleet_tui.model.desk.events import ColleaguesSeen
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
@@ -42,8 +42,8 @@ class DeskVisit:
 
     def watch(self, before: FleetState, after: FleetState) -> None:
         """Share what was removed here; written later."""
-        for fields in own_removals(before, after):
-            self._outbox.tell(SharedRemoval, **fields)
+        for fields in own_steps(before, after):
+            self._outbox.tell(SharedCommand, **fields)
 
     def close(self) -> None:
         """Share what is left."""
@@ -68,8 +68,8 @@ class DeskVisit:
         self._post(ColleaguesSeen(colleagues(self._reader.look())))
         is_new = not self._facts.is_past
         for fact in self._facts.read():
-            if is_new and fact.console != self._own and isinstance(fact, SharedRemoval):
-                self._post(removal_event(fact, shown(fact.by)))
+            if is_new and fact.console != self._own and isinstance(fact, SharedCommand):
+                self._post(elsewhere_event(fact, shown(fact.by)))
 
 
 @contextmanager

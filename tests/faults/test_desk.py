@@ -1,15 +1,20 @@
-"""The folder of a desk that fails: each fact is shared once, whatever else can't be done there."""
+"""Several operators: the folder of a desk that fails, and two who command the same robot at once."""
 
 import os
 import subprocess
 import sys
+import time
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import pytest
 
 from fleet_tui.desk.fact_file import FILE
+from fleet_tui.model.commands import Command, PauseRobot, ResumeRobot, Stage
+from fleet_tui.rules.commands.rivals import rivals_text
 from tests.support.fault_report import report
+from tests.support.fleets import commanded
+from tests.support.shared_desk import R3, DeskConsole, at_desk
 
 CONSOLE = """
 import os, sys, time
@@ -69,6 +74,27 @@ def test_a_sticky_folder_of_two_users_has_each_note_once() -> None:
         "the desk's folder is sticky",
         "two users share the file of a third",
         "all is shared, once; the top line says that the file grows",
+        noticed,
+        None,
+    )
+
+
+def test_two_operators_command_a_robot_at_once(tmp_path: Path) -> None:
+    with at_desk(tmp_path, "ana", "ben") as consoles:
+        began = time.monotonic()
+        ana, ben = consoles
+        given: list[tuple[DeskConsole, Command]] = [(ana, PauseRobot(R3)), (ben, ResumeRobot(R3))]
+        for one, command in given:
+            one.tick(began)
+            for step in commanded(7, command, Stage.SENT, at=began):
+                one.post(step)
+        for one in consoles:
+            one.becomes(lambda state: rivals_text(state, R3))
+        noticed = time.monotonic() - began
+    report(
+        "two operators command a robot at once",
+        "a pause and a resume from two consoles of a desk",
+        "both: also commanded by the other, from where and what",
         noticed,
         None,
     )

@@ -20,6 +20,7 @@ from fleet_tui.rules.alarms.trouble import (
 from fleet_tui.rules.alarms.vehicles import priority_of, sorted_errors
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import own_pause_text
+from fleet_tui.rules.commands.rivals import rivals
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.lag import is_overloaded
 from fleet_tui.rules.localisation.jumps import is_jumping
@@ -103,12 +104,20 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     if contact is not None and is_old:
         yield tr(obstacle_text(state, robot, contact)), StyleRole.DIM
     yield from _ended(state, robot)
-    if holders := state.desk.holders(robot.name):
-        yield tr(f"claimed by {sanitize(' and '.join(holders))}"), StyleRole.ACCENT
+    yield from _operators(state, robot)
     if online:
         yield from _old(state, robot)
     if is_news(state, robot.fault_at):
         yield tr(f"bad data x{robot.faults}"), StyleRole.WARN
+
+
+def _operators(state: FleetState, robot: Robot) -> Iterator[Run]:
+    """Yield who else commands it now, and who has claimed it."""
+    if others := rivals(state, robot.name):
+        names = " and ".join(dict.fromkeys(one.by for one in others))
+        yield tr(f"also commanded by {sanitize(names)}"), StyleRole.ACCENT
+    if holders := state.desk.holders(robot.name):
+        yield tr(f"claimed by {sanitize(' and '.join(holders))}"), StyleRole.ACCENT
 
 
 def _contact_role(state: FleetState, robot: Robot) -> StyleRole:
