@@ -9,7 +9,7 @@ TOGETHER := -q -n 6 --maxschedchunk 1
 # Compiled once, not by each of a few hundred processes.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test quick lint types compiled tested unit bench faults typed kills fuzz soak pictures docs lock format dist dist-check clean
+.PHONY: demo test quick lint types compiled tested unit bench faults typed kills advisories fuzz soak pictures docs lock format dist dist-check clean
 
 demo: $(READY)
 	@$(BIN)/fleet-tui demo
@@ -45,7 +45,8 @@ unit: $(READY)
 	$(BIN)/pytest -q -p no:xdist --maxfail 3 --last-failed --last-failed-no-failures none; }
 
 bench: $(READY)
-	@$(BIN)/pip install --quiet --disable-pip-version-check -c requirements.lock -e '.[bench]' || echo "measuring without the others"
+	@sed -n 's/^\([^ #]*==[^ ]*\).*/\1/p' requirements.lock > $(VENV)/constraints.txt
+	@$(BIN)/pip install --quiet --disable-pip-version-check -c $(VENV)/constraints.txt -e '.[bench]' || echo "measuring without the others"
 	@$(BIN)/python -m tests.bench --json docs/performance.json
 
 soak: $(READY)
@@ -84,7 +85,7 @@ $(READY): pyproject.toml requirements.lock
 	@echo "Setting up $(VENV) (once, half a minute or more) ..."
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "Python 3.11 or newer is needed; say which with: make PYTHON=python3.12 ..."; exit 1; }
 	@$(PYTHON) -m venv $(VENV)
-	@set -o pipefail; PYTHONUNBUFFERED=1 $(BIN)/pip install --disable-pip-version-check -r requirements.lock | { $(PROGRESS); }
+	@set -o pipefail; PYTHONUNBUFFERED=1 $(BIN)/pip install --disable-pip-version-check --require-hashes -r requirements.lock | { $(PROGRESS); }
 	@$(BIN)/pip install --quiet --disable-pip-version-check --no-deps -e .
 	@touch $@
 	@echo "Ready."
@@ -100,13 +101,18 @@ docs: $(READY)
 dist: $(READY)
 	@$(BIN)/python -m release.build
 
+# Says which dependencies have known advisories, at their floors and as locked; needs a network, and fails nothing.
+advisories: $(READY)
+	@$(BIN)/python -m release.advisories
+
 dist-check: $(READY)
 	@$(BIN)/python -m release.check
 
 lock:
 	@rm -rf $(VENV)/lock && $(PYTHON) -m venv $(VENV)/lock
-	@$(VENV)/lock/bin/pip install --quiet --disable-pip-version-check '.[dev]'
-	@(echo "# Exact versions that were tested; made by: make lock"; $(VENV)/lock/bin/pip freeze --exclude fleet-tui) > requirements.lock
+	@$(VENV)/lock/bin/pip install --quiet --disable-pip-version-check uv
+	@$(VENV)/lock/bin/uv pip compile --quiet --generate-hashes --no-annotate --no-header --no-emit-index-url --no-emit-find-links --extra dev pyproject.toml > $(VENV)/pins
+	@(echo "# Exact versions that were tested, with the hashes of their files; made by: make lock"; cat $(VENV)/pins) > requirements.lock
 
 clean:
 	rm -rf $(VENV) build dist

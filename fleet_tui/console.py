@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Protocol
 import msgspec
 
 from fleet_tui.app import FleetApp
-from fleet_tui.audit.elsewhere import watched_removals
+from fleet_tui.audit.elsewhere import watched_commands
 from fleet_tui.audit.log import auditing, operator_name
 from fleet_tui.backend import LiveBackend, OpenLinks, connect_live
 from fleet_tui.config.access import access_problems
@@ -72,7 +72,7 @@ def open_console(
     with ExitStack() as until_the_end:
         files = _files(config, store, demo, saving, until_the_end)
         backend = LiveBackend(config, store, partial(_connect, files, None if demo else state_folder()))
-        until_the_end.enter_context(watched_removals(state_folder(), store, backend.post))
+        until_the_end.enter_context(watched_commands(state_folder(), store, backend.post))
         make = partial(FleetApp, config, store, backend=backend, files=files)
         _to_the_end(_ready(config, drawing, debug, make, arrived))
 

@@ -13,7 +13,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from fleet_tui import __version__
-from release.build import DIST, PYTHON, ROOT
+from release.build import DIST, PYTHON
+from release.locked import ROOT, constraints
 from tests.support.in_pty import Terminal
 
 PIP = ["-m", "pip", "--quiet", "--disable-pip-version-check"]
@@ -32,7 +33,7 @@ def built(pattern: str) -> Path:
 
 def collect(wheels: Path) -> None:
     """Download what wheel and sdist need, the last step with a network."""
-    tested = ["--constraint", str(ROOT / "requirements.lock")]
+    tested = constraints(wheels / "versions.txt")
     needed = [f"{built('*.whl')}[serve,bags]", "hatchling"]
     subprocess.run([sys.executable, *PIP, "download", "--dest", str(wheels), *tested, *needed], check=True)
 

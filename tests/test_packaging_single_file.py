@@ -10,7 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from release.build import PYTHON, ROOT, packed
+from release.build import PYTHON, packed
+from release.locked import ROOT
 
 PROGRAM = """
 import fleet_tui, sys

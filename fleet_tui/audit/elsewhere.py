@@ -1,4 +1,4 @@
-"""What other consoles of this machine do to orders, as their audit log tells it while this console runs."""
+"""What other consoles of this machine send to robots, as their audit log tells it while this console runs."""
 
 import logging
 import threading
@@ -13,8 +13,8 @@ from fleet_tui.audit.log import console_name
 from fleet_tui.audit.tail import AuditTail
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.commands import Stage
-from fleet_tui.model.desk.desk import Removal
-from fleet_tui.model.desk.events import OrdersRemoved
+from fleet_tui.model.desk.desk import REMOVES, CommandElsewhere
+from fleet_tui.model.desk.events import CommandedElsewhere
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.state.store import Store
 
@@ -22,20 +22,22 @@ LOG = logging.getLogger(__name__)
 
 EVERY = 0.2
 """Seconds between two looks at the log."""
-REMOVES = ("cancel", "clear")
-STAGES = {stage.value: stage for stage in Stage if stage is not Stage.CHECKED}
+NOT_LEFT = (Stage.CHECKED, Stage.WAITING, Stage.NOT_SENT)
+STAGES = {stage.value: stage for stage in Stage if stage not in NOT_LEFT}
 
 
-def removal_of(record: AuditRecord, state: FleetState, console: str, at: float) -> Removal | None:
-    """Return what a record of another console than this one tells about removed orders, None if nothing.
-    `at`: its monotonic second. Robots of other sites have the same names: its link must be that of ours."""
+def command_of(record: AuditRecord, state: FleetState, console: str, at: float) -> CommandElsewhere | None:
+    """Return the command that a record of another console than this one tells about, None for none. `at`:
+    its monotonic second. Robots of other sites have the same names: its link must be that of ours."""
     robot, stage = state.robots.get(record.robot), STAGES.get(record.change)
-    if record.what not in REMOVES or record.console == console or robot is None or stage is None:
+    if record.kind != "command" or record.console == console or robot is None or stage is None:
         return None
     if _address(record.url) != _address(state.links[robot.link].url):
         return None
-    key, order_id = f"{record.run} {record.id}", record.order or ""
-    return Removal(key, robot.name, order_id, record.operator, record.console, at, stage)
+    key, order_id = f"{record.run} {record.id}", (record.order or "") if record.what in REMOVES else ""
+    return CommandElsewhere(
+        key, robot.name, order_id, record.operator, record.console, at, stage, record.what
+    )
 
 
 def _address(url: str) -> str:
@@ -43,8 +45,8 @@ def _address(url: str) -> str:
 
 
 @contextmanager
-def watched_removals(
-    folder: Path, store: Store, post: Callable[[OrdersRemoved], object], console: str = ""
+def watched_commands(
+    folder: Path, store: Store, post: Callable[[CommandedElsewhere], object], console: str = ""
 ) -> Iterator[None]:
     """Post what the log in the state folder tells about other consoles than `console` (empty: this process),
     while this lasts. It reads in a thread of its own, since a disk may hang."""
@@ -62,7 +64,7 @@ def watched_removals(
 def _read(
     folder: Path,
     store: Store,
-    post: Callable[[OrdersRemoved], object],
+    post: Callable[[CommandedElsewhere], object],
     console: str,
     closing: threading.Event,
 ) -> None:
@@ -72,8 +74,8 @@ def _read(
             log = log or AuditTail(folder / FILE_NAME)
             for record in log.new():
                 at = time.monotonic() - (time.time() - datetime.fromisoformat(record.time).timestamp())
-                if (removal := removal_of(record, store.state, console, at)) is not None:
-                    post(OrdersRemoved(removal))
+                if (command := command_of(record, store.state, console, at)) is not None:
+                    post(CommandedElsewhere(command))
             problem = ""
         except (OSError, ValueError) as error:
             if str(error) != problem:

@@ -108,6 +108,7 @@ def _about(state: FleetState, record: commands.CommandRecord) -> dict[str, Any]:
         "kind": "command",
         "id": record.id,
         "robot": record.command.robot,
+        "what": commands.command_name(record.command, robot.kind if robot else Kind()),
         "order": record.order_id,
         **(_where(state, robot) if robot else {}),
         **_arguments(robot, record.command),
@@ -125,21 +126,15 @@ def _link(state: FleetState, name: str) -> dict[str, Any]:
 
 def _arguments(robot: Robot | None, command: commands.Command) -> dict[str, Any]:
     match command:
-        case commands.PlaceOrder(_, stops, to_any):
+        case commands.PlaceOrder(_, stops):
             start = _stop("start", robot, stops[0]) if len(stops) > 1 else {}
-            what = "order any" if to_any else command.what(robot.kind if robot else Kind())
-            return {"what": what, **start, **_stop("end", robot, stops[-1])}
+            return {**start, **_stop("end", robot, stops[-1])}
         case commands.CancelOrder(_, order_id):
-            return {"what": "cancel", "order": order_id}
-        case commands.ClearOrders():
-            return {"what": "clear"}
-        case commands.PauseRobot():
-            return {"what": "pause"}
-        case commands.ResumeRobot():
-            return {"what": "resume"}
+            return {"order": order_id}
+        case commands.ClearOrders() | commands.PauseRobot() | commands.ResumeRobot():
+            return {}
         case SetUpCommand():
-            place = {"end": heading_text(command.place)} if command.place else {}
-            return {"what": command.text if not place else command.what, **place}
+            return {"end": heading_text(command.place)} if command.place else {}
         case _:
             assert_never(command)
 

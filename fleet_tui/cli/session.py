@@ -5,7 +5,7 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-from fleet_tui.audit.elsewhere import watched_removals
+from fleet_tui.audit.elsewhere import watched_commands
 from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.client.tap import Tap
 from fleet_tui.config.schema import Config
@@ -45,7 +45,7 @@ def session(
     """Connect to every bridge of a config, load the floors' graphs, and close again."""
     store = store or WaitingStore(initial_state(config, time.monotonic()))
     link = FleetLink(config, store, tap)
-    with opened(link, config), watched_removals(state_folder(), store, link.post):
+    with opened(link, config), watched_commands(state_folder(), store, link.post):
         yield link, store
 
 

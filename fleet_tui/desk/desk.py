@@ -1,6 +1,5 @@
 """The desk of one console: its thread writes what is new here, and posts what is new elsewhere as events."""
 
-import itertools
 import logging
 import math
 import threading
@@ -8,24 +7,24 @@ import time
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
+from functools import partial
 from pathlib import Path
-
-import msgspec
 
 from fleet_tui.config.rights import permissions_of
 from fleet_tui.config.schema import Config
-from fleet_tui.desk.fact_file import FactFile
+from fleet_tui.desk.commands import elsewhere_event, own_steps
+from fleet_tui.desk.fact_file import FactFile, lasts
 from fleet_tui.desk.facts import (
     Fact,
     SharedAcknowledgement,
     SharedClosure,
+    SharedCommand,
     SharedNote,
-    SharedRemoval,
     SharedShelving,
 )
+from fleet_tui.desk.outbox import FactOutbox
 from fleet_tui.desk.presence import Presence, PresenceFile, PresenceReader, boot_id
-from fleet_tui.desk.removals import own_removals, removal_event
-from fleet_tui.desk.replies import Replies
+from fleet_tui.desk.replies import Replies, answer_as_now
 from fleet_tui.model.alarm import AlarmStage, AlarmStep, transitions
 from fleet_tui.model.desk.desk import Colleague
 from fleet_tui.model.desk.events import ColleaguesSeen, DeskJoined, EdgeClosed, EdgeOpened
@@ -42,8 +41,6 @@ EVERY = 0.25
 """Seconds between two looks at the folder."""
 SLOW = 2.0
 """Seconds of one look after which the folder does not respond."""
-WAITING = 1000
-"""Facts that wait for a writable folder; of more the oldest are lost, and counted."""
 LAST_CHANCE = 0.5
 """Seconds at the end after which an unresponsive folder is given up."""
 AT_ONCE = 100
@@ -72,12 +69,10 @@ class SharedDesk:
         self._boot, self._shares = boot_id(), shares
         self._presence, self._facts = PresenceFile(folder), FactFile(folder)
         self._reader, self._replies = PresenceReader(folder, self._presence.id), Replies(store)
-        self._waiting, self._lost = deque[Fact](), 0
-        self._numbers = itertools.count(1)
+        self._outbox = FactOutbox(self._facts, self._presence.id, name)
         self._others: tuple[Colleague, ...] | None = None
         self._problems: tuple[str, ...] = ()
         self._begun = math.inf
-        self._has_read = False
         self._untaken = deque[tuple[Fact, bool]]()
         self._is_closing, self._wake = False, threading.Event()
         self._thread = threading.Thread(target=self._work, name="fleet-tui-desk", daemon=True)
@@ -89,8 +84,10 @@ class SharedDesk:
             return ["desk: not responding, nothing is shared"]
         ignored = self._facts.ignored + self._reader.ignored
         told = [f"desk: {ignored} entries ignored: not of a console"] if ignored else []
-        lost = [f"desk: {self._lost} facts not shared"] if self._lost else []
-        return [*(f"desk: not shared: {one}" for one in self._problems), *lost, *told]
+        lost = [f"desk: {self._outbox.lost} facts not shared"] if self._outbox.lost else []
+        grows = self._facts.grows
+        large = [f"desk: facts.jsonl grows, it can't be shortened: {grows}"] if grows else []
+        return [*(f"desk: not shared: {one}" for one in self._problems), *lost, *large, *told]
 
     def start(self, post: Callable[[Event], object]) -> None:
         """Join the desk; `post` applies an event."""
@@ -112,8 +109,8 @@ class SharedDesk:
         """Share what this console's operator did; written later."""
         if not self._shares:
             return
-        for fields in own_removals(before, after):
-            self._share(SharedRemoval, **fields)
+        for fields in own_steps(before, after):
+            self._share(SharedCommand, **fields)
         if after.desk.acted:
             return
         if after.desk.closed is not before.desk.closed:
@@ -143,13 +140,8 @@ class SharedDesk:
         if self._shares:
             self._share(SharedNote, text=note.text, wall=note.at)
 
-    def _share(self, told: type[Fact], /, **fields: object) -> None:
-        usual = {"id": f"{self._presence.id}:{next(self._numbers)}", "by": self._name, "wall": time.time()}
-        fact = msgspec.convert({**usual, **fields}, told)
-        if len(self._waiting) >= WAITING:
-            self._waiting.popleft()
-            self._lost += 1
-        self._waiting.append(fact)
+    def _share(self, kind: type[Fact], /, **fields: object) -> None:
+        self._outbox.tell(kind, **fields)
         self._wake.set()
 
     def _work(self) -> None:
@@ -205,18 +197,16 @@ class SharedDesk:
         )
 
     def _write(self) -> None:
-        """Append what waits."""
-        taken = list(self._waiting)
-        if taken:
-            self._facts.append(taken)
-            for _ in taken:
-                self._waiting.popleft()
-            self._lost = 0
+        """Append what waits, as it is now."""
+        self._outbox.send(partial(answer_as_now, self._store.state))
+        if self._shares:
+            self._facts.shorten(time.monotonic())
 
     def _read(self) -> None:
         """Apply what others told, in the order of the file; of edges also this console's own."""
-        self._untaken.extend((fact, self._has_read) for fact in self._facts.read())
-        self._has_read = True
+        if not self._untaken:  # else the next ones wait in the file
+            is_new = not self._facts.is_past
+            self._untaken.extend((fact, is_new) for fact in self._facts.read() if is_new or lasts(fact))
         for _ in range(min(len(self._untaken), AT_ONCE)):
             fact, is_new = self._untaken.popleft()
             if isinstance(fact, SharedClosure):
@@ -224,12 +214,13 @@ class SharedDesk:
             elif fact.console == self._presence.id:
                 continue
             elif isinstance(fact, SharedNote):
-                if is_new or abs(time.time() - fact.wall) < NOTES_FOR:
-                    self.on_note(Note(fact.wall, shown(fact.by), fact.text), is_new)
+                now = time.time()
+                if is_new or now - fact.wall < NOTES_FOR:  # no clock of others writes into the future
+                    self.on_note(Note(min(fact.wall, now), shown(fact.by), fact.text), is_new)
             elif not is_new:
                 continue
-            elif isinstance(fact, SharedRemoval):
-                self._post(removal_event(fact, shown(fact.by)))
+            elif isinstance(fact, SharedCommand):
+                self._post(elsewhere_event(fact, shown(fact.by)))
             else:
                 self._replies.take(fact, shown(fact.by))
         self._replies.post()

@@ -1,8 +1,10 @@
 """The shared file of facts: every console appends to it, and reads on where it stopped. All see one order."""
 
 import errno
+import math
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import msgspec
@@ -19,6 +21,8 @@ NOTES_KEPT = 200
 CLOSURES_KEPT = 1000
 AT_ONCE = 4 * LARGEST
 """Bytes that are read at a time."""
+SHORTEN_EVERY = 60.0
+"""Seconds between two attempts to shorten the file: each reads all of it, and may fail."""
 
 _DECODER: msgspec.json.Decoder[Fact] = msgspec.json.Decoder(Fact)
 
@@ -31,20 +35,45 @@ class FactFile:
         self._handle: int | None = None
         self._at = 0
         self._known: dict[str, None] = {}
+        self._shortens_at = -math.inf
+        self.grows = ""
+        """Why the file could not be shortened the last time."""
+        self.is_past = True
+        """Whether the facts of the next reading were told before this console came."""
         self.ignored = 0
         """Lines that are no facts."""
 
-    def append(self, facts: Sequence[Fact]) -> None:
-        """Append facts, all or none. Raises OSError."""
-        data = b"".join(msgspec.json.encode(fact) + b"\n" for fact in facts)
+    @contextmanager
+    def appending(self) -> Iterator[Callable[[Fact], None]]:
+        """Provide what appends one fact after the other, while no other console writes. Raises OSError."""
         with locked(self._lock):
             handle = open_shared(self._path, os.O_RDWR | os.O_APPEND | os.O_CREAT)
             try:
-                size = _append(handle, data)
+                yield lambda fact: _append(handle, msgspec.json.encode(fact) + b"\n")
             finally:
                 os.close(handle)
-            if size > LARGEST:
-                self._shorten(size)
+
+    def shorten(self, now: float) -> None:
+        """Write a large file again without what is over, from time to time; `now` is monotonic. If that fails
+        the file grows, and nothing else."""
+        if now < self._shortens_at:
+            return
+        try:
+            if self._size() <= LARGEST:
+                return
+            self._shortens_at = now + SHORTEN_EVERY
+            with locked(self._lock):
+                if (size := self._size()) > LARGEST:
+                    self._shorten(size)
+            self.grows = ""
+        except OSError as problem:
+            self.grows = problem.strerror or str(problem)
+
+    def _size(self) -> int:
+        try:
+            return self._path.stat(follow_symlinks=False).st_size
+        except FileNotFoundError:
+            return 0
 
     def _shorten(self, size: int) -> None:
         """Write the file again with what still counts. The lock is held."""
@@ -69,6 +98,7 @@ class FactFile:
         try:
             now = self._path.stat(follow_symlinks=False)
         except FileNotFoundError:
+            self.is_past = False
             return False
         if self._handle is None:
             return True
@@ -88,6 +118,7 @@ class FactFile:
         if not end and len(data) == AT_ONCE:
             end = len(data)  # no line of ours
         self._at += end
+        self.is_past = self.is_past and len(data) == AT_ONCE
         return [fact for line in data[:end].splitlines() if (fact := self._new(line)) is not None]
 
     def _new(self, line: bytes) -> Fact | None:
@@ -110,19 +141,18 @@ class FactFile:
             self._handle = None
 
 
-def _append(handle: int, data: bytes) -> int:
-    """Append whole lines with one write; a line that a killed console left open ends first. Return the
-    size. Raises OSError, and leaves nothing then."""
+def _append(handle: int, line: bytes) -> None:
+    """Append a line with one write; one that a killed console left open ends first. Raises OSError, and
+    leaves nothing then."""
     size = os.fstat(handle).st_size
     if size and os.pread(handle, 1, size - 1) != b"\n":
-        data = b"\n" + data
+        line = b"\n" + line
     try:
-        if os.write(handle, data) != len(data):
+        if os.write(handle, line) != len(line):
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
     except OSError:
         os.ftruncate(handle, size)
         raise
-    return size + len(data)
 
 
 def _fact(line: bytes) -> Fact | None:
@@ -130,6 +160,11 @@ def _fact(line: bytes) -> Fact | None:
         return _DECODER.decode(line)
     except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError):
         return None
+
+
+def lasts(fact: Fact) -> bool:
+    """Tell whether a fact counts for a console that was not there yet when it was told."""
+    return isinstance(fact, SharedClosure | SharedNote)
 
 
 def still_counting(facts: Iterable[Fact]) -> list[Fact]:

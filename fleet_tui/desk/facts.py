@@ -8,6 +8,10 @@ from fleet_tui.model.commands import Stage
 
 Name = Annotated[str, Meta(max_length=200)]
 Text = Annotated[str, Meta(max_length=2000)]
+Wall = Annotated[float, Meta(ge=0, le=1e10)]
+"""Unix seconds that every calendar has."""
+ShelvedFor = Annotated[float, Meta(ge=0, le=1e6)]
+"""Seconds: no configuration allows more."""
 
 
 class SharedFact(Struct, frozen=True, tag_field="fact"):
@@ -15,7 +19,7 @@ class SharedFact(Struct, frozen=True, tag_field="fact"):
 
     id: Name
     by: Name
-    wall: float
+    wall: Wall
 
     @property
     def console(self) -> str:
@@ -35,7 +39,7 @@ class SharedShelving(SharedFact, frozen=True, tag="shelved"):
 
     source: Name
     kind: Name
-    seconds: Annotated[float, Meta(ge=0, le=1e7)]
+    seconds: ShelvedFor
 
 
 class SharedNote(SharedFact, frozen=True, tag="note"):
@@ -51,13 +55,15 @@ class SharedClosure(SharedFact, frozen=True, tag="edge"):
     closed: bool
 
 
-class SharedRemoval(SharedFact, frozen=True, tag="removal"):
-    """A cancel or clear reached a stage: `order` is empty for all of the robot's, `request` its number."""
+class SharedCommand(SharedFact, frozen=True, tag="command"):
+    """A command reached a stage: `what` is its name in the audit log, `order` the one that it removes, else
+    empty, `request` its number."""
 
     robot: Name
+    what: Name
     order: Name
-    request: int
+    request: Annotated[int, Meta(ge=0, le=2**53)]
     stage: Stage
 
 
-Fact = SharedAcknowledgement | SharedShelving | SharedNote | SharedClosure | SharedRemoval
+Fact = SharedAcknowledgement | SharedShelving | SharedNote | SharedClosure | SharedCommand

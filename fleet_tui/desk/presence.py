@@ -17,7 +17,7 @@ from typing import Annotated
 import msgspec
 from msgspec import Meta, Struct
 
-from fleet_tui.desk.facts import Name
+from fleet_tui.desk.facts import Name, ShelvedFor
 from fleet_tui.desk.folder import is_held, open_shared, read_small, replace_shared
 
 PREFIX, SUFFIX, LOCK = "console-", ".json", ".lock"
@@ -44,7 +44,7 @@ class Presence(Struct, frozen=True, omit_defaults=True):
     robot: Name = ""
     claims: Annotated[tuple[Name, ...], Meta(max_length=1000)] = ()
     acknowledged: Keys = ()
-    shelved: Annotated[tuple[tuple[Name, Name, float], ...], Meta(max_length=1000)] = ()
+    shelved: Annotated[tuple[tuple[Name, Name, ShelvedFor], ...], Meta(max_length=1000)] = ()
 
 
 _DECODER = msgspec.json.Decoder(Presence)

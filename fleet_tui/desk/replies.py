@@ -4,17 +4,36 @@ import time
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
-from fleet_tui.desk.facts import SharedAcknowledgement, SharedShelving
+from msgspec.structs import replace
+
+from fleet_tui.desk.facts import Fact, SharedAcknowledgement, SharedShelving
 from fleet_tui.desk.presence import Presence
 from fleet_tui.model.alarm import AlarmStage, Key
 from fleet_tui.model.desk.events import AlarmAcknowledged, AlarmShelved, AlarmUnshelved
 from fleet_tui.model.events import Event
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.state.store import Store
 
 WAITS = 2.0
 """Seconds for which an answer waits for its alarm: consoles raise one at slightly different times."""
 ADOPTS = 30.0
 """Seconds after its start in which a console adopts the answers of those that were there before."""
+
+
+def answer_as_now(state: FleetState, fact: Fact) -> Fact | None:
+    """Return what this console told, as it is in its state by now: an answer counts no more once its alarm
+    was answered otherwise, or came again. Other facts stay as they are."""
+    if not isinstance(fact, SharedAcknowledgement | SharedShelving):
+        return fact
+    alarm = next((one for one in state.alarms if one.key == (fact.source, fact.kind)), None)
+    if isinstance(fact, SharedAcknowledgement):
+        return None if alarm is not None and alarm.needs_acknowledgement else fact
+    is_shelved = alarm is not None and alarm.stage is AlarmStage.SHELVED
+    if is_shelved != (fact.seconds > 0):
+        return None
+    return (
+        replace(fact, seconds=alarm.shelved_until - state.now) if alarm is not None and is_shelved else fact
+    )
 
 
 class _Reply(NamedTuple):

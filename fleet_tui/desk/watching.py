@@ -1,19 +1,18 @@
 """The desk for a command without a screen, which is not seen there: claims, and orders that are removed."""
 
-import itertools
 import threading
 import time
-from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 from fleet_tui.config.schema import Config
+from fleet_tui.desk.commands import elsewhere_event, own_steps
 from fleet_tui.desk.desk import EVERY, LAST_CHANCE, colleagues, shown
 from fleet_tui.desk.fact_file import FactFile
-from fleet_tui.desk.facts import SharedRemoval
+from fleet_tui.desk.facts import SharedCommand
+from fleet_tui.desk.outbox import FactOutbox
 from fleet_tui.desk.presence import PresenceReader, new_console_id
-from fleet_tui.desk.removals import own_removals, removal_event
 from fleet_tui.model.desk.events import ColleaguesSeen
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
@@ -29,9 +28,9 @@ class DeskVisit:
     remove, and shares the cancels and clears of `name`."""
 
     def __init__(self, folder: Path, name: str, post: Callable[[Event], object]) -> None:
-        self._name, self._post, self._own = name, post, new_console_id()
+        self._post, self._own = post, new_console_id()
         self._reader, self._facts = PresenceReader(folder), FactFile(folder)
-        self._waiting, self._numbers = deque[SharedRemoval](), itertools.count(1)
+        self._outbox = FactOutbox(self._facts, self._own, name)
         self._has_looked, self._closing = threading.Event(), threading.Event()
         self._thread = threading.Thread(target=self._work, name="fleet-tui-desk", daemon=True)
         self._problem = ""
@@ -43,9 +42,8 @@ class DeskVisit:
 
     def watch(self, before: FleetState, after: FleetState) -> None:
         """Share what was removed here; written later."""
-        for fields in own_removals(before, after):
-            fact_id = f"{self._own}:{next(self._numbers)}"
-            self._waiting.append(SharedRemoval(fact_id, self._name, time.time(), **fields))
+        for fields in own_steps(before, after):
+            self._outbox.tell(SharedCommand, **fields)
 
     def close(self) -> None:
         """Share what is left."""
@@ -62,18 +60,16 @@ class DeskVisit:
                 self._problem = problem.strerror or str(problem)
             self._has_looked.set()
             self._closing.wait(0.0 if is_last else EVERY)
+        self._facts.shorten(time.monotonic())
         self._facts.close()
 
     def _look(self) -> None:
-        if taken := list(self._waiting):
-            self._facts.append(taken)
-            for _ in taken:
-                self._waiting.popleft()
+        self._outbox.send()
         self._post(ColleaguesSeen(colleagues(self._reader.look())))
+        is_new = not self._facts.is_past
         for fact in self._facts.read():
-            is_new = self._has_looked.is_set() and fact.console != self._own
-            if is_new and isinstance(fact, SharedRemoval):
-                self._post(removal_event(fact, shown(fact.by)))
+            if is_new and fact.console != self._own and isinstance(fact, SharedCommand):
+                self._post(elsewhere_event(fact, shown(fact.by)))
 
 
 @contextmanager

@@ -2,14 +2,14 @@
 
 from collections.abc import Mapping
 from enum import Enum
-from typing import NamedTuple
+from typing import NamedTuple, assert_never
 
 from msgspec import Struct, field
 from msgspec.structs import replace
 
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.order import Order, Stop
-from fleet_tui.model.set_up.commands import SetUp
+from fleet_tui.model.set_up.commands import SetUp, SetUpCommand
 
 
 class PlaceOrder(Struct, frozen=True, tag=True):
@@ -65,6 +65,25 @@ class ResumeRobot(Struct, frozen=True, tag=True):
 
 
 Command = PlaceOrder | CancelOrder | ClearOrders | PauseRobot | ResumeRobot | SetUp
+
+
+def command_name(command: Command, kind: Kind) -> str:
+    """Return the name of a command to a robot of this kind, as the audit log has it."""
+    match command:
+        case PlaceOrder(_, _, to_any):
+            return "order any" if to_any else command.what(kind)
+        case CancelOrder():
+            return "cancel"
+        case ClearOrders():
+            return "clear"
+        case PauseRobot():
+            return "pause"
+        case ResumeRobot():
+            return "resume"
+        case SetUpCommand():
+            return command.what if command.place else command.text
+        case _:
+            assert_never(command)
 
 
 class Stage(Enum):

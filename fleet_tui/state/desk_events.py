@@ -6,14 +6,16 @@ from msgspec.structs import replace
 
 from fleet_tui.model.alarm import acknowledge, shelve, unshelve
 from fleet_tui.model.desk import events
-from fleet_tui.model.desk.desk import ClosedEdge, Desk, Removal
+from fleet_tui.model.desk.desk import ClosedEdge, Colleague, CommandElsewhere, Desk
 from fleet_tui.model.fleet import FleetState
 
 MOST_CLOSED = 1000
 """Closed edges of all floors; of more the oldest are forgotten."""
 
-REMOVALS_KEPT = 200
+ELSEWHERE_KEPT = 200
 """Commands of other consoles that are kept to explain the ends of orders."""
+OTHERS_FOR = 60.0
+"""Seconds for which those are kept that remove no orders."""
 
 
 def apply_operator(state: FleetState, event: events.OperatorEvent) -> FleetState:
@@ -44,7 +46,7 @@ def _change(state: FleetState, event: events.DeskChange) -> FleetState:
         case events.DeskJoined():
             desk = replace(desk, me=event.name)
         case events.ColleaguesSeen():
-            desk = replace(desk, others=event.others)
+            desk = replace(desk, others=tuple(_of_this_fleet(state, one) for one in event.others))
         case events.RobotClaimed():
             desk = replace(desk, claims=(*_without(desk, event.robot), event.robot))
         case events.RobotReleased():
@@ -55,18 +57,26 @@ def _change(state: FleetState, event: events.DeskChange) -> FleetState:
             desk = replace(desk, closed=closed, acted=event.by)
         case events.EdgeOpened():
             desk = replace(desk, closed=_but(desk, event.ends), acted=event.by)
-        case events.OrdersRemoved():
-            desk = replace(desk, removals=_with_removal(desk, event.removal))
+        case events.CommandedElsewhere():
+            desk = replace(desk, elsewhere=_with_command(state, event.command))
         case _:
             assert_never(event)
     return replace(state, desk=desk)
 
 
-def _with_removal(desk: Desk, removal: Removal) -> tuple[Removal, ...]:
+def _of_this_fleet(state: FleetState, other: Colleague) -> Colleague:
+    """Drop the claims of robots that are not there: of another configuration, or of one that was changed."""
+    return replace(other, claims=tuple(name for name in other.claims if name in state.robots))
+
+
+def _with_command(state: FleetState, command: CommandElsewhere) -> tuple[CommandElsewhere, ...]:
     """Keep the time at which a command was sent, whatever became of it."""
-    sent = next((one.at for one in desk.removals if one.key == removal.key), removal.at)
-    others = (one for one in desk.removals if one.key != removal.key)
-    return (*others, replace(removal, at=min(sent, removal.at)))[-REMOVALS_KEPT:]
+    known = state.desk.elsewhere
+    sent = next((one.at for one in known if one.key == command.key), command.at)
+    kept = [
+        one for one in known if one.key != command.key and (one.removes or state.now - one.at < OTHERS_FOR)
+    ]
+    return (*kept, replace(command, at=min(sent, command.at)))[-ELSEWHERE_KEPT:]
 
 
 def _without(desk: Desk, robot: str) -> tuple[str, ...]:

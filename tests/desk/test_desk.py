@@ -2,6 +2,7 @@
 
 import fcntl
 import os
+import re
 import subprocess
 import sys
 import time
@@ -11,10 +12,11 @@ import pytest
 
 from fleet_tui.config.schema import Config, DeskConfig, Operator
 from fleet_tui.desk import desk as desk_module
+from fleet_tui.desk import fact_file, outbox
 from fleet_tui.desk.desk import AT_ONCE, SharedDesk, desk_of
 from fleet_tui.desk.fact_file import FILE
 from fleet_tui.model.alarm import AlarmStage
-from fleet_tui.model.commands import CancelOrder, Stage
+from fleet_tui.model.commands import CancelOrder, Command, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.desk.desk import ends_of
 from fleet_tui.model.desk.events import (
     AlarmAcknowledged,
@@ -27,8 +29,9 @@ from fleet_tui.model.desk.events import (
 )
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Note
+from fleet_tui.rules.commands.rivals import rivals_text
 from fleet_tui.state.store import Store
-from tests.support.fleets import LINK, T0, commanded, fleet, link_lost
+from tests.support.fleets import LINK, T0, commanded, fleet, link_lost, link_up
 from tests.support.polling import eventually
 from tests.support.shared_desk import R3, DeskConsole, at_desk
 
@@ -232,8 +235,69 @@ def test_a_folder_that_does_not_respond_stops_nothing(
         eventually(lambda: ana.desk.notes == [])
 
 
+def test_a_file_that_can_not_be_shortened_grows_by_each_fact_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(fact_file, "LARGEST", 1)
+    monkeypatch.setattr(desk_module, "EVERY", 0.001)
+    (tmp_path / f".{FILE}.new").mkdir()
+    with at_desk(tmp_path, "ana", "ben") as (ana, ben):
+        ana.desk.share_note(Note(time.time(), "ana", "one"))
+        ben.desk.share_note(Note(time.time(), "ben", "two"))
+        eventually(lambda: ana.notes and ben.notes)
+        for number in range(50):  # each is seen after some more looks of ana
+            ben.desk.selected = lambda robot=f"robot_{number % 5}": robot  # type: ignore[misc]  # typed by its default
+            ana.becomes(lambda state, at=number: state.desk.others[0].robot == f"robot_{at % 5}")  # type: ignore[misc]  # as above
+        assert count_lines(tmp_path) == 2
+        (note,) = ana.desk.notes
+        assert note == "desk: facts.jsonl grows, it can't be shortened: Is a directory"
+
+
+def test_answers_that_waited_for_the_folder_are_shared_while_they_are_so(tmp_path: Path) -> None:
+    """Nobody has seen an alarm that came again since."""
+    folder = tmp_path / "desk"
+    ana = DeskConsole(folder, "ana")
+    ana.desk.start(ana.post)
+    try:
+        without_a_link(ana)
+        ana.post(AlarmAcknowledged(*ALARM))
+        ana.post(link_up(T0 + 20))
+        ana.tick(T0 + 100)
+        ana.post(link_lost(T0 + 100))
+        ana.tick(T0 + 110)
+        assert stage(ana.state) is AlarmStage.UNACKNOWLEDGED
+        folder.mkdir()
+        with at_desk(folder, "ben") as (ben,):
+            without_a_link(ben)
+            ana.post(EdgeClosed(EDGE, 1.0))
+            ben.becomes(lambda state: state.desk.closed)
+            assert stage(ben.state) is AlarmStage.UNACKNOWLEDGED
+            assert count_lines(folder) == 1
+    finally:
+        ana.desk.close()
+
+
+def test_a_shelving_that_waited_for_the_folder_lasts_as_long_as_there(tmp_path: Path) -> None:
+    folder = tmp_path / "desk"
+    with_ben = DeskConsole(folder, "ben")
+    ana = DeskConsole(folder, "ana")
+    for one in (ana, with_ben):
+        one.desk.start(one.post)
+    try:
+        without_a_link(ana, with_ben)
+        ana.post(AlarmShelved(*ALARM, T0 + 610))
+        ana.tick(T0 + 510)
+        folder.mkdir()
+        with_ben.becomes(lambda state: stage(state) is AlarmStage.SHELVED)
+        (alarm,) = with_ben.state.alarms
+        assert alarm.shelved_until - with_ben.state.now <= 120  # to the minute, by the presence of ana
+    finally:
+        ana.desk.close()
+        with_ben.desk.close()
+
+
 def test_what_waits_is_limited_and_the_loss_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(desk_module, "WAITING", 2)
+    monkeypatch.setattr(outbox, "WAITING", 2)
     ana = DeskConsole(tmp_path / "gone", "ana")
     ana.desk.start(ana.post)
     try:
@@ -268,9 +332,23 @@ def test_a_cancel_or_clear_is_known_at_the_others_with_its_author(tmp_path: Path
     with at_desk(tmp_path, "ana", "ben") as (ana, ben):
         for fact in commanded(7, CancelOrder(R3, "5"), Stage.SENT, Stage.REFUSED):
             ana.post(fact)
-        ben.becomes(lambda state: [one.stage for one in state.desk.removals] == [Stage.REFUSED])
-        (removal,) = ben.state.desk.removals
+        ben.becomes(lambda state: [one.stage for one in state.desk.elsewhere] == [Stage.REFUSED])
+        (removal,) = ben.state.desk.elsewhere
         assert (removal.robot, removal.order_id) == (R3, "5") and removal.text.startswith(
             "cancelled by ana at "
         )
-        assert ana.state.desk.removals == ()
+        assert ana.state.desk.elsewhere == ()
+
+
+def test_two_who_command_a_robot_at_once_see_who_else_did(tmp_path: Path) -> None:
+    with at_desk(tmp_path, "ana", "ben") as (ana, ben):
+        now = time.monotonic()
+        given: list[tuple[DeskConsole, Command]] = [(ana, PauseRobot(R3)), (ben, ResumeRobot(R3))]
+        for one, command in given:
+            one.tick(now)
+            for step in commanded(7, command, Stage.SENT, at=now):
+                one.post(step)
+        ana.becomes(lambda state: rivals_text(state, R3))
+        ben.becomes(lambda state: rivals_text(state, R3))
+        assert re.fullmatch(r"ben at \S+:\d+: resume", rivals_text(ana.state, R3))
+        assert re.fullmatch(r"ana at \S+:\d+: pause", rivals_text(ben.state, R3))

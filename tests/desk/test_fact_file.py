@@ -8,7 +8,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from fleet_tui.desk import fact_file
-from fleet_tui.desk.fact_file import FILE, FactFile, still_counting
+from fleet_tui.desk.fact_file import FILE, SHORTEN_EVERY, FactFile, still_counting
 from fleet_tui.desk.facts import Fact, SharedAcknowledgement, SharedClosure, SharedNote
 
 EDGE = ("floor_0", "1", "2")
@@ -20,6 +20,12 @@ def note(id_: str, text: str = "x") -> SharedNote:
 
 def closure(id_: str, closed: bool = True) -> SharedClosure:
     return SharedClosure(id_, "ana", 0.0, EDGE, closed)
+
+
+def append(file: FactFile, facts: list[Fact]) -> None:
+    with file.appending() as write:
+        for fact in facts:
+            write(fact)
 
 
 STEPS = st.lists(
@@ -44,14 +50,15 @@ def test_no_update_is_lost_in_any_interleaving(
         match step:
             case "append":
                 facts: list[Fact] = [note(f"c{console}:{number}"), closure(f"c{console}:{number}e")]
-                file.append(facts)
+                append(file, facts)
                 told += [fact.id for fact in facts]
             case "read":
                 seen[console] += [fact.id for fact in file.read()]
             case "shorten" if told:
                 with pytest.MonkeyPatch.context() as patch:
                     patch.setattr(fact_file, "LARGEST", 1)
-                    file.append([note(f"c{console}:{number}s")])
+                    append(file, [note(f"c{console}:{number}s")])
+                    file.shorten(number * SHORTEN_EVERY)
                 told.append(f"c{console}:{number}s")
             case "garbage":
                 with (folder / FILE).open("ab") as torn:
@@ -67,16 +74,67 @@ def test_a_console_that_reads_on_misses_nothing_of_a_file_that_was_written_again
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     reader, writer = FactFile(tmp_path), FactFile(tmp_path)
-    writer.append([closure("a:1")])
+    append(writer, [closure("a:1")])
     assert [fact.id for fact in reader.read()] == ["a:1"]
-    writer.append([closure("a:2", closed=False)])
+    append(writer, [closure("a:2", closed=False)])
     monkeypatch.setattr(fact_file, "LARGEST", 1)
     monkeypatch.setattr(fact_file, "RECENT", 1)
-    writer.append([closure("a:3")])
+    append(writer, [closure("a:3")])
+    writer.shorten(0.0)
     assert len((tmp_path / FILE).read_bytes().splitlines()) == 1
-    writer.append([closure("a:4", closed=False)])
+    append(writer, [closure("a:4", closed=False)])
     assert [fact.id for fact in reader.read()] == ["a:2", "a:3", "a:4"]
     reader.close()
+
+
+def test_a_file_that_can_not_be_shortened_is_tried_again_later(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(fact_file, "LARGEST", 1)
+    monkeypatch.setattr(fact_file, "RECENT", 1)
+    file = FactFile(tmp_path)
+    append(file, [closure("a:1"), closure("a:2")])
+    (tmp_path / f".{FILE}.new").mkdir()
+    file.shorten(0.0)
+    assert file.grows
+    file.shorten(SHORTEN_EVERY - 1.0)  # reads all of it: not four times a second
+    (tmp_path / f".{FILE}.new").rmdir()
+    file.shorten(SHORTEN_EVERY - 1.0)
+    assert len((tmp_path / FILE).read_bytes().splitlines()) == 2
+    file.shorten(SHORTEN_EVERY)
+    assert file.grows == ""
+    assert len((tmp_path / FILE).read_bytes().splitlines()) == 1
+
+
+def test_all_of_a_large_file_was_told_before(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is read in parts; one that can't be shortened has many."""
+    append(FactFile(tmp_path), [note(f"a:{number}") for number in range(20)])
+    monkeypatch.setattr(fact_file, "AT_ONCE", 300)
+    file = FactFile(tmp_path)
+    past = list[str]()
+    while file.is_past:
+        past += [fact.id for fact in file.read()]
+    assert past == [f"a:{number}" for number in range(20)]
+    append(FactFile(tmp_path), [note("a:20")])
+    assert [fact.id for fact in file.read()] == ["a:20"]
+    file.close()
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        '{"fact":"shelved","id":"a:1","by":"ana","wall":0,"source":"robot_0","kind":"offline","seconds":1e308}',
+        '{"fact":"note","id":"a:1","by":"ana","wall":1e300,"text":"x"}',
+        '{"fact":"note","id":"a:1","by":"ana","wall":-1e300,"text":"x"}',
+        '{"fact":"removal","id":"a:1","by":"ana","wall":0,"robot":"robot_0","order":"","stage":"sent",'
+        '"request":1' + "0" * 400 + "}",
+    ],
+)
+def test_values_that_nothing_has_are_no_facts(tmp_path: Path, line: str) -> None:
+    (tmp_path / FILE).write_text(line + "\n")
+    file = FactFile(tmp_path)
+    assert file.read() == [] and file.ignored == 1
+    file.close()
 
 
 def test_a_console_that_has_just_come_reads_what_still_counts(
@@ -101,7 +159,7 @@ def test_what_is_no_fact_is_counted_and_does_no_harm(tmp_path: Path) -> None:
     (tmp_path / FILE).write_bytes(
         b"garbage\n\xff\xfe\n" + b"[" * 100_000 + b'\n{"fact":"note","id":1}\n{"fact":"other"}\n'
     )
-    file.append([note("a:1")])
+    append(file, [note("a:1")])
     assert [fact.id for fact in file.read()] == ["a:1"]
     assert file.ignored == 5
     file.close()
@@ -113,7 +171,7 @@ def test_a_file_without_an_end_of_line_takes_no_memory(
     monkeypatch.setattr(fact_file, "AT_ONCE", 1000)
     file = FactFile(tmp_path)
     (tmp_path / FILE).write_bytes(b"x" * 10_000)
-    file.append([note("a:1")])
+    append(file, [note("a:1")])
     found = [fact.id for _ in range(12) for fact in file.read()]
     assert found == ["a:1"]
     file.close()
@@ -123,7 +181,7 @@ def test_a_link_is_not_followed(tmp_path: Path) -> None:
     (tmp_path / "mine").write_text("")
     (tmp_path / FILE).symlink_to(tmp_path / "mine")
     with pytest.raises(OSError):
-        FactFile(tmp_path).append([note("a:1")])
+        append(FactFile(tmp_path), [note("a:1")])
     with pytest.raises(OSError):
         FactFile(tmp_path).read()
     assert (tmp_path / "mine").read_text() == ""
@@ -131,7 +189,7 @@ def test_a_link_is_not_followed(tmp_path: Path) -> None:
 
 def test_a_full_disk_leaves_no_half_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     file = FactFile(tmp_path)
-    file.append([note("a:1")])
+    append(file, [note("a:1")])
     whole, write = (tmp_path / FILE).read_bytes(), os.write
 
     def half(handle: int, data: bytes) -> int:
@@ -139,8 +197,8 @@ def test_a_full_disk_leaves_no_half_line(tmp_path: Path, monkeypatch: pytest.Mon
 
     with monkeypatch.context() as patch, pytest.raises(OSError, match="No space left"):
         patch.setattr(os, "write", half)
-        file.append([note("a:2")])
+        append(file, [note("a:2")])
     assert (tmp_path / FILE).read_bytes() == whole
-    file.append([note("a:2")])
+    append(file, [note("a:2")])
     assert [fact.id for fact in file.read()] == ["a:1", "a:2"]
     file.close()

@@ -6,7 +6,7 @@ from pathlib import Path
 from fleet_tui.config.schema import Config, DeskConfig
 from fleet_tui.desk.watching import watched_desk
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Stage
-from fleet_tui.model.desk.events import ColleaguesSeen, OrdersRemoved, RobotClaimed
+from fleet_tui.model.desk.events import ColleaguesSeen, CommandedElsewhere, RobotClaimed
 from fleet_tui.model.events import Event
 from fleet_tui.state.store import Store
 from tests.support.fleets import R0, commanded, fleet
@@ -48,14 +48,14 @@ def test_what_a_command_line_removes_is_known_at_the_consoles_and_the_other_way_
         found, said, store = list[Event](), list[str](), Store(fleet())
         with watched_desk(config("desk", tmp_path), store, "cleo", found.append, said.append):
             give(store, 1, CancelOrder(R0, "7"), Stage.SENT)
-            ana.becomes(lambda state: state.desk.removals)
+            ana.becomes(lambda state: state.desk.elsewhere)
             for fact in commanded(2, ClearOrders(R3), Stage.SENT):
                 ana.post(fact)
-            eventually(lambda: any(isinstance(one, OrdersRemoved) for one in found))
+            eventually(lambda: any(isinstance(one, CommandedElsewhere) for one in found))
             give(store, 3, ClearOrders(R0), Stage.SENT)
-        ana.becomes(lambda state: len(state.desk.removals) == 2)  # also what was done just before its end
-        (cancelled, cleared) = ana.state.desk.removals
+        ana.becomes(lambda state: len(state.desk.elsewhere) == 2)  # also what was done just before its end
+        (cancelled, cleared) = ana.state.desk.elsewhere
     assert (cancelled.robot, cancelled.order_id, cleared.order_id) == (R0, "7", "")
     assert re.fullmatch(r"cancelled by cleo at \S+:\d+", cancelled.text)
-    (told,) = (one.removal for one in found if isinstance(one, OrdersRemoved))
+    (told,) = (one.command for one in found if isinstance(one, CommandedElsewhere))
     assert (told.robot, told.stage) == (R3, Stage.SENT) and told.text.startswith("cleared by ana at ")

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.audit.elsewhere import watched_removals
+from fleet_tui.audit.elsewhere import watched_commands
 from fleet_tui.audit.entries import Origin
 from fleet_tui.audit.file import FILE_NAME, AuditFile
 from fleet_tui.audit.log import Audit
@@ -138,7 +138,7 @@ async def test_another_console_of_this_machine_clears(server: RosbridgeServer, t
         await other_store.until(ready)
         audit = Audit(AuditFile(tmp_path / FILE_NAME), Origin("ben", "host:2", "run2"))
         other_store.watchers.append(audit.watch)
-        with watched_removals(tmp_path, store, link.post, "host:1"):
+        with watched_commands(tmp_path, store, link.post, "host:1"):
             assert (await finished(link, store, ORDER)).stage is Stage.CONFIRMED
             watch = Stopwatch(store)
             assert (await finished(other, other_store, ClearOrders("robot_0"))).stage is Stage.CONFIRMED

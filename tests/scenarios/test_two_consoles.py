@@ -2,12 +2,12 @@
 
 import time
 from collections.abc import AsyncIterator
-from contextlib import asynccontextmanager
+from contextlib import ExitStack, asynccontextmanager
 from pathlib import Path
 
 import pytest
 
-from fleet_tui.audit.elsewhere import watched_removals
+from fleet_tui.audit.elsewhere import watched_commands
 from fleet_tui.audit.entries import Origin
 from fleet_tui.audit.file import FILE_NAME, AuditFile
 from fleet_tui.audit.log import Audit
@@ -15,6 +15,7 @@ from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.start import initial_state
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, CommandRecord, PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.rules.commands.rivals import rivals_text
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console
 from tests.support.fleets import place_order
@@ -85,7 +86,7 @@ async def test_an_order_that_another_console_of_this_machine_removed_is_told_wit
     async with other_console(server.url) as ana, other_console(server.url) as ben:
         audit = Audit(AuditFile(tmp_path / FILE_NAME), Origin("ben", "host:2", "run2"))
         ben.store.watchers.append(audit.watch)
-        with watched_removals(tmp_path, ana.store, ana.link.post, "host:1"):
+        with watched_commands(tmp_path, ana.store, ana.link.post, "host:1"):
             ana.link.submit(place_order(R0, BASE, CONSUMIDORES))
             await ana.ended()
             ben.link.submit(removal)
@@ -99,6 +100,29 @@ async def test_an_order_that_another_console_of_this_machine_removed_is_told_wit
         )
         ben.store.watchers.clear()
         assert audit.close(ben.store.state) == 0
+
+
+async def test_two_who_command_a_robot_at_once_see_who_else_did_without_a_desk(
+    server: RosbridgeServer, tmp_path: Path
+) -> None:
+    """The audit log of their machine tells it, to both."""
+    async with other_console(server.url) as ana, other_console(server.url) as ben:
+        audits = []
+        with ExitStack() as watched:
+            for one, name, console in ((ana, "ana", "host:1"), (ben, "ben", "host:2")):
+                audit = Audit(AuditFile(tmp_path / FILE_NAME), Origin(name, console, f"run of {name}"))
+                one.store.watchers.append(audit.watch)
+                audits.append((audit, one))
+                watched.enter_context(watched_commands(tmp_path, one.store, one.link.post, console))
+            ana.link.submit(place_order(R0, BASE, CONSUMIDORES))
+            ben.link.submit(PauseRobot(R0))
+            state = await ana.store.until(lambda state: rivals_text(state, R0))
+            assert rivals_text(state, R0) == "ben at host:2: pause"
+            state = await ben.store.until(lambda state: rivals_text(state, R0))
+            assert rivals_text(state, R0) == "ana at host:1: order"
+        for audit, one in audits:
+            one.store.watchers.clear()
+            assert audit.close(one.store.state) == 0
 
 
 async def test_both_cancel_the_same_order(server: RosbridgeServer) -> None:

@@ -12,7 +12,7 @@ from fleet_tui.model.commands import (
     Stage,
 )
 from fleet_tui.model.desk import events as desk_events
-from fleet_tui.model.desk.desk import Colleague, Removal
+from fleet_tui.model.desk.desk import Colleague, CommandElsewhere
 from fleet_tui.model.fleets import events as fleet_events
 from fleet_tui.model.fleets.facility import DOOR, LANES, LIFT, Facility
 from fleet_tui.model.geometry import MapFrame, Pose
@@ -42,6 +42,9 @@ PLACES = st.builds(Pose, NUMBERS, NUMBERS)
 
 
 STOPS = st.lists(st.builds(Stop, IDS) | st.builds(Stop, pose=PLACES), max_size=4).map(tuple)
+
+
+WHAT = st.sampled_from(["cancel", "clear", "order"])
 
 
 ROBOTS = st.sampled_from(["robot_0", "robot_1", "stranger"])
@@ -288,9 +291,19 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
     desk_events.RobotReleased: st.builds(desk_events.RobotReleased, ROBOTS),
     desk_events.EdgeClosed: st.builds(desk_events.EdgeClosed, CLOSED, AT, st.text(max_size=3)),
     desk_events.EdgeOpened: st.builds(desk_events.EdgeOpened, CLOSED, st.text(max_size=3)),
-    desk_events.OrdersRemoved: st.builds(
-        desk_events.OrdersRemoved,
-        st.builds(Removal, IDS, ROBOTS, IDS, IDS, IDS, AT, st.sampled_from(Stage)),
+    desk_events.CommandedElsewhere: st.builds(
+        desk_events.CommandedElsewhere,
+        st.builds(
+            CommandElsewhere,
+            IDS,
+            ROBOTS,
+            IDS,
+            IDS,
+            IDS,
+            AT,
+            st.sampled_from(Stage),
+            WHAT,
+        ),
     ),
     vehicle_events.VehicleReported: st.builds(vehicle_events.VehicleReported, ROBOTS, AT, VEHICLES),
     vehicle_events.ConnectionReported: st.builds(

@@ -85,7 +85,13 @@ def _handover(config: Config, history: History) -> Handover:
         found = PresenceReader(folder).look()
     except OSError as problem:
         return Handover(orders, alarms, (), f"{folder}: {problem.strerror}")
-    claims = [Claim(robot, shown(one.name), shown(one.host)) for one in found for robot in one.claims]
+    ours = {robot.name for robot in config.robots}
+    claims = [
+        Claim(robot, shown(one.name), shown(one.host))
+        for one in found
+        for robot in one.claims
+        if robot in ours
+    ]
     return Handover(orders, alarms, sorted(claims, key=lambda claim: natural(claim.robot)))
 
 

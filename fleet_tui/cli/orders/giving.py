@@ -27,6 +27,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.batches import summary
 from fleet_tui.rules.commands.checks import no_link
 from fleet_tui.rules.commands.rights import right_of
+from fleet_tui.rules.commands.rivals import rivals_text
 from fleet_tui.rules.language.grammar import ALL, parse_words
 from fleet_tui.rules.language.set_up import USAGE as SET_UP
 from fleet_tui.rules.language.words import find_robot
@@ -97,6 +98,9 @@ def sending(config: Config, asked: How, say: Say) -> Iterator[Sending]:
                 try:
                     yield given
                 finally:
+                    for robot in dict.fromkeys(record.command.robot for record in given.records):
+                        if others := rivals_text(given.state, robot):
+                            say(sanitize(f"{robot}: also commanded by {others}"), err=True)
                     for note in audit.notes:
                         say(note, err=True)
         except KeyboardInterrupt as end:

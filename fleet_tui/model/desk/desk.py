@@ -33,10 +33,14 @@ class ClosedEdge(Struct, frozen=True):
     wall: float
 
 
-class Removal(Struct, frozen=True):
-    """A command of another console that removes orders of a robot: `order_id` is empty for all of them, `at`
-    the monotonic second of its sending, `stage` its newest; `key` identifies it; `by` is the operator,
-    `console` host:process."""
+REMOVES = ("cancel", "clear")
+"""Commands that remove orders, as the audit log names them."""
+
+
+class CommandElsewhere(Struct, frozen=True):
+    """A command that another console sent to a robot: `order_id` is the order that it removes, empty for all
+    or none; `at` the monotonic second of its sending, `stage` its newest; `key` identifies it; `by` is the
+    operator, `console` host:process, `what` its name in the audit log."""
 
     key: str
     robot: str
@@ -45,10 +49,16 @@ class Removal(Struct, frozen=True):
     console: str
     at: float
     stage: Stage
+    what: str
+
+    @property
+    def removes(self) -> bool:
+        """Tell whether it is to remove orders."""
+        return self.what in REMOVES
 
     @property
     def text(self) -> str:
-        """Return what was done, by whom and where."""
+        """Return what was done to the order that it removed, by whom and where."""
         if self.order_id:
             return f"cancelled by {self.by} at {self.console}"
         return f"cleared by {self.by} at {self.console}"
@@ -57,14 +67,14 @@ class Removal(Struct, frozen=True):
 class Desk(Struct, frozen=True):
     """`me` is this console's operator, empty without a desk; `claims` are this console's. `acted`: the
     operator of the other console that made the last change of an alarm or edge, empty if it was this one.
-    `removals`: the last commands of other consoles that removed orders, with or without a desk."""
+    `elsewhere`: the last commands of other consoles, with or without a desk."""
 
     me: str = ""
     claims: tuple[str, ...] = ()
     others: tuple[Colleague, ...] = ()
     closed: tuple[ClosedEdge, ...] = ()
     acted: str = ""
-    removals: tuple[Removal, ...] = ()
+    elsewhere: tuple[CommandElsewhere, ...] = ()
 
     def holders(self, robot: str) -> list[str]:
         """Return the operators of all consoles that have claimed a robot."""

@@ -5,7 +5,7 @@
 
 from msgspec import Struct
 
-from fleet_tui.model.desk.desk import Colleague, Ends, Removal
+from fleet_tui.model.desk.desk import Colleague, CommandElsewhere, Ends
 
 
 class AlarmAcknowledged(Struct, frozen=True, tag=True):
@@ -72,14 +72,14 @@ class EdgeOpened(Struct, frozen=True, tag=True):
     by: str = ""
 
 
-class OrdersRemoved(Struct, frozen=True, tag=True):
-    """Another console asked a robot to remove orders, or that command reached another stage."""
+class CommandedElsewhere(Struct, frozen=True, tag=True):
+    """Another console sent a command to a robot, or that reached another stage."""
 
-    removal: Removal
+    command: CommandElsewhere
 
 
 AlarmAnswer = AlarmAcknowledged | AlarmShelved | AlarmUnshelved
 DeskChange = (
-    DeskJoined | ColleaguesSeen | RobotClaimed | RobotReleased | EdgeClosed | EdgeOpened | OrdersRemoved
+    DeskJoined | ColleaguesSeen | RobotClaimed | RobotReleased | EdgeClosed | EdgeOpened | CommandedElsewhere
 )
 OperatorEvent = AlarmAnswer | DeskChange

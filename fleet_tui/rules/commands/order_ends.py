@@ -12,7 +12,7 @@ from fleet_tui.model.commands import (
     ResumeRobot,
     Stage,
 )
-from fleet_tui.model.desk.desk import Removal
+from fleet_tui.model.desk.desk import CommandElsewhere
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import Order
 from fleet_tui.model.order_life import STARTED_OVER, GoneOrder
@@ -110,13 +110,14 @@ def _clears_named(other: CommandRecord, record: CommandRecord | None) -> bool:
 
 def _elsewhere(
     state: FleetState, robot: Robot, gone: GoneOrder, record: CommandRecord | None
-) -> Removal | None:
+) -> CommandElsewhere | None:
     """Return what another console did to remove an order since it was placed, the last before its end."""
     since = gone.at - REMOVED_WITHIN if record is None else record.issued_at
     found = (
         removal
-        for removal in reversed(state.desk.removals)
+        for removal in reversed(state.desk.elsewhere)
         if removal.robot == robot.name
+        and removal.removes
         and removal.order_id in ("", gone.order.id)
         and since <= removal.at <= gone.at + EVIDENCE_WITHIN
     )

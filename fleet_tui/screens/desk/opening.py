@@ -1,5 +1,6 @@
 """The parts of the main screen that belong to the desk."""
 
+import time
 from typing import TYPE_CHECKING
 
 from fleet_tui.controllers.desk.commands import DeskCommands
@@ -7,6 +8,9 @@ from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.tables.facilities import FacilityList
 from fleet_tui.model.history.facts import Note
 from fleet_tui.text.sanitize import sanitize
+
+AT_ONCE = 60.0
+"""Seconds within which a note has come at once: an older one, which waited for the folder, has its time."""
 
 if TYPE_CHECKING:
     from fleet_tui.screens.main import MainScreen
@@ -30,7 +34,11 @@ def join_desk(screen: "MainScreen") -> None:
         taken, newest[:] = newest[-1:], []
         for note in taken:
             operator, remark = sanitize(note.operator), sanitize(note.text)
-            screen.notices.say(f"note of {operator}: {remark}")
+            if abs(time.time() - note.at) < AT_ONCE:
+                screen.notices.say(f"note of {operator}: {remark}")
+            else:
+                when = screen.settings.clock(note.at)
+                screen.notices.say(f"note of {operator}, {when}: {remark}")
 
     def take_note(note: Note, is_new: bool) -> None:
         if history is not None:

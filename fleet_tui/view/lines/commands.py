@@ -8,6 +8,7 @@ from fleet_tui.model import commands
 from fleet_tui.model.fleet import FleetState, returned_text
 from fleet_tui.model.set_up.commands import SetUpCommand
 from fleet_tui.rules.commands.batches import TOGETHER, pauses, summary
+from fleet_tui.rules.commands.rivals import rivals_text
 from fleet_tui.text.details import detail_text
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
@@ -80,7 +81,9 @@ def _group_runs(
     role = StyleRole.ALARM if first.stage in TROUBLE else _ROLES.get(first.stage, StyleRole.DIM)
     # A robot's answer on accepting ("paused") is true only at that moment.
     detail = "" if first.stage is commands.Stage.ACCEPTED else detail_text(tr(sanitize(first.detail)))
-    return (text, StyleRole.TEXT), (f": {stage_text(first, state.now)}", role), (detail, StyleRole.DIM)
+    runs = (text, StyleRole.TEXT), (f": {stage_text(first, state.now)}", role), (detail, StyleRole.DIM)
+    others = sanitize(rivals_text(state, first.command.robot))
+    return (*runs, (tr(f", also commanded by {others}"), StyleRole.ACCENT)) if others else runs
 
 
 def _worth_saying(state: FleetState, said_at: float, key_at: float) -> list[commands.CommandRecord]:

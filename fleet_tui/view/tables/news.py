@@ -12,6 +12,7 @@ from fleet_tui.rules.alarms.trouble import AGING, in_trouble, is_stopped, shelve
 from fleet_tui.rules.alarms.vehicles import priority_of, sorted_errors
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import own_pause_text
+from fleet_tui.rules.commands.rivals import rivals
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
@@ -115,12 +116,20 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     if robot.obstacle is not None and state.was_obstructed(robot) and blocked is None:
         yield tr(obstacle_text(state, robot, robot.obstacle)), StyleRole.DIM
     yield from _ended(state, robot)
-    if holders := state.desk.holders(robot.name):
-        yield tr(f"claimed by {sanitize(' and '.join(holders))}"), StyleRole.ACCENT
+    yield from _operators(state, robot)
     if online:
         yield from _old(state, robot)
     if bad_data(state, robot) is not None and not is_unreadable(state, robot):
         yield tr(bad_text(robot)), StyleRole.WARN
+
+
+def _operators(state: FleetState, robot: Robot) -> Iterator[Run]:
+    """Yield who else commands it now, and who has claimed it."""
+    if others := rivals(state, robot.name):
+        names = " and ".join(dict.fromkeys(one.by for one in others))
+        yield tr(f"also commanded by {sanitize(names)}"), StyleRole.ACCENT
+    if holders := state.desk.holders(robot.name):
+        yield tr(f"claimed by {sanitize(' and '.join(holders))}"), StyleRole.ACCENT
 
 
 def _ended(state: FleetState, robot: Robot) -> Iterator[Run]:

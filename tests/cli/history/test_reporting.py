@@ -44,11 +44,12 @@ def test_what_goes_on_is_handed_over_with_the_claims_of_the_desk(site: Path) -> 
     config = site / "config.toml"
     config.write_text(f'{config.read_text()}\n[desk]\nfolder = "desk"\n')
     written(site, [OrderChange("robot_0", "9", "Dock -> Hall", an_hour_ago(), "queued", "floor_0")])
-    claims = Presence("pc-1-ab", "eva", "pc", "another boot", claims=("robot_7",))
+    claims = Presence("pc-1-ab", "eva", "pc", "another boot", claims=("robot_0", "robot_of_yesterday"))
     (site / "desk" / "console-pc-1-ab.json").write_bytes(msgspec.json.encode(claims))
     assert run("report", "--since", "2h", "--output", "shift.html", cwd=site).returncode == 0
     text = " ".join(re.sub("<[^>]*>", " ", (site / "shift.html").read_text()).split())
-    assert "robot_0 9 Dock Hall queued" in text and "robot_7 eva pc" in text
+    assert "robot_0 9 Dock Hall queued" in text and "robot_0 eva pc" in text
+    assert "robot_of_yesterday" not in text
     (site / "desk").rename(site / "gone")
     assert run("report", "--since", "2h", "--output", "shift.html", cwd=site).returncode == 0
     assert "No such file or directory" in (site / "shift.html").read_text()

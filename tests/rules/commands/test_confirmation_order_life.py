@@ -13,8 +13,8 @@ from fleet_tui.model.commands import (
     ResumeRobot,
     Stage,
 )
-from fleet_tui.model.desk.desk import Removal
-from fleet_tui.model.desk.events import OrdersRemoved
+from fleet_tui.model.desk.desk import CommandElsewhere
+from fleet_tui.model.desk.events import CommandedElsewhere
 from fleet_tui.model.events import CommandAdvanced, Event, PausedReported, QueueReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.alarms.classes import action_of
@@ -345,9 +345,10 @@ def test_an_order_that_a_robot_takes_after_it_was_started_anew_is_found() -> Non
     assert (first(state).stage, first(state).order_id) == (Stage.CONFIRMED, "1")
 
 
-def elsewhere(at: float, stage: Stage = SENT, order_id: str = "") -> OrdersRemoved:
+def elsewhere(at: float, stage: Stage = SENT, order_id: str = "") -> CommandedElsewhere:
     """A cancel or clear of another console."""
-    return OrdersRemoved(Removal("run 9", R0, order_id, "ana", "pc:7", at, stage))
+    what = "cancel" if order_id else "clear"
+    return CommandedElsewhere(CommandElsewhere("run 9", R0, order_id, "ana", "pc:7", at, stage, what))
 
 
 @pytest.mark.parametrize(
@@ -360,7 +361,7 @@ def elsewhere(at: float, stage: Stage = SENT, order_id: str = "") -> OrdersRemov
 )
 @pytest.mark.parametrize("left", [gone(T0 + 2), queue(T0 + 2, (5, 0, END, "C"))])
 def test_what_another_console_took_away_is_cancelled_elsewhere_with_its_name(
-    left: QueueReported, removal: OrdersRemoved, reason: str
+    left: QueueReported, removal: CommandedElsewhere, reason: str
 ) -> None:
     """Also if this console hears of the end before it hears of the command."""
     seen = given(left, tick(T0 + 2.1))
@@ -378,10 +379,10 @@ def test_what_another_console_took_away_is_cancelled_elsewhere_with_its_name(
         elsewhere(T0 + 1.9, Stage.REFUSED),
         elsewhere(T0 + 1.9, order_id="6"),
         elsewhere(T0 - 5),
-        OrdersRemoved(Removal("run 9", "robot_1", "", "ana", "pc:7", T0 + 1.9, SENT)),
+        CommandedElsewhere(CommandElsewhere("run 9", "robot_1", "", "ana", "pc:7", T0 + 1.9, SENT, "clear")),
     ],
 )
-def test_what_removed_another_order_or_none_explains_nothing(removal: OrdersRemoved) -> None:
+def test_what_removed_another_order_or_none_explains_nothing(removal: CommandedElsewhere) -> None:
     state = given(removal, gone(T0 + 2), tick(T0 + 3))
     assert first(state).stage is Stage.LEFT
     (alarm,) = state.alarms

@@ -9,8 +9,8 @@ from msgspec import structs
 
 from fleet_tui.model.alarm import Alarm, Condition, Priority
 from fleet_tui.model.commands import CancelOrder, Stage
-from fleet_tui.model.desk.desk import Removal
-from fleet_tui.model.desk.events import OrdersRemoved
+from fleet_tui.model.desk.desk import CommandElsewhere
+from fleet_tui.model.desk.events import CommandedElsewhere
 from fleet_tui.model.events import QueueReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity, Charge, LaterCause, LinkChange, OrderChange, Span
@@ -235,8 +235,8 @@ def test_an_end_that_another_console_caused_is_told_so_once_also_if_that_is_know
     assert of_orders(told(observer, state)) == []  # evidence may come
     state = reduced(state, tick(T0 + 3))
     assert of_orders(told(observer, state)) == [("7", "left the queue")]
-    removal = Removal("run 9", R0, "", "ben", "pc:7", T0 + 0.9, Stage.SENT)
-    state = reduced(state, OrdersRemoved(removal), tick(T0 + 4))
+    removal = CommandElsewhere("run 9", R0, "", "ben", "pc:7", T0 + 0.9, Stage.SENT, "clear")
+    state = reduced(state, CommandedElsewhere(removal), tick(T0 + 4))
     (change,) = (fact for fact in told(observer, state) if isinstance(fact, OrderChange))
     assert (change.stage, change.reason) == ("cancelled elsewhere", "cleared by ben at pc:7")
     assert of_orders(told(observer, state)) == []

@@ -42,6 +42,9 @@ async def test_a_claim_stands_in_the_row_and_is_asked_about(server: RosbridgeSer
             ben.becomes(lambda state: state.desk.others[0].robot == "robot_0")
             ben.desk.share_note(Note(time.time(), "ben", "lift B is slow"))
             await it.shows("note of ben: lift B is slow")
+            before = time.time() - 3600
+            ben.desk.share_note(Note(before, "ben", "lift B stands"))  # it waited for the folder
+            await it.shows(f"note of ben, {it.app.main.settings.clock(before)}: lift B stands")
             await it.press(":")
             await it.type("note robot_1 squeaks")
             await it.press("enter")

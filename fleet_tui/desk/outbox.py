@@ -1,0 +1,48 @@
+"""What this console tells the desk, on its way into the shared file: each fact once, while it is so."""
+
+import itertools
+import time
+from collections import deque
+from collections.abc import Callable
+
+import msgspec
+
+from fleet_tui.desk.fact_file import FactFile
+from fleet_tui.desk.facts import Fact
+
+WAITING = 1000
+"""Facts that wait for a writable folder; of more the oldest are lost, and counted."""
+
+
+class FactOutbox:
+    """Facts of one console and its operator `name`; told from any thread, sent from one."""
+
+    def __init__(self, file: FactFile, console: str, name: str) -> None:
+        self._file, self._console, self._name = file, console, name
+        self._numbers = itertools.count(1)
+        self._waiting = deque[Fact]()
+        self.lost = 0
+
+    def tell(self, kind: type[Fact], /, **fields: object) -> None:
+        """Add a fact."""
+        usual = {"id": f"{self._console}:{next(self._numbers)}", "by": self._name, "wall": time.time()}
+        self._waiting.append(msgspec.convert({**usual, **fields}, kind))
+        if len(self._waiting) > WAITING:
+            self._waiting.popleft()
+            self.lost += 1
+
+    def send(self, as_now: Callable[[Fact], Fact | None] = lambda fact: fact) -> None:
+        """Append what waits: each fact leaves as soon as it is written. Raises OSError. `as_now` returns a
+        fact as it is by now, None if it is over: it may have waited for long."""
+        if not self._waiting:
+            return
+        with self._file.appending() as append:
+            while self._waiting:
+                fact = self._waiting.popleft()
+                try:
+                    if (newest := as_now(fact)) is not None:
+                        append(newest)
+                except OSError:
+                    self._waiting.appendleft(fact)
+                    raise
+        self.lost = 0
