@@ -3,6 +3,7 @@
 import os
 import sys
 from pathlib import Path
+from shutil import get_terminal_size
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -62,7 +63,7 @@ def _trusted(config: Config) -> Config:
     import click
 
     for line in config.withheld:
-        click.echo(sanitize(line), err=True)
+        click.echo(click.wrap_text(sanitize(line), get_terminal_size().columns), err=True)
     if not click.confirm("Trust what is in it now?", err=True):
         return config
     with saying_yes():

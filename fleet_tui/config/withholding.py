@@ -34,7 +34,7 @@ def safe(config: Config, text: str) -> Config:
             programs=[],
             desk=DeskConfig(),
             doubt=found,
-            withheld=[f"{or_trusted(found)}. Until then: {OFF}"],
+            withheld=[f"opened without programs and credentials: {or_trusted(found)}. Until then: {OFF}"],
         )
     return _with_safe_files(config)
 

@@ -46,7 +46,7 @@ async def test_check_says_it_and_routines_are_refused(tmp_path: Path) -> None:
     (tmp_path / "routines").mkdir()
     (tmp_path / "routines" / "day.routine").write_text("robot_0: Base\n")
     ended = await run(tmp_path, "check")
-    assert ended.code == 0 and f"warning: {path} is not owned by root" in ended.err
+    assert ended.code == 0 and f"credentials: {path} is not owned by root" in ended.err
     ended = await run(tmp_path, "routine", "run", "day")
     assert ended.code == 2 and "is not owned by root" in ended.err
     ended = await run(tmp_path, "routine", "check", "day", "--trust-config", "--timeout", "0.1")

@@ -22,11 +22,11 @@ async def test_a_configuration_of_another_user(server: RosbridgeServer, tmp_path
     running = InTerminal(["--config", str(path)], tmp_path)
     try:
         await asyncio.to_thread(running.shows, QUESTION)
-        assert "is not owned by root: chown root" in running.text().replace("\n", "")
+        assert "opened without programs and credentials: " in running.text()
         running.press(f"{answer}\r")
         await asyncio.to_thread(running.shows, "robot_1")
         if answer == "n":
-            await asyncio.to_thread(running.shows, "is not owned by")
+            await asyncio.to_thread(running.shows, "opened without programs and cred")
     finally:
         await asyncio.to_thread(running.close)
     seen = "asks; until a yes no programs, credentials, routines, desk, and why"

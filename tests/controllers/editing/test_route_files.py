@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
+from fleet_tui.controllers.editing.sending import DraftSending
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.events import CommandAdvanced, CommandIssued, FloorGraphLoaded
 from fleet_tui.model.fleet import FleetState
@@ -18,6 +19,7 @@ from fleet_tui.model.set_up.commands import SendGraph
 from tests.support.desk import ready
 from tests.support.drawn_graph import DrawnGraph, drawn_graph
 from tests.support.fleets import F0, R0, T0, of_kinds
+from tests.support.users import give, two_users
 
 OLD = """{"type": "FeatureCollection", "features": [
 {"properties": {"id": 1, "note": 7}, "geometry": {"type": "Point", "coordinates": [0.0, 0.0]}},
@@ -195,3 +197,27 @@ async def test_a_file_that_can_not_be_written_stops_it(tmp_path: Path) -> None:
         it.desk.say_yes()
         assert "gone/routes.geojson: cannot be written" in it.desk.notices.text
         assert not it.desk.backend.submitted
+
+
+@two_users
+async def test_a_file_that_another_user_can_write_is_not_sent(tmp_path: Path) -> None:
+    async with drawn(tmp_path) as it:
+        assert it.graph_file is not None
+        give(it.graph_file)
+        it.sending.start()
+        assert it.desk.notices.text.startswith(f"not sent: {it.graph_file} is not owned by root: ")
+        assert not it.desk.menus and not it.desk.backend.submitted
+
+
+async def test_nothing_is_sent_with_a_configuration_that_somebody_else_could_have_written(
+    tmp_path: Path,
+) -> None:
+    async with drawn(tmp_path) as it:
+        it.sending = DraftSending(
+            *(it.sending._parts, it.sending._editor, it.sending._checks, it.sending._files),
+            it.sending._route_files,
+            "config.toml is not owned by ana",
+        )
+        it.sending.start()
+        assert it.desk.notices.text == "not sent: config.toml is not owned by ana"
+        assert not it.desk.menus and not it.desk.backend.submitted
