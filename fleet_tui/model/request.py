@@ -1,9 +1,9 @@
 """Operator requests: commands in sequence, and the part of one that a robot gets at a time."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from itertools import pairwise
 
-from msgspec import Struct, field
+from msgspec import Struct
 
 from fleet_tui.model.commands import Command, PauseRobot, PlaceOrder
 from fleet_tui.model.kind import Kind
@@ -11,12 +11,12 @@ from fleet_tui.model.order import at_vertices
 
 
 class Request(Struct, frozen=True):
-    """One request of an operator: commands in sequence. `floors`: the floor of each vertex chosen by name,
+    """One request of an operator: commands in sequence. `floors`: each vertex chosen by name with its floor,
     since the wire has only ids, and floors may share ids. `alone`: only for robots without orders. `doubt`: a
     warning for its question."""
 
     commands: tuple[Command, ...]
-    floors: Mapping[str, str] = field(default_factory=dict)
+    floors: tuple[tuple[str, str], ...] = ()
     alone: bool = False
     doubt: str = ""
 

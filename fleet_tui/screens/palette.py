@@ -100,14 +100,13 @@ class Palette(Overlay):
         self._fill(line)
 
     def _do(self) -> None:
-        # The last letters may not have been listed yet.
+        """Run the marked entry as it is now. If it is gone, mark another one and wait for the next Enter."""
         marked = self._matches.marked
-        before = [offer.text for offer in self._found]
+        text = self._found[marked].text if marked < len(self._found) else ""
         self._list()
-        if before != [offer.text for offer in self._found]:
-            marked = 0
-        if marked < len(self._found):
-            self._run(marked)
+        texts = [offer.text for offer in self._found]
+        if text in texts:
+            self._run(texts.index(text))
 
     def _run(self, index: int) -> None:
         self.action_close()

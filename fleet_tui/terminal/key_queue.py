@@ -23,8 +23,9 @@ from fleet_tui.terminal.typing import GAP, STANDSTILL, Fate, Typing
 ROUNDS = 2
 """Trips through the widgets until a key is done: with the first one its binding has run, with the second one
 the messages that it posted have arrived."""
-PATIENCE = 1.0
-"""Seconds after which the next key is delivered all the same: a widget on the way may have been removed."""
+PATIENCE, TRIES = 1.0, 5
+"""Seconds after which the next key is delivered all the same if the widget of the last one was removed, and
+how many times as many if it is still there."""
 BEAT = 0.5
 """Seconds between two looks whether the loop runs."""
 
@@ -52,6 +53,7 @@ class KeyQueue:
         self._serial, self._rounds = 0, 0
         self._target: MessagePump = app
         self._timer: Timer | None = None
+        self._tries = TRIES
         self._beat_at = math.inf
         self._held: events.Key | None = None
 
@@ -96,6 +98,9 @@ class KeyQueue:
             event = self._waiting.popleft()
             if not isinstance(event, events.Event):
                 event()
+            elif isinstance(event, events.Key) and event.key == "escape" and self._typing.is_alone:
+                self._waiting.appendleft(event)
+                await self._release()  # nothing that could have been meant with it came before
             elif isinstance(event, events.MouseEvent):
                 await self._deliver(event)
             elif not isinstance(event, events.Key) or self._acts(event):
@@ -104,6 +109,7 @@ class KeyQueue:
     async def _begin(self, event: events.Event) -> None:
         self._serial += 1
         self._rounds = ROUNDS
+        self._tries = TRIES
         self._target = self._app.focused or self._app.screen
         await self._deliver(event)
         await self._follow()
@@ -150,7 +156,8 @@ class KeyQueue:
 
     async def _lose_patience(self, serial: int) -> None:
         self._timer = None
-        if self._waiting and serial == self._serial:
+        self._tries = self._tries - 1 if serial == self._serial else TRIES
+        if self._waiting and (not self._tries or not self._target.is_attached):
             await self._done()
         elif self._waiting:
             self._timer = self._app.set_timer(PATIENCE, partial(self._lose_patience, self._serial))

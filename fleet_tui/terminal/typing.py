@@ -64,10 +64,11 @@ class Typing:
         if at - self._typed_at >= GAP:
             self._end()
         if self._is_blind and pauses_all and not in_field and (self.is_alone or not self.dropped):
-            self._typed_at, self.is_alone = at, True
+            self._typed_at, self.is_alone = max(at, self._typed_at), True
             return Fate.WAITS
         if self._is_blind or (not in_field and at - self._typed_at < GAP):
-            self._typed_at = at
+            # A key that waited came before the end of the standstill, and ends nothing.
+            self._typed_at = max(at, self._typed_at)
             self.dropped += 1 + self.is_alone
             self.is_alone = False
             return Fate.DROPPED

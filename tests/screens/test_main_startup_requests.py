@@ -64,7 +64,7 @@ async def test_it_does_not_wait_for_ever(
 async def test_a_disarmed_console_holds_nothing(server: RosbridgeServer, gate: threading.Event) -> None:
     async with console(config_of(server.url, 1), wait=False) as it:
         it.app.main.dispatch.permissions = Permissions(armed=False)
-        await it.press("p")
+        await it.press("r")
         assert "not armed" in it.app.main.notices.text
         gate.set()
         await it.until(lambda state: state.robots["robot_0"].queue)

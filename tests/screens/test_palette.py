@@ -212,7 +212,7 @@ async def test_with_cargo_a_chain_begins_with_the_cargo(server: RosbridgeServer)
     server.world.robots["robot_0"].cargo = True
     async with console(config_of(server.url, 1)) as it:
         await it.until(lambda state: state.robots["robot_0"].has_cargo)
-        one_packet(it, "oBase>Store\r")
+        one_packet(it, "o\rBase>Store\r")
         await it.until(lambda state: len(state.commands) == 2 and state.commands[-1].is_decided)
         assert [name for name, _ in sent(server)] == ["Execute_order_with_cargo", "Execute_order"]
         base, store = vertex(it, "Base"), vertex(it, "Store")

@@ -34,7 +34,7 @@ def ready(*facts: Event, floors: int = 1) -> FleetState:
 
 def found(state: FleetState, *commands: Command, **floors: str) -> list[tuple[str, bool]]:
     """The names of the problems, and whether each blocks."""
-    request = Request(commands, {name[1:]: floor for name, floor in floors.items()})
+    request = Request(commands, tuple((name[1:], floor) for name, floor in floors.items()))
     return [(problem.check, problem.blocks) for problem in problems(state, request, Permissions())]
 
 

@@ -186,17 +186,21 @@ async def test_frames_are_left_out_while_nobody_reads_and_the_newest_comes_after
     rng = random.Random(3)
     async with app.run_test(headless=False) as pilot:
         terminal = terminal_of(app)
+        unread: list[float] = []
+        app.output.read_again = unread.append
         app.map.show(a_scene())
         await pilot.pause()
+        assert app.output.unread_for() == 0.0
         terminal.reads = False
         for _ in range(50):
             app.drive(rng)
             paint(app, app.map)
-        assert terminal.waiting.qsize() == 1
+        assert terminal.waiting.qsize() == 1 and app.output.unread_for() > 0.0 and not unread
         terminal.read_again()
         async with asyncio.timeout(10):
             while difference(app):
                 await pilot.pause()
+        assert unread and min(unread) > 0.0 and app.output.unread_for() == 0.0
 
 
 async def test_a_robot_that_moves_a_cell_costs_a_few_bytes_and_standing_still_none() -> None:

@@ -64,6 +64,17 @@ def test_what_waited_during_a_standstill_is_dropped_in_fields_too() -> None:
         assert fates("x", typing, 100.1 + LATER, in_field) == [Fate.ACTS]
 
 
+def test_keys_pressed_long_before_the_end_of_a_standstill_do_not_end_it() -> None:
+    """A blocked loop: the thread that reads keys went on, and dated them."""
+    typing = Typing()
+    typing.stood_still(105.0)
+    assert [fates(key, typing, at) for key, at in (("a", 101.0), ("r", 102.0), ("y", 104.9))] == [
+        [Fate.DROPPED]
+    ] * 3
+    typing.stood_still(105.1)
+    assert fates("P", typing, 103.0) == [Fate.DROPPED] and typing.dropped == 4
+
+
 def test_a_pause_of_all_acts_after_a_standstill_if_it_alone_waited() -> None:
     typing = Typing()
     typing.stood_still(100.0)

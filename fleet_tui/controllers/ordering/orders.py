@@ -19,6 +19,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import CancelGoal
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.commands.queue_moves import moves
+from fleet_tui.rules.commands.subject import subject_of
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.rules.routes.charging import way_to_charger
 from fleet_tui.state.store import Store
@@ -132,13 +133,25 @@ class OrderRequests:
             yield move, partial(self._move, name, order.id, move)
         if order.stops and robot.kind.can(kind.ORDER):
             again = Request((PlaceOrder(name, order.stops),))
-            yield f"Repeat: {way(robot, order.stops)}", partial(self._dispatch.do, again)
+            yield f"Repeat: {way(robot, order.stops)}", self._as_listed(again)
         if len(back) > 1 and kind.ORDER in robot.kind.accepts:
             returning = Request((PlaceOrder(name, back),))
-            yield f"Return trip: {way(robot, back)}", partial(self._dispatch.do, returning)
+            yield f"Return trip: {way(robot, back)}", self._as_listed(returning)
         if robot.kind.can(kind.CLEAR):
             clearing = Request((ClearOrders(name),))
             yield f"Clear all orders of {name}", partial(self._dispatch.do, clearing)
+
+    def _as_listed(self, request: Request) -> Callable[[], None]:
+        """Return an action that gives a request, unless its places are others by then."""
+        listed = subject_of(self._store.state, request)
+
+        def give() -> None:
+            if problem := self._dispatch.withdrawn(request, listed):
+                self._notices.say(problem)
+            else:
+                self._dispatch.do(request)
+
+        return give
 
     def _move(self, name: str, order_id: str, move: str) -> None:
         """Move an order in the queue of this console, as it is now: others may have left it meanwhile. The

@@ -132,8 +132,9 @@ def _asked_of(state: FleetState, request: Request, robot: Robot, other: Robot) -
     orders = [one for one in request.commands if isinstance(one, PlaceOrder)]
     own = dict[str, str]()
     lacks = list[str]()
-    for vertex, floor in request.floors.items():
-        place = Place(vertex, robot.name_of(vertex) or vertex, floor)
+    for vertex, floor in request.floors:
+        label = robot.maps[floor].name_of(vertex) if floor in robot.maps else None
+        place = Place(vertex, label or vertex, floor)
         found = own_place(state, other, place)
         own[vertex] = found.vertex if found else vertex
         lacks += [] if found else [f"{other.name} has no {place.name} on {floor}"]
@@ -145,6 +146,6 @@ def _asked_of(state: FleetState, request: Request, robot: Robot, other: Robot) -
         )
         for one in orders
     )
-    floors = {own[vertex]: floor for vertex, floor in request.floors.items()}
+    floors = tuple((own[vertex], floor) for vertex, floor in request.floors)
     own_request = replace(request, commands=commands, floors=floors)
     return _Asked(own_request, subject_of(state, own_request), next(iter(lacks), ""))

@@ -134,10 +134,10 @@ def floor_mismatch(state: FleetState, robot: Robot, command: commands.Command) -
             yield Problem("floor mismatch", f"{where}, no elevator known", blocks=False)
 
 
-def mistakable(robot: Robot, floors: Mapping[str, str]) -> Iterator[Problem]:
+def mistakable(robot: Robot, floors: Iterable[tuple[str, str]]) -> Iterator[Problem]:
     """Check for ambiguous ids: an order names a vertex by its id alone, which a robot takes as that of the
-    floor it is on, if that has one. `floors`: the floor that was meant, by id."""
-    for vertex, floor in floors.items():
+    floor it is on, if that has one. `floors`: the ids with the floors that were meant."""
+    for vertex, floor in floors:
         others = sorted(_floors(robot, vertex) - {floor})
         if floor not in robot.maps or floor == robot.floor or not others:
             continue

@@ -8,25 +8,27 @@ from fleet_tui.model.commands import CancelOrder, ClearOrders, PlaceOrder
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import Order, vertices_of
 from fleet_tui.model.request import Request
+from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import CancelGoal
 from fleet_tui.rules.commands.goals import active
 from fleet_tui.rules.commands.local_queue import all_orders, clearable
 
 
 class Subject(Struct, frozen=True):
-    """Orders that a request removes, by their robots; the labels of places that it names, by robot and
-    vertex; the goals that it cancels, by their robots. `at`: when that was so (monotonic)."""
+    """Orders that a request removes, by robot; the labels of places that it names, by robot and vertex,
+    with the floor on which the robot takes them; the goals that it cancels, by robot. `at`: when that
+    was so (monotonic)."""
 
     at: float
     orders: dict[str, tuple[Order, ...]]
-    places: dict[tuple[str, str], str | None]
+    places: dict[tuple[str, str], tuple[str | None, str]]
     goals: dict[str, tuple[str, ...]]
 
 
 def subject_of(state: FleetState, request: Request) -> Subject:
     """Return what a request is about now."""
     orders: dict[str, tuple[Order, ...]] = {}
-    places: dict[tuple[str, str], str | None] = {}
+    places: dict[tuple[str, str], tuple[str | None, str]] = {}
     goals: dict[str, tuple[str, ...]] = {}
     for command in request.commands:
         robot = state.robots[command.robot]
@@ -36,10 +38,17 @@ def subject_of(state: FleetState, request: Request) -> Subject:
         elif isinstance(command, ClearOrders):
             orders[robot.name] = tuple(clearable(state, robot))
         elif isinstance(command, PlaceOrder):
-            places |= {(robot.name, id_): robot.name_of(id_) for id_ in vertices_of(command.stops)}
+            places |= {(robot.name, id_): _place(robot, id_) for id_ in vertices_of(command.stops)}
         elif isinstance(command, CancelGoal):
             goals[robot.name] = tuple(goal.id for goal in active(robot.goals))
     return Subject(state.now, orders, places, goals)
+
+
+def _place(robot: Robot, vertex: str) -> tuple[str | None, str]:
+    """Return the label of a vertex, and the floor on which a robot takes it, if several have it."""
+    graphs = {name: known.graph for name, known in robot.maps.items() if known.graph is not None}
+    is_shared = sum(vertex in graph.vertices for graph in graphs.values()) > 1
+    return robot.name_of(vertex), (robot.floor or "") if is_shared else ""
 
 
 def what_changed(state: FleetState, request: Request, asked: Subject) -> str:
@@ -57,9 +66,9 @@ def _changes(state: FleetState, now: Subject, asked: Subject) -> Iterator[str]:
                 yield f"{name} has a further order, {order.id}"
             elif order.id in gone or order.stops != before[order.id].stops:
                 yield f"order {order.id} of {name} is another one now"
-    for (name, vertex), label in asked.places.items():
-        if now.places.get((name, vertex)) != label:
-            yield f"vertex {vertex} of {name} is {now.places.get((name, vertex)) or 'gone'} now"
+    for (name, vertex), place in asked.places.items():
+        if now.places.get((name, vertex)) != place:
+            yield f"vertex {vertex} of {name} is another place now"
     for name, goals in asked.goals.items():
         if not set(now.goals.get(name, ())) <= set(goals):
             yield f"{name} has another goal now"

@@ -121,7 +121,7 @@ def _order(robot: Robot, named: Sequence[str], only_to: bool = False) -> Request
     """Return an order. A single place is the destination of the cargo on board."""
     found = [vertex_of(robot, word) for word in named]
     vertices = [vertex for vertex, _ in found]
-    floors = {vertex: floor for vertex, floor in found if floor}
+    floors = tuple((vertex, floor) for vertex, floor in found if floor)
     return Request(chain(robot.name, vertices, only_to or len(named) == 1, robot.kind.takes_stops), floors)
 
 

@@ -116,6 +116,6 @@ def order_of(robot: Robot, visited: Sequence[Place]) -> Request:
     """Return orders that visit the places in sequence, the first of which may be HERE."""
     is_here = visited[0] == HERE
     named = visited[is_here:]
-    floors = {place.vertex: place.floor for place in named}
+    floors = tuple((place.vertex, place.floor) for place in named)
     vertices = [place.vertex for place in named]
     return Request(chain(robot.name, vertices, is_here, robot.kind.takes_stops), floors)

@@ -113,7 +113,7 @@ def _to_place(robot: Robot, place: str) -> Request:
     vertex, floor = vertex_of(robot, place)
     if ability_of("goto", robot.kind) == ORDER_TO:
         order = PlaceOrder(robot.name, (Stop(vertex),))
-        return Request((order,), {vertex: floor} if floor else {}, alone=True)
+        return Request((order,), ((vertex, floor),) if floor else (), alone=True)
     if GOAL not in robot.kind.accepts:  # the check names the missing key
         return Request((SendGoal(robot.name, floor or floor_of(robot), Pose(0.0, 0.0)),))
     floor = floor or floor_of(robot)

@@ -67,7 +67,8 @@ def vertex_of(robot: Robot, word: str) -> tuple[str, str]:
         return id_, ""
     if NUMBER.fullmatch(word) and word.startswith("-"):
         id_ = ""  # a negative number is an id only if marked as one
-    found = {place.vertex: place for place in called(robot, word)}
+    # Where floors share the id, the robot's own floor, which is listed first, is meant.
+    found = {place.vertex: place for place in reversed(called(robot, word))}
     if not found and id_:
         return id_, ""
     if id_ and robot.name_of(id_) is not None:

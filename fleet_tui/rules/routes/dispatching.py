@@ -19,6 +19,6 @@ def to_any(state: FleetState, places: Sequence[Place]) -> Request | None:
         own = [place for one in places if (place := own_place(state, robot, one)) is not None]
         if own and len(own) == len(places):
             vertices = [place.vertex for place in own]
-            floors = {place.vertex: place.floor for place in own}
+            floors = tuple((place.vertex, place.floor) for place in own)
             return Request((PlaceOrder(robot.name, at_vertices(*vertices), to_any=True),), floors)
     return None

@@ -26,7 +26,7 @@ def order_of(robot: Robot, block: GoBlock | CarryBlock) -> Request | None:
     if len(vertices) == 2 and vertices[0] == vertices[1] and isinstance(block, GoBlock):
         return None
     order = PlaceOrder(robot.name, at_vertices(*vertices))
-    return Request((order,), {vertex: floor for vertex, floor in found if floor})
+    return Request((order,), tuple((vertex, floor) for vertex, floor in found if floor))
 
 
 def _start(robot: Robot) -> str:

@@ -95,6 +95,7 @@ class OrderForm(ReturningOverlay):
         """Open for a robot, with nothing chosen but what is given: a vertex `picked` on the map is the start,
         or the end if none is needed; `way` are both, as proposed."""
         self._fields.clear(robot)
+        self._clicked = ""
         self._said, self._picture = "", picture_of(self._state(), self._robot())
         may_be_here = (chosen := self._robot()) is not None and starts_here(chosen)
         if picked is not None:
@@ -196,6 +197,7 @@ class OrderForm(ReturningOverlay):
         """Choose a match by mouse; a double click or the button sends."""
         event.stop()
         choice = self._choices.at(event.option_index)
+        self._clicked = ""
         if not self.is_open or choice is None or not self.look():
             return
         self._clicked = self._fields.current

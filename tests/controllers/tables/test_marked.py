@@ -12,7 +12,7 @@ from tests.support.desk import Desk
 from tests.support.fleets import LINK, R0, T0, fleet, graph, labels, link_up, pose, queue, reduced, tick
 
 R1, R2 = "robot_1", "robot_2"
-ORDER = Request((PlaceOrder(R0, at_vertices("1", "2")),), {"1": "floor_0", "2": "floor_0"})
+ORDER = Request((PlaceOrder(R0, at_vertices("1", "2")),), (("1", "floor_0"), ("2", "floor_0")))
 
 
 def site() -> FleetState:

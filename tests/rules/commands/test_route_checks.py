@@ -63,3 +63,12 @@ def test_a_place_chosen_on_another_floor_whose_id_is_another_place_here() -> Non
 def test_a_place_of_another_floor_with_the_label_and_the_id_of_one_here() -> None:
     state = ready(graph(1, 2, 10, floor=F1), labels({1: "Base", 2: "Store"}, F1), floors=2)
     assert ("floor mismatch", True) in found(state, place_order(R0, 1, 2), v1=F0, v2=F1)
+
+
+def test_an_order_that_names_one_id_on_two_floors() -> None:
+    state = ready(graph(1, 2, 10, floor=F1), labels({1: "Attic", 2: "Roof"}, F1), floors=2)
+    orders = place_order(R0, 1, 2), place_order(R0, 2, 1)
+    request = Request(orders, (("1", F1), ("2", F0), ("1", F0)))
+    assert ("floor mismatch", True) in [
+        (one.check, one.blocks) for one in problems(state, request, Permissions())
+    ]

@@ -111,7 +111,7 @@ def test_cancel_without_a_robot_needs_a_selected_one() -> None:
 def test_words_from_a_shell_need_no_quotes() -> None:
     asked = parse_words(["order", R0, "Lab > base", "Dock 7"], known())
     assert asked.commands == (place_order(R0, 4, 3),)
-    assert asked.floors == {"4": "floor_0", "3": "floor_0"}
+    assert asked.floors == (("4", "floor_0"), ("3", "floor_0"))
 
 
 ids = st.integers(min_value=-(2**31), max_value=2**31 - 1).map(str)

@@ -20,7 +20,7 @@ def test_the_order_leaves_by_a_robot_that_is_online_and_knows_the_places() -> No
     found = to_any(state, [A, B])
     assert found is not None
     assert found.commands == (PlaceOrder("robot_1", at_vertices("1", "2"), to_any=True),)
-    assert found.floors == {"1": F0, "2": F0}
+    assert found.floors == (("1", F0), ("2", F0))
 
 
 def test_without_a_dispatcher_or_a_place_there_is_none() -> None:

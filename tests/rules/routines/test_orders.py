@@ -31,7 +31,7 @@ def go(place: str) -> GoBlock:
 
 def test_a_carry_names_both_places() -> None:
     request = order_of(two_robots().robots[R0], CARRY)
-    assert request == Request((PlaceOrder(R0, at_vertices("1", "3")),), {"1": "floor_0", "3": "floor_0"})
+    assert request == Request((PlaceOrder(R0, at_vertices("1", "3")),), (("1", "floor_0"), ("3", "floor_0")))
 
 
 def test_a_go_starts_at_the_vertex_nearest_to_the_robot_where_an_order_needs_a_start() -> None:

@@ -3,6 +3,7 @@
 import re
 
 import pytest
+from msgspec.structs import replace
 
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.entries import FloorEntry, RobotEntry
@@ -230,7 +231,8 @@ def test_since_when_a_queue_is_known_stays_beside_a_long_name(width: int) -> Non
     config = Config(profile=Profile(kind="rmf"), floors=[FloorEntry("floor_0")], robots=[RobotEntry(name)])
     place = MemberReported(name, T0, Pose(1.0, 2.0), "floor_0", 7.0, 80.0, "idle", "")
     task = TaskReported(name, T0, Goal("a", "a", "task", OrderState.QUEUED))
-    known = reduced(initial_state(config, T0), link_up(T0), place, task, tick(T0))
+    again = replace(place, at=T0 + 0.1)  # with a second message the age of the first one is known
+    known = reduced(initial_state(config, T0), link_up(T0), place, task, again, tick(T0 + 0.1))
     for may in (True, False):
         table = queue_table(known, name, False, width, may=may, clock=lambda wall: "14:02:33")
         title = text_of(table.title)
