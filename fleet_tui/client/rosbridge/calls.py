@@ -10,6 +10,10 @@ from fleet_tui.client.patience import awake
 from fleet_tui.errors import LinkError
 from fleet_tui.transports.rosbridge.connection import Connection
 
+GRACE = 1.0
+"""Seconds after our own deadline at which the bridge drops a call: its word that it did would come before the
+end of our waiting, in which only time counts that this process ran, and read as an answer."""
+
 
 class LinkLostError(LinkError):
     """The link went down during the call: it may or may not have run."""
@@ -37,12 +41,12 @@ class Calls:
         self._ids = itertools.count(1)
 
     def start(self, service: str, args: Mapping[str, object], within: float) -> "PendingCall":
-        """Send a call that the bridge drops after `within` seconds, if it can.
+        """Send a call that the bridge drops once nobody waits `within` seconds for it any more, if it can.
 
         Raises LinkError if there is no connection.
         """
         call_id = f"call:{next(self._ids)}"
-        self._connection.send(operations.call_service(call_id, service, args, within))
+        self._connection.send(operations.call_service(call_id, service, args, within + GRACE))
         answer = asyncio.get_running_loop().create_future()
         self._pending[call_id] = answer
         return PendingCall(call_id, service, answer)
