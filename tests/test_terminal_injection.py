@@ -79,7 +79,7 @@ def look(terminal: Terminal, *texts: str) -> None:
     for aligned in (("─ Fleet", "─ Alarms", "─ Queue"), ("[Cancel]",)):
         places = {row.find(text) for row in shown for text in aligned} - {-1}
         assert len(places) <= 1, "\n".join(shown)
-    assert shown[-1].rstrip().endswith(("command", "messages", "pause all"))
+    assert shown[-1].rstrip().endswith(("command", "messages", "pause all", "quit"))
 
 
 def leave(terminal: Terminal, text: str, key: str = "\x1b") -> None:
