@@ -130,8 +130,9 @@ class MapControls:
 
     def enter(self, mode: MapMode) -> None:
         """Switch the map to this mode, which takes the focus with it: its keys are those of the map."""
+        is_new = type(mode) is not type(self._picture.mode)
         self._picture.mode = mode
-        if mode.cursor is not None and self._view.size.height and not self._view.has_focus:
+        if is_new and mode.cursor is not None and self._view.size.height and not self._view.has_focus:
             self._view.screen.set_focus(self._view)
         self._picture.point()
         self._view.draw()

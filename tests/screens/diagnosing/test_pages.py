@@ -80,7 +80,7 @@ async def test_the_log_of_a_robot_in_trouble_comes_first_and_esc_shows_all(serve
     plant(server, "battery:robot_1")
     async with console(config_of(server.url, 2, 2)) as it:
         await it.until(lambda state: "robot_1" in in_trouble(state))
-        await it.press("2")
+        await it.press("1")
         await open_page(it, 4, "Robot log")
         await listens(it, server)
         say(server, 2, "of this one", "/robot_1/drive")
@@ -99,9 +99,9 @@ async def test_of_a_robot_in_trouble_it_opens_on_the_page_of_the_cause(server: R
     plant(server, "battery:robot_1")
     async with console(config_of(server.url, 2, 2)) as it:
         await it.until(lambda state: "robot_1" in in_trouble(state) and "robot_0" not in in_trouble(state))
-        await it.press("1", "d")
+        await it.press("d")
         await it.shows("[1 Link]")
-        await it.press("escape", "2", "d")
+        await it.press("escape", "1", "d")
         await it.shows("[2 Topics]")
 
 
