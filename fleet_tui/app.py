@@ -111,9 +111,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
     async def on_ready(self) -> None:
         """Paint first, then connect."""
         if not self.is_headless:
-            loop = asyncio.get_running_loop()
-            leave_on_signals(loop, self.exit, self._restore)
-            self.output.resume_only_if_suspended(loop)
+            leave_on_signals(asyncio.get_running_loop(), self.exit, self._restore)
         await self._start.finish()
         if not self.is_headless:
             self.keys.watch()

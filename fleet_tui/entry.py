@@ -52,9 +52,7 @@ class EntryApp(LeanApp, inherit_bindings=False):
     def on_ready(self) -> None:
         """Restore the terminal in any case at the end."""
         if not self.is_headless:
-            loop = asyncio.get_running_loop()
-            leave_on_signals(loop, self.exit, self._restore)
-            self.output.resume_only_if_suspended(loop)
+            leave_on_signals(asyncio.get_running_loop(), self.exit, self._restore)
 
     def _found(self, chosen: Chosen) -> None:
         if isinstance(chosen, DiscoveredSite) and (chosen.choices or chosen.lacks):

@@ -9,10 +9,8 @@ terminal as soon as 30 writes are queued: an SSH hiccup then stops the event loo
 
 import inspect
 import io
-import signal
 import sys
 import time
-from asyncio import AbstractEventLoop
 from collections.abc import Callable, Iterator
 from functools import cached_property
 from importlib.metadata import version
@@ -23,7 +21,6 @@ from rich.control import Control
 from textual import _ansi_sequences, _compositor
 from textual.app import App
 from textual.drivers._writer_thread import WriterThread
-from textual.drivers.linux_driver import LinuxDriver
 from textual.geometry import Offset
 from textual.strip import Strip
 
@@ -170,21 +167,6 @@ class DisplayDriver:
         driver.write(sequence)
         driver.flush()
         return True
-
-    def resume_only_if_suspended(self, loop: AbstractEventLoop) -> None:
-        """Repaint when the process goes on after a SIGSTOP. Textual starts to read keys a second time then,
-        beside the first one, as if it had been suspended by Ctrl-Z."""
-        driver = self._app._driver
-        if not isinstance(driver, LinuxDriver):
-            return
-
-        def on_continue(_number: int, _frame: object) -> None:
-            if driver._must_signal_resume:
-                driver.resume_application_mode()
-            else:
-                loop.call_soon_threadsafe(self.repaint)
-
-        signal.signal(signal.SIGCONT, on_continue)
 
     def repaint(self) -> None:
         """Send every cell again: another program wrote on the terminal."""

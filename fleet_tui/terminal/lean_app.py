@@ -52,6 +52,11 @@ class LeanApp(App[None]):
         chosen = super().get_driver_class()
         return TerminalDriver if chosen.__name__ == "LinuxDriver" else chosen
 
+    def on_mount(self) -> None:
+        """Repaint when the process goes on after a stop."""
+        if isinstance(self._driver, TerminalDriver):
+            self._driver.repaint = self.action_repaint
+
     def _handle_exception(self, error: Exception) -> None:
         # Textual ends the app.
         if isinstance(error, WorkerFailed):

@@ -1,15 +1,33 @@
 """Textual's driver for a terminal, also of a process that was stopped without being asked."""
 
+import termios
+from collections.abc import Callable
+from contextlib import suppress
+from typing import Any
+
 from textual.drivers.linux_driver import LinuxDriver
 
 
 class TerminalDriver(LinuxDriver):
-    """Gives the terminal back before it takes it again."""
+    """Starts again only what a suspension has ended. After a SIGSTOP Textual would read keys and write a
+    second time, beside the first one, and take its own modes for those of the shell."""
 
-    def _sigcont_application(self, *_: object) -> None:
-        """Go on after a stop. Before one by SIGTSTP the terminal was given back; after a SIGSTOP
-        Textual would take its own modes for those of the shell, and leave them to it at the end."""
-        if self._auto_restart and not self._must_signal_resume:
-            self.suspend_application_mode()
-            self._must_signal_resume = True
-        super()._sigcont_application()
+    repaint: Callable[[], object] = staticmethod(lambda: None)
+    """Sends every cell again; called on the loop."""
+    _modes: list[Any] | None = None
+
+    def start_application_mode(self) -> None:
+        """Take the terminal, and remember its modes."""
+        super().start_application_mode()  # type: ignore[no-untyped-call]  # untyped in Textual
+        with suppress(termios.error):
+            self._modes = termios.tcgetattr(self.fileno)
+
+    def _sigcont_application(self, *arguments: object) -> None:
+        """Go on after a stop: a shell may have used the terminal in between."""
+        if self._must_signal_resume:
+            super()._sigcont_application(*arguments)
+            return
+        if self._modes is not None:
+            with suppress(termios.error):
+                termios.tcsetattr(self.fileno, termios.TCSANOW, self._modes)
+        self._loop.call_soon_threadsafe(self.repaint)
