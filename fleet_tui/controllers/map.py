@@ -132,10 +132,14 @@ class MapControls:
         """Switch the map to this mode, which takes the focus with it: its keys are those of the map."""
         is_new = type(mode) is not type(self._picture.mode)
         self._picture.mode = mode
-        if is_new and mode.cursor is not None and self._view.size.height and not self._view.has_focus:
-            self._view.screen.set_focus(self._view)
+        if is_new and mode.cursor is not None:
+            self._focus()
         self._picture.point()
         self._view.draw()
+
+    def _focus(self) -> None:
+        if self._view.size.height and not self._view.has_focus:
+            self._view.screen.set_focus(self._view)
 
     def leave_mode(self) -> None:
         """Go back to the plain view."""
@@ -157,6 +161,7 @@ class MapControls:
         place = picture.viewport.next_labelled(picture.scene, cursor, step) if picture.scene else None
         if place:
             self.enter(CursorMode(place))
+            self._focus()
 
     def pick(self) -> None:
         """Pick the object that Enter means in this mode."""

@@ -34,8 +34,7 @@ class Menu(Dialog):
     def __init__(self, *, id: str) -> None:
         super().__init__(id=id)
         self._all: Sequence[Entry] = ()
-        self._entries: Sequence[Entry] = ()
-        self._list = Matches(id="menu-list")
+        self._list = Matches[Entry](id="menu-list")
         self._typed = Field(
             {
                 "enter": lambda: self._run(self._list.marked),
@@ -63,16 +62,15 @@ class Menu(Dialog):
         self._list.can_focus = not filters
         with self._typed.prevent(Input.Changed):
             self._typed.value = ""
-        self._fill()
-        self._list.highlighted = marked
+        self._fill(marked)
         self.open(self._typed if filters else self._list)
 
-    def _fill(self) -> None:
+    def _fill(self, marked: int = 0) -> None:
         typed = self._typed.value.strip()
-        self._entries = [entry for entry in self._all if not typed or rank(typed, entry[0]) is not None]
-        numbered = len(self._all) <= MOST_NUMBERED
-        texts = [tr(text) for text, _ in self._entries]
-        self._list.show([f"{n}  {text}" for n, text in enumerate(texts, 1)] if numbered else texts)
+        entries = [entry for entry in self._all if not typed or rank(typed, entry[0]) is not None]
+        numbers = [f"{n}  " * (len(self._all) <= MOST_NUMBERED) for n in range(1, len(entries) + 1)]
+        texts = [number + tr(text) for number, (text, _) in zip(numbers, entries, strict=True)]
+        self._list.show(entries, texts, marked)
 
     @on(Input.Changed, "#menu-typed")
     def _filter(self, event: Input.Changed) -> None:
@@ -86,12 +84,10 @@ class Menu(Dialog):
 
     def action_choose(self, number: int) -> None:
         """Run an entry by its number."""
-        self._run(number - 1)
+        self._run(self._list.at(number - 1))
 
-    def _run(self, index: int) -> None:
-        # A second key may already have been in the queue.
-        if self.is_open and index < len(self._entries):
-            entry = self._entries[index]
+    def _run(self, entry: Entry | None) -> None:
+        if self.is_open and entry is not None:
             self.action_close()
             entry[1]()
 
@@ -99,12 +95,12 @@ class Menu(Dialog):
         """Run the entry with this key at its end, in brackets; the keys of menus themselves come first."""
         if self._typed.display or event.key in self._bindings.key_to_bindings or not event.character:
             return
-        texts = [text for text, _ in self._entries]
-        for index in (n for n, text in enumerate(texts) if text.endswith(f"({event.character})")):
-            event.stop()
-            self._run(index)
+        for entry in self._list.items:
+            if entry[0].endswith(f"({event.character})"):
+                event.stop()
+                self._run(entry)
 
     @on(OptionList.OptionSelected, "#menu-list")
     def _selected(self, event: OptionList.OptionSelected) -> None:
         event.stop()
-        self._run(event.option_index)
+        self._run(self._list.at(event.option_index))

@@ -26,9 +26,8 @@ class Palette(Overlay):
     def __init__(self, entries: Callable[[], Iterable[Offer]], typed: Callable[[str], Typed]) -> None:
         super().__init__(id="palette")
         self._entries, self._typed_as = entries, typed
-        self._found: list[Offer] = []
         self._turn: list[str] = []
-        self._matches = Matches(id="requests")
+        self._matches = Matches[Offer](id="requests")
 
     def compose(self) -> ComposeResult:
         """Compose a field above the matches."""
@@ -82,8 +81,7 @@ class Palette(Overlay):
         if not found and typed:
             said = tr(command.problem) or tr(f"no match for {sanitize(typed)}: press ? for all keys")
             found = [Offer(said, partial(self._go_on, line))]
-        self._found = found
-        self._matches.show([offer.text for offer in found], keys=[offer.key for offer in found])
+        self._matches.show(found, [offer.text for offer in found], keys=[offer.key for offer in found])
 
     def _complete(self) -> None:
         """Replace the last word by its next completion."""
@@ -102,15 +100,12 @@ class Palette(Overlay):
     def _do(self) -> None:
         """Run the marked entry as it is now. If it is gone, mark another one and wait for the next Enter."""
         marked = self._matches.marked
-        text = self._found[marked].text if marked < len(self._found) else ""
         self._list()
-        texts = [offer.text for offer in self._found]
-        if text in texts:
-            self._run(texts.index(text))
-
-    def _run(self, index: int) -> None:
-        self.action_close()
-        self._found[index].do()
+        for offer in self._matches.items:
+            if marked is not None and offer.text == marked.text:
+                self.action_close()
+                offer.do()
+                return
 
     @on(Matches.OptionSelected, "#requests")
     def _clicked(self, event: Matches.OptionSelected) -> None:

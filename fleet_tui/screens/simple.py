@@ -67,9 +67,8 @@ class Simple(Vertical):
         self._chosen: dict[str, Place] = {}
         self._whose, self._choosing = "", ""
         self._picture = picture_of(state(), None)
-        self._choices: Sequence[Place | str] = []
         self._shown: tuple[object, ...] = ()
-        self._list = Matches(id="simple-list")
+        self._list = Matches[Place | str](id="simple-list")
         self._typed = Field(
             {
                 "enter": self._take,
@@ -202,27 +201,23 @@ class Simple(Vertical):
         if self._choosing:
             self._fill()
 
-    def _fill(self) -> None:
-        """List what fits the typed text, the first one marked."""
+    def _choices(self) -> Sequence[Place | str]:
+        """Return what fits the typed text."""
         robot, typed = self._robot(), self._typed.value.strip()
         if self._choosing == "robot":
-            self._choices = [name for name in self._state().robots if typed.casefold() in name.casefold()]
-        else:
-            takes_it = self._choosing == "to" or ORDER in robot.kind.accepts
-            named = matches(robot, typed) if takes_it else []
-            may_be_here = self._choosing == "from" and starts_here(robot)
-            here = [HERE] if may_be_here and HERE.name.startswith(typed.casefold()) else []
-            self._choices = [*here, *named]
-        self._list.show(map(_line, self._choices))
+            return [name for name in self._state().robots if typed.casefold() in name.casefold()]
+        takes_it = self._choosing == "to" or ORDER in robot.kind.accepts
+        may_be_here = self._choosing == "from" and starts_here(robot)
+        here = [HERE] if may_be_here and HERE.name.startswith(typed.casefold()) else []
+        return [*here, *(matches(robot, typed) if takes_it else [])]
+
+    def _fill(self) -> None:
+        found = self._choices()
+        self._list.show(found, [_line(choice) for choice in found])
 
     def _renew(self) -> bool:
-        """List the choices anew, the same one marked. Returns False, and marks none, if it is gone."""
-        at = self._list.highlighted
-        marked = self._choices[at] if at is not None and at < len(self._choices) else None
-        self._fill()
-        is_there = marked is not None and marked in self._choices
-        self._list.highlighted = self._choices.index(marked) if is_there and marked is not None else None
-        return is_there or marked is None
+        found = self._choices()
+        return self._list.renew(found, [_line(choice) for choice in found])
 
     @on(Matches.OptionSelected, "#simple-list")
     def _clicked(self, event: Matches.OptionSelected) -> None:
@@ -235,11 +230,10 @@ class Simple(Vertical):
 
     def _take(self) -> None:
         """Take the marked choice, and go on to the next missing one."""
-        field, at = self._choosing, self._list.highlighted
         self.show()  # what has changed meanwhile is marked no more
-        if not field or at is None or self._list.highlighted != at or at >= len(self._choices):
+        field, choice = self._choosing, self._list.marked
+        if not field or choice is None:
             return
-        choice = self._choices[at]
         self._choosing = ""
         self._say("")
         if isinstance(choice, str):

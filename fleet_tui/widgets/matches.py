@@ -1,7 +1,8 @@
 """Matches of a field, listed below it: the field keeps the focus, one match is marked."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from itertools import zip_longest
+from typing import Generic, TypeVar
 
 from textual import events
 from textual.content import Content
@@ -10,20 +11,41 @@ from textual.widgets import OptionList
 
 from fleet_tui.text.sanitize import cell_width, fit_words
 
+Item = TypeVar("Item")
 
-class Matches(OptionList, can_focus=False):
-    """`marked` is the index of the match that Enter takes."""
+
+class Matches(OptionList, Generic[Item], can_focus=False):
+    """Lists items by their texts. Enter takes the `marked` one, which a new list keeps or marks no more."""
 
     def __init__(self, *, id: str) -> None:
         super().__init__(id=id, markup=False)
+        self.items: Sequence[Item] = ()
         self._texts: list[tuple[str, str]] = []
 
-    def show(self, texts: Iterable[str], mark: bool = True, keys: Sequence[str] = ()) -> None:
-        """List these, the first one marked unless none may be taken yet; at the right the key of each."""
+    def show(
+        self, items: Sequence[Item], texts: Sequence[str], mark: int | None = 0, keys: Sequence[str] = ()
+    ) -> None:
+        """List these, one of them marked unless none may be taken yet; at the right the key of each."""
+        self.items = items
         self._texts = list(zip_longest(texts, keys, fillvalue=""))
         self.clear_options()
         self.add_options([self._prompt(*line) for line in self._texts])
-        self.highlighted = 0 if mark and self.option_count else None
+        self.highlighted = mark if self.option_count else None
+
+    def renew(self, items: Sequence[Item], texts: Sequence[str]) -> bool:
+        """List these, the same item marked. Returns False, and marks none, if it is gone."""
+        marked = self.marked
+        self.show(items, texts, mark=items.index(marked) if marked is not None and marked in items else None)
+        return marked is None or self.marked is not None
+
+    @property
+    def marked(self) -> Item | None:
+        """Return the marked item."""
+        return self.at(self.highlighted) if self.highlighted is not None else None
+
+    def at(self, index: int) -> Item | None:
+        """Return the item of a line, None beyond the last one."""
+        return self.items[index] if index < len(self.items) else None
 
     class DoubleClicked(Message):
         """A row was clicked twice: the first click has chosen it."""
@@ -55,8 +77,3 @@ class Matches(OptionList, can_focus=False):
     def step(self, rows: int) -> None:
         """Mark another one."""
         (self.action_cursor_down if rows > 0 else self.action_cursor_up)()
-
-    @property
-    def marked(self) -> int:
-        """Return the index of the marked match, 0 without one."""
-        return self.highlighted or 0

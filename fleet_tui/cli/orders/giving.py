@@ -60,13 +60,18 @@ def how(config: Config, timeout: float, yes: bool, until_done: bool = False) -> 
     return How(permissions_of(config), timeout, yes, until_done)
 
 
-def forbidden(config: Config, needed: Right = Right.DISPATCH) -> str:
-    """Return the reason that this console may not do what needs a right, empty if it may."""
+def forbidden(config: Config, needed: Right = Right.DISPATCH, arms: bool = True) -> str:
+    """Return the reason that this console may not do what needs a right, empty if it may. `arms`: it needs an
+    armed console, as all but pauses do."""
     if refusal := own_rights().refusal(needed):
         return refusal
     if config.operator.read_only:
         return f"this console is read-only: operator.read_only in {config.path}"
-    return "" if config.operator.armed else f"this console is not armed: operator.armed in {config.path}"
+    return (
+        ""
+        if config.operator.armed or not arms
+        else f"this console is not armed: operator.armed in {config.path}"
+    )
 
 
 def robots_of(config: Config, word: str) -> list[str]:

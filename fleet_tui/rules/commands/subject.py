@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from msgspec import Struct
 
-from fleet_tui.model.commands import CancelOrder, ClearOrders, PlaceOrder
+from fleet_tui.model.commands import CancelOrder, ClearOrders, PlaceOrder, ResumeRobot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import Order, vertices_of
 from fleet_tui.model.request import Request
@@ -16,13 +16,15 @@ from fleet_tui.rules.commands.local_queue import all_orders, clearable
 
 class Subject(Struct, frozen=True):
     """Orders that a request removes, by robot; the labels of places that it names, by robot and vertex,
-    with the floor on which the robot takes them; the goals that it cancels, by robot. `at`: when that
+    with the floor on which the robot takes them; the goals that it cancels, by robot; the paused
+    robots that it resumes. `at`: when that
     was so (monotonic)."""
 
     at: float
     orders: dict[str, tuple[Order, ...]]
     places: dict[tuple[str, str], tuple[str | None, str]]
     goals: dict[str, tuple[str, ...]]
+    paused: frozenset[str]
 
 
 def subject_of(state: FleetState, request: Request) -> Subject:
@@ -41,7 +43,9 @@ def subject_of(state: FleetState, request: Request) -> Subject:
             places |= {(robot.name, id_): _place(robot, id_) for id_ in vertices_of(command.stops)}
         elif isinstance(command, CancelGoal):
             goals[robot.name] = tuple(goal.id for goal in active(robot.goals))
-    return Subject(state.now, orders, places, goals)
+    resumed = {command.robot for command in request.commands if isinstance(command, ResumeRobot)}
+    paused = frozenset(name for name in resumed if state.is_paused(state.robots[name]))
+    return Subject(state.now, orders, places, goals, paused)
 
 
 def _place(robot: Robot, vertex: str) -> tuple[str | None, str]:
@@ -72,3 +76,5 @@ def _changes(state: FleetState, now: Subject, asked: Subject) -> Iterator[str]:
     for name, goals in asked.goals.items():
         if not set(now.goals.get(name, ())) <= set(goals):
             yield f"{name} has another goal now"
+    for name in sorted(asked.paused - now.paused):
+        yield f"{name} is not paused any more"

@@ -107,7 +107,7 @@ class OrderForm(ReturningOverlay):
         self._arrange()
         self.open(self._fields.first_empty)
         self._list()
-        self._past.read(lambda: self.is_open and self._choices.renew(self._robot()))
+        self._past.read(lambda: self.is_open and self._choices.list_for(self._robot(), keep=True))
 
     def look(self) -> bool:
         """Show what is true now. Returns False, having said so, if a choice is not what it was."""
@@ -120,8 +120,8 @@ class OrderForm(ReturningOverlay):
             self._picture = picture
             gone = self._fields.drop_gone(self._is_still)
             self._arrange()
-            holds = self._choices.renew(robot) and not gone
-            self.border_subtitle = self._choices.scope
+            holds = self._choices.list_for(robot, keep=True) and not gone
+            self.border_subtitle = self._choices.scope(robot)
             if not holds:
                 self._say(changed(gone or [self._fields[self._fields.current].typed]))
         self._tell()
@@ -174,8 +174,8 @@ class OrderForm(ReturningOverlay):
         if self.is_open:
             robot = self._robot()
             self._send.label = tr(SEND if self._is_last else NEXT)
-            self._choices.refill(robot)
-            self.border_subtitle = self._choices.scope
+            self._choices.list_for(robot)
+            self.border_subtitle = self._choices.scope(robot)
             self._tell()
 
     @on(Input.Changed)
@@ -235,7 +235,7 @@ class OrderForm(ReturningOverlay):
     def _choice(self) -> Choice | None:
         """Return the choice for Enter, None after showing an error if none is marked."""
         robot, field, typed = self._robot(), self._fields.current, self._fields.typed
-        if (choice := self._choices.choice()) is not None:
+        if (choice := self._choices.marked) is not None:
             return choice
         if field == "robot" and not typed:
             return ANYONE
@@ -254,7 +254,8 @@ class OrderForm(ReturningOverlay):
             return
         if isinstance(choice, str):
             self._fields[field].put(choice)
-            self._fields.choose_for(choice)
+            if (robot := self._robot()) is not None:
+                self._fields.choose_for(robot.name)
             self._arrange()
         else:
             self._fields.take(field, choice)
