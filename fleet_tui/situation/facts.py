@@ -1,4 +1,4 @@
-"""The table of facts: one row for each kind, which alarm, reason, row, status and doctor read."""
+"""The table of facts: one row for each kind, which alarm, reason, row and status read."""
 
 from fleet_tui.situation.fact import AlarmClass, FactKind
 
