@@ -12,7 +12,7 @@ from fleet_tui.audit.file import FILE_NAME
 from fleet_tui.audit.log import console_name
 from fleet_tui.audit.tail import AuditTail
 from fleet_tui.model.audit_record import AuditRecord
-from fleet_tui.model.commands import Stage
+from fleet_tui.model.commands import NOT_LEFT, Stage
 from fleet_tui.model.desk.desk import REMOVES, CommandElsewhere
 from fleet_tui.model.desk.events import CommandedElsewhere
 from fleet_tui.model.fleet import FleetState
@@ -22,7 +22,6 @@ LOG = logging.getLogger(__name__)
 
 EVERY = 0.2
 """Seconds between two looks at the log."""
-NOT_LEFT = (Stage.CHECKED, Stage.WAITING, Stage.NOT_SENT)
 STAGES = {stage.value: stage for stage in Stage if stage not in NOT_LEFT}
 
 

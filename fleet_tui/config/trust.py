@@ -40,9 +40,8 @@ def doubt(path: Path, owner: int | None = None, is_for_group: bool = False) -> s
     """
     owners = {ROOT, os.geteuid() if owner is None else owner}
     names = [user_name(one) for one in sorted(owners, reverse=True)]
-    shared = (
-        ""  # how others may write to the present folder, in which nobody can replace another user's files
-    )
+    shared = ""
+    # How others may write to the present folder, in which nobody can replace the files of another user.
     for place, status, is_last in _way(path.absolute()):
         if status is None:
             return f"{place} does not exist, and others could make it: {shared}" if shared else ""

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from typing import TypedDict
 
 from fleet_tui.desk.facts import SharedCommand
-from fleet_tui.model.commands import CancelOrder, Stage, command_name
+from fleet_tui.model.commands import NOT_LEFT, CancelOrder, Stage, command_name
 from fleet_tui.model.desk.desk import CommandElsewhere
 from fleet_tui.model.desk.events import CommandedElsewhere
 from fleet_tui.model.fleet import FleetState
@@ -33,7 +33,7 @@ def own_steps(before: FleetState, after: FleetState) -> Iterator[CommandFields]:
             continue
         command, robot = record.command, after.robots.get(record.command.robot)
         for step in record.steps[len(old.steps) if old else 0 :]:
-            if robot is not None and step.stage not in (Stage.CHECKED, Stage.WAITING, Stage.NOT_SENT):
+            if robot is not None and step.stage not in NOT_LEFT:
                 yield {
                     "robot": command.robot,
                     "what": command_name(command, robot.kind),

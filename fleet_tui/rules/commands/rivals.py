@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from fleet_tui.model.commands import Stage
+from fleet_tui.model.commands import NOT_LEFT
 from fleet_tui.model.desk.desk import CommandElsewhere
 from fleet_tui.model.fleet import FleetState
 
@@ -10,7 +10,6 @@ AT_ONCE = 10.0
 """Seconds between two commands to one robot within which they are given at once."""
 SHOWN_FOR = 30.0
 """Seconds for which that is told."""
-_NOT_SENT = (Stage.CHECKED, Stage.WAITING, Stage.NOT_SENT)
 
 
 def rivals(state: FleetState, robot: str) -> list[CommandElsewhere]:
@@ -26,7 +25,7 @@ def _are_at_once(state: FleetState, command: CommandElsewhere) -> Iterator[bool]
     if state.now - command.at > AT_ONCE + SHOWN_FOR:
         return
     for record in state.commands:
-        if record.command.robot == command.robot and record.stage not in _NOT_SENT:
+        if record.command.robot == command.robot and record.stage not in NOT_LEFT:
             newest = max(record.issued_at, command.at)
             yield abs(record.issued_at - command.at) < AT_ONCE and state.now - newest < SHOWN_FOR
 
