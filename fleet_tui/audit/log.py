@@ -84,6 +84,8 @@ class Audit:
         """Whether a line has been handed to the disk, and whether that does not respond."""
         self._slow, self._slow_since = 0.0, 0.0
         self._closed = False
+        self.watched: FleetState | None = None
+        """The newest state whose changes are in the log."""
         self._changed = threading.Condition()
         self._thread = threading.Thread(target=self._work, name="fleet-tui-audit", daemon=True)
         self._thread.start()
@@ -106,6 +108,7 @@ class Audit:
         commands = list(command_records(self.origin, before, after, lambda at: wall - (now - at)))
         alarms = alarm_records(self.origin, before, after, wall)
         self._take(itertools.chain(commands, alarms), is_urgent=bool(commands))
+        self.watched = after
 
     def log_console(self, change: str, words: str = "") -> None:
         """Write an event of the console itself."""
@@ -243,7 +246,8 @@ def auditing(folder: Path, config: Config, store: Store, demo: bool = False) -> 
         yield audit
     finally:
         store.watchers.remove(audit.watch)
-        missing = audit.close(store.state)
+        # A stage that is reported from here on has no line: its command is written as still open.
+        missing = audit.close(audit.watched or store.state)
         if missing:
             _warn(f"audit: {missing} record{'s' * (missing != 1)} not written: {audit.problem}")
 
