@@ -47,13 +47,13 @@ def test_an_address_is_enough(terminals: Terminals, kind: str) -> None:
         assert not console.sent.partition(ON)[0].strip()
         console.press(":save\r")
         console.shows("config.toml: fleet-tui opens it here")
-        console.press("q")
+        console.press_later("q")
         console.ends()
         console.until(console.is_restored, what="the terminal restored")
         assert console.child.returncode == 0 and b"robot" not in console.sent.rpartition(OFF)[2]
         again = terminals.open()
         again.shows("3 of 3 online")
-        again.press("q")
+        again.press_later("q")
         again.ends()
 
 
@@ -91,7 +91,7 @@ def test_without_a_configuration_it_asks_where_to_go(terminals: Terminals, more:
         first.press("\r")
         first.shows("2 of 2 online")
         assert bool(COLOUR.search(first.sent)) is not bool(more)
-        first.press("q")
+        first.press_later("q")
         first.ends()
         first.until(first.is_restored, what="the terminal restored")
         assert first.child.returncode == 0
@@ -100,7 +100,7 @@ def test_without_a_configuration_it_asks_where_to_go(terminals: Terminals, more:
 def test_leaving_it_opens_nothing_and_keeps_the_commands_in_sight(terminals: Terminals) -> None:
     first = terminals.open()
     first.shows("no configuration found")
-    first.press("q")
+    first.press_later("q")
     first.ends()
     first.until(first.is_restored, what="the terminal restored")
     assert first.child.returncode == 0
@@ -111,10 +111,10 @@ def test_leaving_it_opens_nothing_and_keeps_the_commands_in_sight(terminals: Ter
 def test_one_key_opens_a_simulated_fleet(terminals: Terminals) -> None:
     first = terminals.open()
     first.shows("d demo")
-    first.press("d")
+    first.press_later("d")
     first.shows("3 of 3 online")
     first.shows("simulated fleet. Try an order: o, type Base, Enter, type Cons, Enter")
-    first.press("q")
+    first.press_later("q")
     first.ends()
     first.until(first.is_restored, what="the terminal restored")
     assert first.child.returncode == 0
@@ -154,5 +154,5 @@ def test_a_demo_needs_no_configuration(terminals: Terminals) -> None:
     demo.shows("2 of 2 online")
     demo.press(":save\r")
     demo.shows("nothing to save")
-    demo.press("q")
+    demo.press_later("q")
     demo.ends()

@@ -21,6 +21,7 @@ from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.site import MIXED
 from tests.support.adapters import names_of
 from tests.support.mosquitto import needs_mosquitto
+from tests.support.polling import HANGS
 
 URLS = "ws://one:1", "ws://two:2", "ws://three:3"
 
@@ -90,7 +91,7 @@ async def test_it_speaks_the_dialect_and_runs_at_the_speed_that_is_asked_for(fas
         assert json.loads(await client.recv())["values"] == {"version": 2, "distro": "jazzy"}
         ask = {"op": "subscribe", "topic": "/robot_0/queue", "type": "oh_ressources/msg/ActionQueue"}
         await client.send(json.dumps(ask))
-        async with asyncio.timeout(30):  # at its own pace a robot drives an order for half a minute
+        async with asyncio.timeout(HANGS):  # at its own pace a robot drives an order for half a minute
             while json.loads(await client.recv())["msg"]["last_order_id"] < 3:
                 pass
 

@@ -8,8 +8,6 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-import pytest
-
 from fleet_tui.text.sanitize import sanitize
 from tests.support.hostile_fleet import CLIPBOARD, EVIL, ROBOTS
 from tests.support.in_pty import Terminal, serving
@@ -157,7 +155,6 @@ def through_what_opens(terminal: Terminal) -> None:
     look(terminal, "From:")
 
 
-@pytest.mark.timeout(180)
 def test_nothing_that_robots_or_files_say_speaks_to_the_terminal(tmp_path: Path) -> None:
     with hostile_console(tmp_path) as terminal:
         through_the_panes(terminal)

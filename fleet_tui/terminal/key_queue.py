@@ -44,6 +44,8 @@ class KeyQueue:
 
     def __init__(self, app: App[Any], deliver: Callable[[events.Event], Awaitable[None]]) -> None:
         self._app, self._deliver = app, deliver
+        self.clock: Callable[[], float] = time.monotonic
+        """That by which keys say when they arrived."""
         self.unread_for: Callable[[], float] = lambda: 0.0
         """Returns the seconds for which the terminal has not read what is sent."""
         self._typing, self._guards = Typing(), False
@@ -64,20 +66,20 @@ class KeyQueue:
 
     def watch(self) -> None:
         """Watch for standstills of the console from now on."""
-        self._beat_at = time.monotonic()
+        self._beat_at = self.clock()
         self._app.set_interval(BEAT, self._beat)
 
     def read_again(self, unread_for: float) -> None:
         """Drop the keys that waited for so many seconds in which the terminal did not read."""
         if unread_for > STANDSTILL:
-            self._typing.stood_still(time.monotonic())
+            self._typing.stood_still(self.clock())
 
     def _beat(self) -> None:
         self._look_for_standstill()
-        self._beat_at = time.monotonic()
+        self._beat_at = self.clock()
 
     def _look_for_standstill(self) -> None:
-        now = time.monotonic()
+        now = self.clock()
         if now - self._beat_at > STANDSTILL + BEAT:
             self._typing.stood_still(now)
 

@@ -12,9 +12,10 @@ from fleet_tui.recording.recording import Recording
 from fleet_tui.recording.records import EventRecord, Keyframe, ReceivedFrame, RecordingError, SentFrame
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.cli import config_file, run, started
+from tests.support.polling import HANGS
 
 
-async def grown(path: Path, records: int, within: float = 20.0) -> Recording:
+async def grown(path: Path, records: int, within: float = HANGS) -> Recording:
     """The recording as soon as so many records are in it."""
     async with asyncio.timeout(within):
         while True:
@@ -68,7 +69,7 @@ async def test_asked_to_end_it_ends_the_file(
     process = await started(folder, "record", "x.jsonl.gz")
     await grown(folder / "x.jsonl.gz", 50)
     process.send_signal(number)
-    out, err = await asyncio.wait_for(process.communicate(), 10)
+    out, err = await asyncio.wait_for(process.communicate(), HANGS)
     assert process.returncode == code
     assert b"records, " in out and err.strip() == b""
     assert open_recording(folder / "x.jsonl.gz").note == ""
@@ -116,7 +117,7 @@ async def test_it_goes_on_when_the_link_is_lost(server: RosbridgeServer, folder:
     await grown(folder / "x.gz", 50)
     await server.drop_clients()
     assert process.stdout is not None
-    lines = [await asyncio.wait_for(process.stdout.readline(), 20) for _ in range(4)]
+    lines = [await asyncio.wait_for(process.stdout.readline(), HANGS) for _ in range(4)]
     assert [b"no link" in line for line in lines] == [False, False, True, False]
     assert lines[3].endswith(b": up\n")
     process.terminate()

@@ -16,6 +16,7 @@ from fleet_tui.model.order import at_vertices
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.fleets import place_order
 from tests.support.links import finished, linked, path, ready
+from tests.support.polling import HANGS
 from tests.support.watched_store import config_of
 
 BAD_POSE = {"header": {"frame_id": "floor_0"}, "pose": {"position": {"x": None, "y": 1.0}}}
@@ -155,7 +156,7 @@ async def test_two_consoles_see_one_order(server: RosbridgeServer) -> None:
 async def test_closing_leaves_no_task_behind(server: RosbridgeServer) -> None:
     async with linked(config_of(server.url, 1)) as (_, store):
         await store.until(ready)
-    async with asyncio.timeout(5):
+    async with asyncio.timeout(HANGS):
         while server.bridge.subscribers("/robot_0/pose"):  # noqa: ASYNC110  # nobody tells that a client left
             await asyncio.sleep(0)
 

@@ -27,7 +27,7 @@ def device(path: Path) -> None:
     path.symlink_to("/dev/zero")
 
 
-pytestmark = [pytest.mark.timeout(10), pytest.mark.parametrize("make", [os.mkfifo, device])]
+pytestmark = [pytest.mark.parametrize("make", [os.mkfifo, device])]
 
 
 def test_config(tmp_path: Path, make: Make) -> None:

@@ -32,7 +32,7 @@ from fleet_tui.model.history.facts import Note
 from fleet_tui.rules.commands.rivals import rivals_text
 from fleet_tui.state.store import Store
 from tests.support.fleets import LINK, T0, commanded, fleet, link_lost, link_up
-from tests.support.polling import eventually
+from tests.support.polling import HANGS, eventually
 from tests.support.shared_desk import R3, DeskConsole, at_desk
 
 EDGE = ends_of("floor_0", "2", "1")
@@ -180,7 +180,7 @@ def test_the_claims_of_a_killed_console_end(tmp_path: Path) -> None:
     with at_desk(tmp_path, "ben") as (ben,):
         process = subprocess.Popen([sys.executable, "-c", KILLED, str(tmp_path)])
         try:
-            ben.becomes(lambda state: state.desk.holders(R3) == ["ana"], within=30)
+            ben.becomes(lambda state: state.desk.holders(R3) == ["ana"], within=HANGS)
         finally:
             process.kill()
             process.wait()

@@ -23,6 +23,7 @@ from tests.support.fault_report import report
 from tests.support.fleets import R0, place_order
 from tests.support.invariants import linked
 from tests.support.links import finished, path, ready
+from tests.support.polling import HANGS
 from tests.support.proxied_link import Stopwatch, fresh, lost, usual
 from tests.support.shown_text import shown
 from tests.support.site_faults import Message, says
@@ -167,7 +168,7 @@ async def test_this_console_is_behind(monkeypatch: pytest.MonkeyPatch) -> None:
         await store.until(ready)
         slowness = 0.05
         watch = Stopwatch(store)
-        noticed = await watch.until(raised("behind"), within=60)
+        noticed = await watch.until(raised("behind"), within=HANGS)
         assert "this console is " in shown(store.state) and " s behind" in shown(store.state)
         assert {alarm.condition.source for alarm in store.state.alarms} == {"console"}
         assert all_online(store.state)

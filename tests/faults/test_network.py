@@ -21,6 +21,7 @@ from tests.support.fault_proxy import UPGRADE, Attend, answer, before, drop, goo
 from tests.support.fault_report import report
 from tests.support.invariants import linked
 from tests.support.links import finished
+from tests.support.polling import HANGS
 from tests.support.proxied_link import Stopwatch, fresh, lost, through
 from tests.support.watched_store import config_of
 
@@ -202,7 +203,7 @@ async def test_a_long_message_is_no_dead_server(server: RosbridgeServer) -> None
                 "x" * int(60_000 * (transport.PING_INTERVAL + transport.PING_TIMEOUT + 1))
             )
             server.bridge.publish_raw("/robot_0/cargo", frame)
-            await store.until(lambda state: state.robots["robot_0"].has_cargo, within=60)
+            await store.until(lambda state: state.robots["robot_0"].has_cargo, within=HANGS)
             assert store.state.links["rosbridge"].phase is Phase.UP
             assert [change.phase for change in _changes(store.events)] == [Phase.CONNECTING, Phase.UP]
 
@@ -288,12 +289,12 @@ async def test_a_command_path_of_its_own_fault(server: RosbridgeServer) -> None:
         server.bridge.services.silent_services.add("/rosapi/fleet_tui_heartbeat")
         watch.start()
         noticed = await watch.until(
-            lambda state: state.links["rosbridge"].command_path is CommandPath.DEAD, within=15
+            lambda state: state.links["rosbridge"].command_path is CommandPath.DEAD, within=HANGS
         )
         assert "no reply from the bridge" in (await finished(link, store, ResumeRobot("robot_0"))).detail
         server.bridge.services.silent_services.clear()
         watch.start()
-        healed = await watch.until(fresh(), within=15)
+        healed = await watch.until(fresh(), within=HANGS)
     report(
         "calls are not answered",
         "no call is answered",

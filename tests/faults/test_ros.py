@@ -16,6 +16,7 @@ from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.fault_report import report
 from tests.support.invariants import linked
 from tests.support.links import finished, path, ready
+from tests.support.polling import HANGS
 from tests.support.proxied_link import PLANTED, Holds, Stopwatch, fresh, through
 from tests.support.watched_store import config_of
 
@@ -70,7 +71,7 @@ async def test_roscore_restarted_behind_a_living_rosbridge(server: RosbridgeServ
         watch.start()
         noticed = await watch.until(online(0))
         assert store.state.links["rosbridge"].phase is Phase.UP
-        healed = await watch.until(online(2), within=60)
+        healed = await watch.until(online(2), within=HANGS)
         await theirs.until(online(2))
     report("roscore restarted", "rosbridge's topics stay silent", "offline, every robot", noticed, healed)
     assert noticed < 7 and healed < 45
@@ -92,7 +93,7 @@ async def test_a_robot_that_is_off_is_asked_for_ever_more_seldom(
             names = [op["topic"] for op in server.bridge.received if op["op"] == "subscribe"]
             return [name for name in names if name == "/robot_1/pose"]
 
-        await store.until(lambda state: len(asked(state)) == 4, within=30)
+        await store.until(lambda state: len(asked(state)) == 4, within=HANGS)
         assert time.monotonic() - begun > 0.5 + 0.9 + 1.6
         polite = [op["topic"] for op in server.bridge.received if op["op"] == "subscribe"].count(
             "/robot_0/pose"
@@ -177,14 +178,14 @@ async def test_a_hundred_robots_fall_silent_at_once() -> None:
     server = RosbridgeServer(World(robots=100, floors=1, seed=1, quiet=True))
     await server.start()
     async with linked(config_of(server.url, 100)) as (_, store):
-        await store.until(lambda state: online(100)(state) and ready(state), within=90)
+        await store.until(lambda state: online(100)(state) and ready(state), within=HANGS)
         server.bridge.muted.update(name for name in server.bridge.subscribed() if name.startswith("/robot_"))
         watch = Stopwatch(store)
-        noticed = await watch.until(online(0), within=60)
-        await store.until(lambda state: len(state.alarms) > 0, within=60)
+        noticed = await watch.until(online(0), within=HANGS)
+        await store.until(lambda state: len(state.alarms) > 0, within=HANGS)
         server.bridge.muted.clear()
         watch.start()
-        healed = await watch.until(online(100), within=60)
+        healed = await watch.until(online(100), within=HANGS)
     await server.stop()
     report("100 robots silent at once", "no messages arrive any more", "100 x offline", noticed, healed)
     assert noticed < 8 and healed < 5

@@ -17,6 +17,7 @@ from tests.support.fault_report import report
 from tests.support.fleets import place_order
 from tests.support.invariants import linked
 from tests.support.links import finished, ready
+from tests.support.polling import HANGS
 from tests.support.proxied_link import Stopwatch, lost, usual
 from tests.support.shown_text import shown
 
@@ -110,7 +111,7 @@ async def test_the_bridge_is_overloaded(server: RosbridgeServer) -> None:
         await store.until(ready)
         server.bridge.services.capacity = 20.0
         watch = Stopwatch(store)
-        noticed = await watch.until(raised("late"), within=60)
+        noticed = await watch.until(raised("late"), within=HANGS)
         assert "late: bridge overloaded" in shown(store.state)
         assert not raised("behind")(store.state) and all_online(store.state)
         server.bridge.services.capacity = None

@@ -17,6 +17,7 @@ from fleet_tui.config.schema import Link
 from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.records import Keyframe
 from tests.support.invariants import linked
+from tests.support.polling import HANGS
 from tests.support.proxied_link import lost
 from tests.support.secrets import SHARED, WORD, bridged, kept
 from tests.support.terminal_session import in_terminal
@@ -65,7 +66,7 @@ async def test_rosauth_shows_that_it_knows_the_secret_before_anything_else(
     monkeypatch.setenv("ROSAUTH", SHARED)
     async with guarded(attend) as url, linked(bridged(Link(url, rosauth_env="ROSAUTH"))):
         for _ in range(2):
-            frame = json.loads(await asyncio.wait_for(firsts.get(), 10))
+            frame = json.loads(await asyncio.wait_for(firsts.get(), HANGS))
             # As rosauth's ros_mac_authentication computes it.
             fields = (frame[name] for name in ("client", "dest", "rand", "t", "level", "end"))
             text = SHARED + "".join(map(str, fields))

@@ -32,6 +32,7 @@ from fleet_tui.state.reducer import apply
 from fleet_tui.state.store import Store
 from tests.support.fleets import T0, WALL, fleet
 from tests.support.links import finished, ready
+from tests.support.polling import HANGS
 from tests.support.recordings import plain
 from tests.support.watched_store import WatchedStore, config_of
 
@@ -62,7 +63,7 @@ def ticks(recorder: Recorder, store: Store, count: int, begin: float = T0) -> No
         tell(recorder, store, events.TimePassed(begin + n / 100, WALL))
 
 
-def wait(holds: Callable[[], object], within: float = 10.0) -> None:
+def wait(holds: Callable[[], object], within: float = HANGS) -> None:
     until = time.monotonic() + within
     while not holds():
         assert time.monotonic() < until, "never"

@@ -8,6 +8,7 @@ import pytest
 from fleet_tui.model.routines.blocks import RunBlock
 from fleet_tui.model.routines.lane import ProgramEnded
 from fleet_tui.routines.programs import ProgramRun, program_path, program_problem
+from tests.support.polling import HANGS
 
 
 @pytest.fixture
@@ -18,7 +19,7 @@ def script(tmp_path: Path) -> Path:
     return path
 
 
-def ended(folder: Path, *arguments: str, within: float = 20.0) -> ProgramEnded:
+def ended(folder: Path, *arguments: str, within: float = HANGS) -> ProgramEnded:
     run = ProgramRun(folder, RunBlock(1, "", arguments, within), "robot_7")
     until = time.monotonic() + 30.0
     while run.ended is None and time.monotonic() < until:

@@ -16,10 +16,10 @@ import pytest
 
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.cli import config_file, started
+from tests.support.polling import HANGS
 from tests.support.serve import serving
 from tests.support.terminal_session import InTerminal
 
-pytestmark = pytest.mark.timeout(180)
 ROOT, NOBODY = Path(__file__).parents[2], 65534
 AS_NOBODY = f"""#!/bin/sh
 exec unshare -m sh -c 'mount --bind "$1" /etc && shift && exec setpriv --reuid {NOBODY} --regid {NOBODY} \\
@@ -124,7 +124,7 @@ def asked(server: RosbridgeServer) -> list[str]:
 async def end(home: Path, *words: str) -> tuple[int, str]:
     """Run a command to its end; return its code and what it said."""
     process = await started(home, *words)
-    out, err = await asyncio.wait_for(process.communicate(), 60)
+    out, err = await asyncio.wait_for(process.communicate(), HANGS)
     return process.returncode or 0, (out + err).decode()
 
 

@@ -1,7 +1,9 @@
 """Questions before something is lost: only y does it."""
 
 import pytest
+from msgspec.structs import replace
 
+from fleet_tui.config.schema import Alarms
 from fleet_tui.model.events import BatteryReported, QueueReported
 from fleet_tui.model.order import OrderQueue
 from fleet_tui.screens.confirm import Confirm
@@ -95,7 +97,8 @@ async def test_a_warning_is_asked_and_only_y_sends(server: RosbridgeServer) -> N
 
 async def test_a_question_says_what_is_true_while_it_waits(server: RosbridgeServer) -> None:
     server.world.robots["robot_0"].silence = 600.0
-    async with console(config_of(server.url, 1), wait=False) as it:
+    config = replace(config_of(server.url, 1), alarms=Alarms(offline_after=600.0))
+    async with console(config, wait=False) as it:
         await it.until(lambda state: state.links["rosbridge"].last_received)
         await it.until(lambda state: state.robots["robot_0"].knows_all_graphs())
         one_packet(it, ":robot_0 Base > Store\r")

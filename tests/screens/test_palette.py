@@ -6,6 +6,7 @@ from textual.widgets import Input
 
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.model.problem import Permissions
+from fleet_tui.rules.commands import checks
 from fleet_tui.screens.ordering.form import OrderForm
 from fleet_tui.screens.palette import Palette
 from fleet_tui.simulator.server import RosbridgeServer
@@ -145,11 +146,14 @@ async def test_the_last_destination_comes_first(server: RosbridgeServer) -> None
         await it.until(lambda _: trips(server, it)[1:] == ["Receiving -> Store"])
 
 
-async def test_the_same_order_again_within_a_second_is_a_slip(server: RosbridgeServer) -> None:
+async def test_the_same_order_again_at_once_is_a_slip(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(checks, "SAME_WITHIN", 600.0)
     async with console(config_of(server.url, 1)) as it:
         one_packet(it, "oBase\rCons\r")
         one_packet(it, "oBase\rCons\r")
-        await it.shows("not sent: same order sent 0.")
+        await it.shows("not sent: same order sent ")
         one_packet(it, "\x1bp")
         # A pause may overtake what was given before it.
         await it.until(lambda _: len(sent(server)) == 2)

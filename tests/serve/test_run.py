@@ -17,8 +17,6 @@ from fleet_tui.serve.run import MOST_TABS
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.serve import WITHIN, Serving, about, serving, until
 
-pytestmark = pytest.mark.timeout(120)
-
 
 async def get(serving: Serving, path: str = "", **headers: str) -> tuple[int, str, str]:
     """Status, body and content policy of an answer."""

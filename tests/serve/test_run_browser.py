@@ -14,7 +14,6 @@ from tests.support.serve import serving, until
 
 pytestmark = [
     pytest.mark.skipif(CHROMIUM is None, reason="no chromium is installed"),
-    pytest.mark.timeout(120),
 ]
 
 

@@ -11,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.serve.tab import HIGHEST, WIDEST, Tab, within
+from tests.support.polling import HANGS
 
 
 @given(st.integers(), st.integers())
@@ -41,6 +42,7 @@ class FakePage:
 
 ECHO = """
 import os, sys
+from tests.support.polling import HANGS
 print(os.environ["COLUMNS"], os.environ["ROWS"], os.environ["TERM"], os.environ.get("TMUX"), flush=True)
 sys.stdout.buffer.write(sys.stdin.buffer.read(6 + 5))
 sys.stdout.flush()
@@ -78,7 +80,7 @@ async def test_a_console_that_does_not_end_is_killed_with_its_children(
     assert process.stdout is not None and await process.stdout.readline() == b"\n"
     await it.stop()
     assert process.returncode == -signal.SIGKILL
-    async with asyncio.timeout(5):
+    async with asyncio.timeout(HANGS):
         assert await process.stdout.read() == b"", "whoever lives would hold it open"
 
 

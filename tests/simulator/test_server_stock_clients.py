@@ -15,6 +15,7 @@ from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.polling import HANGS
 from tests.support.ros2_transcripts import theirs
 from tests.support.transcripts import frames, parsed, recording
 
@@ -82,7 +83,7 @@ async def asked_by(client: list[str], dialect: Dialect) -> Json:
         *client, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE
     )
     try:
-        async with asyncio.timeout(40):
+        async with asyncio.timeout(HANGS):
             out, err = await process.communicate(json.dumps(asked).encode())
     finally:
         if process.returncode is None:
@@ -148,7 +149,6 @@ def roslibjs() -> Path:
     return folder
 
 
-@pytest.mark.timeout(120)
 async def test_roslibjs() -> None:
     folder = roslibjs()
     for dialect in (ROS1, ROS2):

@@ -25,7 +25,7 @@ from fleet_tui.simulator.site import MIXED, Crew, SitedBridge, faults_of, site_o
 from tests.support.mosquitto import needs_mosquitto
 from tests.support.mqtt_peer import Peer
 from tests.support.nav2_client import Json, call, listen, until
-from tests.support.polling import eventually
+from tests.support.polling import HANGS, eventually
 
 URLS = "ws://one:1", "ws://two:2", "ws://three:3"
 
@@ -143,7 +143,7 @@ async def test_sim_serves_three_bridges_and_writes_the_graphs(tmp_path: Path) ->
     args = ("--port", str(port), "--robots", "5", "--floors", "2", "--graph-file", "graphs")
     with sim(tmp_path, *args, "--fault", "reject,silent:robot_1") as urls:
         assert urls == [f"ws://127.0.0.1:{at}" for at in (port, port + 1, port + 2)]
-        async with connect(urls[0]) as ros1, connect(urls[1]) as ros2, asyncio.timeout(20):
+        async with connect(urls[0]) as ros1, connect(urls[1]) as ros2, asyncio.timeout(HANGS):
             topics = (await call(ros1, "/rosapi/topics"))["topics"]
             assert {"/robot_0/queue", "/robot_4/queue", "/robot_1/move_base/status", "/floor_0/map"} <= {
                 *topics

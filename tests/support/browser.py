@@ -16,6 +16,7 @@ from urllib.request import urlopen
 
 from websockets.asyncio.client import ClientConnection, connect
 
+from tests.support.polling import HANGS
 from tests.support.serve import until
 
 PATIENCE = 30.0
@@ -69,7 +70,7 @@ class Browser:
         number = next(self._numbers)
         self._waiting[number] = asyncio.get_running_loop().create_future()
         await self._socket.send(json.dumps({"id": number, "method": method, "params": params}))
-        answer = await asyncio.wait_for(self._waiting[number], 20)
+        answer = await asyncio.wait_for(self._waiting[number], HANGS)
         assert "error" not in answer, answer
         result: dict[str, Any] = answer["result"]
         return result

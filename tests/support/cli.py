@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.polling import HANGS
 from tests.support.warm_cli import warm_cli
 
 ROBOT = '[[robots]]\nname = "{}"\n'
@@ -57,7 +58,7 @@ async def run(
     folder: Path,
     *args: str,
     stdin: str | None = None,
-    within: float = 30.0,
+    within: float = HANGS,
     on_start: Callable[[int], object] = lambda _pid: None,
 ) -> Ended:
     """Run `fleet-tui` with the config of a folder to its end, while this loop goes on serving; `on_start`

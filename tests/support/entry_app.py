@@ -9,6 +9,7 @@ from textual.pilot import Pilot
 from fleet_tui.discovery.site import DiscoveredSite
 from fleet_tui.entry import EntryApp
 from fleet_tui.themes import load_themes
+from tests.support.polling import HANGS
 
 PLACES = (("$FLEET_TUI_CONFIG", "not set"), ("./config.toml", "not there"), ("~/c/config.toml", "not there"))
 SIZES = [(60, 15), (80, 24), (120, 40)]
@@ -30,7 +31,7 @@ class Entry:
 
     async def until(self, holds: Callable[[], bool], what: str) -> None:
         try:
-            async with asyncio.timeout(15):
+            async with asyncio.timeout(HANGS):
                 while not holds():
                     await self.pilot.pause(0.02)
         except TimeoutError:

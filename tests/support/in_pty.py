@@ -16,6 +16,8 @@ from pathlib import Path
 
 import pyte
 
+from tests.support.polling import HANGS
+
 WIDTH, HEIGHT = 200, 60
 FOREIGN = ("NO_COLOR", "COLUMNS", "LINES", "TMUX")
 """Variables of the terminal in which this runs."""
@@ -71,14 +73,16 @@ class Terminal:
         rows = (self._screen.buffer[y] for y in range(HEIGHT))
         return "\n".join("".join(row[x].data for x in range(WIDTH)) for row in rows)
 
-    def wait_for(self, text: str, within: float = 20.0) -> None:
+    def wait_for(self, text: str, within: float = HANGS) -> None:
         end = time.monotonic() + within
         while text not in self.text():
-            if time.monotonic() > end or self._child.poll() is not None:
+            has_ended = self._child.poll() is not None
+            self._reader.join(1.0 if has_ended else 0.0)  # what it wrote last is still on its way
+            if text not in self.text() and (has_ended or time.monotonic() > end):
                 raise TimeoutError(f"never seen: {text}\n{self.text()}")
             time.sleep(0.05)
 
-    def first_seen(self, text: bytes, within: float = 20.0) -> float:
+    def first_seen(self, text: bytes, within: float = HANGS) -> float:
         """Seconds from the start to the chunk with which these bytes have come."""
         end = time.monotonic() + within
         while time.monotonic() < end:

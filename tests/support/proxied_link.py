@@ -16,6 +16,7 @@ from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.fault_proxy import FaultProxy, before
 from tests.support.invariants import linked
 from tests.support.links import ready
+from tests.support.polling import HANGS
 from tests.support.watched_store import WatchedStore, config_of
 
 PLANTED = ("robot_1", "battery")
@@ -41,7 +42,7 @@ class Stopwatch:
     def start(self) -> None:
         self._began = time.monotonic()
 
-    async def until(self, holds: Holds, within: float = 30.0) -> float:
+    async def until(self, holds: Holds, within: float = HANGS) -> float:
         await self._store.until(holds, within)
         return time.monotonic() - self._began
 

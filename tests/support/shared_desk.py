@@ -12,7 +12,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Note
 from fleet_tui.state.store import Store
 from tests.support.fleets import T0, fleet, link_up, tick
-from tests.support.polling import eventually
+from tests.support.polling import HANGS, eventually
 
 R3 = "robot_3"
 OFFLINE = (R3, "offline")
@@ -41,7 +41,7 @@ class DeskConsole:
         """Let time pass; robots are silent."""
         self.post(tick(at))
 
-    def becomes(self, holds: Callable[[FleetState], object], within: float = 10.0) -> float:
+    def becomes(self, holds: Callable[[FleetState], object], within: float = HANGS) -> float:
         """Wait until the state is as wanted; return the seconds."""
         began = time.monotonic()
         eventually(lambda: holds(self.state), within)

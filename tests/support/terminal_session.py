@@ -19,7 +19,9 @@ from pathlib import Path
 
 import pyte
 
+from fleet_tui.terminal.typing import GAP
 from tests.support.invariants import log_is_whole
+from tests.support.polling import HANGS
 
 LIBC = ctypes.CDLL(None)
 PR_CAPBSET_DROP, CAP_DAC_OVERRIDE = 24, 1  # linux/prctl.h, linux/capability.h
@@ -72,6 +74,11 @@ class InTerminal:
     def press(self, keys: str) -> None:
         os.write(self.master, keys.encode())
 
+    def press_later(self, keys: str) -> None:
+        """Press keys that begin anew: what follows typed text at once is part of it."""
+        time.sleep(GAP + 0.1)
+        self.press(keys)
+
     def forget(self) -> None:
         """Look at what comes from now on alone, as another terminal would that takes over."""
         self.sent = b""
@@ -90,10 +97,10 @@ class InTerminal:
         rows = (self._screen.buffer[y] for y in range(40))
         return "\n".join("".join(row[x].data for x in range(120)) for row in rows)
 
-    def shows(self, text: str, within: float = 20.0) -> None:
+    def shows(self, text: str, within: float = HANGS) -> None:
         self.until(lambda: text in self.text(), within, text)
 
-    def until(self, holds: Callable[[], object], within: float = 20.0, what: str = "") -> float:
+    def until(self, holds: Callable[[], object], within: float = HANGS, what: str = "") -> float:
         """Seconds until it holds."""
         begun = time.monotonic()
         while not holds():
@@ -102,7 +109,7 @@ class InTerminal:
             time.sleep(0.05)
         return time.monotonic() - begun
 
-    def ends(self, within: float = 10.0) -> float:
+    def ends(self, within: float = HANGS) -> float:
         """Seconds until the process has ended."""
         begun = time.monotonic()
         self.child.wait(within)

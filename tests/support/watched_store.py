@@ -9,6 +9,7 @@ from fleet_tui.config.schema import Config, Link
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.state.store import Store
+from tests.support.polling import HANGS
 
 
 class WatchedStore(Store):
@@ -33,7 +34,7 @@ class WatchedStore(Store):
         if not self._loop.is_closed():
             self._loop.call_soon_threadsafe(self._told.set)
 
-    async def until(self, holds: Callable[[FleetState], object], within: float = 20.0) -> FleetState:
+    async def until(self, holds: Callable[[FleetState], object], within: float = HANGS) -> FleetState:
         """Wait until the state is as wanted; the test fails if it never is."""
         async with asyncio.timeout(within):
             while not holds(self.state):

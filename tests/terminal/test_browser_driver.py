@@ -12,6 +12,7 @@ from textual.app import App
 from fleet_tui.terminal import browser_driver
 from fleet_tui.terminal.browser_driver import BrowserDriver
 from fleet_tui.terminal.ending import PATIENCE
+from tests.support.polling import HANGS
 
 
 class Pipes:
@@ -66,7 +67,7 @@ async def test_text_is_sent_as_packets_in_order_and_the_end_comes_last(
     for n in range(50):
         driver.write(f"<{n}é>")
     os.close(pipes.send_keys)  # the server has gone
-    async with asyncio.timeout(5):
+    async with asyncio.timeout(HANGS):
         await app.exits.wait()
     assert resorts == [PATIENCE]
     driver.stop_application_mode()

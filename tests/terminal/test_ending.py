@@ -13,6 +13,7 @@ import pytest
 
 from fleet_tui.terminal import ending
 from fleet_tui.terminal.ending import end_within, leave_on_signals, terminal_restorer
+from tests.support.polling import HANGS
 
 
 class Pty:
@@ -98,7 +99,7 @@ async def test_a_signal_leaves_in_order_with_a_last_resort(
     left = asyncio.Event()
     leave_on_signals(asyncio.get_running_loop(), left.set, lambda: None)
     os.kill(os.getpid(), number)
-    async with asyncio.timeout(5):
+    async with asyncio.timeout(HANGS):
         await left.wait()
     assert resorts == [(ending.PATIENCE, 128 + number)]
 
@@ -113,6 +114,6 @@ async def test_a_terminal_that_goes_away_is_a_hang_up(
     leave_on_signals(asyncio.get_running_loop(), left.set, lambda: None)
     assert not left.is_set()
     os.close(terminal.far)
-    async with asyncio.timeout(5):
+    async with asyncio.timeout(HANGS):
         await left.wait()
     assert resorts == [128 + signal.SIGHUP]

@@ -22,6 +22,7 @@ from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.themes import load_themes
 from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
 from fleet_tui.widgets.map_view import MapView
+from tests.support.polling import HANGS
 from tests.support.terminal import PlayedDriver, intended, paint, shown, terminal_of
 
 SIDE = 300
@@ -197,7 +198,7 @@ async def test_frames_are_left_out_while_nobody_reads_and_the_newest_comes_after
             paint(app, app.map)
         assert terminal.waiting.qsize() == 1 and app.output.unread_for() > 0.0 and not unread
         terminal.read_again()
-        async with asyncio.timeout(10):
+        async with asyncio.timeout(HANGS):
             while difference(app):
                 await pilot.pause()
         assert unread and min(unread) > 0.0 and app.output.unread_for() == 0.0

@@ -6,6 +6,7 @@ import threading
 from textual.app import App
 
 from fleet_tui.widgets.background import run_in_background
+from tests.support.polling import HANGS
 
 
 async def test_the_work_is_done_in_a_thread_and_its_result_on_the_loop() -> None:
@@ -20,5 +21,5 @@ async def test_the_work_is_done_in_a_thread_and_its_result_on_the_loop() -> None
             done.set()
 
         run_in_background(app.screen, threading.get_ident, then)
-        await asyncio.wait_for(done.wait(), 10)
+        await asyncio.wait_for(done.wait(), HANGS)
         assert threads[0] != loop and threads[1] == loop

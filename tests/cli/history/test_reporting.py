@@ -65,7 +65,6 @@ def test_an_older_one_is_replaced_and_a_bad_place_is_named(site: Path) -> None:
 
 
 @pytest.mark.skipif(CHROMIUM is None, reason="no chromium is installed")
-@pytest.mark.timeout(120)
 async def test_in_a_browser_nothing_of_it_runs_and_its_pictures_are_seen(site: Path) -> None:
     assert run("report", "--since", "2h", "--output", "shift.html", cwd=site).returncode == 0
     async with browser(site) as tab:

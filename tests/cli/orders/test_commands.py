@@ -16,6 +16,7 @@ from fleet_tui.simulator.frames import Frame, Payload
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.cli import Ended, asked, audited, config_file, run, started
+from tests.support.polling import HANGS
 
 STAGES = ("checked", "sent", "accepted", "confirmed")
 ORDER = ("order", "robot_0", "Base", "Consumidores")
@@ -240,9 +241,9 @@ async def test_ended_from_outside_it_says_what_is_not_known(
 ) -> None:
     called = carried_out(server, "/robot_0/Application_layout/Execute_order")
     process = await started(folder, *ORDER)
-    await asyncio.wait_for(called.wait(), 10)
+    await asyncio.wait_for(called.wait(), HANGS)
     process.send_signal(number)
-    _, err = await asyncio.wait_for(process.communicate(), 10)
+    _, err = await asyncio.wait_for(process.communicate(), HANGS)
     assert process.returncode == code
     assert (
         b"outcome unknown" in err
@@ -256,9 +257,9 @@ async def test_ctrl_c_before_anything_was_sent(server: RosbridgeServer, folder: 
     server.bridge.muted.add("/robot_0/queue")
     connected = carried_out(server, "/rosapi/fleet_tui_heartbeat", answers=True)
     process = await started(folder, *ORDER)
-    await asyncio.wait_for(connected.wait(), 10)
+    await asyncio.wait_for(connected.wait(), HANGS)
     process.send_signal(signal.SIGINT)
-    _, err = await asyncio.wait_for(process.communicate(), 10)
+    _, err = await asyncio.wait_for(process.communicate(), HANGS)
     assert (process.returncode, b"nothing else sent" in err) == (130, True), err
     assert not server.bridge.services.calls
 

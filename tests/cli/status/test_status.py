@@ -15,6 +15,7 @@ from fleet_tui.cli.status.report import attention, changes, report
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.cli import config_file, run, started
 from tests.support.fleets import LINK, T0, fleet, link_up, reduced, tick
+from tests.support.polling import HANGS
 
 
 async def test_all_well_is_0_and_the_whole_fleet(server: RosbridgeServer, tmp_path: Path) -> None:
@@ -89,7 +90,7 @@ async def test_one_line_is_watched_as_one_line(server: RosbridgeServer, tmp_path
     config_file(tmp_path, server.url, 1)
     process = await started(tmp_path, "status", "--watch", "--oneline")
     assert process.stdout is not None
-    async with asyncio.timeout(30):
+    async with asyncio.timeout(HANGS):
         assert await process.stdout.readline() == b"1/1 online\n"
         server.world.robots["robot_0"].battery = 5.0
         assert b"! robot_0: battery" in await process.stdout.readline()
@@ -105,7 +106,7 @@ async def test_a_locale_without_the_signs_gets_others(
     monkeypatch.setenv("PYTHONIOENCODING", "latin-1")
     config_file(tmp_path, server.url, 1)
     process = await started(tmp_path, "status")
-    out, err = await asyncio.wait_for(process.communicate(), 30)
+    out, err = await asyncio.wait_for(process.communicate(), HANGS)
     assert (process.returncode, err) == (0, b"")
     said = out.decode("latin-1")
     assert "* 0 robot_0" in said and "all well" in said
@@ -120,17 +121,17 @@ async def test_watch_says_what_changes_as_json_lines(server: RosbridgeServer, tm
         stdout=asyncio.subprocess.PIPE,
     )
     assert process.stdout is not None
-    first = json.loads(await asyncio.wait_for(process.stdout.readline(), 20))
+    first = json.loads(await asyncio.wait_for(process.stdout.readline(), HANGS))
     assert first["robots"][0]["battery_percent"] > 20
     server.world.robots["robot_0"].battery = 5.0
-    async with asyncio.timeout(20):
+    async with asyncio.timeout(HANGS):
         async for line in process.stdout:
             changed = json.loads(line)["changed"]
             if "attention" in changed:
                 break
     assert changed["attention"] == ["robot_0: battery 5 %"] or "battery" in changed["attention"][0]
     process.send_signal(signal.SIGINT)
-    assert await asyncio.wait_for(process.wait(), 10) == 130
+    assert await asyncio.wait_for(process.wait(), HANGS) == 130
 
 
 def test_a_console_that_is_behind_and_a_bridge_that_is_late_need_attention_at_once() -> None:

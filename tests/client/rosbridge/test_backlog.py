@@ -12,6 +12,7 @@ from fleet_tui.adapters.ros.reading import FrameReader
 from fleet_tui.client.rosbridge import backlog
 from fleet_tui.client.rosbridge.backlog import BEHIND, LONGEST_PIECE, Backlog, Frame
 from fleet_tui.transports.rosbridge.connection import Connection
+from tests.support.polling import HANGS
 
 
 class Read:
@@ -106,7 +107,7 @@ async def test_behind_only_the_newest_of_each_topic_is_taken_the_longest_waiting
         line.put(topic, payload, 1.0)
     assert line.taken == []
     assert line.backlog.age(6.0) == 5.0
-    async with asyncio.timeout(5):
+    async with asyncio.timeout(HANGS):
         while len(line.taken) < 2:  # noqa: ASYNC110  # the loop's next turns take them
             await asyncio.sleep(0)
     assert line.taken == [b"3", b"2"] and line.read.counter.overtaken == 1

@@ -16,6 +16,7 @@ from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.transports.rosbridge import connection
 from tests.support.fleets import place_order
 from tests.support.links import finished, linked, phase, ready
+from tests.support.polling import HANGS
 from tests.support.watched_store import WatchedStore, config_of
 
 RESTARTS = int(os.environ.get("FLEET_TUI_RESTARTS", "3"))
@@ -43,7 +44,7 @@ def counts(link: object, robots: int = 1) -> list[int]:
 
 async def came_again(link: object, store: WatchedStore, before: list[int]) -> None:
     await store.until(
-        lambda _: all(now > then for now, then in zip(counts(link, 2), before, strict=True)), within=15
+        lambda _: all(now > then for now, then in zip(counts(link, 2), before, strict=True)), within=HANGS
     )
 
 
@@ -73,7 +74,7 @@ async def test_a_volatile_publisher_is_asked_without_qos_and_that_is_remembered(
         return bool(robot_map.graph and robot_map.labels and robot_map.frame)
 
     async with linked(config_of(server.url, 1)) as (_, store):
-        await store.until(known, within=30)
+        await store.until(known, within=HANGS)
         assert asked_with_qos(server) == [True, False]
         await server.restart_bridge()
         await store.until(lambda state: not phase(Phase.UP)(state))

@@ -14,6 +14,7 @@ from fleet_tui.model.events import CommandAdvanced, CommandIssued
 from fleet_tui.model.link import CommandPath
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.links import path
+from tests.support.polling import HANGS
 from tests.support.watched_store import WatchedStore, config_of
 
 PAUSE = "/robot_0/Application_layout/Pause"
@@ -45,7 +46,7 @@ async def test_a_command_goes_its_own_way_and_its_progress_is_told(server: Rosbr
         assert [step.stage for step in state.commands[0].steps] == [Stage.CHECKED, Stage.SENT, Stage.ACCEPTED]
         advanced = len(store.told(CommandAdvanced))
         link._writer.loop.call_soon_threadsafe(link.resend, PauseRobot("robot_0"))
-        async with asyncio.timeout(5):
+        async with asyncio.timeout(HANGS):
             while len(server.bridge.services.calls) < 2:  # noqa: ASYNC110  # a bridge does not tell
                 await asyncio.sleep(0)
         assert len(store.told(CommandAdvanced)) == advanced, "only the first attempt is reported"
@@ -55,6 +56,6 @@ async def test_a_command_goes_its_own_way_and_its_progress_is_told(server: Rosbr
 async def test_closing_leaves_no_connection_behind(server: RosbridgeServer) -> None:
     async with opened(server) as (_, store):
         await store.until(lambda state: state.robots["robot_0"].pose)
-    async with asyncio.timeout(5):
+    async with asyncio.timeout(HANGS):
         while server.bridge.subscribers("/robot_0/pose"):  # noqa: ASYNC110  # nobody tells that a client left
             await asyncio.sleep(0)

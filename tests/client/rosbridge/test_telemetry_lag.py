@@ -10,6 +10,7 @@ from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.situation.links import LATE_FROM
 from tests.support.links import linked, ready
+from tests.support.polling import HANGS
 from tests.support.watched_store import config_of
 
 ROBOTS = 10
@@ -31,10 +32,10 @@ async def test_a_console_that_is_behind_says_so_and_blames_no_robot(monkeypatch:
             slowness = 0.05  # with some 200 messages a second
             counter = link.counters["rosbridge"]
             state = await store.until(
-                lambda state: any(alarm.condition.kind == "behind" for alarm in state.alarms), within=40
+                lambda state: any(alarm.condition.kind == "behind" for alarm in state.alarms), within=HANGS
             )
             assert behind_text(state).startswith("this console is ")
-            await store.until(lambda _: counter.overtaken > 50, within=40)
+            await store.until(lambda _: counter.overtaken > 50, within=HANGS)
             assert {alarm.condition.source for alarm in store.state.alarms} == {"console"}
             assert all(map(store.state.is_online, store.state.robots.values()))
             slowness = 0.0

@@ -14,6 +14,7 @@ from websockets.exceptions import ConnectionClosed
 from fleet_tui.simulator.faults import parse_faults, play, wire
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.polling import HANGS
 
 ORDER = "/robot_0/Application_layout/Execute_order"
 
@@ -79,7 +80,7 @@ async def test_a_late_answer_comes_in_the_end(monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setattr(wire, "LATE", 0.2)
     async with served("late") as (_, client):
         assert await answers(client) == []
-        async with asyncio.timeout(10):
+        async with asyncio.timeout(HANGS):
             assert json.loads(await client.recv())["id"] == "call:1"
 
 
@@ -88,7 +89,7 @@ async def test_a_frozen_node_takes_the_order_when_it_wakes(monkeypatch: pytest.M
     async with served("late-call") as (server, client):
         assert await answers(client) == []
         assert server.world.robots["robot_0"].orders == []
-        async with asyncio.timeout(10):
+        async with asyncio.timeout(HANGS):
             assert json.loads(await client.recv())["id"] == "call:1"
         assert len(server.world.robots["robot_0"].orders) == 1
 
@@ -99,7 +100,7 @@ async def test_a_command_is_obeyed_long_after_its_answer(monkeypatch: pytest.Mon
         robot = server.world.robots["robot_0"]
         (answer,) = await answers(client)
         assert answer["values"] == {"request_id": 1, "status": "executed"}
-        async with asyncio.timeout(10):
+        async with asyncio.timeout(HANGS):
             await client.send(json.dumps({"op": "subscribe", "topic": "/robot_0/queue"}))
             while not json.loads(await client.recv())["msg"]["orders"]:
                 pass
@@ -109,7 +110,7 @@ async def test_a_command_is_obeyed_long_after_its_answer(monkeypatch: pytest.Mon
             pass
         assert answer["values"] == {"success": True, "message": "executed"}
         assert not robot.paused
-        async with asyncio.timeout(10):
+        async with asyncio.timeout(HANGS):
             while not robot.paused:
                 await client.recv()
 
@@ -118,7 +119,7 @@ async def test_services_that_are_no_longer_registered(monkeypatch: pytest.Monkey
     monkeypatch.setattr(wire, "GONE", 0.0)
     async with served("unregistered") as (server, client):
         await client.send(json.dumps({"op": "subscribe", "topic": "/robot_0/pose"}))
-        async with asyncio.timeout(10):
+        async with asyncio.timeout(HANGS):
             while server.bridge.services.offered:
                 await client.recv()
         await client.send(json.dumps({"op": "call_service", "id": "again", "service": ORDER}))

@@ -27,6 +27,7 @@ from tests.support.move_base_client import (
     told,
 )
 from tests.support.nav2_client import Json, call, listen, settle, until
+from tests.support.polling import HANGS
 
 FAR, NEAR = pose(35.0, 20.0), pose(8.0, 0.0)
 STAMP = {"secs": int, "nsecs": int}
@@ -212,6 +213,6 @@ async def test_a_reason_is_a_line_of_the_log(client: ClientConnection, other: Cl
     await listen(other, "/rosout")
     await settle(other)
     await give(client, "a", pose(8.0, 0.0, frame="odom"))
-    async with asyncio.timeout(5):
+    async with asyncio.timeout(HANGS):
         line = await until(other, lambda frame: frame["topic"] == "/rosout" and "odom" in frame["msg"]["msg"])
     assert line["msg"]["name"] == BASE and line["msg"]["level"] == 4

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from fleet_tui.simulator.move_base.navigation import REACHED
 from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.polling import HANGS
 
 PROGRAM = Path(__file__).parent / "stock_actions.py"
 
@@ -17,7 +18,7 @@ async def test_roslibpy_drives_a_robot_and_cancels_a_drive(server: RosbridgeServ
         sys.executable, str(PROGRAM), server.url, stdout=subprocess.PIPE, stderr=subprocess.PIPE
     )
     try:
-        async with asyncio.timeout(40):
+        async with asyncio.timeout(HANGS):
             out, err = await process.communicate()
     finally:
         if process.returncode is None:

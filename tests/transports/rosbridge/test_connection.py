@@ -15,6 +15,7 @@ from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError
 from fleet_tui.transports.loop import network_loop
 from fleet_tui.transports.rosbridge.connection import LONGEST_DELAY, Connection
+from tests.support.polling import HANGS
 
 
 class Ear:
@@ -47,7 +48,7 @@ class Ear:
 
     async def next(self, kind: str) -> tuple[Any, ...]:
         """The next of a kind; what comes before it is passed over."""
-        async with asyncio.timeout(20):
+        async with asyncio.timeout(HANGS):
             while (received := await self._queue.get())[0] != kind:
                 pass
         return received[1:]

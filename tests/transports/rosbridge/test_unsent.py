@@ -9,6 +9,7 @@ from fleet_tui.config.schema import Link
 from fleet_tui.transports.loop import network_loop
 from fleet_tui.transports.rosbridge.connection import Connection
 from fleet_tui.transports.rosbridge.unsent import unsent
+from tests.support.polling import HANGS
 
 MORE_THAN_BUFFERS = 2**26
 
@@ -56,7 +57,7 @@ async def test_what_is_not_read_is_on_its_way() -> None:
         connection = Connection(Link(f"ws://{host}:{port}"), listener)
         assert await on_loop(lambda: unsent(connection)) == 0
         await on_loop(connection.connect)
-        async with asyncio.timeout(20):
+        async with asyncio.timeout(HANGS):
             await listener.opened.wait()
             await is_deaf.wait()
         await on_loop(lambda: connection.send(b" " * MORE_THAN_BUFFERS))
