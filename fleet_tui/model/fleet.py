@@ -15,7 +15,7 @@ from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.text.durations import age, duration
 
 CONTACT = 3.0
-"""Seconds in contact from which an obstacle is shown at the robot; shorter ones occur on every drive."""
+"""Seconds of contact, or of a stop, from which an obstacle blocks a robot: shorter ones are usual."""
 MANY, CROWD = 50, 300
 """Robots from which the rules look at each twice a second, not in every tick; those from which pictures and
 rows are made less often, too."""
@@ -104,15 +104,6 @@ class FleetState(Struct, frozen=True, eq=False):
         if last is None or (link.phase is not Phase.UP and last < link.since):
             return False
         return self.now - last + link.late <= self.patience(robot) and not robot.is_gone
-
-    def was_obstructed(self, robot: Robot) -> bool:
-        """Tell whether its last report was a lasting contact with an obstacle."""
-        least = min(CONTACT, self.limits.obstacle_after)
-        return robot.obstacle is not None and robot.obstacle.value > least
-
-    def is_obstructed(self, robot: Robot) -> bool:
-        """Tell whether a fresh report shows lasting contact with an obstacle."""
-        return self.was_obstructed(robot) and self.is_fresh(robot, "obstacle")
 
     def pause(self, robot: Robot) -> bool | None:
         """Tell whether it is paused, None if unknown: by the robot's own fresh report if it sends one, else

@@ -68,5 +68,18 @@ OBSTACLE = FactKind(
     ),
     keys=("centre", "camera", "laser"),
 )
+STOP = FactKind(
+    "blocked",
+    OBSTACLE.word,
+    OBSTACLE.over,
+    AlarmClass(
+        "high",
+        "stopped by its collision monitor for longer than `obstacle_after`",
+        "the robot does not drive on; its goal may be aborted",
+        "Clear the path at the robot",
+        5,
+    ),
+    keys=OBSTACLE.keys,
+)
 
-FACTS = (LATE_LINK, BEHIND, SILENT, BAD_DATA, OBSTACLE)
+FACTS = (LATE_LINK, BEHIND, SILENT, BAD_DATA, OBSTACLE, STOP)

@@ -1,11 +1,12 @@
 """Facts about robots: what they say, and whether they say anything."""
 
 from fleet_tui.model.alarm import Priority
-from fleet_tui.model.fleet import FleetState, obstacle_text, offline_text
+from fleet_tui.model.fleet import CONTACT, FleetState, obstacle_text, offline_text
 from fleet_tui.model.link import LinkState, Phase
+from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.situation.fact import Fact
-from fleet_tui.situation.facts import BAD_DATA, OBSTACLE, SILENT
+from fleet_tui.situation.facts import BAD_DATA, OBSTACLE, SILENT, STOP
 
 BAD_FOR = 10.0
 """Seconds without bad data until it counts as over."""
@@ -73,16 +74,45 @@ def repeats_pose_at_rest(state: FleetState, robot: Robot) -> bool:
     return robot.orders.current is None and has_old_stamps(state, robot)
 
 
-def contact(state: FleetState, robot: Robot) -> Fact | None:
-    """Find a robot that a lasting contact with an obstacle blocks, by a fresh report. The alarm that wants an
-    acknowledgement waits `obstacle_after`."""
+def last_contact(state: FleetState, robot: Robot) -> Fact | None:
+    """Find lasting contact with an obstacle, by its last report."""
     report = robot.obstacle
-    if report is None or not state.is_obstructed(robot):
+    if report is None or report.value <= _lasting(state):
         return None
     text, since = obstacle_text(state, robot, report), report.at - report.value
     return Fact(OBSTACLE, robot.name, text, Priority.HIGH, since)
 
 
-def in_contact(state: FleetState) -> list[str]:
+def last_stop(state: FleetState, robot: Robot) -> Fact | None:
+    """Find a lasting stop by its collision monitor or protective field, by its last report."""
+    report = robot.blocked
+    if report is None or not report.value.is_stopped or state.now - report.value.since <= _lasting(state):
+        return None
+    return Fact(STOP, robot.name, blocked_text(report.value, state.now), Priority.HIGH, report.value.since)
+
+
+def _lasting(state: FleetState) -> float:
+    return min(CONTACT, state.limits.obstacle_after)
+
+
+def obstacle(state: FleetState, robot: Robot) -> Fact | None:
+    """Find an obstacle that blocks a robot, by a fresh report: contact or a stop of a few seconds. Its alarm,
+    which wants an acknowledgement, waits `obstacle_after`."""
+    found = (last_contact(state, robot), last_stop(state, robot))
+    return next((fact for fact in found if fact is not None and is_fresh(state, robot, fact)), None)
+
+
+def is_blocked_for_long(state: FleetState, robot: Robot) -> bool:
+    """Tell whether an obstacle blocks a robot for long enough to be an alarm."""
+    fact = obstacle(state, robot)
+    return fact is not None and state.now > fact.since + state.limits.obstacle_after
+
+
+def is_fresh(state: FleetState, robot: Robot, fact: Fact) -> bool:
+    """Tell whether the report of an obstacle, which is named as its fact, still holds."""
+    return state.is_fresh(robot, fact.kind.name)
+
+
+def blocked_robots(state: FleetState) -> list[str]:
     """Return the names of the robots that obstacles block."""
-    return [name for name, robot in state.robots.items() if contact(state, robot) is not None]
+    return [name for name, robot in state.robots.items() if obstacle(state, robot) is not None]

@@ -1,9 +1,13 @@
 """Facts about robots."""
 
+import math
+
 from fleet_tui.cli.status.report import attention
 from fleet_tui.cli.status.status import ATTENTION, verdict
 from fleet_tui.model.events import MessageRejected, ObstacleReported
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.kind import Kind
+from fleet_tui.model.navigation_events import BlockedReported
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
 from fleet_tui.rules.alarms.classes import action_of
@@ -21,6 +25,7 @@ from tests.support.fleets import (
     battery,
     fleet,
     link_up,
+    of_kinds,
     place_order,
     pose,
     queue,
@@ -29,6 +34,7 @@ from tests.support.fleets import (
     tick,
 )
 
+ON_CHANGE = Kind("nav2", silence={"blocked": math.inf})
 BAD = "/robot_0/battery: percentage is missing"
 
 
@@ -84,6 +90,43 @@ def test_contact_of_three_seconds_is_red_and_counted_but_no_alarm_yet() -> None:
     (robot,) = floor_scene(state, Selection(R0, F0)).robots
     assert robot.alarmed and robot.obstacle
     assert "1 robot blocked by an obstacle: robot_0" in attention(state) and verdict(state) == ATTENTION
+
+
+def stopped_for(seconds: float) -> FleetState:
+    """A robot whose collision monitor stopped it, and reports on change only."""
+    at = T0 + 10
+    state = reduced(
+        of_kinds(fleet(), *(ON_CHANGE for _ in fleet().robots)),
+        link_up(T0),
+        pose(at),
+        BlockedReported(R0, at, "stop", "front"),
+    )
+    return reduced(state, pose(at + seconds), battery(at + seconds), tick(at + seconds))
+
+
+def test_a_stop_by_the_collision_monitor_is_contact_with_an_obstacle() -> None:
+    state = stopped_for(3.2)
+    assert not state.alarms
+    assert ("blocked 3.2 s (seen)", StyleRole.ALARM) in list(news(state, state.robots[R0]))
+    (robot,) = floor_scene(state, Selection(R0, F0)).robots
+    assert robot.alarmed and robot.obstacle
+    assert "1 robot blocked by an obstacle: robot_0" in attention(state) and verdict(state) == ATTENTION
+
+
+def test_a_passing_stop_is_nothing_and_a_long_one_an_alarm() -> None:
+    state = stopped_for(2.0)
+    assert not any("obstacle" in line for line in attention(state))
+    assert not any("blocked" in text for text, _ in news(state, state.robots[R0]))
+    (robot,) = floor_scene(state, Selection(R0, F0)).robots
+    assert not robot.alarmed and not robot.obstacle
+    assert [alarm.text for alarm in stopped_for(31.0).alarms] == ["blocked 31 s (seen)"]
+
+
+def test_an_obstacle_at_last_report_raises_no_alarm_of_a_silent_robot() -> None:
+    state = reduced(in_contact_for(20.0), tick(T0 + 40))
+    assert {alarm.condition.kind for alarm in state.alarms} == {"offline"}
+    state = reduced(in_contact_for(31.0), tick(T0 + 40))
+    assert {alarm.condition.kind for alarm in state.alarms if alarm.holds} == {"obstacle", "offline"}
 
 
 def test_a_passing_contact_is_nothing_and_a_long_one_an_alarm() -> None:

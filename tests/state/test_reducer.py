@@ -9,6 +9,7 @@ from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.occupancy import grid_from_ros
+from fleet_tui.situation.robots import obstacle
 from tests.support.alarms import alarms
 from tests.support.fleets import (
     F0,
@@ -168,7 +169,7 @@ def test_a_new_link_gives_the_robots_time_to_speak() -> None:
 def test_obstacle_above_the_limit(seconds: float, alarmed: bool) -> None:
     state = reduced(fleet(), link_up(T0), events.ObstacleReported(R0, T0, seconds), tick(T0))
     assert ((R0, "obstacle") in alarms(state)) is alarmed
-    assert state.is_obstructed(state.robots[R0]) is (seconds > CONTACT)
+    assert (obstacle(state, state.robots[R0]) is not None) is (seconds > CONTACT)
     free = reduced(state, events.ObstacleReported(R0, T0 + 1, 0.0), tick(T0 + 1))
     assert [alarm.text for alarm in free.alarms] == ["cleared: obstacle"] * alarmed
 

@@ -16,7 +16,7 @@ from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.trouble import in_trouble
 from fleet_tui.situation.facts import OBSTACLE
 from fleet_tui.situation.links import behind, is_late, late_link
-from fleet_tui.situation.robots import absence_text, in_contact
+from fleet_tui.situation.robots import absence_text, blocked_robots
 from fleet_tui.text.limits import some
 from fleet_tui.text.units import counted
 
@@ -133,7 +133,7 @@ def attention(state: FleetState) -> list[str]:
         elif link.command_path in NO_WAY:
             is_dead = link.command_path is CommandPath.DEAD
             lines.append(f"{link.name}: {'no command path: ' * is_dead}{link.command_reason}")
-    if blocked := in_contact(state):
+    if blocked := blocked_robots(state):
         lines.append(f"{counted(len(blocked), 'robot')} {OBSTACLE.word}: {some(blocked)}")
     for alarm in state.alarms:
         if alarm.holds and alarm.condition.kind not in ("link", "commands"):

@@ -2,7 +2,7 @@
 
 from fleet_tui.model.alarm import Condition, class_of
 from fleet_tui.situation.fact import AlarmClass
-from fleet_tui.situation.facts import BAD_DATA, BEHIND, LATE_LINK, OBSTACLE, SILENT
+from fleet_tui.situation.facts import BAD_DATA, BEHIND, LATE_LINK, OBSTACLE, SILENT, STOP
 
 CLASSES = {
     "link": AlarmClass(
@@ -27,13 +27,7 @@ CLASSES = {
         10,
     ),
     OBSTACLE.name: OBSTACLE.alarm,
-    "blocked": AlarmClass(
-        "high",
-        "stopped by its collision monitor for longer than `obstacle_after`",
-        "the robot does not drive on; its goal may be aborted",
-        "Clear the path at the robot",
-        5,
-    ),
+    STOP.name: STOP.alarm,
     "e-stop": AlarmClass(
         "high",
         "an emergency stop of a vehicle is active",

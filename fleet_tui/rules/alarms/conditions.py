@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterator
 
 from fleet_tui.model.alarm import Condition, Priority
-from fleet_tui.model.fleet import FleetState, obstacle_text
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.facilities import facility_conditions
@@ -23,8 +23,16 @@ from fleet_tui.rules.commands.pauses import drives_despite_pause, is_held
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.situation import links
 from fleet_tui.situation.fact import Fact
-from fleet_tui.situation.facts import BAD_DATA, OBSTACLE, SILENT
-from fleet_tui.situation.robots import absence_text, is_unreadable, silent_from
+from fleet_tui.situation.facts import BAD_DATA, SILENT
+from fleet_tui.situation.robots import (
+    absence_text,
+    is_blocked_for_long,
+    is_fresh,
+    is_unreadable,
+    last_contact,
+    last_stop,
+    silent_from,
+)
 from fleet_tui.situation.robots import bad_data as find_bad_data
 from fleet_tui.text.durations import age
 
@@ -40,17 +48,25 @@ STILL = 2.0
 """Seconds without a step after which a robot counts as standing."""
 
 
-def obstacle_lasts(state: FleetState, robot: Robot) -> bool:
-    """Tell whether an obstacle has stopped a robot for long enough to be an alarm."""
-    return robot.obstacle is not None and robot.obstacle.value > state.limits.obstacle_after
+def contact(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
+    """Raise after contact with an obstacle for longer than the limit."""
+    return _blocked(state, robot, last_contact(state, robot), active)
 
 
-def obstacle(state: FleetState, robot: Robot, _active: ActiveConditions) -> Condition | None:
-    """Raise after contact for longer than the limit, by its last report."""
-    if robot.obstacle is None or not obstacle_lasts(state, robot):
+def stop(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
+    """Raise after a stop by its collision monitor for longer than the limit."""
+    return _blocked(state, robot, last_stop(state, robot), active)
+
+
+def _blocked(
+    state: FleetState, robot: Robot, fact: Fact | None, active: ActiveConditions
+) -> Condition | None:
+    """Raise for an obstacle by a fresh report; an earlier alarm continues by the last one."""
+    if fact is None:
         return None
-    text = obstacle_text(state, robot, robot.obstacle)
-    return Condition(robot.name, OBSTACLE.name, Priority.HIGH, text, OBSTACLE.over)
+    if not is_fresh(state, robot, fact) and not was_active(active, robot.name, robot.link, fact.kind.name):
+        return None
+    return _condition(fact, fact.since + state.limits.obstacle_after)
 
 
 def battery(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
@@ -110,7 +126,7 @@ def stuck(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
         return None
     known = state.is_fresh(robot, "pose")
     # An obstacle explains it only where that is an alarm: contact that comes and goes may never be one.
-    explained = not known or obstacle(state, robot, active) is not None
+    explained = not known or is_blocked_for_long(state, robot)
     explained = explained or feedback_ceased_at(state, robot) is not None or is_unsteady(state, robot)
     if explained and not was_active(active, robot.name, robot.link, "stuck"):
         return None
@@ -199,7 +215,7 @@ def unsourced(state: FleetState, link: LinkState, _active: ActiveConditions) -> 
 
 
 ROBOT_RULES = (
-    *(offline, obstacle, *VEHICLE_RULES, *MEMBER_RULES, *NAVIGATION_RULES),
+    *(offline, contact, stop, *VEHICLE_RULES, *MEMBER_RULES, *NAVIGATION_RULES),
     *(battery, pause, stuck, bad_data),
 )
 LINK_RULES = (dead_commands, no_link, bad_data, late, unsourced)

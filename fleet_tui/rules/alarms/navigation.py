@@ -1,9 +1,8 @@
-"""Alarm rules for navigating robots: blocked, lost on its map, silent, orders held or failed."""
+"""Alarm rules for navigating robots: lost on its map, silent, orders held or failed."""
 
 from fleet_tui.model.alarm import Condition, Priority
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
 from fleet_tui.rules.causes import cause_of_end, remedy_of
@@ -19,16 +18,6 @@ LOST_ABOVE, FOUND_BELOW = 0.5, 0.3
 NO_ODOMETRY = "Check its wheel odometry: the node of its base, the topic's name"
 NO_POSE_AFTER = 30.0
 """Seconds without a pose from a robot that reports and had one, until it counts as driving unseen."""
-
-
-def blocked(state: FleetState, robot: Robot, _active: ActiveConditions) -> Condition | None:
-    """Raise after a stop by its collision monitor for longer than the limit, by its last report."""
-    if robot.blocked is None or not robot.blocked.value.is_stopped:
-        return None
-    held_back = robot.blocked.value
-    due = held_back.since + state.limits.obstacle_after
-    text = blocked_text(held_back, state.now)
-    return Condition(robot.name, "blocked", Priority.HIGH, text, "cleared: obstacle", due)
 
 
 def not_sure_where(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
@@ -114,4 +103,4 @@ def failed_order(state: FleetState, robot: Robot, _active: ActiveConditions) -> 
     return Condition(robot.name, "order", Priority.MEDIUM, found, text, parts=parts, remedy=remedy_of(cause))
 
 
-NAVIGATION_RULES = (blocked, not_sure_where, silent, held_orders, failed_order)
+NAVIGATION_RULES = (not_sure_where, silent, held_orders, failed_order)

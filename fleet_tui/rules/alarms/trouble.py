@@ -15,7 +15,7 @@ from fleet_tui.rules.commands.order_ends import seen_end
 from fleet_tui.rules.commands.pauses import drives_despite_pause
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
-from fleet_tui.situation.robots import bad_data, contact, is_unreadable, repeats_pose_at_rest, silent
+from fleet_tui.situation.robots import bad_data, is_unreadable, obstacle, repeats_pose_at_rest, silent
 
 LONG_STILL = 30.0
 """Seconds of standing with an order that are worth a look: longer than loading takes."""
@@ -141,7 +141,7 @@ def is_odd(state: FleetState, robot: Robot) -> bool:
         return is_gone or is_unreadable(state, robot) or unexplained_end(state, robot) is not None
     is_held = state.is_paused(robot) and own_pause(state, robot) is None
     is_held = is_held or drives_despite_pause(state, robot)
-    is_held = is_held or contact(state, robot) is not None or is_stopped(state, robot)
+    is_held = is_held or obstacle(state, robot) is not None
     unknown = is_missing(state, robot, "pose") or bad_data(state, robot) is not None
     unknown = unknown or _has_old(state, robot)
     return is_held or unknown or unexplained_end(state, robot) is not None or may_need_person(state, robot)
@@ -186,15 +186,10 @@ def to_look_at(state: FleetState) -> tuple[str, ...]:
     return _LOOKS.odd(state)
 
 
-def is_stopped(state: FleetState, robot: Robot) -> bool:
-    """Tell whether its collision monitor stops a robot."""
-    return robot.blocked is not None and robot.blocked.value.is_stopped and state.is_fresh(robot, "blocked")
-
-
 def is_halted(state: FleetState, robot: Robot) -> bool:
-    """Tell whether a robot cannot drive by its own fresh reports: an obstacle, its collision monitor, an
-    emergency stop, a grave error, a mode of its driver."""
-    if contact(state, robot) is not None or is_stopped(state, robot):
+    """Tell whether a robot cannot drive by its own fresh reports: an obstacle, an emergency stop, a grave
+    error, a mode of its driver."""
+    if obstacle(state, robot) is not None:
         return True
     if robot.vehicle is not None and state.is_fresh(robot, "vehicle"):
         vehicle = robot.vehicle.value

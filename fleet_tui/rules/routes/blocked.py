@@ -8,8 +8,8 @@ from msgspec.structs import replace
 from fleet_tui.model.desk.desk import Ends, ends_of
 from fleet_tui.model.fleet import BlockedEdge, FleetState
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.alarms.conditions import obstacle_lasts
 from fleet_tui.rules.why.traffic import AT_VERTEX, ROBOT_WIDTH, same_frame
+from fleet_tui.situation.robots import is_blocked_for_long
 
 SUSPECT_FOR = 30.0
 """Seconds after a jump of its pose for which a robot may be elsewhere."""
@@ -57,9 +57,7 @@ def _is_held_up(state: FleetState, robot: Robot) -> bool:
     pose has just jumped."""
     if robot.relocated is not None and state.now - robot.relocated.at < SUSPECT_FOR:
         return False
-    stopped = robot.blocked is not None and robot.blocked.value.is_stopped
-    in_contact = obstacle_lasts(state, robot) and state.is_fresh(robot, "obstacle")
-    return in_contact or (stopped and state.is_fresh(robot, "blocked"))
+    return is_blocked_for_long(state, robot)
 
 
 def blocked_edge(state: FleetState, name: str) -> Ends | None:

@@ -30,6 +30,7 @@ from fleet_tui.rules.why.reason import (
 )
 from fleet_tui.rules.why.traffic import in_the_way, next_stop, vertex_here
 from fleet_tui.situation.links import is_late
+from fleet_tui.situation.robots import last_contact
 from fleet_tui.text.details import detail_text
 from fleet_tui.text.durations import age
 
@@ -185,7 +186,7 @@ def stale_queue(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def _ruled_out(state: FleetState, robot: Robot) -> Iterator[str]:
-    if robot.obstacle is not None and not state.was_obstructed(robot):
+    if robot.obstacle is not None and last_contact(state, robot) is None:
         yield "no obstacle"
     if robot.paused is not None and not state.is_paused(robot):
         yield "no pause"

@@ -21,7 +21,7 @@ from fleet_tui.rules.movement import JUMPS_WITHIN
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, name_of, stationary_since
 from fleet_tui.situation import links
 from fleet_tui.situation.facts import BAD_DATA, SILENT
-from fleet_tui.situation.robots import has_old_stamps, is_unreadable, silent
+from fleet_tui.situation.robots import has_old_stamps, is_unreadable, last_contact, silent
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.units import ago
 
@@ -134,9 +134,10 @@ def own_late_pause(state: FleetState, robot: Robot) -> Reason | None:
 def obstacle(state: FleetState, robot: Robot) -> Reason | None:
     """Report contact with an obstacle; a short contact may be a passing one."""
     contact, is_old = robot.obstacle, state.is_old(robot, "obstacle")
-    if contact is None or contact.value <= 0.0 or (is_old and not state.was_obstructed(robot)):
+    lasts = last_contact(state, robot) is not None
+    if contact is None or contact.value <= 0.0 or (is_old and not lasts):
         return None
-    strength = Strength.CERTAIN if state.is_obstructed(robot) else Strength.LIKELY
+    strength = Strength.CERTAIN if lasts else Strength.LIKELY
     evidence = "obstacle contact: clear the path at the robot"
     return Reason(
         obstacle_text(state, robot, contact),

@@ -17,7 +17,6 @@ from fleet_tui.rules.alarms.facilities import closed_edges
 from fleet_tui.rules.alarms.trouble import (
     acknowledged,
     in_trouble,
-    is_stopped,
     shelved,
     trouble_elsewhere,
     urgency,
@@ -28,7 +27,7 @@ from fleet_tui.rules.commands.set_up.mode import mapping_text
 from fleet_tui.rules.localisation.misplaced import misplaced_text
 from fleet_tui.rules.marks import marks_of
 from fleet_tui.rules.routes.order_draft import Drafted
-from fleet_tui.situation.robots import in_contact
+from fleet_tui.situation.robots import blocked_robots, obstacle
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.area import worth_seeing
@@ -168,7 +167,7 @@ def _robot(
         selected=robot.name == selection.robot,
         online=state.is_fresh(robot, "pose"),
         paused=is_paused,
-        obstacle=state.is_obstructed(robot) or is_stopped(state, robot),
+        obstacle=obstacle(state, robot) is not None,
         other_map=other_map,
         age=state.now - robot.pose.at,
         size=robot.size,
@@ -182,7 +181,7 @@ def _robot(
 def _robots(state: FleetState, selection: Selection, picture: MapFrame, tied: bool) -> tuple[SceneRobot, ...]:
     """Return the robots on the floor."""
     seen = acknowledged(state)
-    alarmed = in_trouble(state).union(in_contact(state)) - seen - shelved(state)
+    alarmed = in_trouble(state).union(blocked_robots(state)) - seen - shelved(state)
     robots = (
         _robot(state, robot, selection, picture, tied, mark)
         for robot, mark in zip(state.robots.values(), marks_of(tuple(state.robots)), strict=True)

@@ -5,7 +5,7 @@ from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.trouble import acknowledged, waits
 from fleet_tui.rules.history.activity import activities
-from fleet_tui.situation.robots import contact
+from fleet_tui.situation.robots import obstacle
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.view.roles import StyleRole
@@ -38,7 +38,8 @@ def doing_text(robot: Robot, does: Activity | None) -> str:
 
 def count_word(state: FleetState, robot: Robot, does: Activity | None) -> str:
     """Return the word that counts a robot, in English: that of its row."""
-    if does is Activity.BLOCKED and contact(state, robot) is not None:
+    fact = obstacle(state, robot)
+    if does is Activity.BLOCKED and fact is not None and fact.kind.name == OBSTACLE:
         return OBSTACLE
     return UNKNOWN if does is None else does.value
 

@@ -3,12 +3,11 @@
 from collections.abc import Iterator, Sequence
 
 from fleet_tui.model.alarm import Alarm, AlarmStage, Priority
-from fleet_tui.model.fleet import FleetState, is_missing, missing_text, obstacle_text
-from fleet_tui.model.navigation import blocked_text
+from fleet_tui.model.fleet import FleetState, is_missing, missing_text
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.members import issue_text
 from fleet_tui.rules.alarms.navigation import LOST_ABOVE
-from fleet_tui.rules.alarms.trouble import AGING, in_trouble, is_stopped, shelved, unexplained_end
+from fleet_tui.rules.alarms.trouble import AGING, in_trouble, shelved, unexplained_end
 from fleet_tui.rules.alarms.vehicles import priority_of, sorted_errors
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import own_pause_text
@@ -21,8 +20,9 @@ from fleet_tui.situation.robots import (
     absence_text,
     bad_data,
     bad_text,
-    contact,
     is_unreadable,
+    last_contact,
+    obstacle,
     repeats_pose_at_rest,
     silent,
 )
@@ -106,15 +106,15 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     online = state.is_online(robot)
     if not online:
         yield from _absent(state, robot)
-    if (blocked := contact(state, robot)) is not None:
-        yield tr(blocked.text), StyleRole.WARN if robot.name in shelved(state) else StyleRole.ALARM
+    if (fact := obstacle(state, robot)) is not None:
+        yield tr(fact.text), StyleRole.WARN if robot.name in shelved(state) else StyleRole.ALARM
     yield from _navigation(state, robot)
     yield from _vehicle(state, robot)
     yield from _member(state, robot)
     if state.is_paused(robot) and robot.last_received is not None:
         yield _paused(state, robot), StyleRole.WARN
-    if robot.obstacle is not None and state.was_obstructed(robot) and blocked is None:
-        yield tr(obstacle_text(state, robot, robot.obstacle)), StyleRole.DIM
+    if fact is None and (past := last_contact(state, robot)) is not None:
+        yield tr(past.text), StyleRole.DIM
     yield from _ended(state, robot)
     yield from _operators(state, robot)
     if online:
@@ -140,10 +140,6 @@ def _ended(state: FleetState, robot: Robot) -> Iterator[Run]:
 
 
 def _navigation(state: FleetState, robot: Robot) -> Iterator[Run]:
-    if robot.blocked is not None and is_stopped(state, robot):
-        has_alarm = any(one.holds and one.key == (robot.name, "blocked") for one in state.alarms)
-        role = StyleRole.ALARM if has_alarm else StyleRole.WARN
-        yield tr(blocked_text(robot.blocked.value, state.now)), role
     if feedback_ceased_at(state, robot) is not None or is_unsteady(state, robot):
         yield tr("navigation silent"), StyleRole.ALARM
     if robot.variance is not None and robot.variance.value > LOST_ABOVE:

@@ -12,12 +12,12 @@ from fleet_tui.model.order import Order, Stop, at_vertices
 from fleet_tui.model.order_life import GoneOrder
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.classes import CLASSES, action_of
+from fleet_tui.rules.alarms.conditions import stop
 from fleet_tui.rules.alarms.navigation import (
     FOUND_BELOW,
     LOST_ABOVE,
     NO_ODOMETRY,
     NO_POSE_AFTER,
-    blocked,
     failed_order,
     held_orders,
     not_sure_where,
@@ -50,11 +50,11 @@ def known(state: FleetState | None = None, **values: object) -> tuple[FleetState
 
 def test_a_stop_is_due_after_the_limit_from_its_first_report_and_slowing_down_is_none() -> None:
     state, robot = known(blocked=Reading(Blocked("stop", "front", T0 - 4), T0))
-    found = blocked(state, robot, {})
+    found = stop(state, robot, {})
     assert found is not None
     assert (found.text, found.due) == ("blocked 4.0 s (seen)", T0 - 4 + state.limits.obstacle_after)
     for action in ("slowdown", ""):
-        assert blocked(*known(blocked=Reading(Blocked(action, "front", T0 - 4), T0)), {}) is None
+        assert stop(*known(blocked=Reading(Blocked(action, "front", T0 - 4), T0)), {}) is None
 
 
 def test_a_localisation_between_the_limits_stays_what_it_was() -> None:

@@ -16,11 +16,9 @@ from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleError
 from fleet_tui.rules.history.activity import activities
 from fleet_tui.view.map.floor_scene import floor_scene
 from fleet_tui.view.map.glyphs import robot_tag
-from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.selection import Selection
 from fleet_tui.view.tables.doing import OBSTACLE, count_word, counted, doing_text, told_text, word
 from fleet_tui.view.tables.fleet import fleet_table
-from fleet_tui.view.tables.news import news
 from tests.support.fleets import F0, R0, T0, battery, fleet, link_up, pose, queue, reduced, text_of, tick
 
 AT = T0 + 40.0
@@ -46,7 +44,7 @@ def vehicle(**state: Any) -> VehicleReported:
 
 
 BLOCKED: dict[str, Event] = {
-    "blocked 0.0 s (seen)": BlockedReported(R0, AT, "stop", "front"),
+    "blocked 4.0 s (seen)": BlockedReported(R0, AT - 4.0, "stop", "front"),
     "e-stop (manual)": vehicle(e_stop="MANUAL"),
     "motor": vehicle(errors=(VehicleError("motor", "FATAL"),)),
 }
@@ -63,15 +61,6 @@ def test_who_cannot_drive_is_blocked_in_title_activity_and_on_the_map(said: str)
     assert said in row and "idle" not in row and row.count("blocked") == said.count("blocked")
     drawn = floor_scene(state, Selection(R0, F0)).robots[0]
     assert "!" in robot_tag(drawn, plain=True)
-
-
-def test_what_stops_a_vehicle_is_red_once_it_is_an_alarm() -> None:
-    state = reduced(standing(ordered=False), BLOCKED["blocked 0.0 s (seen)"], tick(AT))
-    assert [role for text, role in news(state, state.robots[R0]) if "blocked" in text] == [StyleRole.WARN]
-    last = AT + 31.0
-    again = (pose(last), queue(last), BlockedReported(R0, last, "stop", "front"), tick(last))
-    state = reduced(state, *again)
-    assert [role for text, role in news(state, state.robots[R0]) if "blocked" in text] == [StyleRole.ALARM]
 
 
 def test_an_emergency_of_a_fleet_and_an_issue_are_told_in_the_row() -> None:
