@@ -80,3 +80,17 @@ async def test_no_link_is_3(folder: Path) -> None:
     config_file(folder, "ws://127.0.0.1:9")
     done = await run(folder, "run", "-", "--timeout", "0.5", stdin=TWICE)
     assert done.code == 3 and "connection refused" in done.err
+
+
+async def test_a_disarmed_console_sends_a_file_of_pauses_and_no_other(
+    server: RosbridgeServer, folder: Path
+) -> None:
+    config = folder / "config.toml"
+    config.write_text(config.read_text() + "[operator]\narmed = false\n")
+    for lines in ("pause robot_0\nresume robot_0\n", "clear 0\n"):
+        refused = await run(folder, "run", "-", "--yes", stdin=lines)
+        assert refused.code == 1 and "nothing sent: this console is not armed" in refused.err
+    assert not server.bridge.services.calls
+    done = await run(folder, "run", "-", "--yes", stdin="# end of the shift\npause robot_0\npause 1\n")
+    assert done.code == 0 and len(asked(server)) == 2
+    assert all(robot.paused for robot in server.world.robots.values())
