@@ -5,6 +5,7 @@ from collections.abc import Iterator
 
 from fleet_tui.discovery.facts import BridgeFacts
 from fleet_tui.discovery.finding import Finding, Verdict, milliseconds
+from fleet_tui.situation.facts import LATE_LINK
 from fleet_tui.text.durations import age
 
 SLOW, UNEVEN = 0.3, 0.3  # seconds of a round trip, and between the best and the worst
@@ -58,7 +59,7 @@ def load_finding(facts: BridgeFacts) -> Finding:
     remedy = "use fewer topics, lower rates at the robots or a second bridge ([links])"
     if carries:
         remedy += f"; a ROS {facts.rosapi.ros} bridge carries about {carries} messages/s"
-    return Finding(facts.name, "load", Verdict.WARN, f"bridge overloaded: {measured}", remedy, values)
+    return Finding(facts.name, "load", Verdict.WARN, f"{LATE_LINK.word}: {measured}", remedy, values)
 
 
 def clock_findings(facts: BridgeFacts) -> Iterator[Finding]:

@@ -13,6 +13,7 @@ from fleet_tui.doctor.causes import Cause
 from fleet_tui.doctor.clocks import falls_behind
 from fleet_tui.doctor.names import near_topic, robots_on
 from fleet_tui.model.kind import CAMERA
+from fleet_tui.situation.facts import LATE_LINK
 
 SLOWEST_POSES = 5.0  # Hz; robots give about 10
 OLDER = 0.5  # seconds by which the stamps of poses grow older while they are measured
@@ -237,7 +238,7 @@ def _judged(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> tuple[Ver
     measured = age if facts.rate is None else f"{facts.rate:.1f} Hz, {age}"
     if facts.wanted.fast and (facts.rate or 0.0) < SLOWEST_POSES:
         if falls_behind(bridge):
-            return Verdict.SKIPPED, f"{measured}: bridge overloaded, see its load above", ""
+            return Verdict.SKIPPED, f"{measured}: {LATE_LINK.word}, see its load above", ""
         slow = f"{measured}: poses should arrive at about 10 Hz"
         return Verdict.WARN, slow, "check the load of the network and the robot's computer"
     if facts.late is not None and facts.late >= OLDER and not falls_behind(bridge):

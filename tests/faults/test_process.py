@@ -18,6 +18,7 @@ from tests.support.invariants import read
 from tests.support.terminal_session import InTerminal, exists, in_terminal
 
 RESTORED = "the shell, its terminal as before"
+LINK_WITH_AGE = re.compile(r"ws://127\.0\.0\.1:\d+ \d+(\.\d)? s")
 
 
 @pytest.fixture
@@ -197,7 +198,11 @@ def test_the_home_is_read_only(tmp_path: Path, was_used: bool) -> None:
         running.shows("logging off: ")
         pause(running)
         running.shows("audit: not written: Permission denied")
-    seen = "logging off: ..., audit: not written: Permission denied"
+        for width in (80, 120):
+            running.forget()
+            running.resize(width, 24)
+            running.until(lambda: LINK_WITH_AGE.search(running.text().partition("\n")[0]), what="the link")
+    seen = "logging off: ..., audit: not written: Permission denied; the link and its age stay"
     report("read-only home", "folders without write permission", seen, None, None)
 
 

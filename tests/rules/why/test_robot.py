@@ -161,7 +161,8 @@ def test_silence_of_all_robots_of_a_link_points_to_what_they_share() -> None:
 def test_an_obstacle_of_an_old_report_is_possible_not_certain() -> None:
     state = Planted("obstacle:robot_0").run(6).state
     later = state.now + 60.0
-    assert (known := state.robots[R0].pose) is not None
+    known = state.robots[R0].pose
+    assert known is not None
     same = (pose(later - 60.0 + n, known.value.x, known.value.y) for n in range(61))
     state = reduced(state, *same, tick(later))
     found = reasons(state, state.robots[R0])[0]
