@@ -7,7 +7,7 @@ from contextlib import closing
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.history.database import SCHEMA, open_to_write
@@ -42,7 +42,6 @@ def test_an_order_is_late_beyond_twice_the_usual_time_of_its_way(database: sqlit
     assert Totals(database).orders(2000.0, 3000.0) == []
 
 
-@settings(max_examples=30, deadline=None)
 @given(
     st.lists(
         st.tuples(st.sampled_from(Activity), st.floats(0.0, 70 * HOUR), st.floats(1.0, HOUR)),

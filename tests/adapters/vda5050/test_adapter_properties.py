@@ -3,7 +3,7 @@
 from typing import Any
 
 import msgspec
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.adapters.vda5050.topics import READ
@@ -42,7 +42,6 @@ MESSAGES = st.lists(st.tuples(TOPICS, PAYLOADS, st.booleans(), st.floats(0, 40))
 
 
 @given(MESSAGES)
-@settings(max_examples=150, deadline=None)
 def test_any_message_in_any_order(messages: list[tuple[str, bytes, bool, float]]) -> None:
     site = VehicleSite()
     for topic, payload, kept, seconds in messages:

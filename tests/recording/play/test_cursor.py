@@ -4,7 +4,7 @@ import time
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.client.fleet_link import FleetLink
@@ -102,7 +102,6 @@ async def test_every_instant_is_as_it_was(tmp_path: Path, server: RosbridgeServe
         head.step_tick(-1)
         assert (head.at, plain(head.state)) == (at, later.get(at, state))
 
-    @settings(max_examples=60)
     @given(st.lists(st.sampled_from(was), min_size=1, max_size=4))
     def anywhere(places: list[tuple[float, object]]) -> None:
         for at, state in places:

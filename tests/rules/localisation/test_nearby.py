@@ -3,7 +3,7 @@
 import math
 
 import numpy as np
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.model.geometry import MapFrame, Pose
@@ -44,7 +44,6 @@ def scan(pose: Pose) -> Points:
     return placed(seen - np.array((pose.x, pose.y), np.float32), Pose(0.0, 0.0, -pose.yaw))
 
 
-@settings(max_examples=40, deadline=None)
 @given(
     st.floats(60.0, 180.0), st.floats(60.0, 180.0), headings, st.floats(0.0, 0.9 * REACH), headings, headings
 )
@@ -64,7 +63,6 @@ def test_the_pose_of_a_scan_is_found_again(
     assert abs(math.remainder(pose.yaw - true.yaw, math.tau)) < math.radians(4)
 
 
-@settings(max_examples=40, deadline=None)
 @given(
     st.lists(st.tuples(st.floats(-8.0, 8.0), st.floats(-8.0, 8.0)), min_size=1, max_size=60),
     st.floats(-20.0, 20.0) | st.just(math.nan),

@@ -5,7 +5,7 @@ from itertools import pairwise
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.model.geometry import Pose
@@ -183,7 +183,6 @@ DEEDS = st.lists(
 )
 
 
-@settings(max_examples=60)
 @given(DEEDS)
 def test_whatever_is_asked_goals_only_get_on(deeds: list[tuple[str, str, Any]]) -> None:
     it, navigation = world()

@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.simulator.oh_ressources.world import World
@@ -183,7 +183,6 @@ def obey(world: World, verb: str, first: int, second: int) -> None:
         call(world, verb, robot="robot_0", ind=first)
 
 
-@settings(max_examples=25)
 @given(seed=st.integers(0, 999), script=commands)
 def test_the_same_seed_and_commands_give_the_same_run(
     seed: int, script: list[tuple[float, str, int, int]]
@@ -200,7 +199,6 @@ def test_another_seed_gives_another_run() -> None:
     assert state(World(3, 2, 1)) != state(World(3, 2, 2))
 
 
-@settings(max_examples=40)
 @given(seed=st.integers(0, 999), script=commands)
 def test_whatever_it_is_told_it_stays_on_the_road(
     seed: int, script: list[tuple[float, str, int, int]]
@@ -220,7 +218,6 @@ def test_whatever_it_is_told_it_stays_on_the_road(
         last = robot.last_order_id
 
 
-@settings(max_examples=15)
 @given(start=st.integers(0, 19), end=st.integers(100, 119), seed=st.integers(0, 99))
 def test_every_order_is_driven_in_the_end(start: int, end: int, seed: int) -> None:
     world = World(1, 2, seed, quiet=True)

@@ -6,7 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.model.geometry import MapFrame, Pose
@@ -118,7 +118,6 @@ def test_a_small_view_that_shows_all_stays_fitted_when_it_is_centred(follow: boo
     assert it.camera(hall).scale < whole.scale / 2 and it.camera(hall).tall == 1.0
 
 
-@settings(max_examples=60, deadline=None)
 @given(
     st.integers(60, 3000), st.integers(60, 3000), st.integers(30, 60), st.integers(10, 19), st.integers(2, 4)
 )

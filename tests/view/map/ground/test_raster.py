@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.model.geometry import MapFrame
@@ -57,7 +57,6 @@ def test_a_dot_is_the_maximum_of_exactly_the_pixels_it_covers(
         assert np.array_equal(dots, exact(classes, scale, left, top, shape))
 
 
-@settings(max_examples=200)
 @given(
     side=st.integers(30, 300),
     place=st.floats(0.0, 0.999),
