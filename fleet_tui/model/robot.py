@@ -30,13 +30,15 @@ class Reading(Struct, Generic[T], frozen=True):
 
 class StampClock(Struct, frozen=True):
     """A robot's clock relative to ours: `offset` is the freshest (arrival - stamp) seen, in seconds; until
-    it is seen to run, that of its site. `is_compared`: one of the two tells the age of its messages."""
+    it is seen to run, that of its site. `is_compared`: one of the two tells the age of its messages. `site`
+    is the offset of the clock of its site then, None if unknown."""
 
     offset: float
     stamp: float
     at: float
     is_running: bool = True
     is_compared: bool = True
+    site: float | None = None
 
 
 class RobotMap(Struct, frozen=True, eq=False):

@@ -1,4 +1,4 @@
-"""The clock of a site: what dates the first message of a robot, whose own clock may be any."""
+"""The clock of a site: dates the first message of a robot, whose own clock may be any, and paces others."""
 
 import math
 import statistics
@@ -10,17 +10,17 @@ from fleet_tui.state.reports import SiteClock
 BROKER = ("mqtt://", "mqtts://")
 
 
-def site_clock(state: FleetState, robot: Robot) -> SiteClock | None:
+def site_clock(state: FleetState, robot: Robot, at: float) -> SiteClock | None:
     """Return the clock of a robot's site, as its bridge tells it, else as most other robots have it; None if
-    nothing tells, or if it is not needed: its own clock runs. A broker marks messages that it has kept: all
+    nothing tells, or if only others do and its own clock runs. A broker marks messages that it has kept: all
     others are new, whatever their stamps."""
+    link = state.links[robot.link]
+    if link.clock is not None:
+        return SiteClock(link.clock + link.drift * (at - link.clock_at), link.late)
     if robot.clock is not None and robot.clock.is_running:
         return None
-    link = state.links[robot.link]
     if link.url.startswith(BROKER):
         return SiteClock(math.inf)
-    if link.clock is not None:
-        return SiteClock(link.clock, link.late)
     others = (one.clock for one in state.robots.values() if one.link == robot.link)
     offsets = [clock.offset for clock in others if clock is not None and clock.is_running]
     return SiteClock(statistics.median(offsets), link.late) if offsets else None

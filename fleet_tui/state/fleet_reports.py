@@ -33,7 +33,7 @@ def apply_member_fact(state: FleetState, event: MemberFact) -> FleetState:
         case FacilityReported():
             return _with_facility(state, replace(event.facility, link=robot.link))
         case MemberReported():
-            return with_robot(state, _take_member(robot, event, site_clock(state, robot)))
+            return with_robot(state, _take_member(robot, event, site_clock(state, robot, event.at)))
         case StatusReported():
             return with_robot(state, _take_status(robot, event))
         case _:

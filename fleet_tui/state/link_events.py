@@ -47,6 +47,17 @@ def _change_link(state: FleetState, event: events.LinkChanged) -> FleetState:
     )
 
 
+def _clocked(link: LinkState, at: float, stamp: float) -> LinkState:
+    """Set the clock of a site by an answer: its stamp was true between question and answer. A clock that fits
+    in between has not moved, however long an answer took; simulated time, with a pace of its own, does."""
+    if link.clock is None:
+        return replace(link, clock=at - stamp, clock_at=at, drift=0.0)
+    clock = min(max(link.clock, link.asked_at - stamp), at - stamp)
+    passed = at - link.clock_at
+    drift = (clock - link.clock) / passed if passed > 0.0 else link.drift
+    return replace(link, clock=clock, clock_at=at, drift=drift)
+
+
 def apply_to_link(state: FleetState, event: LinkEvent) -> FleetState:
     """Apply one event of a link."""
     if isinstance(event, events.LinkChanged):
@@ -65,9 +76,8 @@ def apply_to_link(state: FleetState, event: LinkEvent) -> FleetState:
                 state, replace(link, topics=total, waiting_topics=total - done, subscribed_at=at)
             )
         case events.BridgeAnswered():
-            clock = link.clock if event.stamp is None else event.at - event.stamp
-            asked_at = event.at - event.after
-            return _with_link(state, replace(link, lag=event.after, asked_at=asked_at, clock=clock))
+            link = replace(link, lag=event.after, asked_at=event.at - event.after)
+            return _with_link(state, link if event.stamp is None else _clocked(link, event.at, event.stamp))
         case events.FrameRejected():
             return _with_link(
                 state,

@@ -146,7 +146,7 @@ def _apply_to_robot(state: FleetState, event: _OfRobot) -> FleetState:
     if (robot := state.robots.get(event.robot)) is None:
         return _with_live_map(state, event) if isinstance(event, events.GridReceived) else state
     if isinstance(event, Navigation):
-        return _moved(state, apply_navigation(robot, event, site_clock(state, robot)))
+        return _moved(state, apply_navigation(robot, event, site_clock(state, robot, event.at)))
     if isinstance(event, VehicleFact):
         return _moved(state, at_last_node(state, apply_vehicle(robot, event), event.at))
     return _apply_report(state, robot, event)
@@ -167,7 +167,7 @@ def _apply_report(
         case events.GridReceived():
             return _with_robots_map(state, event)
         case events.PoseReported():
-            return _moved(state, apply_report(robot, event, site_clock(state, robot)))
+            return _moved(state, apply_report(robot, event, site_clock(state, robot, event.at)))
         case (
             events.BatteryReported()
             | events.CargoReported()

@@ -45,7 +45,12 @@ class SiteClock(NamedTuple):
 def set_clock(clock: StampClock | None, at: float, stamp: float, site: SiteClock | None = None) -> StampClock:
     """Compare a robot's clock with ours, by a message of `stamp` that arrived `at`. Its first one may be
     latched, and is compared with the clock of its site; once its clock runs, that itself is trusted: it may
-    be hours off."""
+    be hours off, but not run slower than that of its site."""
+    clock = _set_clock(clock, at, stamp, site)
+    return replace(clock, site=None if site is None else site.offset)
+
+
+def _set_clock(clock: StampClock | None, at: float, stamp: float, site: SiteClock | None) -> StampClock:
     offset = at - stamp
     if clock is None:
         known = offset if site is None else min(offset, site.offset)
@@ -54,7 +59,8 @@ def set_clock(clock: StampClock | None, at: float, stamp: float, site: SiteClock
         return StampClock(offset, stamp, at)
     if not clock.is_running:
         return _started(clock, at, stamp, site)
-    crept = clock.offset + CLOCK_DRIFT * max(0.0, at - clock.at)
+    drifted = 0.0 if site is None or clock.site is None else site.offset - clock.site
+    crept = clock.offset + max(CLOCK_DRIFT * max(0.0, at - clock.at), drifted)
     return StampClock(min(crept, offset), stamp, at)
 
 

@@ -1,5 +1,7 @@
 """The age of the first message of a robot: by the clock of its site, else unknown."""
 
+import pytest
+
 from fleet_tui.cli.status.report import attention, report
 from fleet_tui.model.events import BridgeAnswered, Event
 from fleet_tui.model.fleet import FleetState
@@ -10,6 +12,8 @@ from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.checks import problems
 from fleet_tui.rules.why.why import reasons
+from fleet_tui.situation.links import late_link
+from fleet_tui.situation.robots import silent
 from fleet_tui.view.tables.news import news
 from tests.support.fleets import F0, LINK, R0, T0, fleet, link_up, place_order, pose, reduced, tick
 
@@ -110,3 +114,28 @@ def test_the_first_word_of_a_driver_that_nothing_dates_is_no_sign_of_life() -> N
     assert state.robots[R0].last_received is None
     dated = seen(BridgeAnswered(LINK, T0 - 0.5, 0.004, SITE - 0.5), event)
     assert dated.robots[R0].last_received == T0 - 40.0
+
+
+@pytest.mark.parametrize("factor", [0.25, 0.5, 1.0, 2.0])
+@pytest.mark.parametrize("lag", [0.004, 0.3])
+def test_simulated_time_at_any_pace_makes_no_robot_old(factor: float, lag: float) -> None:
+    state = reduced(fleet(2), link_up(T0))
+    for n in range(600):
+        at = T0 + n / 10
+        stamp = SITE + (at - T0) * factor
+        stands = pose(at, stamp=min(stamp, SITE + 30.0 * factor), robot="robot_1")
+        answer = [BridgeAnswered(LINK, at, lag, stamp - lag * factor)] * (n % 20 == 0)
+        state = reduced(state, *answer, pose(at, x=n / 10, stamp=stamp), stands, tick(at))
+        if n >= 60:
+            assert age(state) < 0.4 and state.is_fresh(state.robots[R0], "pose")
+            assert state.is_online(state.robots[R0])
+            assert late_link(state, state.links[LINK]) is None and silent(state, state.robots[R0]) is None
+    assert not any(alarm.key[0] == R0 for alarm in state.alarms if alarm.holds)
+    assert state.is_old(state.robots["robot_1"], "pose")
+
+
+def test_a_slow_answer_does_not_move_the_clock_of_a_site() -> None:
+    answers = [BridgeAnswered(LINK, T0 + 2 * n, 0.004, SITE + 2 * n) for n in range(9)]
+    slow = BridgeAnswered(LINK, T0 + 18.0, 0.45, SITE + 17.56)
+    link = reduced(fleet(), link_up(T0 - 1), *answers, slow).links[LINK]
+    assert link.clock == T0 - SITE and link.drift == 0.0
