@@ -13,6 +13,7 @@ from fleet_tui.config.start import initial_state
 from fleet_tui.state.store import Store
 from fleet_tui.themes import load_themes
 from fleet_tui.view.map.drawing import Drawing
+from tests.support.polling import until
 from tests.support.terminal import PlayedDriver, shown, terminal_of
 from tests.support.watched_store import config_of
 
@@ -56,10 +57,9 @@ async def test_what_is_marked_stands_out(pilot: Pilot[None]) -> None:
     await pilot.press(":", *"next")
     await pilot.pause()
     assert [line.split() for line in marked(pilot, "underline")] == [["Next", "robot", "."]]
-    assert "" in marked(pilot, "reverse")  # the cursor after what was typed
+    await until(lambda: "" in marked(pilot, "reverse"))  # the cursor after what was typed; it blinks
     await pilot.press("escape", "o", *"robot")
-    await pilot.pause()
-    assert "" in marked(pilot, "reverse")
+    await until(lambda: "" in marked(pilot, "reverse"))
 
 
 @pytest.mark.parametrize(
