@@ -8,6 +8,8 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.state.reports import SiteClock
 
 BROKER = ("mqtt://", "mqtts://")
+DRIFT_HOLDS = 10.0
+"""Seconds after the last answer of a bridge for which the pace of its site's clock is still as it was."""
 
 
 def site_clock(state: FleetState, robot: Robot, at: float) -> SiteClock | None:
@@ -16,7 +18,8 @@ def site_clock(state: FleetState, robot: Robot, at: float) -> SiteClock | None:
     others are new, whatever their stamps."""
     link = state.links[robot.link]
     if link.clock is not None:
-        return SiteClock(link.clock + link.drift * (at - link.clock_at), link.late)
+        since = min(at - link.clock_at, DRIFT_HOLDS)
+        return SiteClock(link.clock + link.drift * since, link.late)
     if robot.clock is not None and robot.clock.is_running:
         return None
     if link.url.startswith(BROKER):

@@ -46,8 +46,8 @@ def set_clock(clock: StampClock | None, at: float, stamp: float, site: SiteClock
     """Compare a robot's clock with ours, by a message of `stamp` that arrived `at`. Its first one may be
     latched, and is compared with the clock of its site; once its clock runs, that itself is trusted: it may
     be hours off, but not run slower than that of its site."""
-    clock = _set_clock(clock, at, stamp, site)
-    return replace(clock, site=None if site is None else site.offset)
+    last = None if clock is None else clock.site
+    return replace(_set_clock(clock, at, stamp, site), site=last if site is None else site.offset)
 
 
 def _set_clock(clock: StampClock | None, at: float, stamp: float, site: SiteClock | None) -> StampClock:

@@ -15,7 +15,7 @@ from fleet_tui.rules.why.why import reasons
 from fleet_tui.situation.links import late_link
 from fleet_tui.situation.robots import silent
 from fleet_tui.view.tables.news import news
-from tests.support.fleets import F0, LINK, R0, T0, fleet, link_up, place_order, pose, reduced, tick
+from tests.support.fleets import F0, LINK, R0, T0, fleet, link_lost, link_up, place_order, pose, reduced, tick
 
 SITE = 5_000.0
 """The clock of the site at T0."""
@@ -139,3 +139,22 @@ def test_a_slow_answer_does_not_move_the_clock_of_a_site() -> None:
     slow = BridgeAnswered(LINK, T0 + 18.0, 0.45, SITE + 17.56)
     link = reduced(fleet(), link_up(T0 - 1), *answers, slow).links[LINK]
     assert link.clock == T0 - SITE and link.drift == 0.0
+
+
+def test_a_pace_is_not_believed_for_hours_after_the_last_answer() -> None:
+    answers = BridgeAnswered(LINK, T0, 0.4, SITE - 0.4), BridgeAnswered(LINK, T0 + 2, 0.004, SITE + 2)
+    at = 36_000.0
+    state = reduced(fleet(), link_up(T0 - 1), *answers, pose(T0 + at, stamp=SITE + at), tick(T0 + at))
+    assert age(state) < 3.0
+
+
+def test_slow_time_that_passed_while_the_link_was_down_makes_no_robot_old() -> None:
+    state = reduced(fleet(), link_up(T0))
+    for n in range(300):
+        at = T0 + n / 10 + (60.0 if n >= 150 else 0.0)
+        stamp = SITE + (at - T0) / 2
+        if n == 150:
+            state = reduced(state, link_lost(at - 59.0), link_up(at - 0.1))
+        answer = [BridgeAnswered(LINK, at, 0.004, stamp - 0.002)] * (n % 20 == 11)
+        state = reduced(state, pose(at, stamp=stamp), *answer, tick(at))
+    assert age(state) < 1.0 and state.is_fresh(state.robots[R0], "pose")
