@@ -84,7 +84,7 @@ class Audit:
         """Whether a line has been handed to the disk, and whether that does not respond."""
         self._slow, self._slow_since = 0.0, 0.0
         self._closed = False
-        self.watched: FleetState | None = None
+        self._watched: FleetState | None = None
         """The newest state whose changes are in the log."""
         self._changed = threading.Condition()
         self._thread = threading.Thread(target=self._work, name="fleet-tui-audit", daemon=True)
@@ -104,11 +104,18 @@ class Audit:
 
     def watch(self, before: FleetState, after: FleetState) -> None:
         """Write the changes from one state to the next."""
+        with self._changed:
+            is_urgent = self._write_changes(before, after)
+            self._wait(is_urgent)
+
+    def _write_changes(self, before: FleetState, after: FleetState) -> bool:
+        """Tell whether changes of commands are among them."""
         now, wall = time.monotonic(), time.time()
         commands = list(command_records(self.origin, before, after, lambda at: wall - (now - at)))
         alarms = alarm_records(self.origin, before, after, wall)
-        self._take(itertools.chain(commands, alarms), is_urgent=bool(commands))
-        self.watched = after
+        self._add(itertools.chain(commands, alarms))
+        self._watched = after
+        return bool(commands)
 
     def log_console(self, change: str, words: str = "") -> None:
         """Write an event of the console itself."""
@@ -117,9 +124,12 @@ class Audit:
     def close(self, state: FleetState) -> int:
         """Write the last record of every open command. Returns the number of records that could not be
         written."""
-        self._take(closing_records(self.origin, state, time.time()))
-        self.log_console("closed")
         with self._changed:
+            if self._watched is not None and state.now >= self._watched.now:
+                # Who waits for a stage sees it in the state before the log's watcher does.
+                self._write_changes(self._watched, state)
+            self._add(closing_records(self.origin, self._watched or state, time.time()))
+            self._add([self._of_console("closed", "")])
             self._closed = True
             self._changed.notify_all()
         done = -1
@@ -133,17 +143,20 @@ class Audit:
 
     def _take(self, records: Iterable[AuditRecord], is_urgent: bool = True) -> None:
         with self._changed:
-            if self._closed:
-                return
-            try:
-                for record in records:
-                    self._append(encode(record))
-            except Exception:
-                # Whatever fails here, dispatch continues.
-                LOG.exception("audit")
-                self._lost += 1
-            self._changed.notify_all()
+            self._add(records)
             self._wait(is_urgent)
+
+    def _add(self, records: Iterable[AuditRecord]) -> None:
+        if self._closed:
+            return
+        try:
+            for record in records:
+                self._append(encode(record))
+        except Exception:
+            # Whatever fails here, dispatch continues.
+            LOG.exception("audit")
+            self._lost += 1
+        self._changed.notify_all()
 
     def _append(self, line: bytes) -> None:
         if len(self._waiting) >= WAITING:
@@ -246,8 +259,7 @@ def auditing(folder: Path, config: Config, store: Store, demo: bool = False) -> 
         yield audit
     finally:
         store.watchers.remove(audit.watch)
-        # A stage that is reported from here on has no line: its command is written as still open.
-        missing = audit.close(audit.watched or store.state)
+        missing = audit.close(store.state)
         if missing:
             _warn(f"audit: {missing} record{'s' * (missing != 1)} not written: {audit.problem}")
 

@@ -147,6 +147,17 @@ def test_a_slow_disk_has_the_end_of_every_command(
     assert [one.id for one in found if one.change == "console closed"] == [*range(1, 11)]
 
 
+def test_a_stage_that_only_the_state_has_at_the_end_is_written(tmp_path: Path) -> None:
+    """Who waits for a stage sees it before the log's watcher does, and may end the console by it."""
+    store, audit = Store(known_fleet()), Audit(AuditFile(tmp_path / FILE_NAME), ANA)
+    store.watchers.append(audit.watch)
+    give(store, 1, ORDER, Stage.SENT)
+    store.watchers.clear()
+    store.apply(CommandAdvanced(1, Stage.REFUSED, store.state.now, "no"))
+    assert audit.close(store.state) == 0
+    assert [one.change for one in read(tmp_path)][-2:] == ["refused", "closed"]
+
+
 def test_what_waits_has_a_bound_and_what_is_lost_is_counted(
     tmp_path: Path, disk: BadDisk, monkeypatch: pytest.MonkeyPatch
 ) -> None:

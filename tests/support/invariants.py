@@ -58,7 +58,7 @@ async def linked(config: Config) -> AsyncIterator[tuple[FleetLink, WatchedStore]
             store.watchers += [audit.watch, see]
             yield link, store
             store.watchers.clear()
-            state = audit.watched or store.state
+            state = store.state
             assert audit.close(state) == 0
         lines = read(path)
         commands_are_kept(config, state, lines, wire)
