@@ -8,7 +8,9 @@ from click.shell_completion import CompletionItem
 from fleet_tui.config.load import find, read
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import ConfigError
-from fleet_tui.text.sanitize import sanitize
+
+PLAIN = "_-./:,+@%="
+"""Characters beside letters and digits that no shell reads."""
 
 Offer = Callable[[click.Context, click.Parameter, str], list[CompletionItem]]
 
@@ -53,18 +55,20 @@ def listed(words: Callable[[click.Context], Iterable[str]]) -> Offer:
 
     def offer(context: click.Context, _param: click.Parameter, typed: str) -> list[CompletionItem]:
         before, comma, last = typed.rpartition(",")
-        return [CompletionItem(f"{before}{comma}{word}") for word in words(context) if word.startswith(last)]
+        return [CompletionItem(f"{before}{comma}{word.value}") for word in _starting(words(context), last)]
 
     return offer
 
 
 def _starting(names: Iterable[str], typed: str) -> list[CompletionItem]:
-    """Return the names that begin as typed, without those that a shell or terminal would read differently."""
-    return [
-        CompletionItem(name)
-        for name in names
-        if name.startswith(typed) and sanitize(name) == name and not any(map(str.isspace, name))
-    ]
+    """Return the names that begin as typed, of those that every shell takes as they are: the configuration
+    may be somebody else's, and what is completed is run."""
+    return [CompletionItem(name) for name in names if name.startswith(typed) and _is_plain(name)]
+
+
+def _is_plain(name: str) -> bool:
+    """Tell whether no character of a name means anything to a shell or a terminal."""
+    return name[:1] not in ("-", "=") and all(letter.isalnum() or letter in PLAIN for letter in name)
 
 
 def _config(context: click.Context) -> Config:

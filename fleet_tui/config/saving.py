@@ -5,6 +5,7 @@ from typing import Protocol
 
 from fleet_tui.config.as_toml import as_toml
 from fleet_tui.config.schema import Config, expanded
+from fleet_tui.config.trust import written_file
 from fleet_tui.config.whole_file import write_whole
 from fleet_tui.errors import FleetError
 
@@ -40,8 +41,9 @@ class Saving:
 
 def write_config(text: str, name: str) -> Path:
     """Write a file of mode 600, whole or not at all, and return its path. Raises FleetError."""
-    path = expanded(name).resolve()
+    path = expanded(name)
     try:
+        path = written_file(path)
         if path.is_dir():
             raise FleetError(f"{name}: is a folder: name a file")
         write_whole(path, text.encode())

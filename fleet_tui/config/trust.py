@@ -4,6 +4,7 @@ Safe is what the user of this process or root owns and nobody else can write or 
 that lead to it, and every folder on the way.
 """
 
+import errno
 import grp
 import hashlib
 import os
@@ -93,6 +94,14 @@ def accept(path: Path, text: str) -> None:
 def memory() -> Path:
     """Return the file of what is trusted: a digest of place and content on each line."""
     return platformdirs.user_state_path("fleet-tui") / "trusted"
+
+
+def written_file(path: Path) -> Path:
+    """Return the file that is written under a name, links followed. Raises OSError for a link that somebody
+    else could have made: it may lead to any file of this user."""
+    if path.is_symlink() and doubt(path):
+        raise OSError(errno.ELOOP, "a link that another user could have made: name the file that it leads to")
+    return path.resolve()
 
 
 def user_name(number: int) -> str:

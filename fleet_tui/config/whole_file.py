@@ -29,9 +29,23 @@ def write_whole(path: Path, content: bytes, keep: bool = False, is_shared: bool 
         elif is_shared:
             made.chmod(0o666 & ~_umask())
         if keep and exists:
-            kept = path.with_name(path.name + BACKUP)
-            shutil.copy2(path, kept)
+            kept = _copied(path)
         made.replace(path)
+    except OSError:
+        with suppress(OSError):
+            made.unlink()
+        raise
+    return kept
+
+
+def _copied(path: Path) -> Path:
+    """Copy a file beside it. What has the copy's name is replaced: a link there may be somebody else's."""
+    number, name = tempfile.mkstemp(dir=path.parent, prefix=".fleet-tui-")
+    os.close(number)
+    made, kept = Path(name), path.with_name(path.name + BACKUP)
+    try:
+        shutil.copy2(path, made)
+        made.replace(kept)
     except OSError:
         with suppress(OSError):
             made.unlink()

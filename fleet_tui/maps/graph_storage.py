@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from fleet_tui.config.small_file import read_text
+from fleet_tui.config.trust import written_file
 from fleet_tui.config.whole_file import write_whole
 from fleet_tui.errors import GraphError
 from fleet_tui.graph_files.graph_file import GraphFile, ReadChoices
@@ -39,12 +40,12 @@ def save_graph_file(path: Path, text: str, keep: bool = True) -> Path | None:
     # A stream that happens to be a file would be replaced under the hands of whoever reads it.
     if path.absolute().parts[1:2] in (("dev",), ("proc",)):
         raise GraphError("not a regular file")
-    path = path.resolve()
     if path.is_dir():
         raise GraphError("is a folder: name a file")
     if path.exists() and not path.is_file():
         raise GraphError("not a regular file")
     try:
+        path = written_file(path)
         return write_whole(path, text.encode(), keep=keep, is_shared=True)
     except OSError as problem:
         raise GraphError(f"cannot be written: {problem.strerror or problem}") from None

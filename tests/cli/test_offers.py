@@ -86,6 +86,39 @@ def test_without_a_readable_graph_file_no_place_is_offered(place: Path) -> None:
     assert offered(place, "order", "robot_0", "") == []
 
 
-def test_a_name_with_control_characters_reaches_no_shell(place: Path) -> None:
-    (place / "config.toml").write_text('[[robots]]\nname = "a\\u001b]2;x\\u0007"\n[[robots]]\nname = "b c"\n')
+@pytest.mark.parametrize(
+    "name",
+    [
+        "a\\u001b]2;x\\u0007",
+        "b c",
+        "x$(id)",
+        "x`id`",
+        "x;id",
+        "x|id",
+        "x&id",
+        "x>f",
+        "x*",
+        "~x",
+        "x'",
+        'x\\"',
+        "!x",
+        "x{a,b}",
+        "-x",
+        "=x",
+        "x\\\\y",
+        "x#y",
+        "x?",
+        "[x]",
+        "x^y",
+    ],
+)
+def test_a_name_that_a_shell_reads_as_more_is_not_offered(place: Path, name: str) -> None:
+    """The configuration of a folder may be somebody else's; what Tab has put into a line is run by Enter."""
+    (place / "config.toml").write_text(f'[[robots]]\nname = "{name}"\n[[programs]]\nname = "{name}"\n')
     assert offered(place, "pause", "") == []
+    assert offered(place, "programs", "start", "") == []
+
+
+def test_letters_of_any_language_are_offered(place: Path) -> None:
+    (place / "config.toml").write_text('[[robots]]\nname = "célula_7"\n')
+    assert offered(place, "pause", "c") == ["plain,célula_7"]

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.config import trust
-from fleet_tui.config.trust import accept, doubt, doubt_of_content, memory, saying_yes
+from fleet_tui.config.trust import accept, doubt, doubt_of_content, memory, saying_yes, written_file
 from tests.support.users import EVE, as_eve, give, two_users
 
 
@@ -134,3 +134,16 @@ def test_a_yes_holds_for_this_content_in_this_place(file: Path, monkeypatch: pyt
     assert doubt_of_content(file, "a") == "" and memory().stat().st_mode & 0o777 == 0o600
     memory().chmod(0o646)
     assert doubt_of_content(file, "a")
+
+
+@pytest.mark.parametrize("exists", [True, False])
+def test_a_link_that_others_could_have_made_is_not_written_through(file: Path, exists: bool) -> None:
+    link, victim = file.parent / "graph.geojson", file.parent.parent / "victim"
+    link.symlink_to(victim)
+    if exists:
+        victim.write_text("mine")
+    assert written_file(link) == victim
+    file.parent.chmod(0o757)
+    with pytest.raises(OSError, match="a link that another user could have made"):
+        written_file(link)
+    assert written_file(file) == file, "what is no link is replaced in its place"

@@ -25,3 +25,14 @@ def test_what_fails_leaves_the_file_before_and_nothing_else(tmp_path: Path) -> N
     with pytest.raises(OSError, match="directory"):
         write_whole(path, b"1")
     assert [one.name for one in tmp_path.iterdir()] == ["file"]
+
+
+def test_a_link_with_the_name_of_the_old_version_is_replaced_not_followed(tmp_path: Path) -> None:
+    path, victim = tmp_path / "graph", tmp_path / "victim"
+    path.write_bytes(b"old")
+    victim.write_bytes(b"mine")
+    kept = tmp_path / "graph.bak"
+    kept.symlink_to(victim)
+    assert write_whole(path, b"new", keep=True) == kept
+    assert (victim.read_bytes(), kept.read_bytes(), kept.is_symlink()) == (b"mine", b"old", False)
+    assert sorted(one.name for one in tmp_path.iterdir()) == ["graph", "graph.bak", "victim"]
