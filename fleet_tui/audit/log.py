@@ -119,7 +119,9 @@ class Audit:
 
     def log_console(self, change: str, words: str = "") -> None:
         """Write an event of the console itself."""
-        self._take([self._of_console(change, words)])
+        with self._changed:
+            self._add([self._of_console(change, words)])
+            self._wait(is_urgent=True)
 
     def close(self, state: FleetState) -> int:
         """Write the last record of every open command. Returns the number of records that could not be
@@ -131,7 +133,6 @@ class Audit:
             self._add(closing_records(self.origin, self._watched or state, time.time()))
             self._add([self._of_console("closed", "")])
             self._closed = True
-            self._changed.notify_all()
         done = -1
         while self._thread.is_alive() and done < self._done:
             done = self._done
@@ -140,11 +141,6 @@ class Audit:
 
     def _of_console(self, change: str, words: str) -> AuditRecord:
         return self.origin.record(time.time(), kind="console", what="console", change=change, words=words)
-
-    def _take(self, records: Iterable[AuditRecord], is_urgent: bool = True) -> None:
-        with self._changed:
-            self._add(records)
-            self._wait(is_urgent)
 
     def _add(self, records: Iterable[AuditRecord]) -> None:
         if self._closed:

@@ -42,7 +42,6 @@ class FakePage:
 
 ECHO = """
 import os, sys
-from tests.support.polling import HANGS
 print(os.environ["COLUMNS"], os.environ["ROWS"], os.environ["TERM"], os.environ.get("TMUX"), flush=True)
 sys.stdout.buffer.write(sys.stdin.buffer.read(6 + 5))
 sys.stdout.flush()

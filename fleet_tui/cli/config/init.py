@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from fleet_tui.config.load import shipped
+from fleet_tui.config.saving import write_config
 from fleet_tui.config.schema import Config
 from fleet_tui.discovery.address import bridge_at
 from fleet_tui.discovery.site import DiscoveredSite, start_discovery
@@ -33,8 +34,11 @@ def write(text: str, output: str, force: bool, say: Callable[[str], None]) -> No
     if not output:
         say(text.rstrip("\n"))
         return
+    if force:
+        write_config(text, output)
+        return
     try:
-        with Path(output).expanduser().open("w" if force else "x", encoding="utf-8") as file:
+        with Path(output).expanduser().open("x", encoding="utf-8") as file:
             file.write(text)
     except FileExistsError:
         raise FleetError(f"{output} exists: overwrite with --force") from None

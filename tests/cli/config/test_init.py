@@ -83,6 +83,17 @@ async def test_without_a_bridge_it_is_an_example_that_is_never_written_over(tmp_
     assert (await run(tmp_path, "config", "init", "--output", "no/such/folder.toml")).code == 1
 
 
+async def test_by_force_no_link_that_others_could_have_made_is_written_through(tmp_path: Path) -> None:
+    shared, victim = tmp_path / "shared", tmp_path / "victim"
+    shared.mkdir()
+    shared.chmod(0o757)
+    victim.write_text("mine")
+    (shared / "config.toml").symlink_to(victim)
+    refused = await run(tmp_path, "config", "init", "--output", "shared/config.toml", "--force")
+    assert refused.code == 1 and "a link that another user could have made" in refused.err
+    assert victim.read_text() == "mine"
+
+
 async def test_what_can_not_be_asked(server: RosbridgeServer, tmp_path: Path) -> None:
     dead = await run(tmp_path, "config", "init", "--from-live", "ws://127.0.0.1:9")
     assert dead.code == 3 and "connection refused" in dead.err
