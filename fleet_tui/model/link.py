@@ -37,10 +37,11 @@ class LinkState(Struct, frozen=True):
     it came up again, else 0; `fault_at` is the time of the last bad frame; `lag` are the seconds after which
     it last answered a question over the connection for telemetry, asked at `asked_at`, `late` those of which
     not this console but the bridge is the cause; `clock` is (our time - time by the clock of its site) at
-    its last answer that told it, at `clock_at`, None without one, and `drift` the seconds by which that grows
-    in each of ours; `unsourced` is the package whose messages the bridge lacks;
-    `site` is the one that it belongs to; `topics` are the subscriptions that were requested of a bridge with
-    many, of which `waiting_topics` are not handled yet, `subscribed_at` the time of the last handled one."""
+    its last answer that told it, at `clock_at`, None without one, `drift` the seconds by which that grows in
+    each of ours, and `drifted` those by which it has grown so; `unsourced` is the package whose messages
+    the bridge lacks; `site` is the one that it belongs to; `topics` are the subscriptions that were
+    requested of a bridge with many, of which `waiting_topics` are not handled yet, `subscribed_at` the time
+    of the last handled one."""
 
     name: str
     url: str
@@ -63,6 +64,7 @@ class LinkState(Struct, frozen=True):
     clock: float | None = None
     clock_at: float = 0.0
     drift: float = 0.0
+    drifted: float = 0.0
     unsourced: str = ""
     site: str = ""
     topics: int = 0

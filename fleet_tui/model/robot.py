@@ -31,7 +31,7 @@ class Reading(Struct, Generic[T], frozen=True):
 class StampClock(Struct, frozen=True):
     """A robot's clock relative to ours: `offset` is the freshest (arrival - stamp) seen, in seconds; until
     it is seen to run, that of its site. `is_compared`: one of the two tells the age of its messages. `site`
-    is the last known offset of the clock of its site, None if unknown."""
+    are the seconds by which the clock of its site had drifted then, None if unknown."""
 
     offset: float
     stamp: float

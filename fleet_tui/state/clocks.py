@@ -17,9 +17,9 @@ def site_clock(state: FleetState, robot: Robot, at: float) -> SiteClock | None:
     nothing tells, or if only others do and its own clock runs. A broker marks messages that it has kept: all
     others are new, whatever their stamps."""
     link = state.links[robot.link]
-    if link.clock is not None:
-        since = min(at - link.clock_at, DRIFT_HOLDS)
-        return SiteClock(link.clock + link.drift * since, link.late)
+    if link.clock is not None and link.clock_at >= link.since:
+        since = link.drift * min(at - link.clock_at, DRIFT_HOLDS)
+        return SiteClock(link.clock + since, link.late, link.drifted + since)
     if robot.clock is not None and robot.clock.is_running:
         return None
     if link.url.startswith(BROKER):

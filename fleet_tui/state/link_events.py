@@ -42,7 +42,6 @@ def _change_link(state: FleetState, event: events.LinkChanged) -> FleetState:
             unsourced=link.unsourced if event.phase is Phase.UP else "",
             waiting_topics=link.waiting_topics if event.phase is Phase.UP else 0,
             lag=link.lag if event.phase is Phase.UP else 0.0,
-            clock=link.clock if event.phase is Phase.UP else None,
         ),
     )
 
@@ -53,9 +52,11 @@ def _clocked(link: LinkState, at: float, stamp: float) -> LinkState:
     if link.clock is None:
         return replace(link, clock=at - stamp, clock_at=at, drift=0.0)
     clock = min(max(link.clock, link.asked_at - stamp), at - stamp)
-    passed = at - link.clock_at
-    drift = (clock - link.clock) / passed if passed > 0.0 else link.drift
-    return replace(link, clock=clock, clock_at=at, drift=drift)
+    passed, moved = at - link.clock_at, clock - link.clock
+    # Time that stands still is the slowest pace: a clock that lost more was set back.
+    if passed <= 0.0 or moved > passed:
+        return replace(link, clock=clock, clock_at=at, drift=0.0)
+    return replace(link, clock=clock, clock_at=at, drift=moved / passed, drifted=link.drifted + moved)
 
 
 def apply_to_link(state: FleetState, event: LinkEvent) -> FleetState:

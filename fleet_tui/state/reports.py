@@ -36,10 +36,11 @@ TRACES_KEPT = 2 * MOST_ORDERS
 
 class SiteClock(NamedTuple):
     """The clock of a site: `offset` is (arrival - stamp) of a message that is sent now, `late` the seconds by
-    which its bridge is late."""
+    which its bridge is late, `drifted` those that it has lost against ours by its pace."""
 
     offset: float
     late: float = 0.0
+    drifted: float = 0.0
 
 
 def set_clock(clock: StampClock | None, at: float, stamp: float, site: SiteClock | None = None) -> StampClock:
@@ -47,7 +48,7 @@ def set_clock(clock: StampClock | None, at: float, stamp: float, site: SiteClock
     latched, and is compared with the clock of its site; once its clock runs, that itself is trusted: it may
     be hours off, but not run slower than that of its site."""
     last = None if clock is None else clock.site
-    return replace(_set_clock(clock, at, stamp, site), site=last if site is None else site.offset)
+    return replace(_set_clock(clock, at, stamp, site), site=last if site is None else site.drifted)
 
 
 def _set_clock(clock: StampClock | None, at: float, stamp: float, site: SiteClock | None) -> StampClock:
@@ -59,7 +60,7 @@ def _set_clock(clock: StampClock | None, at: float, stamp: float, site: SiteCloc
         return StampClock(offset, stamp, at)
     if not clock.is_running:
         return _started(clock, at, stamp, site)
-    drifted = 0.0 if site is None or clock.site is None else site.offset - clock.site
+    drifted = 0.0 if site is None or clock.site is None else site.drifted - clock.site
     crept = clock.offset + max(CLOCK_DRIFT * max(0.0, at - clock.at), drifted)
     return StampClock(min(crept, offset), stamp, at)
 

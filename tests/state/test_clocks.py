@@ -134,6 +134,18 @@ def test_simulated_time_at_any_pace_makes_no_robot_old(factor: float, lag: float
     assert state.is_old(state.robots["robot_1"], "pose")
 
 
+def test_a_site_whose_clock_is_set_back_makes_no_old_stamp_new() -> None:
+    """The clock of the bridge's machine alone: the robot repeats a pose of before."""
+    state = reduced(fleet(), link_up(T0))
+    for n in range(400):
+        at = T0 + n / 10
+        stamp = SITE + at - T0
+        told_by_site = stamp - 18_000.0 * (n >= 200)
+        answer = [BridgeAnswered(LINK, at, 0.004, told_by_site - 0.004)] * (n % 20 == 0)
+        state = reduced(state, *answer, pose(at, stamp=min(stamp, SITE + 10.0)), tick(at))
+    assert 25.0 < age(state) <= 31.0 and state.is_old(state.robots[R0], "pose")
+
+
 def test_a_slow_answer_does_not_move_the_clock_of_a_site() -> None:
     answers = [BridgeAnswered(LINK, T0 + 2 * n, 0.004, SITE + 2 * n) for n in range(9)]
     slow = BridgeAnswered(LINK, T0 + 18.0, 0.45, SITE + 17.56)
