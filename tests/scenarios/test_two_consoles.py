@@ -16,6 +16,7 @@ from fleet_tui.config.start import initial_state
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, CommandRecord, PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.commands.rivals import rivals_text
+from fleet_tui.simulator import robot
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console
 from tests.support.fleets import place_order
@@ -146,7 +147,10 @@ async def test_both_cancel_the_same_order(server: RosbridgeServer) -> None:
         await it.shows("no orders", "queue")
 
 
-async def test_one_clears_while_the_other_orders(server: RosbridgeServer) -> None:
+async def test_one_clears_while_the_other_orders(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(robot, "LOADING", 600.0)  # with cargo on board an order is another question
     async with console(patient(server.url)) as it, other_console(server.url) as other:
         for count in (1, 2):
             await place(it)
