@@ -192,7 +192,8 @@ def test_a_form_works_on_one_picture_of_the_labels(desk: Desk) -> None:
         desk.bridge.publish(f"/robot_0/{floor.name}/labeled_vertices", other)
         desk.shows("Base: changed meanwhile, choose again")
         desk.type("\r")
-        desk.shows("From: Enter takes the marked place")
+        desk.shows("Enter  next")
+        desk.shows("Base: changed meanwhile, choose again")
         desk.is_idle()
         assert desk.bridge.calls() == []
     finally:

@@ -24,6 +24,8 @@ class OrderFields(Vertical):
         super().__init__(id="order-fields")
         self._boxes = {name: LegField(keys, id=name) for name in NAMES}
         self.chosen: dict[str, Place] = {}
+        self._gone: dict[str, tuple[str, list[str]]] = {}
+        """What was chosen or marked and has changed: by field its text then, and the names of places."""
         self._robot = ""
 
     def __getitem__(self, name: str) -> LegField:
@@ -65,15 +67,17 @@ class OrderFields(Vertical):
 
     def clear(self, robot: str) -> None:
         """Clear all but the robot."""
-        self.chosen, self._robot = {}, robot
+        self.chosen, self._gone, self._robot = {}, {}, robot
         for name, box in self._boxes.items():
             box.put(robot if name == "robot" else "", Legs())
 
     def choose_for(self, robot: str) -> None:
         """Drop the places of another robot: ids are those of one robot's graph."""
+        self._gone.pop("robot", None)
         if robot != self._robot:
             self._robot = robot
             self.chosen.clear()
+            self._gone.clear()
             if self._boxes["from"].value == HERE.name:
                 self._boxes["from"].put("")
             if self._boxes["to"].legs.places:
@@ -83,6 +87,7 @@ class OrderFields(Vertical):
         """Fill a field with a place."""
         self._boxes[name].put(sanitize(place.name))
         self.chosen[name] = place
+        self._gone.pop(name, None)
 
     def take_both(self, favourite: Favourite) -> None:
         """Fill From and To with an order to give again, the cursor in To: the next Enter sends it."""
@@ -105,22 +110,36 @@ class OrderFields(Vertical):
             del self.chosen["from"]
             box.put("")
 
-    def drop_gone(self, is_still: Callable[[Place], bool]) -> list[str]:
-        """Drop the places that were chosen and are no longer what they were. Returns their names."""
+    @property
+    def gone(self) -> list[str]:
+        """Return the names of places that must be chosen again, as they have changed."""
+        return list(dict.fromkeys(name for _, names in self._gone.values() for name in names))
+
+    def note_gone(self, field: str, *names: str) -> None:
+        """Ask for a field again, until it is chosen or something else typed in it."""
+        self._gone[field] = self._boxes[field].typed, [*self._gone.get(field, ("", []))[1], *names]
+
+    def drop_gone(self, is_still: Callable[[Place], bool]) -> bool:
+        """Drop the places that were chosen and are no longer what they were. Tells whether there are any."""
         gone = [name for name, place in self.chosen.items() if place != HERE and not is_still(place)]
-        names = [self.chosen.pop(name).name for name in gone]
+        for name in gone:
+            self.note_gone(name, self.chosen.pop(name).name)
         box = self._boxes["to"]
         legs = box.legs.places
         kept = tuple(takewhile(is_still, legs))
         if kept != legs:
             box.put(box.typed, Legs(kept))
-        return [*names, *(leg.name for leg in legs[len(kept) :])]
+            self.note_gone("to", *(leg.name for leg in legs[len(kept) :]))
+        return bool(gone) or kept != legs
 
     def drop_changed(self, name: str) -> None:
         """Drop the place of a field whose text has changed."""
         # A Changed message may be about letters typed before the choice was made.
-        if name in self.chosen and sanitize(self.chosen[name].name) != self._boxes[name].typed:
+        typed = self._boxes[name].typed
+        if name in self.chosen and sanitize(self.chosen[name].name) != typed:
             del self.chosen[name]
+        if name in self._gone and self._gone[name][0] != typed:
+            del self._gone[name]
 
     def step(self, step: int) -> None:
         """Go to the next (1) or previous (-1) field, around the ends."""

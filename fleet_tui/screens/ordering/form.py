@@ -118,12 +118,15 @@ class OrderForm(ReturningOverlay):
         holds = True
         if not is_same(picture, self._picture):
             self._picture = picture
-            gone = self._fields.drop_gone(self._is_still)
+            holds = not self._fields.drop_gone(self._is_still)
             self._arrange()
-            holds = self._choices.list_for(robot, keep=True) and not gone
+            if not self._choices.list_for(robot, keep=True):
+                holds = False
+                field = self._fields.current
+                self._fields.note_gone(field, self._fields.typed or tr(field.capitalize()))
             self.border_subtitle = self._choices.scope(robot)
             if not holds:
-                self._say(changed(gone or [self._fields[self._fields.current].typed]))
+                self._said = ""
         self._tell()
         return holds
 
@@ -150,7 +153,8 @@ class OrderForm(ReturningOverlay):
         state, robot = self._state(), self._robot()
         unknown, found = self._choices.unknown(robot), self._problems(robot)
         self._send.disabled = bool(unknown) or (self._is_last and any(problem.blocks for problem in found))
-        text = tr(self._said) or hindrance(state, robot) or unknown or warnings(state, robot, found)
+        again = changed(gone) if (gone := self._fields.gone) else ""
+        text = again or tr(self._said) or hindrance(state, robot) or unknown or warnings(state, robot, found)
         note = self.query_one("#missing", Static)
         if text != note.content:  # an update lays out the whole screen
             note.update(text)

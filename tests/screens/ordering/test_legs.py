@@ -68,9 +68,10 @@ async def test_cargo_that_left_meanwhile_needs_a_start(server: RosbridgeServer) 
         assert sent(server) == []
 
 
+@pytest.mark.parametrize("is_seen_first", [True, False])
 @pytest.mark.parametrize("field", ["from", "to"])
 async def test_a_place_that_got_another_id_while_the_form_is_open_must_be_chosen_again(
-    server: RosbridgeServer, field: str
+    server: RosbridgeServer, field: str, is_seen_first: bool
 ) -> None:
     async with console(config_of(server.url, 1)) as it:
         ids = it.store.state.robots["robot_0"].maps["floor_0"].labels
@@ -81,6 +82,8 @@ async def test_a_place_that_got_another_id_while_the_form_is_open_must_be_chosen
         await it.type("Store" if field == "from" else "Base")
         labels = {id_: swapped.get(label, label) for id_, label in ids.items()}
         it.store.apply(LabelsReceived("robot_0", "floor_0", labels))
+        if is_seen_first:
+            await it.shows("Base: changed meanwhile, choose again")
         await it.press("enter")
         await it.shows("Base: changed meanwhile, choose again")
         assert sent(server) == []
