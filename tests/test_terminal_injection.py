@@ -114,7 +114,7 @@ def through_the_commands(terminal: Terminal) -> None:
     look(terminal, "␛]0;title␛\\ ␛P+q544e␛\\Receiving")
     terminal.press("\r")
     look(terminal, "refused (REJECTED: ")
-    terminal.press("p")
+    terminal.press_later("p")
     look(terminal, f"responded with an error: {sanitize(CLIPBOARD)}")
     terminal.press("x")
     look(terminal, "Cancel order")

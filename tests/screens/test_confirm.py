@@ -97,7 +97,8 @@ async def test_a_warning_is_asked_and_only_y_sends(server: RosbridgeServer) -> N
 
 async def test_a_question_says_what_is_true_while_it_waits(server: RosbridgeServer) -> None:
     server.world.robots["robot_0"].silence = 600.0
-    config = replace(config_of(server.url, 1), alarms=Alarms(offline_after=600.0, no_answer_after=600.0))
+    # The other robot speaks: over a link that is silent for 2 s nothing is sent.
+    config = replace(config_of(server.url, 2), alarms=Alarms(offline_after=600.0, no_answer_after=600.0))
     async with console(config, wait=False) as it:
         await it.until(lambda state: state.links["rosbridge"].last_received)
         await it.until(lambda state: state.robots["robot_0"].knows_all_graphs())

@@ -16,6 +16,7 @@ from pathlib import Path
 
 import pyte
 
+from fleet_tui.terminal.typing import GAP
 from tests.support.polling import HANGS
 
 WIDTH, HEIGHT = 200, 60
@@ -62,6 +63,11 @@ class Terminal:
         at = time.monotonic()
         os.write(self._master, key.encode())
         return at
+
+    def press_later(self, key: str) -> float:
+        """Press a key that begins anew: what follows typed text at once is part of it."""
+        time.sleep(GAP + 0.1)
+        return self.press(key)
 
     def text(self) -> str:
         """The text on the terminal."""

@@ -92,3 +92,4 @@ class Calls:
         for answer in self._pending.values():
             if not answer.done():
                 answer.set_exception(LinkLostError("link lost before the reply: may still be carried out"))
+                answer.exception()  # whoever waited may have been stopped by the same loss

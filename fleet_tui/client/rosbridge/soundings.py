@@ -14,8 +14,10 @@ from fleet_tui.client.rosbridge.heartbeat import SERVICE
 from fleet_tui.errors import LinkError
 from fleet_tui.model.events import BridgeAnswered
 
-EVERY, AGAIN = 2.0, 0.2
-"""Seconds from an answer to the next question; from a late one, to see at once that the bridge is in time."""
+EVERY, AGAIN = 1.0, 0.2
+"""Seconds from an answer to the next question; from a late one, to see at once that the bridge is in time.
+Behind a bridge whose robots have nothing to say, its answers are all that shows that commands get through
+(`command_channel.LONGEST_SILENCE`)."""
 PATIENT, QUICK, LONGEST = 2.0, 0.5, 60.0
 """Seconds for rosapi to tell the clock of the site, first and later, and for the bridge's own answer."""
 TIME = "/rosapi/get_time"

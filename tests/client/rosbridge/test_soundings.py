@@ -1,5 +1,6 @@
 """Questions on the connection of the telemetry: the bridge answers as late as its messages come."""
 
+from fleet_tui.client.rosbridge import command_channel, soundings
 from fleet_tui.model.events import BridgeAnswered
 from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.server import RosbridgeServer
@@ -33,3 +34,8 @@ async def test_a_frozen_rosapi_is_no_late_bridge(server: RosbridgeServer) -> Non
         await store.until(lambda _: len(answers(store)) >= 2)
         assert all(one.after < 1.0 and one.stamp is None for one in answers(store))
         assert store.state.links["rosbridge"].late == 0.0
+
+
+def test_a_bridge_that_answers_in_time_is_not_silent() -> None:
+    """Where no robot has anything to say, its answers are all that comes; commands must still be sent."""
+    assert soundings.EVERY + soundings.QUICK < command_channel.LONGEST_SILENCE
