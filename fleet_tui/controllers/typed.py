@@ -23,8 +23,10 @@ Entry = tuple[str, Callable[[], object]]
 class OpenMenu(Protocol):
     """Opens a menu: its title, its entries, and the place of the marked one."""
 
-    def __call__(self, title: str, entries: Sequence[Entry], marked: int = 0) -> None:
-        """Open it."""
+    def __call__(
+        self, title: str, entries: Sequence[Entry], marked: int = 0, *, searched: bool = False
+    ) -> None:
+        """Open it. Actions have keys; a list of things that are there is `searched`: it filters as one types."""
 
 
 ALL = Permissions()

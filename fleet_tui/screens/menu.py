@@ -1,4 +1,4 @@
-"""A row's menu: its possible actions; or a list to choose from, which filters as one types."""
+"""A row's menu: its possible actions, each with keys; or a list of things, which filters as one types."""
 
 from collections.abc import Sequence
 from typing import ClassVar
@@ -17,18 +17,18 @@ from fleet_tui.text.language import tr
 from fleet_tui.widgets.field import Field
 from fleet_tui.widgets.matches import Matches
 
-MOST_NUMBERED = 9
-"""Entries up to which each has a number for a key. A longer list filters: its letters and digits are text."""
+NUMBERED = 9
+"""Actions with a number for a key."""
 
 
 class Menu(Dialog):
-    """Enter runs the marked entry; of a short list its number or the key at its end any entry."""
+    """Enter runs the marked entry; of actions its number or the key at its end any entry."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         ("escape,q", "close", "Close"),
         ("j", "step(1)", "Down"),
         ("k", "step(-1)", "Up"),
-        *((str(n), f"choose({n})", f"Entry {n}") for n in range(1, MOST_NUMBERED + 1)),
+        *((str(n), f"choose({n})", f"Entry {n}") for n in range(1, NUMBERED + 1)),
     ]
 
     def __init__(self, *, id: str) -> None:
@@ -48,28 +48,28 @@ class Menu(Dialog):
 
     def compose(self) -> ComposeResult:
         """Compose the title above the field and the entries."""
-        self.border_title = Content(tr("Actions"))
         yield Static(id="menu-title", markup=False)
         yield self._typed
         yield self._list
 
-    def show(self, title: str, entries: Sequence[Entry], marked: int = 0) -> None:
-        """Show the entries, with a mark on one of them."""
+    def show(self, title: str, entries: Sequence[Entry], marked: int = 0, *, searched: bool = False) -> None:
+        """Show the entries, with a mark on one of them; a `searched` list has a field above it, and no keys."""
         self._all = entries
         self.query_one("#menu-title", Static).update(tr(title))
-        filters = len(entries) > MOST_NUMBERED
-        self._typed.display = filters
-        self._list.can_focus = not filters
+        self.border_title = Content(tr("Choose") if searched else tr("Actions"))
+        self._typed.display = searched
+        self._list.can_focus = not searched
         with self._typed.prevent(Input.Changed):
             self._typed.value = ""
         self._fill(marked)
-        self.open(self._typed if filters else self._list)
+        self.open(self._typed if searched else self._list)
 
     def _fill(self, marked: int = 0) -> None:
         typed = self._typed.value.strip()
         entries = [entry for entry in self._all if not typed or rank(typed, entry[0]) is not None]
-        numbers = [f"{n}  " * (len(self._all) <= MOST_NUMBERED) for n in range(1, len(entries) + 1)]
-        texts = [number + tr(text) for number, (text, _) in zip(numbers, entries, strict=True)]
+        texts = [tr(text) for text, _ in entries]
+        if not self._typed.display:
+            texts = [f"{n}  {text}" if n <= NUMBERED else f"   {text}" for n, text in enumerate(texts, 1)]
         self._list.show(entries, texts, marked)
 
     @on(Input.Changed, "#menu-typed")

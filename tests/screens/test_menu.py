@@ -77,12 +77,30 @@ async def test_all_robots_are_paused_from_every_screen(server: RosbridgeServer, 
         assert [call for call, _ in sent(server)] == ["Pause", "Pause"]
 
 
-async def test_a_long_list_filters_as_one_types_and_no_letter_is_a_command(server: RosbridgeServer) -> None:
+@pytest.mark.parametrize("many", [2, 12])
+async def test_a_list_of_things_filters_as_one_types_and_no_letter_is_a_command(
+    server: RosbridgeServer, many: int
+) -> None:
     async with console(config_of(server.url, 1)) as it:
         chosen: list[int] = []
-        entries = [(f"place {n} (p)", partial(chosen.append, n)) for n in range(12)]
-        it.app.main.rest.menu.show("Places", entries)
-        await it.type("p 11")
-        await it.hides("place 10")
+        entries = [(f"place {n} (p)", partial(chosen.append, n)) for n in range(many)]
+        it.app.main.rest.menu.show("Places", entries, searched=True)
+        await it.shows("Choose")
+        await it.type("p 1")
+        await it.hides("place 0")
         await it.press("enter")
-        assert chosen == [11] and sent(server) == []
+        assert chosen == [1] and sent(server) == []
+
+
+async def test_actions_keep_their_keys_however_many_they_are(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        chosen: list[int] = []
+        entries = [(f"action {n} ({'abcdefghilmn'[n]})", partial(chosen.append, n)) for n in range(12)]
+        it.app.main.rest.menu.show("Actions", entries)
+        await it.shows("9  action 8")
+        await it.press("m")
+        await it.hides("action 8")
+        it.app.main.rest.menu.show("Actions", entries)
+        await it.press("9")
+        await it.hides("action 8")
+        assert chosen == [10, 8] and sent(server) == []

@@ -173,7 +173,9 @@ class Desk:
         assert self.asked[-1]
         self.answers.append(then)
 
-    def open_menu(self, title: str, entries: Sequence[Entry], marked: int = 0) -> None:
+    def open_menu(
+        self, title: str, entries: Sequence[Entry], marked: int = 0, *, searched: bool = False
+    ) -> None:
         self.menus.append(Menu(title, entries, marked))
 
     def do(self, command: Command) -> None:

@@ -156,7 +156,7 @@ class DeskCommands:
             title += "\n" + sanitize(
                 f"closed {self._clock(edge.wall)} by {edge.by or 'this console'}: {named}"
             )
-        self._parts.open_menu(title, list(self._entries()))
+        self._parts.open_menu(title, list(self._entries()), searched=True)
 
     def _entries(self) -> Iterator[Entry]:
         state, find = self._parts.store.state, self._parts.navigation.find_robot

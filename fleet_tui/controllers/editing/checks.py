@@ -90,7 +90,7 @@ class DraftChecks:
             for one in checked.found[:LISTED]
         ]
         title = f"{counts_text(checked.found) or 'no findings'}, {checked.ways}"
-        self._parts.open_menu(title, entries or [("Nothing to mend", lambda: None)])
+        self._parts.open_menu(title, entries or [("Nothing to mend", lambda: None)], searched=True)
 
     def compare(self) -> None:
         """List the differences from the live graph; each entry goes to its place."""
@@ -102,7 +102,9 @@ class DraftChecks:
             (sanitize(f"{one.kind} {one.text}"), partial(self._go_to_change, one)) for one in changes[:LISTED]
         ]
         title = f"{counted(len(changes), 'difference')} from the live graph"
-        self._parts.open_menu(title, entries or [("The draft is the live graph", lambda: None)])
+        self._parts.open_menu(
+            title, entries or [("The draft is the live graph", lambda: None)], searched=True
+        )
 
     def changes(self, floor: DocumentFloor) -> tuple[GraphChange, ...]:
         """Return the differences of a draft from the live graph."""

@@ -47,7 +47,7 @@ class VertexValues:
             entries: list[Entry] = [("none", partial(self._renew, type_=""))]
             entries += [(sanitize(type_), partial(self._renew, type_=type_)) for type_ in types]
             entries.append(("another one, typed", partial(self._parts.begin, f"{TYPE} ")))
-            self._parts.open_menu(f"Type of vertex {sanitize(vertex.id)}", entries)
+            self._parts.open_menu(f"Type of vertex {sanitize(vertex.id)}", entries, searched=True)
 
     def name(self) -> None:
         """Type the label of the selected vertex."""

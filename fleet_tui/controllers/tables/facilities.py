@@ -34,5 +34,7 @@ class FacilityList:
             self._parts.notices.say(tr("no lifts, doors or dispensers are reported"))
             return
         self._parts.open_menu(
-            f"{tr(TITLE)}, {self._clock(state.wall)}", [(sanitize(line), lambda: None) for line in lines]
+            f"{tr(TITLE)}, {self._clock(state.wall)}",
+            [(sanitize(line), lambda: None) for line in lines],
+            searched=True,
         )

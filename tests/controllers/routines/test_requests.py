@@ -36,7 +36,7 @@ class RequestDesk(Desk):
             *parts,
             led,
             lambda question, then: self.questions.append((question(), then)),
-            lambda title, entries, marked=0: self.opened.append((title, entries)),
+            lambda title, entries, marked=0, *, searched=False: self.opened.append((title, entries)),
             at_once,
         )
         self.requests.look()
