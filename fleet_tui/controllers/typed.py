@@ -26,7 +26,7 @@ class OpenMenu(Protocol):
     def __call__(
         self, title: str, entries: Sequence[Entry], marked: int = 0, *, searched: bool = False
     ) -> None:
-        """Open it. Actions have keys; a list of things that are there is `searched`: it filters as one types."""
+        """Open it. Actions have keys; a list of things is `searched`: it filters as one types."""
 
 
 ALL = Permissions()

@@ -53,7 +53,7 @@ class Menu(Dialog):
         yield self._list
 
     def show(self, title: str, entries: Sequence[Entry], marked: int = 0, *, searched: bool = False) -> None:
-        """Show the entries, with a mark on one of them; a `searched` list has a field above it, and no keys."""
+        """Show the entries, with a mark on one of them; a `searched` list has a field and no keys."""
         self._all = entries
         self.query_one("#menu-title", Static).update(tr(title))
         self.border_title = Content(tr("Choose") if searched else tr("Actions"))
