@@ -4,12 +4,12 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 PURE := $(addprefix tests/,text model keys rules graph_files state view adapters config test_house.py test_keymap.py test_errors.py)
-# Tests with links and processes wait more than they work: several at once, the longest first.
-TOGETHER := -q -n 6 --maxschedchunk 1
+# Tests with links and processes wait more than they work: two for each core, the longest first.
+TOGETHER := -q -n 4 --maxschedchunk 1
 # Compiled once, not by each of a few hundred processes.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test quick lint types compiled tested unit bench faults typed kills advisories fuzz soak pictures docs lock format dist dist-check clean
+.PHONY: demo test nightly quick lint types compiled tested unit bench faults typed kills advisories fuzz soak pictures docs lock format dist dist-check clean
 
 demo: $(READY)
 	@$(BIN)/fleet-tui demo
@@ -39,10 +39,17 @@ quick: $(READY)
 tested: compiled
 	@$(MAKE) --no-print-directory unit
 
-# Six at once may starve a test that waits: what failed is run again, alone, and must pass then.
+# Several at once may starve a test that waits: what failed is run again, alone, and must pass then.
 unit: $(READY)
 	@$(BIN)/pytest $(TOGETHER) || { test $$? -eq 1 && echo "Again, one at a time:" && \
 	$(BIN)/pytest -q -p no:xdist --maxfail 3 --last-failed --last-failed-no-failures none; }
+
+# All that takes too long for each commit: the tests marked so, 2,000 examples of each pure property, random keys,
+# kills, an hour's load in minutes, fuzzing, figures. Hours; each part ends by itself, and the first failure ends it.
+nightly: $(READY)
+	@$(BIN)/pytest $(TOGETHER) -m nightly
+	@FLEET_TUI_EXAMPLES=$(or $(EXAMPLES),2000) $(BIN)/pytest -q -n 2 --timeout 0 $(PURE)
+	@$(MAKE) --no-print-directory faults kills typed soak fuzz bench
 
 bench: $(READY)
 	@sed -n 's/^\([^ #]*==[^ ]*\).*/\1/p' requirements.lock > $(VENV)/constraints.txt
@@ -54,7 +61,7 @@ soak: $(READY)
 
 faults: $(READY)
 	@rm -f $(VENV)/faults.jsonl
-	@FLEET_TUI_FAULTS=$(CURDIR)/$(VENV)/faults.jsonl $(BIN)/pytest $(TOGETHER) tests/faults
+	@FLEET_TUI_FAULTS=$(CURDIR)/$(VENV)/faults.jsonl $(BIN)/pytest -m '' $(TOGETHER) tests/faults
 	@$(BIN)/python -m tests.support.fault_report $(VENV)/faults.jsonl docs/faults.md
 
 # Random keys in every form, list and menu: nothing leaves that nobody meant.

@@ -97,6 +97,7 @@ def test_without_a_configuration_it_asks_where_to_go(terminals: Terminals, more:
         assert first.child.returncode == 0
 
 
+@pytest.mark.nightly
 def test_leaving_it_opens_nothing_and_keeps_the_commands_in_sight(terminals: Terminals) -> None:
     first = terminals.open()
     first.shows("no configuration found")
@@ -108,6 +109,7 @@ def test_leaving_it_opens_nothing_and_keeps_the_commands_in_sight(terminals: Ter
     assert b"fleet-tui demo" in first.sent.rpartition(OFF)[2]
 
 
+@pytest.mark.nightly
 def test_one_key_opens_a_simulated_fleet(terminals: Terminals) -> None:
     first = terminals.open()
     first.shows("d demo")
@@ -149,6 +151,7 @@ def _accept(mute: socket.socket) -> None:
             return
 
 
+@pytest.mark.nightly
 def test_a_demo_needs_no_configuration(terminals: Terminals) -> None:
     demo = terminals.open("demo", "--robots", "2")
     demo.shows("2 of 2 online")

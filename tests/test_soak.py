@@ -1,6 +1,10 @@
 """Twelve seconds of the soak (`make soak MINUTES=...` runs longer): nothing grows."""
 
+import pytest
+
 from tests.bench.soak import growth, soak
+
+pytestmark = pytest.mark.nightly
 
 
 def test_nothing_grows_while_100_robots_drive() -> None:

@@ -8,9 +8,13 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+import pytest
+
 from fleet_tui.text.sanitize import sanitize
 from tests.support.hostile_fleet import CLIPBOARD, EVIL, ROBOTS
 from tests.support.in_pty import Terminal, serving
+
+pytestmark = pytest.mark.nightly
 
 EVIL_NAME = r"evil\u001b]52;c;aGFja2Vk\u0007\u202e[red]"
 """As TOML writes it."""

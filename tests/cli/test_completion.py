@@ -10,6 +10,8 @@ import pytest
 
 from tests.support.in_pty import Terminal
 
+pytestmark = pytest.mark.nightly
+
 CONFIG = '[[floors]]\nname = "floor_0"\n[[robots]]\nname = "robot_7"\n'
 BASH = """
 source {script}

@@ -16,6 +16,8 @@ from hypothesis import strategies as st
 
 from fleet_tui.cli.main import commands
 
+pytestmark = pytest.mark.nightly
+
 CODES = {0, 1, 2, 3, 130}
 """docs/commands.md, README."""
 

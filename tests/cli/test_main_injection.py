@@ -13,6 +13,8 @@ import pytest
 from tests.support.hostile_fleet import ROBOTS
 from tests.support.in_pty import serving
 
+pytestmark = pytest.mark.nightly
+
 ESC = "\x1b]52;c;eA==\x07\x9b31m\u202e"
 IN_TOML = ESC.encode("unicode_escape").decode().replace("\\x", "\\u00")
 FLOOR_AND_ROBOT = '[[floors]]\nname = "f"\n[[robots]]\nname = "r"\n'

@@ -13,6 +13,8 @@ from PIL import Image
 
 from fleet_tui.maps.images import load_floor_map
 
+pytestmark = pytest.mark.nightly
+
 BASE = "image: m.png\nresolution: 0.05\norigin: [0, 0, 0]\n"
 SOON = 5.0
 """Seconds of CPU."""

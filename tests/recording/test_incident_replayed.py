@@ -3,9 +3,13 @@
 import zipfile
 from pathlib import Path
 
+import pytest
+
 from fleet_tui.config.load import read
 from fleet_tui.recording.indexing import open_recording
 from tests.support.terminal_session import exists, in_terminal
+
+pytestmark = pytest.mark.nightly
 
 
 def test_what_one_console_packs_another_replays(tmp_path: Path) -> None:

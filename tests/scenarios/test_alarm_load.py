@@ -20,6 +20,8 @@ from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.state.store import Store
 
+pytestmark = pytest.mark.nightly
+
 TICK = 0.5
 """Seconds between two looks at the fleet: pose, queue and the rest come that often."""
 

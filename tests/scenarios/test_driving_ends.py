@@ -64,6 +64,7 @@ async def test_a_key_or_a_lost_focus_stops_the_robot(
     await asyncio.to_thread(driven, server, tmp_path, lambda running: running.press(key))
 
 
+@pytest.mark.nightly
 async def test_the_robot_stands_before_a_console_is_suspended(
     server: RosbridgeServer, tmp_path: Path
 ) -> None:
@@ -79,6 +80,7 @@ async def test_the_robot_stands_before_a_console_is_suspended(
     await asyncio.to_thread(driven, server, tmp_path, end)
 
 
+@pytest.mark.nightly
 async def test_a_hung_up_terminal_stops_the_robot(server: RosbridgeServer, tmp_path: Path) -> None:
     def end(running: InTerminal) -> None:
         running.hang_up()
@@ -87,6 +89,7 @@ async def test_a_hung_up_terminal_stops_the_robot(server: RosbridgeServer, tmp_p
     await asyncio.to_thread(driven, server, tmp_path, end)
 
 
+@pytest.mark.nightly
 async def test_key_releases_of_the_terminal_are_taken(server: RosbridgeServer, tmp_path: Path) -> None:
     """As kitty sends them: Textual's own parser would end the thread that reads."""
 

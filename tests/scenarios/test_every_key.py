@@ -22,6 +22,8 @@ from tests.support.shift import shift as past_shift
 from tests.support.tapes import shift
 from tests.support.watched_store import config_of
 
+pytestmark = pytest.mark.nightly
+
 ROBOTS = 9
 EVERYWHERE = {
     **dict.fromkeys(("help", "help_anywhere", "palette", "order", "why", "robot_page"), "overlay"),

@@ -18,6 +18,8 @@ from tests.support.scenario import plant
 from tests.support.screen_texts import ROOT
 from tests.support.watched_store import config_of
 
+pytestmark = pytest.mark.nightly
+
 LANGUAGES = sorted(path.stem for path in (ROOT / "locales").glob("*.po"))
 _DATA = (
     "base packing dispatch store receiving charger lift consumidores laundry floor robot rosbridge"

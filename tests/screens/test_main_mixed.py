@@ -18,6 +18,8 @@ from fleet_tui.view.tables.table import Table
 from tests.support.console_pilot import Console, console
 from tests.support.mixed_site import MOVE_BASE, NAV2, OH, RMF, MixedSite, mixed_site
 
+pytestmark = pytest.mark.nightly
+
 KINDS = {OH: "oh_ressources", MOVE_BASE: "move_base", NAV2: "nav2", RMF: "rmf"}
 WIDE = 400
 """Cells in which nothing is cut."""

@@ -104,6 +104,7 @@ async def test_a_name_that_was_bound_to_this_address_is_not_ours(
         assert (await get(it, Host="localhost:9"))[0] == 200  # through a tunnel
 
 
+@pytest.mark.nightly
 async def test_a_closed_tab_ends_its_console(server: RosbridgeServer, tmp_path: Path) -> None:
     async with serving(tmp_path, server.url) as it:
         async with it.tab() as page:
@@ -113,6 +114,7 @@ async def test_a_closed_tab_ends_its_console(server: RosbridgeServer, tmp_path: 
         await it.ended(*consoles)
 
 
+@pytest.mark.nightly
 async def test_a_page_learns_that_its_console_has_ended(server: RosbridgeServer, tmp_path: Path) -> None:
     async with serving(tmp_path, server.url) as it, it.tab() as page:
         await page.shows("robot_1")
@@ -120,6 +122,7 @@ async def test_a_page_learns_that_its_console_has_ended(server: RosbridgeServer,
         assert await page.closed() == "The console has ended."
 
 
+@pytest.mark.nightly
 async def test_a_page_learns_that_its_console_was_killed(server: RosbridgeServer, tmp_path: Path) -> None:
     async with serving(tmp_path, server.url) as it, it.tab() as page:
         await page.shows("robot_1")
@@ -142,6 +145,7 @@ async def test_however_the_server_ends_so_do_its_consoles(
         await it.ended(*consoles)
 
 
+@pytest.mark.nightly
 async def test_a_console_that_hangs_is_ended_too(server: RosbridgeServer, tmp_path: Path) -> None:
     async with serving(tmp_path, server.url) as it:
         async with it.tab() as page:
@@ -151,6 +155,7 @@ async def test_a_console_that_hangs_is_ended_too(server: RosbridgeServer, tmp_pa
         await it.ended(console)
 
 
+@pytest.mark.nightly
 async def test_a_browser_that_does_not_read_holds_nobody(server: RosbridgeServer, tmp_path: Path) -> None:
     async with serving(tmp_path, server.url) as it:
         address, origin = f"ws://{it.place}/ws", Origin(f"http://{it.place}")
@@ -183,6 +188,7 @@ async def test_there_is_a_limit_to_tabs(tmp_path: Path, monkeypatch: pytest.Monk
         await until(lambda: len(it.consoles()) == MOST_TABS)
 
 
+@pytest.mark.nightly
 async def test_nonsense_from_a_page_changes_nothing(server: RosbridgeServer, tmp_path: Path) -> None:
     async with serving(tmp_path, server.url) as it, it.tab() as page:
         await page.shows("robot_1")
@@ -213,6 +219,7 @@ async def test_loopback_is_not_warned_of(tmp_path: Path) -> None:
     assert "warning" not in said
 
 
+@pytest.mark.nightly
 async def test_a_browser_on_what_is_behind_an_address(server: RosbridgeServer, tmp_path: Path) -> None:
     async with serving(tmp_path, "ws://127.0.0.1:9", "--url", server.url) as it, it.tab() as page:
         await page.shows("2 robots (oh_ressources), 2 floors. :save keeps it")

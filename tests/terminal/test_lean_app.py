@@ -152,7 +152,9 @@ def difference(app: Pane) -> list[tuple[int, int, object, object]]:
     ]
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize(
+    "seed", [0, *(pytest.param(seed, marks=pytest.mark.nightly) for seed in range(1, 4))]
+)
 async def test_the_terminal_shows_what_textual_means_after_anything(seed: int) -> None:
     rng = random.Random(seed)
     app = Pane()
