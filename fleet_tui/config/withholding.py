@@ -70,12 +70,15 @@ def _with_safe_files(config: Config) -> Config:
 
 
 def doubt_of_command(arguments: Sequence[str], folder: Path) -> str:
-    """Return how somebody else could have written the program of a command, or a file among its arguments;
-    names that PATH finds are the user's own choice."""
-    for n, word in enumerate(arguments):
-        file = folder / word
-        is_program = n == 0 and "/" in word  # it may come to be there only later
-        if "\0" not in word and (is_program or file.is_file()) and (found := doubt(file)):
+    """Return how somebody else could have written the program of a command, or a file among its arguments,
+    also behind `=`; names that PATH finds are the user's own choice."""
+    program = arguments[0] if arguments else ""
+    values = (word.partition("=")[2] for word in arguments)
+    named = [name for name in (*arguments, *values) if name and "\0" not in name]
+    for name in named:
+        file = folder / name
+        is_program = name == program and "/" in name  # it may come to be there only later
+        if (is_program or file.is_file()) and (found := doubt(file)):
             return found
     return ""
 

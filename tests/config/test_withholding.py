@@ -30,7 +30,7 @@ graph = "graph.geojson"
 name = "robot_0"
 link = "b"
 [notify]
-command = ["./notify.sh", "data"]
+command = ["./notify.sh", "data", "--from=more"]
 [[programs]]
 name = "bridge"
 start = ["true"]
@@ -50,7 +50,15 @@ def site(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     for one in (folder, folder / "routines", folder / "desk"):
         one.mkdir()
     (folder / "config.toml").write_text(TEXT.replace("FOLDER", str(folder)))
-    for name in ("graph.geojson", "notify.sh", "data", "own.sh", "routines/day.routine", "routines/tool"):
+    for name in (
+        "graph.geojson",
+        "notify.sh",
+        "data",
+        "more",
+        "own.sh",
+        "routines/day.routine",
+        "routines/tool",
+    ):
         (folder / name).write_text("robot_0: Base\n" if name.endswith("routine") else "{}")
         (folder / name).chmod(0o755)
     return folder
@@ -66,7 +74,7 @@ def bare(config: Config) -> bool:
 def test_a_safe_one_is_whole(site: Path) -> None:
     config = load(site / "config.toml")
     assert config.withheld == [] and config.doubt == ""
-    assert (config.notify.command, config.desk.folder) == (["./notify.sh", "data"], "desk")
+    assert (config.notify.command, config.desk.folder) == (["./notify.sh", "data", "--from=more"], "desk")
     assert [program.name for program in config.programs] == ["bridge", "own"]
     assert (config.links["b"].role, config.links["b"].user_env) == ("master", "BROKER_USER")
 
@@ -109,6 +117,7 @@ def test_each_file_counts_for_what_uses_it(site: Path) -> None:
     for file, without, told in (
         ("notify.sh", "notify", "notify is off: "),
         ("data", "notify", "notify is off: "),
+        ("more", "notify", "notify is off: "),
         ("own.sh", "programs", "program own is off: "),
     ):
         give(site / file)
