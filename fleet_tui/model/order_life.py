@@ -54,12 +54,13 @@ class OrderTrace(Struct, frozen=True):
 
 class GoneOrder(Struct, frozen=True):
     """An order that left the queue, or is listed as ended, at a monotonic second: one of ORDER_ENDS, and the
-    evidence."""
+    evidence. `is_reported`: the robot itself says so."""
 
     order: Order
     at: float
     stage: Stage
     reason: str
+    is_reported: bool = False
 
 
 def trace_movement(traces: Mapping[str, OrderTrace], away: Away) -> Mapping[str, OrderTrace]:
@@ -179,7 +180,7 @@ _ENDS = {
 def listed_end(order: Order, at: float) -> GoneOrder:
     """Return the end of an order that the robot lists as over."""
     assert order.state is not None
-    return GoneOrder(order, at, _ENDS[order.state], order.said or UNSAID)
+    return GoneOrder(order, at, _ENDS[order.state], order.said or UNSAID, is_reported=True)
 
 
 def corrected(gone: tuple[GoneOrder, ...], queue: OrderQueue, reports_ends: bool) -> tuple[GoneOrder, ...]:

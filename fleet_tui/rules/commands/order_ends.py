@@ -41,7 +41,7 @@ def end_of(
     state: FleetState, robot: Robot, gone: GoneOrder, record: CommandRecord | None = None
 ) -> ExplainedEnd:
     """Explain the end of an order; `record` is the command of this console that placed it."""
-    if gone.reason == STARTED_OVER or gone.stage in (Stage.FAILED, Stage.REPLACED):
+    if gone.reason == STARTED_OVER or (gone.is_reported and gone.stage not in (Stage.CANCELLED, Stage.LOST)):
         return ExplainedEnd(gone.stage, gone.reason)
     causes = REMOVED if gone.stage is Stage.DONE else MAY_HAVE_REMOVED
     if removals(state, robot, gone, record) & causes:

@@ -403,6 +403,11 @@ def test_an_order_that_is_done_where_another_console_only_tried_to_cancel_it_is_
     assert first(ended).stage is Stage.CANCELLED_ELSEWHERE
 
 
+def test_an_end_that_the_robot_reports_is_not_overruled_by_what_others_say_they_did() -> None:
+    done = queue(T0 + 3, (5, 0, END, "D"))
+    assert first(given(elsewhere(T0 + 2, ACCEPTED), done, tick(T0 + 5))).stage is Stage.DONE
+
+
 def test_evidence_that_comes_late_corrects_the_end() -> None:
     state = given(gone(T0 + 2), tick(T0 + 4))
     assert first(state).stage is Stage.LEFT
