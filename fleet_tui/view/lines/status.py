@@ -40,9 +40,9 @@ def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: f
     able = [robot for robot in state.robots.values() if robot.kind.can(PAUSE)]
     # Of a robot that is not heard nobody knows whether it stands.
     stopped = [robot for robot in able if state.is_online(robot) and is_held(state, robot)]
-    paused = (
-        tr(f"ALL {PAUSED}") if len(stopped) == len(able) else tr(f"{len(stopped)} of {len(able)} {PAUSED}")
-    )
+    # A robot whose kind has no pause drives on: beside it not all are paused.
+    robots = len(state.robots)
+    paused = tr(f"ALL {PAUSED}") if len(stopped) == robots else tr(f"{len(stopped)} of {robots} {PAUSED}")
     notes = {
         paused: len(stopped) >= min(SEVERAL, max(1, sum(map(state.is_online, able)))),
         tr("read-only"): read_only,
