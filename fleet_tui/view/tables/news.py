@@ -38,9 +38,11 @@ def _old(state: FleetState, robot: Robot, unheard: Fact | None) -> Iterator[Run]
             if value == "pose" and robot.is_undated:
                 yield tr(f"{tr(name)} of unknown age"), StyleRole.WARN
                 continue
-            is_calm = value == "pose" and unheard is not None and unheard.kind is REPEATED_POSE
-            role = StyleRole.DIM if is_calm else StyleRole.WARN
-            yield tr(f"{tr(name)} {age(state.now - reading.at)} old"), role
+            if value == "pose" and unheard is not None:
+                is_calm = unheard.kind is REPEATED_POSE
+                yield tr(unheard.short), StyleRole.DIM if is_calm else StyleRole.WARN
+                continue
+            yield tr(f"{tr(name)} {age(state.now - reading.at)} old"), StyleRole.WARN
 
 
 def _paused(state: FleetState, robot: Robot) -> str:
