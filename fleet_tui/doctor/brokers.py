@@ -7,6 +7,7 @@ from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.schema import Config, link_key
 from fleet_tui.discovery.finding import Finding, Verdict, listed, milliseconds
 from fleet_tui.doctor.broker_facts import BrokerFacts, VehicleFacts
+from fleet_tui.situation.facts import NEVER_SEEN
 
 STATE_EVERY = 30.0
 """Seconds within which a vehicle sends its state, by the standard."""
@@ -59,7 +60,9 @@ def _vehicle(config: Config, robot: RobotEntry, facts: VehicleFacts, seconds: fl
     known = facts.vehicle or facts.connection
     if known is None:
         remedy = "start it, or correct manufacturer and serial of the robot"
-        yield Finding(robot.name, "connection", Verdict.FAIL, "never seen: no connection message", remedy)
+        yield Finding(
+            robot.name, "connection", Verdict.FAIL, f"{NEVER_SEEN.word}: no connection message", remedy
+        )
         return
     if facts.connection is not None:
         gone = facts.connection.is_gone and "state" not in facts.arrivals

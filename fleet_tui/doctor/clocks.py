@@ -6,9 +6,10 @@ from collections.abc import Iterator
 from fleet_tui.discovery.facts import BridgeFacts
 from fleet_tui.discovery.finding import Finding, Verdict, milliseconds
 from fleet_tui.situation.facts import LATE_LINK
+from fleet_tui.situation.links import LATE_FROM
 from fleet_tui.text.durations import age
 
-SLOW, UNEVEN = 0.3, 0.3  # seconds of a round trip, and between the best and the worst
+SLOW, UNEVEN = 0.3, 0.3  # seconds of a round trip or of a call under load; between the best and the worst
 LAST = 3  # calls by which the load is judged
 BEHIND = 0.3  # seconds of our own delay, above which others are not judged
 MOST_MESSAGES = {1: 4000, 2: 500}  # per second of one bridge, as measured
@@ -36,10 +37,14 @@ def _calls(facts: BridgeFacts) -> float:
     return statistics.median(facts.busy_trips[-LAST:] or facts.round_trips or [0.0])
 
 
-def falls_behind(facts: BridgeFacts) -> bool:
-    """Tell whether the bridge is overloaded, by its answers: stamps are older for reasons of a robot, too.
-    Unknown if we ourselves were late."""
-    return _calls(facts) >= SLOW and facts.behind <= BEHIND
+def load_word(facts: BridgeFacts) -> str:
+    """Return what a bridge is called whose answers are slow beside the messages: overloaded from when the
+    console calls it so, slow before, and nothing if it keeps up. Slow, it explains what its robots lack.
+    Stamps are older for reasons of a robot, too. Unknown if we ourselves were late."""
+    calls = _calls(facts)
+    if calls < SLOW or facts.behind > BEHIND:
+        return ""
+    return LATE_LINK.word if calls >= LATE_FROM else "bridge slow"
 
 
 def load_finding(facts: BridgeFacts) -> Finding:
@@ -50,7 +55,8 @@ def load_finding(facts: BridgeFacts) -> Finding:
     calls = _calls(facts)
     measured = f"{rate:.0f} messages/s, calls {milliseconds(calls)} under load"
     values = {"messages_per_s": round(rate, 1), "call_s": round(calls, 4)}
-    if not falls_behind(facts):
+    word = load_word(facts)
+    if not word:
         if calls < SLOW:
             return Finding(facts.name, "load", Verdict.OK, measured, values=values)
         own = f"{measured}; this machine itself lagged by {milliseconds(facts.behind)}"
@@ -59,7 +65,7 @@ def load_finding(facts: BridgeFacts) -> Finding:
     remedy = "use fewer topics, lower rates at the robots or a second bridge ([links])"
     if carries:
         remedy += f"; a ROS {facts.rosapi.ros} bridge carries about {carries} messages/s"
-    return Finding(facts.name, "load", Verdict.WARN, f"{LATE_LINK.word}: {measured}", remedy, values)
+    return Finding(facts.name, "load", Verdict.WARN, f"{word}: {measured}", remedy, values)
 
 
 def clock_findings(facts: BridgeFacts) -> Iterator[Finding]:

@@ -10,10 +10,9 @@ from fleet_tui.discovery.finding import Finding, Verdict, listed, nearest
 from fleet_tui.discovery.tools import LATCHED, LOOK_FOR_NODE, named
 from fleet_tui.doctor.cameras import judged_camera
 from fleet_tui.doctor.causes import Cause
-from fleet_tui.doctor.clocks import falls_behind
+from fleet_tui.doctor.clocks import load_word
 from fleet_tui.doctor.names import near_topic, robots_on
 from fleet_tui.model.kind import CAMERA
-from fleet_tui.situation.facts import LATE_LINK
 
 SLOWEST_POSES = 5.0  # Hz; robots give about 10
 OLDER = 0.5  # seconds by which the stamps of poses grow older while they are measured
@@ -237,11 +236,11 @@ def _judged(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> tuple[Ver
     age = f"last {facts.age or 0.0:.1f} s ago"
     measured = age if facts.rate is None else f"{facts.rate:.1f} Hz, {age}"
     if facts.wanted.fast and (facts.rate or 0.0) < SLOWEST_POSES:
-        if falls_behind(bridge):
-            return Verdict.SKIPPED, f"{measured}: {LATE_LINK.word}, see its load above", ""
+        if word := load_word(bridge):
+            return Verdict.SKIPPED, f"{measured}: {word}, see its load above", ""
         slow = f"{measured}: poses should arrive at about 10 Hz"
         return Verdict.WARN, slow, "check the load of the network and the robot's computer"
-    if facts.late is not None and facts.late >= OLDER and not falls_behind(bridge):
+    if facts.late is not None and facts.late >= OLDER and not load_word(bridge):
         older = f"{measured}: its stamps were {facts.late:.1f} s older at the end"
         return Verdict.WARN, older, "check its localisation: it repeats or delays its poses"
     adapter, usual = bridge.adapters[facts.wanted.robot], config.alarms.offline_after

@@ -186,21 +186,6 @@ def missing_text(state: FleetState, robot: Robot, value: str) -> str:
     return f"{value} missing" if is_missing(state, robot, value) else f"no {value} yet"
 
 
-AGE_UNKNOWN = "age unknown"
-"""The text of a robot whose one message may be old: nothing tells its clock."""
-
-
-def offline_text(state: FleetState, robot: Robot) -> str:
-    """Return the text of a robot that is not online: since when, and what its broker knows."""
-    known = robot.connection.value if robot.connection is not None else None
-    if robot.last_received is None:
-        if robot.is_undated:
-            return AGE_UNKNOWN
-        return "never seen" if known is None else f"no state yet ({known.text})"
-    why = f" ({known.text})" if known is not None and robot.is_gone else ""
-    return f"offline {age(state.now - robot.last_received)}{why}"
-
-
 def obstacle_text(state: FleetState, robot: Robot, contact: Reading[float]) -> str:
     """Return `obstacle 4.2 s` while the contact lasts; afterwards in the past tense."""
     if state.is_old(robot, "obstacle"):

@@ -30,8 +30,10 @@ class FactKind(NamedTuple):
 
 
 class Fact(NamedTuple):
-    """`source` is the robot, the link or the console; `since` the monotonic second from which it holds.
-    `remedy` is empty for that of the row."""
+    """`source` is the robot, the link or the console; `since` the monotonic second from which it holds,
+    `seen` that of the last report of it. `remedy` is empty for that of the row. `text` is that of an alarm,
+    `short` that of a row and of `status`, `evidence` the reports that show it, `question` what a command to
+    the robot is confirmed with. Not `is_certain`: a late bridge may explain it."""
 
     kind: FactKind
     source: str
@@ -39,6 +41,11 @@ class Fact(NamedTuple):
     priority: Priority
     since: float
     remedy: str = ""
+    short: str = ""
+    evidence: str = ""
+    question: str = ""
+    seen: float | None = None
+    is_certain: bool = True
 
     @property
     def action(self) -> str:

@@ -41,6 +41,23 @@ SILENT = FactKind(
     ),
     keys=("diagnostics",),
 )
+NEVER_SEEN = SILENT._replace(word="never seen")
+AGE_UNKNOWN = SILENT._replace(word="age unknown")
+OLD_STAMPS = FactKind(
+    "localisation",
+    "poses arrive late",
+    "localisation recovered",
+    AlarmClass(
+        "medium",
+        "the robot does not know where it is on its map, reports without a pose, or for 20 s poses in walls,"
+        " off the map or off its route graph",
+        "it may drive into something, or stop; nobody sees where",
+        "Pause it and set its pose; without a pose check its localisation",
+        2,
+    ),
+    keys=("diagnostics",),
+)
+REPEATED_POSE = OLD_STAMPS._replace(word="pose repeated at rest")
 BAD_DATA = FactKind(
     "data",
     "bad data",
@@ -82,4 +99,15 @@ STOP = FactKind(
     keys=OBSTACLE.keys,
 )
 
-FACTS = (LATE_LINK, BEHIND, SILENT, BAD_DATA, OBSTACLE, STOP)
+FACTS = (
+    LATE_LINK,
+    BEHIND,
+    SILENT,
+    NEVER_SEEN,
+    AGE_UNKNOWN,
+    OLD_STAMPS,
+    REPEATED_POSE,
+    BAD_DATA,
+    OBSTACLE,
+    STOP,
+)

@@ -1,12 +1,23 @@
 """Facts about robots: what they say, and whether they say anything."""
 
 from fleet_tui.model.alarm import Priority
-from fleet_tui.model.fleet import CONTACT, FleetState, obstacle_text, offline_text
+from fleet_tui.model.fleet import CONTACT, FleetState, obstacle_text
 from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.situation.fact import Fact
-from fleet_tui.situation.facts import BAD_DATA, OBSTACLE, SILENT, STOP
+from fleet_tui.situation.facts import (
+    AGE_UNKNOWN,
+    BAD_DATA,
+    NEVER_SEEN,
+    OBSTACLE,
+    OLD_STAMPS,
+    REPEATED_POSE,
+    SILENT,
+    STOP,
+)
+from fleet_tui.situation.links import is_late
+from fleet_tui.text.durations import age
 
 BAD_FOR = 10.0
 """Seconds without bad data until it counts as over."""
@@ -21,57 +32,116 @@ def silent_from(state: FleetState, robot: Robot) -> float:
     return max(last or 0.0, link.ready_since) + state.patience(robot) + link.late
 
 
+def absence(state: FleetState, robot: Robot) -> Fact | None:
+    """Find why nothing current is known of a robot, or of its position: it is silent, was never seen, its one
+    message is of unknown age, nothing that it sends can be read, or its poses arrive old. One whose bridge is
+    late may have spoken: that is not certain."""
+    if state.is_online(robot):
+        return _old_stamps(state, robot)
+    return _unreadable(state, robot) or silence(state, robot)
+
+
+def silence(state: FleetState, robot: Robot) -> Fact:
+    """Return the fact that a robot sends nothing, as it is if nothing comes until it is one."""
+    since, link = silent_from(state, robot), state.links[robot.link]
+    is_certain = not is_late(link) or state.now > since
+    known = robot.connection.value if robot.connection is not None else None
+    if robot.last_received is not None:
+        since_last = state.now - robot.last_received
+        why = f" ({known.text})" if known is not None and robot.is_gone else ""
+        kind, text = SILENT, f"{SILENT.word} {age(since_last)}{why}"
+        evidence = "link up, no messages"
+        question = f"{robot.name} is {SILENT.word} {age(since_last)}"
+    elif robot.is_undated:
+        kind = AGE_UNKNOWN
+        text = AGE_UNKNOWN.word
+        evidence = "link up, one message received: it may be an old one"
+        question = f"the one message of {robot.name} is of unknown age"
+    else:
+        kind = NEVER_SEEN
+        text = NEVER_SEEN.word if known is None else f"no state yet ({known.text})"
+        what = "message" if known is None else "state"
+        evidence = f"link up, no {what} received"
+        question = f"{robot.name} was {NEVER_SEEN.word}"
+    return Fact(
+        kind,
+        robot.name,
+        text,
+        Priority.MEDIUM,
+        since,
+        short=text,
+        evidence=evidence,
+        question=question,
+        is_certain=is_certain,
+    )
+
+
 def silent(state: FleetState, robot: Robot) -> Fact | None:
     """Find that a robot has stopped speaking, or never did: while its link is up, and whatever its bridge is
     late by. One that sends only what nobody can read does speak."""
-    since = silent_from(state, robot)
-    if state.links[robot.link].phase is not Phase.UP or state.now <= since or is_unreadable(state, robot):
+    fact = absence(state, robot)
+    if fact is None or fact.kind.name != SILENT.name or state.links[robot.link].phase is not Phase.UP:
         return None
-    return Fact(SILENT, robot.name, offline_text(state, robot), Priority.MEDIUM, since)
+    return fact if state.now > fact.since else None
 
 
-def is_unreadable(state: FleetState, robot: Robot) -> bool:
-    """Tell whether a robot sends, and nothing that can be read: then it is not silent, and its power and its
+def _unreadable(state: FleetState, robot: Robot) -> Fact | None:
+    """Find that a robot sends, and nothing that can be read: then it is not silent, and its power and its
     network are well."""
-    if robot.fault_at is None or state.is_online(robot) or state.links[robot.link].phase is not Phase.UP:
-        return False
-    return state.now - robot.fault_at <= state.patience(robot)
+    at = robot.fault_at
+    if at is None or state.links[robot.link].phase is not Phase.UP or state.now - at > state.patience(robot):
+        return None
+    return Fact(
+        BAD_DATA,
+        robot.name,
+        f"all messages are bad, {robot.faults} so far: {robot.last_fault}",
+        Priority.MEDIUM,
+        at,
+        short=bad_text(robot),
+        evidence=f"link up, messages arrive: {robot.last_fault}",
+        question=f"nothing that {robot.name} sends can be read: {robot.last_fault}",
+        seen=at,
+    )
 
 
 def bad_data(state: FleetState, source: Robot | LinkState) -> Fact | None:
     """Find unreadable data from a robot or over a link, a short while ago."""
     if source.fault_at is None or state.now - source.fault_at >= BAD_FOR:
         return None
-    is_all = isinstance(source, Robot) and is_unreadable(state, source)
-    text = f"bad data x{source.faults}: {source.last_fault}"
-    if is_all:
-        text = f"all messages are bad, {source.faults} so far: {source.last_fault}"
-    return Fact(BAD_DATA, source.name, text, Priority.MEDIUM if is_all else Priority.LOW, source.fault_at)
+    fact = absence(state, source) if isinstance(source, Robot) else None
+    if fact is not None and fact.kind is BAD_DATA:
+        return fact
+    text = f"{BAD_DATA.word} x{source.faults}: {source.last_fault}"
+    return Fact(BAD_DATA, source.name, text, Priority.LOW, source.fault_at, short=bad_text(source))
 
 
 def bad_text(source: Robot | LinkState) -> str:
     """Return the short text of bad data."""
-    return f"bad data x{source.faults}"
+    return f"{BAD_DATA.word} x{source.faults}"
 
 
-def absence_text(state: FleetState, robot: Robot) -> str:
-    """Return the short text of a robot that is not online: why nothing is known of it."""
-    return bad_text(robot) if is_unreadable(state, robot) else offline_text(state, robot)
-
-
-def has_old_stamps(state: FleetState, robot: Robot) -> bool:
-    """Tell whether poses of a robot arrive, and their stamps are old: its localisation is slow, or stands and
-    its last pose is repeated."""
-    if robot.clock is None or not state.is_online(robot) or not state.is_old(robot, "pose"):
-        return False
-    silence = robot.kind.silence_of("pose", state.limits.offline_after)
-    return state.now - robot.clock.at <= silence + state.behind
-
-
-def repeats_pose_at_rest(state: FleetState, robot: Robot) -> bool:
-    """Tell whether poses with old stamps mean nothing: many localisations give a pose only after a movement,
-    and the last one is repeated for as long as a robot without an order stands."""
-    return robot.orders.current is None and has_old_stamps(state, robot)
+def _old_stamps(state: FleetState, robot: Robot) -> Fact | None:
+    """Find that poses of a robot arrive, and their stamps are old: its localisation is slow, or repeats its
+    last pose. That means nothing while a robot without an order stands: many localisations give a pose only
+    after a movement."""
+    if robot.clock is None or robot.pose is None or not state.is_old(robot, "pose"):
+        return None
+    patience = robot.kind.silence_of("pose", state.limits.offline_after) + state.behind
+    if state.now - robot.clock.at > patience:
+        return None
+    is_calm = robot.orders.current is None
+    lag = state.now - robot.pose.at
+    return Fact(
+        REPEATED_POSE if is_calm else OLD_STAMPS,
+        robot.name,
+        f"poses arrive {age(lag)} old",
+        Priority.LOW if is_calm else Priority.MEDIUM,
+        robot.pose.at,
+        short=f"pose {age(lag)} old",
+        evidence=f"{OLD_STAMPS.word}: their time stamps lag",
+        seen=robot.pose.at,
+        is_certain=not is_late(state.links[robot.link]),
+    )
 
 
 def last_contact(state: FleetState, robot: Robot) -> Fact | None:

@@ -2,12 +2,16 @@
 
 from dataclasses import replace
 
+import msgspec
 import pytest
 
 from fleet_tui.adapters.adapter import Feed
 from fleet_tui.discovery.facts import BridgeFacts, RosapiFacts, TopicFacts
 from fleet_tui.discovery.finding import Verdict
 from fleet_tui.doctor.clocks import clock_findings, load_finding, round_trip_finding
+from fleet_tui.model.link import LinkState, Phase
+from fleet_tui.situation.facts import LATE_LINK
+from fleet_tui.situation.links import LATE_FROM, is_late
 
 
 @pytest.mark.parametrize(
@@ -30,6 +34,20 @@ def test_a_bridge_that_falls_behind_is_told_from_a_machine_that_does(
     found = load_finding(facts)
     assert found.verdict is verdict and "490 messages/s" in found.measured
     assert ("about 500 messages/s" in found.remedy) == (verdict is Verdict.WARN)
+
+
+def load_at(calls: float) -> str:
+    pose = TopicFacts(Feed("pose", ("r",), "", "/p", ""), subscribed=True, count=50, rate=490.0)
+    facts = BridgeFacts("rosbridge", RosapiFacts(ros=2), (pose,), (0.004,), busy_trips=(calls,))
+    return load_finding(facts).measured
+
+
+def test_a_bridge_is_overloaded_from_when_the_console_calls_it_so() -> None:
+    link = LinkState("rosbridge", "ws://site:9090", phase=Phase.UP)
+    for calls in (0.2, 0.4, LATE_FROM - 0.01, LATE_FROM, 3.0):
+        says_console = is_late(msgspec.structs.replace(link, late=calls))
+        assert (LATE_LINK.word in load_at(calls)) == says_console
+    assert load_at(0.4).startswith("bridge slow: 490 messages/s")
 
 
 def test_round_trips_and_clocks() -> None:

@@ -18,7 +18,7 @@ from fleet_tui.model.events import GridReceived
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.situation.facts import BAD_DATA, BEHIND, LATE_LINK, SILENT
 from fleet_tui.situation.links import behind, late_link
-from fleet_tui.situation.robots import bad_data, is_unreadable, silent
+from fleet_tui.situation.robots import absence, bad_data, silent
 from tests.support.fleets import LINK, T0, WIRE, link_up, recording, reduced, tick
 
 ROBOT = "robot_1"
@@ -115,7 +115,8 @@ def test_a_real_robot_is_online_and_its_pose_fresh_from_its_second_message_on() 
     for at, frame, state in replayed("telemetry-and-orders.jsonl", ROBOT):
         poses += frame.get("topic") == f"/{ROBOT}/pose"
         robot = state.robots[ROBOT]
-        assert not blamed(state) and not is_unreadable(state, robot)
+        fact = absence(state, robot)
+        assert not blamed(state) and (fact is None or fact.kind is not BAD_DATA)
         if poses >= 2 and at < 18.0:
             assert state.is_online(robot) and state.is_fresh(robot, "pose"), at
             assert robot.pose is not None and T0 + at - robot.pose.at < 0.5

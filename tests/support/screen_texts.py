@@ -22,6 +22,7 @@ from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.history.observing import BEGUN as BEGAN
 from fleet_tui.rules.why.reason import Strength
 from fleet_tui.screens.ordering.choices import ROLES
+from fleet_tui.situation import facts
 from fleet_tui.view.help.pages import ALWAYS
 from fleet_tui.view.help.pages import TYPED as TYPED_HELP
 from fleet_tui.view.lines.history import HINTS
@@ -121,8 +122,11 @@ def place_name(value: ast.expr) -> str:
 
 
 def variants(value: ast.expr) -> list[str]:
-    """Return the texts that an expression may be, with places; empty if it has no text of its own."""
+    """Return the texts that an expression may be, with places; empty if it has no text of its own. A word
+    of a row of the table of facts is that word."""
     match value:
+        case ast.Attribute(value=ast.Name(id=row), attr="word") if hasattr(facts, row):
+            return [str(getattr(facts, row).word)]
         case ast.Constant(value=str(text)):
             return [text]
         case ast.JoinedStr(values=parts):

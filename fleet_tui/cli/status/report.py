@@ -14,9 +14,9 @@ from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.trouble import in_trouble
-from fleet_tui.situation.facts import OBSTACLE
-from fleet_tui.situation.links import behind, is_late, late_link
-from fleet_tui.situation.robots import absence_text, blocked_robots
+from fleet_tui.situation.facts import OBSTACLE, REPEATED_POSE
+from fleet_tui.situation.links import behind, late_link
+from fleet_tui.situation.robots import absence, blocked_robots
 from fleet_tui.text.limits import some
 from fleet_tui.text.units import counted
 
@@ -144,7 +144,8 @@ def attention(state: FleetState) -> list[str]:
 
 
 def _unknown(state: FleetState) -> Iterator[str]:
-    """Yield the robots that are not online, as far as no alarm tells it, and the values that never came."""
+    """Yield the robots of which nothing current is known, as far as no alarm tells it, and the values that
+    never came."""
     troubled = in_trouble(state)
     for robot in state.robots.values():
         link, absent = state.links[robot.link], missing(robot)
@@ -152,8 +153,10 @@ def _unknown(state: FleetState) -> Iterator[str]:
             continue
         if state.is_online(robot):
             yield from (f"{robot.name}: missing: {', '.join(absent)}" for _ in absent[:1])
-        elif not (robot.name in troubled or is_late(link)):
-            yield f"{robot.name}: {absence_text(state, robot)}"
+        fact = absence(state, robot)
+        if fact is None or fact.kind is REPEATED_POSE or not fact.is_certain or robot.name in troubled:
+            continue
+        yield f"{robot.name}: {fact.short}"
 
 
 def report(state: FleetState) -> Values:

@@ -2,7 +2,7 @@
 
 from fleet_tui.model.alarm import Condition, class_of
 from fleet_tui.situation.fact import AlarmClass
-from fleet_tui.situation.facts import BAD_DATA, BEHIND, LATE_LINK, OBSTACLE, SILENT, STOP
+from fleet_tui.situation.facts import BAD_DATA, BEHIND, LATE_LINK, OBSTACLE, OLD_STAMPS, SILENT, STOP
 
 CLASSES = {
     "link": AlarmClass(
@@ -59,14 +59,7 @@ CLASSES = {
         "Read the reason, check the robot, then give the command again",
         2,
     ),
-    "localisation": AlarmClass(
-        "medium",
-        "the robot does not know where it is on its map, reports without a pose, or for 20 s poses in walls,"
-        " off the map or off its route graph",
-        "it may drive into something, or stop; nobody sees where",
-        "Pause it and set its pose; without a pose check its localisation",
-        2,
-    ),
+    OLD_STAMPS.name: OLD_STAMPS.alarm,
     "issue": AlarmClass(
         "medium",
         "the fleet adapter of a robot reports an issue, or its driver an emergency or an adapter error",

@@ -25,13 +25,12 @@ from fleet_tui.situation import links
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import BAD_DATA, SILENT
 from fleet_tui.situation.robots import (
-    absence_text,
+    absence,
     is_blocked_for_long,
     is_fresh,
-    is_unreadable,
     last_contact,
     last_stop,
-    silent_from,
+    silence,
 )
 from fleet_tui.situation.robots import bad_data as find_bad_data
 from fleet_tui.text.durations import age
@@ -187,12 +186,12 @@ def offline(state: FleetState, robot: Robot, active: ActiveConditions) -> Condit
     if not robot.is_gone and last is not None and state.now - last <= limit / 2:
         return None
     raised = was_active(active, robot.name, robot.link, SILENT.name)
-    if is_unreadable(state, robot):
+    fact = silence(state, robot) if state.is_online(robot) else absence(state, robot)
+    if fact is None or fact.kind.name != SILENT.name:
         return None
     if state.is_online(robot) if raised else state.links[robot.link].phase is not Phase.UP:
         return None
-    due = (last or 0.0) + limit if raised else silent_from(state, robot)
-    return Condition(robot.name, SILENT.name, Priority.MEDIUM, absence_text(state, robot), SILENT.over, due)
+    return _condition(fact, (last or 0.0) + limit if raised else fact.since)
 
 
 def behind(state: FleetState) -> Condition | None:

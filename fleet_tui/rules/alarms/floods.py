@@ -7,6 +7,7 @@ from msgspec import Struct
 
 from fleet_tui.model.alarm import Condition, Key, Priority
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.situation.facts import NEVER_SEEN
 from fleet_tui.text.limits import some
 
 ActiveConditions = Mapping[Key, Condition]
@@ -94,7 +95,7 @@ def _grouped(
 def _group(link: str, kind: str, members: Sequence[Condition]) -> Condition:
     flood, names = FLOODS[kind], [one.source for one in members]
     same, count = {one.text for one in members}, len(names)
-    text = "never seen" if same == {"never seen"} else flood.text
+    text = NEVER_SEEN.word if same == {NEVER_SEEN.word} else flood.text
     return Condition(
         *group_key(link, kind),
         flood.priority,

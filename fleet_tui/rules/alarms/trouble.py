@@ -15,7 +15,8 @@ from fleet_tui.rules.commands.order_ends import seen_end
 from fleet_tui.rules.commands.pauses import drives_despite_pause
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
-from fleet_tui.situation.robots import bad_data, is_unreadable, obstacle, repeats_pose_at_rest, silent
+from fleet_tui.situation.facts import BAD_DATA, REPEATED_POSE
+from fleet_tui.situation.robots import absence, bad_data, obstacle, silent
 
 LONG_STILL = 30.0
 """Seconds of standing with an order that are worth a look: longer than loading takes."""
@@ -137,8 +138,10 @@ def is_odd(state: FleetState, robot: Robot) -> bool:
     """Tell whether a robot is not as usual in a way that a person should look at, alarm or not: its row has
     an amber sign, and `!` goes there. A pause of this console and what a late bridge explains are known."""
     if not state.is_online(robot):
+        fact = absence(state, robot)
         is_gone = silent(state, robot) is not None and robot.last_received is not None
-        return is_gone or is_unreadable(state, robot) or unexplained_end(state, robot) is not None
+        is_bad = fact is not None and fact.kind is BAD_DATA
+        return is_gone or is_bad or unexplained_end(state, robot) is not None
     is_held = state.is_paused(robot) and own_pause(state, robot) is None
     is_held = is_held or drives_despite_pause(state, robot)
     is_held = is_held or obstacle(state, robot) is not None
@@ -151,7 +154,8 @@ def _has_old(state: FleetState, robot: Robot) -> bool:
     if not state.has_old(robot, AGING):
         return False
     others = tuple(value for value in AGING if value != "pose")
-    return state.has_old(robot, others) or not repeats_pose_at_rest(state, robot)
+    fact = absence(state, robot)
+    return state.has_old(robot, others) or fact is None or fact.kind is not REPEATED_POSE
 
 
 class _Looks:

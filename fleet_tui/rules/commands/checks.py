@@ -33,7 +33,7 @@ from fleet_tui.rules.commands.route_checks import (
     unknown_vertex,
 )
 from fleet_tui.rules.commands.set_up import checks as set_up
-from fleet_tui.situation.robots import is_unreadable
+from fleet_tui.situation.robots import absence
 from fleet_tui.text.durations import age
 from fleet_tui.text.limits import some
 
@@ -72,17 +72,9 @@ def silent(state: FleetState, robot: Robot, command: Command) -> Iterator[Proble
     """Check that the robot is online."""
     if isinstance(command, ResumeRobot):
         return
-    if is_unreadable(state, robot):
-        yield Problem(
-            "bad data", f"nothing that {robot.name} sends can be read: {robot.last_fault}", blocks=False
-        )
-    elif robot.is_undated and not state.is_online(robot):
-        yield Problem("age unknown", f"the one message of {robot.name} is of unknown age", blocks=False)
-    elif robot.last_received is None:
-        yield Problem("never seen", f"{robot.name} was never seen", blocks=False)
-    elif not state.is_online(robot):
-        silence = age(state.now - robot.last_received)
-        yield Problem("offline", f"{robot.name} is offline {silence}", blocks=False)
+    fact = None if state.is_online(robot) else absence(state, robot)
+    if fact is not None:
+        yield Problem(fact.kind.word, fact.question, blocks=False)
 
 
 def paused(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:

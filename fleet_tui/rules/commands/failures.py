@@ -27,6 +27,7 @@ _OVER = {commands.Stage.LATE: "was carried out late"} | {
 _CAUSED = frozenset({commands.Stage.REFUSED, commands.Stage.FAILED, commands.Stage.NOT_CONFIRMED})
 """Failures of which the cause is first: the request is known to the operator."""
 _INFERRED = frozenset(stage for stage, end in commands.ORDER_ENDS.items() if end.is_inferred)
+CARRIED_OUT = "Do not repeat the command: the robot has carried it out"
 DRIVES_ON = "It still has the order: pause it, or stop it at the robot, then cancel again"
 MANY = 5
 """Failed commands to at least this many robots given together are one alarm."""
@@ -112,7 +113,10 @@ def _failed(state: FleetState, key: Key, records: Sequence[commands.CommandRecor
     told, over = _texts(last, request)
     drives_on = isinstance(last.command, commands.CancelOrder | commands.ClearOrders)
     drives_on = drives_on and state.robots[last.command.robot].orders.current is not None
+    drives_on = drives_on and last.stage is not commands.Stage.LATE
     remedy = remedy_of(last.detail) if last.stage is commands.Stage.FAILED else ""
+    if last.stage is commands.Stage.LATE:
+        remedy = CARRIED_OUT
     if isinstance(last.command, commands.PlaceOrder) and last.stage in commands.ORDER_ENDS:
         remedy = remedy or commands.ORDER_ENDS[last.stage].remedy
     return Condition(

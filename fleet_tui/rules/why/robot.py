@@ -1,7 +1,7 @@
 """Reasons to stand still from the robot: its own reports, and whether it is online."""
 
 from fleet_tui.model.commands import Stage
-from fleet_tui.model.fleet import FleetState, obstacle_text, offline_text
+from fleet_tui.model.fleet import FleetState, obstacle_text
 from fleet_tui.model.link import Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.classes import CLASSES
@@ -20,8 +20,8 @@ from fleet_tui.rules.localisation.off_route import is_off_route, metres_off
 from fleet_tui.rules.movement import JUMPS_WITHIN
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, name_of, stationary_since
 from fleet_tui.situation import links
-from fleet_tui.situation.facts import BAD_DATA, SILENT
-from fleet_tui.situation.robots import has_old_stamps, is_unreadable, last_contact, silent
+from fleet_tui.situation.facts import BAD_DATA
+from fleet_tui.situation.robots import absence, last_contact
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.units import ago
 
@@ -71,28 +71,22 @@ def late_link(state: FleetState, robot: Robot) -> Reason | None:
 
 def silent_robot(state: FleetState, robot: Robot) -> Reason | None:
     """Report that it is offline while the link is up: certain unless its bridge is late by as much."""
-    if state.links[robot.link].phase is not Phase.UP or state.is_online(robot):
+    fact = absence(state, robot)
+    if fact is None or state.links[robot.link].phase is not Phase.UP or state.is_online(robot):
         return None
-    if is_unreadable(state, robot):
-        evidence, remedy = f"link up, messages arrive: {robot.last_fault}", BAD_DATA.alarm.action
-        seen, keys = robot.fault_at, BAD_DATA.keys
-        return Reason(BAD_DATA.word, evidence, seen=seen, keys=keys, remedy=remedy, page=BAD_DATA.page)
-    late = links.is_late(state.links[robot.link])
-    strength = Strength.POSSIBLE if late and silent(state, robot) is None else Strength.CERTAIN
-    remedy, keys = SILENT.alarm.action, SILENT.keys
-    beside = [one for one in state.robots.values() if one.link == robot.link]
-    if len(beside) > 1 and not any(map(state.is_online, beside)):
+    strength = Strength.CERTAIN if fact.is_certain else Strength.POSSIBLE
+    beside = [other for other in state.robots.values() if other.link == robot.link]
+    name, remedy = fact.short, fact.action
+    since = robot.last_received
+    if fact.kind is BAD_DATA:
+        name = BAD_DATA.word
+        since = None
+    elif len(beside) > 1 and not any(map(state.is_online, beside)):
         remedy = (
             f"All {len(beside)} robots of {robot.link} are silent: check its bridge and the network first"
         )
-    if robot.last_received is None:
-        what = "message" if robot.connection is None else "state"
-        evidence = f"link up, no {what} received"
-        if robot.is_undated:
-            evidence = "link up, one message received: it may be an old one"
-        return Reason(offline_text(state, robot), evidence, strength, keys=keys, remedy=remedy)
-    name, since = f"offline {age(state.now - robot.last_received)}", robot.last_received
-    return Reason(name, "link up, no messages", strength, since, keys=keys, remedy=remedy)
+    keys, page = fact.kind.keys, fact.kind.page
+    return Reason(name, fact.evidence, strength, since, fact.seen, keys, remedy, page)
 
 
 def paused(state: FleetState, robot: Robot) -> Reason | None:
@@ -157,9 +151,9 @@ def stale_pose(state: FleetState, robot: Robot) -> Reason | None:
         topic = robot.kind.pose_topic.replace("{robot}", robot.name)
         evidence = f"other reports received, no pose{topic and f' on {topic}'}: position unknown"
         return Reason("no pose", evidence, keys=DIAGNOSE, remedy=NO_POSE)
+    if (fact := absence(state, robot)) is not None:
+        return Reason(fact.short, fact.evidence, seen=fact.seen)
     name = f"pose {age(state.now - robot.pose.at)} old"
-    if has_old_stamps(state, robot):
-        return Reason(name, "poses arrive late: their time stamps lag", seen=robot.pose.at)
     if lacks_odometry(state, robot):
         topic = robot.kind.odometry_topic.replace("{robot}", robot.name)
         evidence = f"no odometry on {topic}: the robot may have moved since"

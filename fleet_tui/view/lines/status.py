@@ -10,6 +10,7 @@ from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.rules.alarms.trouble import to_look_at
 from fleet_tui.rules.commands.pauses import is_held
 from fleet_tui.rules.sites import alarms_by_site, site_of, sites_of
+from fleet_tui.situation.facts import LATE_LINK
 from fleet_tui.situation.links import LATE_FROM, is_late
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.language import tr
@@ -39,9 +40,9 @@ def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: f
     able = [robot for robot in state.robots.values() if robot.kind.can(PAUSE)]
     # Of a robot that is not heard nobody knows whether it stands.
     stopped = [robot for robot in able if state.is_online(robot) and is_held(state, robot)]
-    paused = (
-        tr(f"ALL {PAUSED}") if len(stopped) == len(able) else tr(f"{len(stopped)} of {len(able)} {PAUSED}")
-    )
+    # A robot whose kind has no pause drives on: beside it not all are paused.
+    robots = len(state.robots)
+    paused = tr(f"ALL {PAUSED}") if len(stopped) == robots else tr(f"{len(stopped)} of {robots} {PAUSED}")
     notes = {
         paused: len(stopped) >= min(SEVERAL, max(1, sum(map(state.is_online, able)))),
         tr("read-only"): read_only,
@@ -91,7 +92,7 @@ def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
     late = is_late(link)
     yield "● ", StyleRole.WARN if late else StyleRole.GOOD
     if late:  # before the address, which a narrow line cuts
-        yield tr(f"{duration(link.late)} late: bridge overloaded "), StyleRole.WARN
+        yield tr(f"{duration(link.late)} late: {LATE_LINK.word} "), StyleRole.WARN
     yield f"{address} ", StyleRole.TEXT
     if link.last_received is None:
         yield tr("nothing received yet"), StyleRole.DIM

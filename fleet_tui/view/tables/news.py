@@ -15,17 +15,9 @@ from fleet_tui.rules.commands.rivals import rivals
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
-from fleet_tui.situation.links import is_late
-from fleet_tui.situation.robots import (
-    absence_text,
-    bad_data,
-    bad_text,
-    is_unreadable,
-    last_contact,
-    obstacle,
-    repeats_pose_at_rest,
-    silent,
-)
+from fleet_tui.situation.fact import Fact
+from fleet_tui.situation.facts import BAD_DATA, REPEATED_POSE, SILENT
+from fleet_tui.situation.robots import absence, bad_data, last_contact, obstacle
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
@@ -36,7 +28,7 @@ _NAMES = {name: name for name in AGING} | {"paused": "pause"}
 """Values that may be old, with their names."""
 
 
-def _old(state: FleetState, robot: Robot) -> Iterator[Run]:
+def _old(state: FleetState, robot: Robot, unheard: Fact | None) -> Iterator[Run]:
     """Yield the old values of a robot that is online, and a missing pose: they must not look live."""
     if is_missing(state, robot, "pose"):
         yield tr(missing_text(state, robot, "pose")), StyleRole.WARN
@@ -46,9 +38,11 @@ def _old(state: FleetState, robot: Robot) -> Iterator[Run]:
             if value == "pose" and robot.is_undated:
                 yield tr(f"{tr(name)} of unknown age"), StyleRole.WARN
                 continue
-            is_calm = value == "pose" and repeats_pose_at_rest(state, robot)
-            role = StyleRole.DIM if is_calm else StyleRole.WARN
-            yield tr(f"{tr(name)} {age(state.now - reading.at)} old"), role
+            if value == "pose" and unheard is not None:
+                is_calm = unheard.kind is REPEATED_POSE
+                yield tr(unheard.short), StyleRole.DIM if is_calm else StyleRole.WARN
+                continue
+            yield tr(f"{tr(name)} {age(state.now - reading.at)} old"), StyleRole.WARN
 
 
 def _paused(state: FleetState, robot: Robot) -> str:
@@ -76,7 +70,8 @@ def failed_command(state: FleetState, robot: Robot, short: bool = False) -> Iter
 def is_on_its_way(state: FleetState, robot: Robot) -> bool:
     """Tell whether what a robot says may still be on its way over a late bridge, which is what needs a
     person."""
-    return is_late(state.links[robot.link]) and not (silent(state, robot) or robot.name in in_trouble(state))
+    fact = absence(state, robot)
+    return fact is not None and not fact.is_certain and robot.name not in in_trouble(state)
 
 
 def _late(state: FleetState, robot: Robot, received: float) -> str:
@@ -88,24 +83,20 @@ def _late(state: FleetState, robot: Robot, received: float) -> str:
     return tr(f"silent {age(state.now - received + state.links[robot.link].late)}")
 
 
-def _absent(state: FleetState, robot: Robot) -> Iterator[Run]:
-    """Yield why nothing is known of a robot that is not online."""
-    if is_unreadable(state, robot):
-        yield tr(absence_text(state, robot)), StyleRole.ALARM
-    elif robot.last_received is None:
-        role = StyleRole.ALARM if robot.name in in_trouble(state) else StyleRole.DIM
-        yield tr(absence_text(state, robot)), role
-    elif is_on_its_way(state, robot):
-        yield _late(state, robot, robot.last_received), StyleRole.WARN
-    else:
-        yield tr(absence_text(state, robot)), StyleRole.ALARM
+def _absent(state: FleetState, robot: Robot, fact: Fact) -> Run:
+    """Return why nothing is known of a robot that is not online."""
+    if robot.last_received is not None and is_on_its_way(state, robot):
+        return _late(state, robot, robot.last_received), StyleRole.WARN
+    is_urgent = fact.kind in (SILENT, BAD_DATA) or robot.name in in_trouble(state)
+    return tr(fact.short), StyleRole.ALARM if is_urgent else StyleRole.DIM
 
 
 def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     """Return the news of a robot, the most urgent first."""
     online = state.is_online(robot)
-    if not online:
-        yield from _absent(state, robot)
+    unheard = absence(state, robot)
+    if unheard is not None and not online:
+        yield _absent(state, robot, unheard)
     if (fact := obstacle(state, robot)) is not None:
         yield tr(fact.text), StyleRole.WARN if robot.name in shelved(state) else StyleRole.ALARM
     yield from _navigation(state, robot)
@@ -118,9 +109,10 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     yield from _ended(state, robot)
     yield from _operators(state, robot)
     if online:
-        yield from _old(state, robot)
-    if bad_data(state, robot) is not None and not is_unreadable(state, robot):
-        yield tr(bad_text(robot)), StyleRole.WARN
+        yield from _old(state, robot, unheard)
+    bad = bad_data(state, robot)
+    if bad is not None and (unheard is None or unheard.kind is not BAD_DATA):
+        yield tr(bad.short), StyleRole.WARN
 
 
 def _operators(state: FleetState, robot: Robot) -> Iterator[Run]:

@@ -6,11 +6,12 @@ from textwrap import wrap
 from typing import Any
 
 from fleet_tui.model.commands import FAILURES, ORDER_ENDS
-from fleet_tui.model.fleet import AGE_UNKNOWN, FleetState
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.commands.order_ends import seen_end
 from fleet_tui.rules.why.place import place_text
+from fleet_tui.situation.facts import AGE_UNKNOWN
 from fleet_tui.situation.links import is_late
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.language import tr
@@ -92,7 +93,7 @@ def value_rows(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Ru
         is_old = not state.is_fresh(robot, value)
         since = _since(state.now - reading.at + (value != "pose") * late, is_narrow)
         if value == "pose" and robot.is_undated:
-            since = tr(AGE_UNKNOWN)
+            since = tr(AGE_UNKNOWN.word)
         age_role = StyleRole.WARN if is_old or late else StyleRole.DIM
         yield named(
             value.capitalize(),

@@ -200,6 +200,7 @@ def test_an_order_that_is_taken_late_is_told_and_the_failure_is_cleared(seconds:
     assert (record.stage, record.order_id) == (Stage.LATE, "5")
     (alarm,) = (alarm for alarm in state.alarms if alarm.condition.kind == "command")
     assert alarm.needs_acknowledgement and alarm.text.startswith("carried out late: order 0 -> 7 (order 5, ")
+    assert action_of(alarm.condition) == "Do not repeat the command: the robot has carried it out"
     assert first(reduced(state, gone(T0 + seconds + 1), tick(T0 + seconds + 1))).stage is Stage.DONE
 
 

@@ -9,6 +9,7 @@ from fleet_tui.config.start import initial_state
 from fleet_tui.model import events
 from fleet_tui.model.desk import events as desk_events
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.kind import PAUSE, Kind
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.view.lines.status import console_notes, status_line
 from fleet_tui.view.roles import StyleRole
@@ -20,6 +21,7 @@ from tests.support.fleets import (
     fleet,
     link_lost,
     link_up,
+    of_kinds,
     reduced,
     text_of,
     tick,
@@ -157,6 +159,16 @@ def test_it_says_when_all_robots_are_paused() -> None:
     assert console_notes(heard, read_only=False, armed=True, standstill=0.0) == ["1 of 2 PAUSED"]
     both = reduced(one, paused[1], tick(T0))
     assert console_notes(both, read_only=False, armed=True, standstill=0.0) == ["ALL PAUSED"]
+
+
+def test_beside_a_robot_whose_kind_has_no_pause_not_all_are_paused() -> None:
+    paused = [events.PausedReported(f"robot_{n}", T0, True) for n in range(2)]
+    alive = [battery(T0, robot=f"robot_{n}") for n in range(3)]
+    able = next(iter(fleet().robots.values())).kind
+    kinds = (able, able, Kind("made up"))
+    assert able.can(PAUSE) and not kinds[2].can(PAUSE)
+    state = reduced(of_kinds(fleet(3), *kinds), link_up(T0), *alive, *paused, tick(T0))
+    assert console_notes(state, read_only=False, armed=True, standstill=0.0) == ["2 of 3 PAUSED"]
 
 
 def test_a_long_start_tells_how_far_it_is() -> None:

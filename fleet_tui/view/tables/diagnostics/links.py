@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.link import CommandPath, LinkState, Phase
+from fleet_tui.situation.facts import LATE_LINK
 from fleet_tui.situation.links import is_late
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.language import tr
@@ -63,7 +64,7 @@ def _fields(link: LinkState, counter: LinkCounter, now: float) -> Iterator[tuple
         yield "trend", ((curve, StyleRole.DIM), (f" up to {milliseconds(max(took))}", StyleRole.DIM))
     messages, size = counter.all.rates(now) or (0.0, 0.0)
     total = f", {counter.all.count:,} and {size_text(counter.all.bytes)} in total"
-    late = f"{duration(link.late)}: bridge overloaded" if is_late(link) else duration(link.late)
+    late = f"{duration(link.late)}: {LATE_LINK.word}" if is_late(link) else duration(link.late)
     yield "late by", ((late, StyleRole.WARN if is_late(link) else StyleRole.TEXT),)
     yield "messages", ((f"{messages:.1f} /s, {size_text(size)}/s", StyleRole.TEXT), (total, StyleRole.DIM))
     at = counter.all.at

@@ -1,0 +1,20 @@
+"""The table of facts: its words are written in it alone."""
+
+import ast
+
+import pytest
+
+from fleet_tui.situation.facts import AGE_UNKNOWN, LATE_LINK
+from tests.support.screen_texts import ROOT
+
+
+@pytest.mark.parametrize("word", [LATE_LINK.word, AGE_UNKNOWN.word])
+def test_words_of_the_table_are_written_only_there(word: str) -> None:
+    modules = [path for path in ROOT.rglob("*.py") if word in path.read_text(encoding="utf-8")]
+    written = {
+        path.name
+        for path in modules
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Constant) and isinstance(node.value, str) and word in node.value
+    }
+    assert written == {"facts.py"}
