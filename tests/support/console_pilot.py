@@ -7,7 +7,9 @@ from collections.abc import AsyncIterator, Callable, Iterable
 from contextlib import AsyncExitStack, asynccontextmanager
 from functools import partial
 from pathlib import Path
+from typing import Any
 
+from rich.console import RenderableType
 from textual import events
 from textual.keys import REPLACED_KEYS, _character_to_key, _get_unicode_name_from_key
 from textual.message_pump import MessagePump
@@ -156,10 +158,17 @@ def _ready(state: FleetState) -> bool:
 
 
 def _paints_nothing(screen: Screen[None]) -> None:
-    """Nobody sees what is painted without a terminal, an eighth of a test's time; `text` draws it anew."""
-    compositor = screen._compositor
-    name = compositor.render_update.__name__
-    setattr(compositor, name, lambda **_: compositor._dirty_regions.clear())
+    """Nobody sees what is painted without a terminal, an eighth of a test's time; `text` draws it anew,
+    and so does a picture of the screen, which is `full`."""
+    compositor, paint = screen._compositor, screen._compositor.render_update
+
+    def update(full: bool = False, **more: Any) -> RenderableType | None:
+        if full:
+            return paint(full, **more)
+        compositor._dirty_regions.clear()
+        return None
+
+    setattr(compositor, paint.__name__, update)
 
 
 @asynccontextmanager
