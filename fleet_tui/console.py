@@ -1,6 +1,7 @@
 """Opens the console: terminal capabilities, themes, log, then the app."""
 
 import logging
+import os
 import time
 from collections.abc import Callable, Mapping
 from contextlib import ExitStack
@@ -20,16 +21,23 @@ from fleet_tui.config.load import looked_for, user_folder
 from fleet_tui.config.saving import Saving
 from fleet_tui.config.schema import Config, Ui
 from fleet_tui.config.start import initial_state
-from fleet_tui.controllers.files import READ_ONLY, ConsoleFiles
+from fleet_tui.controllers.files import IN_A_TAB, READ_ONLY, ConsoleFiles
 from fleet_tui.errors import ConfigError, did_you_mean
 from fleet_tui.keymap import keymap
 from fleet_tui.keys.key import key_name
 from fleet_tui.languages import use_language
-from fleet_tui.log_file import log_to_file, state_folder
+from fleet_tui.log_file import log_to_file, state_folder, state_problem
 from fleet_tui.maps.draft_file import draft_of
 from fleet_tui.recording.incident import pack as pack_incident
 from fleet_tui.state.store import Store
-from fleet_tui.terminal.detect import description, drawing_for, has_colour, has_unicode, need_terminal
+from fleet_tui.terminal.detect import (
+    IN_BROWSER,
+    description,
+    drawing_for,
+    has_colour,
+    has_unicode,
+    need_terminal,
+)
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.terminal.plain_driver import PlainDriver
 from fleet_tui.themes import FleetTheme, load_themes
@@ -127,6 +135,7 @@ def _files(
     drafts = partial(draft_of, state_folder(), config, demo)
     files = ConsoleFiles(open_them, pack, saving, drafts, graph_file, state_folder())
     files.refusal = READ_ONLY if config.operator.read_only else ""
+    files.naming_refusal = files.refusal or (IN_A_TAB if IN_BROWSER in os.environ else "")
     return files
 
 
@@ -226,7 +235,7 @@ def _ready(
     _refuse(config, themes)
     warnings = [*config.withheld, *(f"theme {problem}" for problem in problems)]
     if log_to_file(debug) is None:
-        warnings.append(f"logging off: {state_folder()} is not writable")
+        warnings.append(state_problem() or f"logging off: {state_folder()} is not writable")
     for warning in warnings:
         LOG.warning("%s", warning)
     more = f" and {len(warnings) - 1} more" if warnings[1:] else ""

@@ -13,6 +13,8 @@ from typing import IO, Any
 
 import platformdirs
 
+from fleet_tui.config.access import hidden
+from fleet_tui.config.trust import doubt
 from fleet_tui.text.limits import truncate
 from fleet_tui.text.sanitize import sanitize
 
@@ -22,6 +24,7 @@ TAIL_LINES = 500
 """Number of lines that are kept in memory, too."""
 LONGEST_LINE = 4000
 """Maximum characters of a message."""
+NOWHERE = Path("/dev/null/fleet-tui")
 WAITING = 10_000
 """Messages that wait for a hanging disk; more are dropped, and counted."""
 
@@ -31,11 +34,16 @@ class _Visible(logging.Formatter):
 
     def formatMessage(self, record: logging.LogRecord) -> str:  # noqa: N802  # the base's name
         """Return one line, with any content."""
-        return truncate(sanitize(super().formatMessage(record)), LONGEST_LINE)
+        return truncate(sanitize(_hidden(super().formatMessage(record))), LONGEST_LINE)
 
     def formatException(self, ei: Any) -> str:  # noqa: N802  # the base's name
         """Return a sanitized traceback: its last words may be from anywhere."""
-        return "\n".join(map(sanitize, super().formatException(ei).split("\n")))
+        return "\n".join(map(sanitize, _hidden(super().formatException(ei)).split("\n")))
+
+
+def _hidden(text: str) -> str:
+    """Return a text without secrets: libraries log what a server says, which may repeat one."""
+    return hidden(text.encode(errors="surrogatepass")).decode(errors="surrogatepass")
 
 
 class Tail(logging.Handler):
@@ -113,8 +121,16 @@ class _Writing(logging.handlers.QueueListener):
 
 
 def state_folder() -> Path:
-    """Return the folder of logs and records: $XDG_STATE_HOME/fleet-tui, else ~/.local/state/fleet-tui."""
-    return platformdirs.user_state_path("fleet-tui")
+    """Return the folder of logs and records: $XDG_STATE_HOME/fleet-tui, else ~/.local/state/fleet-tui; or one
+    that can't be made, where somebody else could lay links into it."""
+    return NOWHERE if state_problem() else platformdirs.user_state_path("fleet-tui")
+
+
+def state_problem() -> str:
+    """Return why nothing is kept in the folder of this user, with the remedy; empty if it is one's own."""
+    folder = platformdirs.user_state_path("fleet-tui")
+    found = doubt(next(place for place in (folder, *folder.parents) if os.path.lexists(place)))
+    return f"nothing is kept, no log, no audit log: {found}" if found else ""
 
 
 def log_to_file(debug: bool) -> Path | None:

@@ -7,6 +7,13 @@ from pathlib import Path
 
 import pytest
 
+from fleet_tui.audit.log import auditing
+from fleet_tui.config.schema import Config
+from fleet_tui.log_file import state_folder, state_problem
+from fleet_tui.state.store import Store
+from tests.support.fleets import fleet
+from tests.support.users import two_users
+
 # More messages than may wait, while the first is being written; `answers` says whether it ever is.
 PROGRAM = """
 import logging, sys, threading, time
@@ -98,3 +105,23 @@ def test_consoles_write_to_one_file_also_after_one_of_them_began_a_new_one(tmp_p
     log = tmp_path / "fleet-tui.log"
     subprocess.run([sys.executable, "-c", TWO, str(log)], timeout=20, check=True)
     assert log.read_text().splitlines()[3:] == ["other", "one", "other again"]
+
+
+@two_users
+@pytest.mark.parametrize("name", ["audit.jsonl", "fleet-tui.log"])
+def test_nothing_is_written_where_others_can_lay_links(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
+    state, mine = tmp_path / "fleet-tui", tmp_path / "mine"
+    assert state_folder() == state and state_problem() == ""
+    mine.write_text("mine")
+    state.mkdir()
+    (state / name).symlink_to(mine)
+    state.chmod(0o777)
+    assert state_problem() == (
+        f"nothing is kept, no log, no audit log: {state} is writable by everyone: chmod o-w {state}"
+    )
+    with auditing(state_folder(), Config(), Store(fleet(1))) as audit:
+        audit.log_console("said", "a word")
+    assert mine.read_text() == "mine" and list(state.iterdir()) == [state / name]

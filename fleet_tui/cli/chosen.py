@@ -8,13 +8,14 @@ from fleet_tui.discovery.address import bridge_at
 from fleet_tui.discovery.awaiting import Discovering
 from fleet_tui.discovery.site import DiscoveredSite
 from fleet_tui.errors import ConfigError, FleetError, LinkError
+from fleet_tui.log_file import state_problem
 from fleet_tui.text.sanitize import sanitize
 
 
 def of_file(config_file: str | None) -> Config:
     """Return the configuration of a file; tells what of it does not count. Raises ConfigError."""
     config = load(find(config_file))
-    for line in config.withheld:
+    for line in filter(None, (*config.withheld, state_problem())):
         click.echo(sanitize(f"warning: {line}"), err=True)
     return config
 

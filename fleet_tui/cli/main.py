@@ -17,6 +17,7 @@ from fleet_tui.config.check import missing_files
 from fleet_tui.config.load import find, read, user_folder
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import ConfigError, did_you_mean
+from fleet_tui.log_file import state_problem
 from fleet_tui.maps.route_graphs import load_floor_graph
 from fleet_tui.text.sanitize import sanitize
 
@@ -114,7 +115,7 @@ def check(config_file: str | None, debug: bool, file: str | None) -> None:
     config, problems = read(path)
     problems += [*missing_files(config), *_graph_problems(config)]
     problems += [*access_problems(config), *_theme_problems(config)]
-    for line in config.withheld:
+    for line in filter(None, (*config.withheld, state_problem())):
         click.echo(sanitize(f"{path}: warning: {line}"), err=True)
     if problems:
         raise ConfigError([f"{path}: {line}" for line in problems])

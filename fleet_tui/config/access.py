@@ -1,9 +1,11 @@
 """Secrets and certificates of a link: read from their files, and only if those are safe."""
 
+import base64
 import os
 import re
 import stat
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import suppress
 from functools import partial
 from pathlib import Path
 
@@ -18,6 +20,10 @@ PUBLIC = ("ca_file", "client_cert")
 LONGEST = 16_384  # maximum bytes of a header that servers accept
 NOT_SHOWN = (*SECRET_FILES, *(f"{key}_env" for key in SECRETS), "client_key")
 """Keys of a link whose value may be secret, or a secret entered in place of a file or variable name."""
+SHORTEST = 6
+"""Minimum characters of a secret to mask: shorter ones occur in too many texts."""
+_known: set[bytes] = set()
+"""What would tell a secret that this process has read."""
 
 
 def without_secrets(config: Config) -> Config:
@@ -60,7 +66,26 @@ def secret(bridge: Link, key: str) -> str:
         found = _content(bridge, where).decode("ascii", errors="replace").rstrip("\r\n")
     if found and (len(found) > LONGEST or not re.fullmatch(r"[\x20-\x7e]+", found)):
         raise ConfigError([f"{where}: must be one line of plain ASCII"])
+    if key != "user":
+        _known.update(word.encode() for word in _words(found) if len(word) >= SHORTEST)
     return found
+
+
+def hidden(said: bytes) -> bytes:
+    """Return a text, which may repeat secrets, with those masked, at the same length."""
+    for word in sorted(_known, key=len, reverse=True):
+        said = said.replace(word, b"*" * len(word))
+    return said
+
+
+def _words(secret: str) -> Iterator[str]:
+    """Return the parts of a secret that tell it, those that HTTP's Basic has encoded, too."""
+    for word in secret.split():
+        yield word
+        with suppress(ValueError):
+            pair = base64.b64decode(word, validate=True).decode()
+            if ":" in pair:
+                yield from (pair, pair.partition(":")[2])
 
 
 def _content(bridge: Link, key: str) -> bytes:
@@ -71,7 +96,7 @@ def _content(bridge: Link, key: str) -> bytes:
     try:
         # A pipe must not block.
         with os.fdopen(os.open(name, os.O_RDONLY | os.O_NONBLOCK), "rb") as opened:
-            problem = _exposure(os.fstat(opened.fileno()), key not in PUBLIC) or doubt(Path(name))
+            problem = unsafe(opened.fileno(), key, Path(name))
             content = b"" if problem else opened.read(LONGEST + 1)
     except (OSError, ValueError) as error:
         # Its name is not shown: it may be the secret itself, entered by mistake.
@@ -81,6 +106,11 @@ def _content(bridge: Link, key: str) -> bytes:
     if problem:
         raise ConfigError([f"{key}: {problem}"])
     return content
+
+
+def unsafe(opened: int, key: str, path: Path) -> str:
+    """Return why an open file of a link can't be used, "" if it can: its mode, or who could write it."""
+    return _exposure(os.fstat(opened), key not in PUBLIC) or doubt(path)
 
 
 def _exposure(found: os.stat_result, is_private: bool) -> str:

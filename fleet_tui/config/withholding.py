@@ -1,5 +1,6 @@
 """What of a configuration does not count because somebody else could have written it, or a file it names."""
 
+import os
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
@@ -49,7 +50,7 @@ def _with_safe_files(config: Config) -> Config:
     if desk.folder and (found := doubt(config.beside(desk.folder), is_for_group=True)):
         desk = DeskConfig()
         told.append(f"the desk is off: {found}")
-    doubts = {program.name: _doubt_of_program(program) for program in config.programs}
+    doubts = {program.name: doubt_of_program(program) for program in config.programs}
     told += [f"program {name} is off: {found}" for name, found in doubts.items() if found]
     graphs = [config.beside(floor.graph) for floor in config.floors if floor.graph]
     is_master = any(link.role == "master" for link in (config.rosbridge, *config.links.values()))
@@ -70,20 +71,20 @@ def _with_safe_files(config: Config) -> Config:
 
 
 def doubt_of_command(arguments: Sequence[str], folder: Path) -> str:
-    """Return how somebody else could have written the program of a command, or a file among its arguments,
-    also behind `=`; names that PATH finds are the user's own choice."""
+    """Return how somebody else could have written the program of a command, or a file or folder among its
+    arguments, also behind `=`; names that PATH finds are the user's own choice."""
     program = arguments[0] if arguments else ""
     values = (word.partition("=")[2] for word in arguments)
     named = [name for name in (*arguments, *values) if name and "\0" not in name]
     for name in named:
         file = folder / name
         is_program = name == program and "/" in name  # it may come to be there only later
-        if (is_program or file.is_file()) and (found := doubt(file)):
+        if (is_program or os.path.lexists(file)) and (found := doubt(file)):
             return found
     return ""
 
 
-def _doubt_of_program(program: ProgramEntry) -> str:
+def doubt_of_program(program: ProgramEntry) -> str:
     """Return the same of a program of this machine: its words are relative to the current folder."""
     if program.host:
         return ""

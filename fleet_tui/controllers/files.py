@@ -17,11 +17,13 @@ Pack = Callable[[str, Callable[[], bool]], Path]
 
 
 READ_ONLY = "not here: this console is read-only"
+IN_A_TAB = "not in a browser: whoever opens the page could name any file of this machine"
 
 
 class ConsoleFiles:
     """The audit log, the recordings, the history, the desk, the incident archive and the configuration.
-    None: not written here. `refusal`: why a person may write nothing from here, empty if they may."""
+    None: not written here. `refusal`: why a person may write nothing from here, empty if they may;
+    `naming_refusal`: why they may name no file to write."""
 
     def __init__(
         self,
@@ -37,7 +39,7 @@ class ConsoleFiles:
         one; `folder` keeps earlier versions."""
         self._open_them, self.pack, self.saving, self.folder = open_them, pack, saving, folder
         self.draft, self.graph_file = draft, graph_file
-        self.refusal = ""
+        self.refusal = self.naming_refusal = ""
         self.audit: Audit | None = None
         self.recordings: Recordings | None = None
         self.history: HistoryWriter | None = None

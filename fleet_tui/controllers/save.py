@@ -44,8 +44,8 @@ class SaveCommand:
         """Return the reason that nothing can be saved, empty if something can."""
         if self._files.saving is None:
             return "nothing to save: this console has no fleet of its own"
-        if self._files.refusal:
-            return self._files.refusal
+        if self._files.naming_refusal:
+            return self._files.naming_refusal
         path = self._files.saving.path
         if path and (not name or expanded(name).resolve() == Path(path).resolve()):
             return f"already saved in {sanitize(path)}: {WORD} FILE writes a copy"

@@ -54,12 +54,13 @@ class Replies:
         self._waiting: dict[Key, _Reply] = {}
         self._adopts_until = time.monotonic() + ADOPTS
         self._answered: set[Key] = set()
-        """Alarms that were answered since this console is there: what others had done before is over."""
+        """Alarms that were answered while this console adopts: what others had done before is over."""
 
     def take(self, fact: SharedAcknowledgement | SharedShelving, by: str) -> None:
         """Take an answer that was just given."""
         key, until = (fact.source, fact.kind), time.monotonic() + WAITS
-        self._answered.add(key)
+        if time.monotonic() <= self._adopts_until:
+            self._answered.add(key)
         if isinstance(fact, SharedAcknowledgement):
             self._waiting[key] = _Reply(by, until, None)
         elif fact.seconds:
@@ -71,6 +72,7 @@ class Replies:
     def adopt(self, others: Sequence[tuple[str, Presence]]) -> None:
         """Take what the others have answered, once for each alarm, while this console is new."""
         if time.monotonic() > self._adopts_until:
+            self._answered.clear()
             return
         stages = {alarm.key: alarm.stage for alarm in self._store.state.alarms}
         self._answered |= {key for key, stage in stages.items() if stage is not AlarmStage.UNACKNOWLEDGED}

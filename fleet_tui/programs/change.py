@@ -7,6 +7,7 @@ from pathlib import Path
 
 from fleet_tui.config.programs import ProgramEntry
 from fleet_tui.config.rights import own_rights
+from fleet_tui.config.withholding import doubt_of_program
 from fleet_tui.model.problem import Right
 from fleet_tui.model.programs.program import (
     CONFIRMED,
@@ -36,6 +37,8 @@ async def change(program: ProgramEntry, verb: str, folder: Path, within: float =
     """Start, stop or restart a program within seconds, and return the outcome."""
     if refusal := own_rights().refusal(Right.SETUP):
         return ChangeOutcome(REFUSED, refusal)
+    if found := doubt_of_program(program):  # its files may have changed since the configuration was read
+        return ChangeOutcome(REFUSED, found)
     until = time.monotonic() + within
     # systemd restarts its units itself, in the sequence of their dependencies.
     verbs = (verb,) if program.unit or verb != RESTART else (STOP, START)

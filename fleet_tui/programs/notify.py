@@ -10,6 +10,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from fleet_tui.config.schema import Notify
+from fleet_tui.config.withholding import doubt_of_command
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key, class_of
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.programs.process import EndedProcess, run
@@ -86,7 +87,11 @@ class AlarmProgram:
         return "".join(f"{line}\n" for line in lines)
 
     def _run(self, given: str) -> None:
-        ended = asyncio.run(run(self._command, WITHIN, folder=self._folder, given=given))
+        # Its files may have changed since the configuration was read.
+        if found := doubt_of_command(self._command, self._folder):
+            ended = EndedProcess(None, problem=found)
+        else:
+            ended = asyncio.run(run(self._command, WITHIN, folder=self._folder, given=given))
         self._failed = _failure(self._command[0], ended)
         if self._failed:
             LOG.warning("%s; given: %s; printed: %s", self._failed, given.strip(), ended.output.strip())

@@ -3,6 +3,7 @@
 import ssl
 from pathlib import Path
 
+from fleet_tui.config.access import unsafe
 from fleet_tui.config.schema import Link
 from fleet_tui.config.small_file import open_file
 from fleet_tui.errors import LinkError
@@ -29,17 +30,20 @@ def tls_context(bridge: Link) -> ssl.SSLContext | None:
 
 
 def _check_files(bridge: Link) -> None:
-    """Check the files: OpenSSL opens them by itself, and a pipe would block forever: only regular files
-    pass."""
+    """Check the files at each attempt: OpenSSL opens them by itself, a pipe would block forever, and their
+    mode or owner may have changed since the start."""
     for key in ("ca_file", "client_cert", "client_key"):
         if name := getattr(bridge, key):
             try:
-                open_file(Path(name)).close()
+                with open_file(Path(name)) as opened:
+                    doubt = unsafe(opened.fileno(), key, Path(name))
             except FileNotFoundError:
                 raise LinkError(f"{key}: no such file: {Path(name).name}") from None
             except (OSError, ValueError) as problem:
                 reason = getattr(problem, "strerror", "") or str(problem)
                 raise LinkError(f"{key}: {Path(name).name} unreadable: {reason}") from None
+            if doubt:
+                raise LinkError(f"{key}: {doubt}")
 
 
 def _check_certificate(key: str, name: str) -> None:

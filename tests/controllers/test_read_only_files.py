@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from fleet_tui.config.saving import Saving
-from fleet_tui.controllers.files import READ_ONLY, ConsoleFiles
+from fleet_tui.controllers.files import IN_A_TAB, READ_ONLY, ConsoleFiles
 from fleet_tui.controllers.history.note import NoteCommand
 from fleet_tui.controllers.incident import IncidentPacking
 from fleet_tui.controllers.recording import RecordingSwitch
@@ -20,7 +20,7 @@ WHY = "not here: this console is read-only"
 def test_nothing_is_written(tmp_path: Path) -> None:
     said, config = list[str](), config_of("ws://a")
     files = ConsoleFiles(pack=lambda _shot, _is_over: tmp_path / "pack", saving=Saving(config))
-    files.refusal = READ_ONLY
+    files.refusal = files.naming_refusal = READ_ONLY
     files.recordings = Recordings(config, Store(ready()), tmp_path)
     with kept_history(tmp_path / "history") as files.history:
         before = sorted(tmp_path.rglob("*"))
@@ -35,3 +35,15 @@ def test_nothing_is_written(tmp_path: Path) -> None:
         do()
         assert said == [WHY] * 3 and files.recordings.recorder is None
         assert sorted(tmp_path.rglob("*")) == before
+
+
+def test_a_browser_names_no_file(tmp_path: Path) -> None:
+    said = list[str]()
+    files = ConsoleFiles(saving=Saving(config_of("ws://a")))
+    files.naming_refusal = IN_A_TAB
+    command = SaveCommand(files, Desk(ready()).ask, said.append, said.append)
+    save = command.typed(f"save {tmp_path / 'copy.toml'}")
+    assert save is not None
+    ((text, do),) = save.entries
+    do()
+    assert text == said[0] == IN_A_TAB and list(tmp_path.iterdir()) == []

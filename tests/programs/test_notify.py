@@ -12,6 +12,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.programs.notify import EVERY, MOST, AlarmProgram
 from tests.support.fleets import T0, battery, fleet, link_up, reduced, tick
 from tests.support.polling import eventually
+from tests.support.users import give, two_users
 
 KEEP = "import sys; open('given', 'a').write(sys.stdin.read() + '--\\n')"
 
@@ -120,3 +121,15 @@ def test_a_program_that_reads_nothing_is_no_failure(tmp_path: Path) -> None:
 def test_without_a_command_nothing_starts(tmp_path: Path) -> None:
     program = AlarmProgram(Notify(), tmp_path, print)
     program.look(low(T0, 0))
+
+
+@two_users
+def test_a_script_that_another_user_made_since_the_start_does_not_run(tmp_path: Path) -> None:
+    script = tmp_path / "later.py"
+    program = Notify([sys.executable, str(script)], ["low", "medium", "high"])
+    said: list[str] = []
+    notifying = AlarmProgram(program, tmp_path, said.append)
+    script.write_text(f"open({str(tmp_path / 'ran')!r}, 'w')")
+    give(script)
+    assert said_by(notifying.look, said)[0].startswith("notify: ") and "is not owned by root" in said[0]
+    assert not (tmp_path / "ran").exists()

@@ -35,6 +35,7 @@ def test_an_unusable_file_is_named_with_its_remedy(tmp_path: Path, key: str) -> 
 def test_an_unusable_key_is_named_with_its_remedy(tmp_path: Path) -> None:
     own, other = sign(tmp_path, "own"), sign(tmp_path, "other")
     (tmp_path / "text.key").write_text("nothing of the kind")
+    (tmp_path / "text.key").chmod(0o600)
     certificate = str(own.cert_file)
     assert problem(client_cert=certificate, client_key=str(other.key_file)) == (
         f"client_key: {other.key_file.name} does not match {own.cert_file.name}:"
@@ -58,3 +59,10 @@ def problem(**files: str) -> str:
     with pytest.raises(LinkError) as caught:
         tls_context(Link("wss://a", **files))  # type: ignore[arg-type]  # all are texts
     return str(caught.value)
+
+
+def test_a_key_that_others_can_read_since_the_start_is_not_used(tmp_path: Path) -> None:
+    own = sign(tmp_path, "own")
+    files = {"client_cert": str(own.cert_file), "client_key": str(own.key_file)}
+    own.key_file.chmod(0o644)
+    assert problem(**files).startswith("client_key: readable by others (mode 644): chmod 600")

@@ -1,13 +1,12 @@
 """A history as text, JSON or CSV."""
 
 import csv
+import json
 from collections.abc import Sequence
 from datetime import datetime
 from enum import Enum
 from operator import attrgetter
 from typing import Any, TextIO, assert_never
-
-import msgspec
 
 from fleet_tui.audit.export import cell
 from fleet_tui.history.reading import History
@@ -110,7 +109,7 @@ def as_json(history: History, events: Sequence[PastEvent], since: float, until: 
         "events": [_event(event) for event in sorted(events, key=BY_BEGIN)],
         "robots": {name: _seconds(history, name, since, until) for name in robots},
     }
-    return msgspec.json.format(msgspec.json.encode(told)).decode()
+    return json.dumps(told, indent=2)  # ASCII: texts of robots may hold what a terminal obeys
 
 
 def _event(event: PastEvent) -> dict[str, Any]:

@@ -64,6 +64,8 @@ class DraftFiles:
         word, _, rest = line.strip().partition(" ")
         if word != WORD or not self._editor.is_open:
             return None
+        if self._files.naming_refusal:
+            return Typed(problem=self._files.naming_refusal)
         name, wanted, vehicle = (*rest.split(None, 2), "", "", "")[:3]
         formats = ", ".join(format_.value for format_ in WRITERS)
         if not name:

@@ -110,6 +110,8 @@ class MappingControls:
         scene = self._picture.scene
         if scene is None or scene.grid is None:
             return Typed(problem="no map is shown")
+        if self._files.naming_refusal:
+            return Typed(problem=self._files.naming_refusal)
         if not name.strip():
             return Typed(problem=f"a file: {WORD} maps/{scene.floor}.yaml")
         return Typed(

@@ -11,6 +11,7 @@ import random
 import ssl
 from typing import Any
 
+from fleet_tui.config.access import hidden
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import FleetError, LinkError
 from fleet_tui.transports.listener import Listener
@@ -84,7 +85,7 @@ class _Protocol(comm_asyncio.AsyncioRosBridgeProtocol):  # type: ignore[misc]  #
         if not self._head:
             super().onMessageEnd()
             return
-        head, size = self.factory.credentials.hidden(self._head), self.message_data_total_length
+        head, size = hidden(self._head), self.message_data_total_length
         self.factory.listener.on_too_large(head, self.message_is_binary, size)
 
     def _max_message_size_exceeded(self, msg_size: int, max_msg_size: int, reason: str) -> None:
@@ -94,7 +95,7 @@ class _Protocol(comm_asyncio.AsyncioRosBridgeProtocol):  # type: ignore[misc]  #
 
     def onMessage(self, payload: bytes, isBinary: bool) -> None:  # noqa: N802, N803  # autobahn's names
         try:
-            self.factory.listener.on_frame(self.factory.credentials.hidden(payload), isBinary)
+            self.factory.listener.on_frame(hidden(payload), isBinary)
         except Exception:
             LOG.exception("frame of %d bytes", len(payload))
 
@@ -105,7 +106,7 @@ class _Protocol(comm_asyncio.AsyncioRosBridgeProtocol):  # type: ignore[misc]  #
     def onClose(self, wasClean: bool, code: int, reason: str | None) -> None:  # noqa: N802, N803  # autobahn's names
         if self.factory is not None:
             said = (reason or "").encode(errors="replace")
-            reason = self.factory.credentials.hidden(said).decode(errors="replace")
+            reason = hidden(said).decode(errors="replace")
             self.factory.reason = self.factory.why_closed(code, reason, self.lost_by)
         super().onClose(wasClean, code, reason)
 

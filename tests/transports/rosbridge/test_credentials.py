@@ -1,9 +1,11 @@
 """Credentials: read anew at each try, and hidden in whatever a server repeats."""
 
+from base64 import b64encode
 from pathlib import Path
 
 import pytest
 
+from fleet_tui.config.access import hidden
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import ConfigError
 from fleet_tui.transports.rosbridge.credentials import Credentials
@@ -27,7 +29,14 @@ def test_what_a_server_repeats_is_hidden_at_the_same_length(monkeypatch: pytest.
     credentials = Credentials(Link("ws://a", rosauth_env="MINE"))
     credentials.read()
     said = f"wrong secret {SHARED}, go away".encode()
-    assert credentials.hidden(said) == said.replace(SHARED.encode(), b"*" * len(SHARED))
+    assert hidden(said) == said.replace(SHARED.encode(), b"*" * len(SHARED))
+
+
+def test_what_basic_has_encoded_is_hidden_too(tmp_path: Path) -> None:
+    word = b64encode(b"robo:Hunter2Secret").decode()
+    Credentials(Link("ws://a", authorization_file=kept(tmp_path / "word", f"Basic {word}"))).read()
+    for said in (word, "robo:Hunter2Secret", "Hunter2Secret"):
+        assert hidden(f"no {said}!".encode()).decode() == f"no {'*' * len(said)}!"
 
 
 def test_only_a_bridge_that_wants_rosauth_gets_its_frame(monkeypatch: pytest.MonkeyPatch) -> None:
