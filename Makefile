@@ -66,7 +66,7 @@ faults: $(READY)
 
 # Random keys in every form, list and menu: nothing leaves that nobody meant.
 typed: $(READY)
-	@FLEET_TUI_SEQUENCES=$(or $(SEQUENCES),10000) $(BIN)/pytest -q -p no:xdist --timeout 0 tests/scenarios/test_typed_at_random.py
+	@FLEET_TUI_SEQUENCES=$(or $(SEQUENCES),10000) $(BIN)/pytest -q -n 2 --timeout 0 tests/scenarios/test_typed_at_random.py
 
 # Each console is killed as its command reaches the robot: its audit log has the command. 1.5 s each.
 kills: $(READY)

@@ -159,10 +159,13 @@ DOCS = {
         Console(
             [*NAV2_ALONE, "--speed", "4"],
             {
-                "mapping": ["colon", "'mapping robot_0 on", "Return", "'y"],
-                "driving": ["colon", "'robot_0 Base > Consumidores", "Return", "'y"],
+                # What follows typed text at once is dropped.
+                "mapping": ["colon", "'mapping robot_0 on", "Return"],
+                "on": ["'y"],
+                "driving": ["colon", "'robot_0 Base > Consumidores", "Return"],
+                "driven": ["'y"],
             },
-            settled=12,
+            settled=6,
         ),
     ),
     "camera": ((100, 30), Console(NAV2_ALONE, {"open": ["V"]}, settled=5)),

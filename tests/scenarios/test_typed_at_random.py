@@ -20,7 +20,9 @@ from fleet_tui.terminal.typing import GAP
 from tests.support.console_pilot import Console, console
 from tests.support.watched_store import config_of
 
-SEQUENCES = int(os.environ.get("FLEET_TUI_SEQUENCES", "100"))
+SEQUENCES = 100
+"""Sequences of a console."""
+CONSOLES = int(os.environ.get("FLEET_TUI_SEQUENCES", SEQUENCES)) // SEQUENCES
 OPENERS: tuple[tuple[str, ...], ...] = (
     *(("o",), ("o", "enter"), (":",), ("s", "enter"), ("s", "down", "enter"), ("tab", "enter"), ("/",)),
     *(("M",), ("?",), ("X",), ("L",), ("w",), ("i",), ("g", "n", "enter"), ("x",), ("R",), ("d",), ("H",)),
@@ -122,10 +124,11 @@ class Allowed:
 
 
 @pytest.mark.timeout(600)
+@pytest.mark.parametrize("seed", range(1, CONSOLES + 1))
 async def test_random_keys_send_nothing_that_was_not_meant(
-    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch, seed: int
 ) -> None:
-    chance = random.Random(1)
+    chance = random.Random(seed)
     async with console(config_of(server.url, 2, 2), (80, 24)) as it:
         submitted: list[Command] = []
         submit = it.app.backend.submit
