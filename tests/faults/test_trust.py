@@ -31,3 +31,22 @@ async def test_a_configuration_of_another_user(server: RosbridgeServer, tmp_path
         await asyncio.to_thread(running.close)
     seen = "asks; until a yes no programs, credentials, routines, desk, and why"
     report("a configuration of another user", "its file belongs to somebody else", seen, None, None)
+
+
+@two_users
+def test_a_state_folder_in_which_others_laid_links(tmp_path: Path) -> None:
+    state, mine = tmp_path / "state" / "fleet-tui", tmp_path / "mine"
+    state.mkdir(parents=True)
+    mine.write_text("mine")
+    for name in ("audit.jsonl", "fleet-tui.log"):
+        (state / name).symlink_to(mine)
+    give(state)
+    running = InTerminal(["demo"], tmp_path)
+    try:
+        running.shows("nothing is kept, no log, no audit log: ")
+        running.shows("all clear")
+    finally:
+        running.close()
+    assert mine.read_text() == "mine"
+    seen = "nothing is kept, and why; nothing is written through their links"
+    report("a state folder of another user", "links lie in it", seen, None, None)
