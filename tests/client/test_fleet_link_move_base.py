@@ -8,7 +8,6 @@ import msgspec
 import pytest
 
 from fleet_tui.client.queue_file import FILE, WaitingOrder
-from fleet_tui.client.rosbridge import publishing
 from fleet_tui.client.rosbridge.services import Services
 from fleet_tui.config.schema import Operator
 from fleet_tui.model.commands import CancelOrder, ClearOrders, PauseRobot, ResumeRobot, Stage
@@ -170,14 +169,15 @@ async def test_a_console_that_may_send_nothing_advertises_nothing(site: MoveBase
 async def test_a_first_message_that_is_lost_is_repeated(
     site: MoveBaseSite, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    play(site.server, [("first-lost", R0)])
+    # By number, not by time: on a busy machine the first may come after its subscribers.
+    guests = site.server.bridge.services.guests
+    monkeypatch.setattr(guests, "connected", lambda _session, _name: len(site.published("/goal")) > 1)
     not_armed = msgspec.structs.replace(site.config, operator=Operator(armed=False))
     async with linked(not_armed) as (link, store):
         await store.until(known)
         assert (await finished(link, store, site.to("Base"))).stage is Stage.CONFIRMED
     sent = site.published("/goal")
     assert len(sent) == 2 and sent[0] == sent[1] and len(site.navigation().received) == 1
-    assert site.server.bridge.services.guests.connects_in < publishing.KNOWN_AFTER
 
 
 async def test_a_goal_that_waits_for_a_new_connection_is_overtaken_by_a_pause(
