@@ -70,9 +70,10 @@ class Reader:
             return Allowed(text=self._entry(key), robot=robots)
         if isinstance(focused, Button) and focused.id == "simple-send" and key == "enter":
             return Allowed(text="order")
-        selected = it.app.main.navigation.robot
+        # The marks are seen beside the rows; without any it is the selected robot.
+        meant = it.app.main.rest.tables.marked._marks() or [it.app.main.navigation.robot]
         if key in ("p", "r"):
-            return Allowed(pauses=[selected]) if key == "p" else Allowed(text="resume", robot=[selected])
+            return Allowed(pauses=meant) if key == "p" else Allowed(text="resume", robot=meant)
         return Allowed()
 
     def _in_field(self, field: Input, key: str) -> "Allowed":
