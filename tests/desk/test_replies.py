@@ -83,3 +83,16 @@ def test_only_a_new_console_adopts_and_only_once(clock: list[float]) -> None:
     clock[0] += module.ADOPTS + 1
     replies.adopt([("ana", other)])
     assert sent == []
+
+
+def test_answers_to_alarms_that_never_come_are_not_kept(clock: list[float]) -> None:
+    _, replies, _ = made()
+    for minute in range(3):
+        clock[0] = T0 + 60 * minute
+        for n in range(50):
+            replies.take(SharedAcknowledgement("a:1", "eve", 0.0, f"robot_{n}", f"{minute}"), "eve")
+        replies.post()
+        replies.adopt([])
+    clock[0] += module.WAITS + 1
+    replies.post()
+    assert not replies._waiting and not replies._answered

@@ -34,3 +34,11 @@ def test_days_are_summed_by_hours(tmp_path: Path) -> None:
         for until, seconds in ((10 * HOUR, 600.0), (60 * HOUR, 3600.0)):
             told = msgspec.json.decode(as_json(History(database), [], 0.0, until, ""))
             assert told["robots"] == {"robot_0": {"driving": seconds}}
+
+
+def test_json_is_ascii_whatever_robots_said(tmp_path: Path) -> None:
+    database, _ = open_to_write(tmp_path / "a.sqlite")
+    with closing(database):
+        write(database, Span("robot\x9b2J\u202e", Activity.DRIVING, 0.0, 60.0, "floor_0"), "run1", "ana")
+        told = as_json(History(database), [], 0.0, 100.0, "")
+    assert told.isascii() and "\\u009b2J\\u202e" in told
