@@ -129,7 +129,8 @@ def state_folder() -> Path:
 def state_problem() -> str:
     """Return why nothing is kept in the folder of this user, with the remedy; empty if it is one's own."""
     folder = platformdirs.user_state_path("fleet-tui")
-    found = doubt(next(place for place in (folder, *folder.parents) if os.path.lexists(place)))
+    places = (folder, *folder.parents)
+    found = doubt(next(one for one in places if os.path.isdir(one)))  # noqa: PTH112  # that of Path raises
     return f"nothing is kept, no log, no audit log: {found}" if found else ""
 
 
