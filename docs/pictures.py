@@ -225,12 +225,12 @@ FILMED = Console(
     """,
 )
 FILM = [
-    Take(["7"], 4.5),
+    Take(["6"], 4.5),
     Take(["w"], 2.5),
     Take([ESC, "o", "'Ba", "Return", "'Con"], 0.5),
     Take(["Return"], 2.5),
     Take(["q"], 1, unseen=9),
-    Take(["7", "parenright"], 1.5),
+    Take(["6", "parenright"], 1.5),
     Take(["less", "F", "F"], 2.5),
 ]
 
