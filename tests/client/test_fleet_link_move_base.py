@@ -8,6 +8,7 @@ import msgspec
 import pytest
 
 from fleet_tui.client.queue_file import FILE, WaitingOrder
+from fleet_tui.client.rosbridge import publishing
 from fleet_tui.client.rosbridge.services import Services
 from fleet_tui.config.schema import Operator
 from fleet_tui.model.commands import CancelOrder, ClearOrders, PauseRobot, ResumeRobot, Stage
@@ -16,6 +17,7 @@ from fleet_tui.model.order import at_vertices
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.local_queue import ANOTHER_CLIENT, foreign, waiting
 from fleet_tui.simulator.faults import play
+from fleet_tui.simulator.move_base.faults import CONNECTS
 from fleet_tui.transports.loop import network_loop
 from fleet_tui.transports.rosbridge import connection
 from tests.support.links import finished, linked
@@ -178,6 +180,7 @@ async def test_a_first_message_that_is_lost_is_repeated(
         assert (await finished(link, store, site.to("Base"))).stage is Stage.CONFIRMED
     sent = site.published("/goal")
     assert len(sent) == 2 and sent[0] == sent[1] and len(site.navigation().received) == 1
+    assert CONNECTS < publishing.KNOWN_AFTER, "by time it is lost for less than that"
 
 
 async def test_a_goal_that_waits_for_a_new_connection_is_overtaken_by_a_pause(
