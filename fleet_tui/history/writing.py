@@ -7,7 +7,7 @@ from datetime import datetime
 from typing import assert_never
 
 from fleet_tui.model.audit_record import AuditRecord
-from fleet_tui.model.commands import ORDER_ENDS, Stage
+from fleet_tui.model.commands import NEXT, ORDER_ENDS, Stage
 from fleet_tui.model.history.facts import Charge, LaterCause, LinkChange, Note, OrderChange, Span
 from fleet_tui.rules.history.observing import BEGUN, HOUR, QUEUED, Fact
 
@@ -135,18 +135,22 @@ def _open_order(database: sqlite3.Connection, change: OrderChange, run: str) -> 
 
 
 def _has_ended(database: sqlite3.Connection, change: OrderChange) -> bool:
-    """Tell whether another console has already told this end: each sees it at its own time."""
-    query = "SELECT 1 FROM orders WHERE ended BETWEEN ? AND ? AND robot = ? AND name = ? AND stage = ?"
-    values = (change.at - SAME_END, change.at + SAME_END, change.robot, change.order, change.stage)
-    return database.execute(query, values).fetchone() is not None
+    """Tell whether another console has already told this end, or knows better than what is inferred here:
+    each sees it at its own time."""
+    query = "SELECT stage FROM orders WHERE ended BETWEEN ? AND ? AND robot = ? AND name = ?"
+    values = (change.at - SAME_END, change.at + SAME_END, change.robot, change.order)
+    told = {stage for (stage,) in database.execute(query, values)}
+    return change.stage in told or (change.stage in INFERRED and not told <= INFERRED)
 
 
 def _is_corrected(database: sqlite3.Connection, change: OrderChange, run: str) -> bool:
-    """Replace an end that was inferred by what is known now; tell whether there was one."""
-    inferred = ", ".join(f"'{stage}'" for stage in sorted(INFERRED))
+    """Replace an end that was not final by what is known now; tell whether there was one."""
+    told = Stage(change.stage)
+    stages = [stage for stage, end in ORDER_ENDS.items() if end.is_inferred or told in NEXT[stage]]
+    corrected = ", ".join(f"'{stage.value}'" for stage in stages)
     cursor = database.execute(
         "UPDATE orders SET stage = :stage, reason = :reason WHERE id = (SELECT max(id) FROM orders"
-        f" WHERE robot = :robot AND name = :name AND stage IN ({inferred})"
+        f" WHERE robot = :robot AND name = :name AND stage IN ({corrected})"
         " AND (abs(ended - :at) <= :same OR (run = :run AND request = :request)))",
         {
             "stage": change.stage,

@@ -172,7 +172,8 @@ NEXT: Mapping[Stage, frozenset[Stage]] = {
     Stage.UNVERIFIABLE: frozenset({Stage.LOST}),
     Stage.DONE: frozenset(),
     Stage.CANCELLED: frozenset(),
-    Stage.CANCELLED_ELSEWHERE: frozenset(),
+    # Known from the other console alone: the robot's own report stands.
+    Stage.CANCELLED_ELSEWHERE: frozenset({Stage.DONE, Stage.FAILED, Stage.REPLACED}),
     # Inferred from a queue: corrected by a report, or by what another console did.
     Stage.LEFT: _REPORTED,
     Stage.LOST: _REPORTED,
@@ -180,6 +181,8 @@ NEXT: Mapping[Stage, frozenset[Stage]] = {
     Stage.REPLACED: frozenset(),
 }
 """The allowed transitions. A stage without a next one is final."""
+CORRECTABLE = frozenset(stage for stage in ORDER_ENDS if NEXT[stage])
+"""Ends of an order that a later report may correct."""
 
 OPEN = frozenset({Stage.CHECKED, Stage.WAITING, Stage.SENT, Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
 """Stages in which the outcome of a command is still unknown."""

@@ -34,7 +34,7 @@ SILENT = FactKind(
     "back online",
     AlarmClass(
         "medium",
-        "no message for longer than `offline_after`, and than its bridge is late",
+        "no message for longer than `offline_after` and its bridge's lateness together",
         "it may drive on unseen, and takes no commands",
         "Check the robot: power, Wi-Fi, its software",
         5,
@@ -57,7 +57,7 @@ OLD_STAMPS = FactKind(
     ),
     keys=("diagnostics",),
 )
-REPEATED_POSE = OLD_STAMPS._replace(word="pose repeated at rest")
+REPEATED_POSE = OLD_STAMPS._replace(word="poses repeat at rest")
 BAD_DATA = FactKind(
     "data",
     "bad data",

@@ -131,14 +131,16 @@ def _old_stamps(state: FleetState, robot: Robot) -> Fact | None:
         return None
     is_calm = robot.orders.current is None
     lag = state.now - robot.pose.at
+    kind = REPEATED_POSE if is_calm else OLD_STAMPS
+    what = kind.word
     return Fact(
-        REPEATED_POSE if is_calm else OLD_STAMPS,
+        kind,
         robot.name,
         f"poses arrive {age(lag)} old",
         Priority.LOW if is_calm else Priority.MEDIUM,
         robot.pose.at,
         short=f"pose {age(lag)} old",
-        evidence=f"{OLD_STAMPS.word}: their time stamps lag",
+        evidence=f"{what}: their time stamps lag",
         seen=robot.pose.at,
         is_certain=not is_late(state.links[robot.link]),
     )

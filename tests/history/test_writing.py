@@ -222,5 +222,7 @@ def test_an_inferred_end_is_replaced_by_what_is_known_later(database: sqlite3.Co
         write(database, OrderChange("r", "7", "A -> B", at, stage), "run1", "ana")
     for at, stage in ((1.0, "queued"), (5.0, "lost"), (500.0, "done")):
         write(database, OrderChange("r", "8", "A -> B", at, stage, request=3), "run1", "ana")
+    for at, stage in ((1.0, "queued"), (5.0, "cancelled elsewhere"), (5.0, "lost"), (9.5, "done")):
+        write(database, OrderChange("r", "9", "A -> B", at, stage), "run1", "ana")
     rows = database.execute("SELECT name, stage, ended FROM orders ORDER BY name").fetchall()
-    assert rows == [("7", "cancelled elsewhere", 5.0), ("8", "done", 5.0)]
+    assert rows == [("7", "cancelled elsewhere", 5.0), ("8", "done", 5.0), ("9", "done", 5.0)]

@@ -57,7 +57,7 @@ def test_a_robot_whose_messages_all_are_bad_reads_so() -> None:
     )
     assert "power" not in action_of(alarm.condition)
     found = reasons(state, robot)[0]
-    assert found.name == "bad data" and BAD in found.evidence and "power" not in found.remedy
+    assert found.name == "bad data x40" and BAD in found.evidence and "power" not in found.remedy
     assert [line for line in attention(state) if "bad" in line] == [f"robot_0: {alarm.text}"]
     asked = problems(state, Request((place_order(R0, 1, 2),)), Permissions())
     assert [one.text for one in asked if one.check == "bad data"] == [

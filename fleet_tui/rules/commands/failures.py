@@ -26,7 +26,6 @@ _OVER = {commands.Stage.LATE: "was carried out late"} | {
 }
 _CAUSED = frozenset({commands.Stage.REFUSED, commands.Stage.FAILED, commands.Stage.NOT_CONFIRMED})
 """Failures of which the cause is first: the request is known to the operator."""
-_INFERRED = frozenset(stage for stage, end in commands.ORDER_ENDS.items() if end.is_inferred)
 CARRIED_OUT = "Do not repeat the command: the robot has carried it out"
 DRIVES_ON = "It still has the order: pause it, or stop it at the robot, then cancel again"
 MANY = 5
@@ -82,7 +81,7 @@ def taken_back(state: FleetState) -> set[Key]:
         f"{record.id} {stage.value}"
         for record in state.commands
         if record.stage in commands.ORDER_ENDS and record.stage not in commands.FAILURES
-        for stage in _INFERRED
+        for stage in commands.CORRECTABLE
     }
     return {alarm.key for alarm in alarms if alarm.condition.parts and alarm.condition.parts <= corrected}
 

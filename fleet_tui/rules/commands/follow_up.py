@@ -5,7 +5,8 @@ from typing import assert_never
 from msgspec.structs import replace
 
 from fleet_tui.model.commands import (
-    ORDER_ENDS,
+    CORRECTABLE,
+    NEXT,
     CancelOrder,
     ClearOrders,
     CommandRecord,
@@ -107,10 +108,9 @@ def _advanced_to(state: FleetState, record: CommandRecord, stage: Stage, reason:
 
 
 def _corrected(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRecord:
-    """Return the record of an order whose end was inferred with the one that is reported since, or that
-    another console caused."""
-    end = ORDER_ENDS.get(record.stage)
-    if end is None or not end.is_inferred or STARTED_OVER in record.detail:
+    """Return the record of an order whose end was not the robot's word with the one that is reported since,
+    or that another console caused."""
+    if record.stage not in CORRECTABLE or STARTED_OVER in record.detail:
         return record
     known = [one for one in robot.gone if one.order.id == record.order_id and one.at >= record.issued_at]
     listed = _listed(robot, record, state.now)
@@ -118,8 +118,8 @@ def _corrected(state: FleetState, robot: Robot, record: CommandRecord) -> Comman
     if gone is None or not (robot.kind.reports_ends or gone.order.serial == record.order_serial):
         return record
     stage, reason, _ = end_of(state, robot, gone, record)
-    if stage is Stage.DONE and record.has_further_leg(robot.kind):
-        return record  # that was only one of its stops
+    if stage not in NEXT[record.stage] or (stage is Stage.DONE and record.has_further_leg(robot.kind)):
+        return record  # nothing better is known, or that was only one of its stops
     return _advanced_to(state, record, stage, f"{reason}; corrects: {record.stage.value}")
 
 

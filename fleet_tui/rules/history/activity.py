@@ -12,7 +12,7 @@ from fleet_tui.rules.commands.pauses import is_held
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.why.orders import at_stop
 from fleet_tui.rules.why.robot import charges
-from fleet_tui.situation.facts import BAD_DATA
+from fleet_tui.situation.facts import AGE_UNKNOWN, BAD_DATA
 from fleet_tui.situation.robots import absence
 
 MOVES_WITHIN = 2.0
@@ -57,7 +57,7 @@ def _activity(state: FleetState, robot: Robot, blocked: Set[str], kept: Set[str]
 def _is_known(state: FleetState, robot: Robot, does: Activity) -> bool:
     """Tell whether fresh reports show what a robot does: its pose that it stands, its queue why."""
     fact = absence(state, robot)
-    if fact is not None and fact.kind is BAD_DATA:
+    if fact is not None and fact.kind in (AGE_UNKNOWN, BAD_DATA):
         return False
     if does in (Activity.OFFLINE, Activity.PAUSED) or is_halted(state, robot):
         return True

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from functools import partial
 
 from fleet_tui.model.alarm import Key
-from fleet_tui.model.commands import ORDER_ENDS, Stage
+from fleet_tui.model.commands import CORRECTABLE, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Charge, LaterCause, LinkChange, OrderChange, Span
 from fleet_tui.model.link import LinkState, Phase
@@ -101,7 +101,7 @@ class Observer:
         for gone in robot.gone:
             key = gone.order.id, gone.at
             before = told.get(key)
-            if before is not None and not ORDER_ENDS[before].is_inferred:
+            if before is not None and before not in CORRECTABLE:
                 now[key] = before
                 continue
             end = seen_end(state, robot, gone)

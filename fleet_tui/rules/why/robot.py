@@ -76,17 +76,13 @@ def silent_robot(state: FleetState, robot: Robot) -> Reason | None:
         return None
     strength = Strength.CERTAIN if fact.is_certain else Strength.POSSIBLE
     beside = [other for other in state.robots.values() if other.link == robot.link]
-    name, remedy = fact.short, fact.action
-    since = robot.last_received
-    if fact.kind is BAD_DATA:
-        name = BAD_DATA.word
-        since = None
-    elif len(beside) > 1 and not any(map(state.is_online, beside)):
+    remedy = fact.action
+    if fact.kind is not BAD_DATA and len(beside) > 1 and not any(map(state.is_online, beside)):
         remedy = (
             f"All {len(beside)} robots of {robot.link} are silent: check its bridge and the network first"
         )
     keys, page = fact.kind.keys, fact.kind.page
-    return Reason(name, fact.evidence, strength, since, fact.seen, keys, remedy, page)
+    return Reason(fact.short, fact.evidence, strength, robot.last_received, fact.seen, keys, remedy, page)
 
 
 def paused(state: FleetState, robot: Robot) -> Reason | None:

@@ -439,6 +439,17 @@ def test_an_end_that_is_reported_late_takes_the_lost_order_and_its_alarm_back(st
     assert [one.stage for one in state.robots[R0].gone] == [Stage.DONE]
 
 
+def test_the_robots_own_report_corrects_what_only_another_console_told() -> None:
+    state = given(driving(T0 + 2), elsewhere(T0 + 2.5), gone(T0 + 3), tick(T0 + 5))
+    assert first(state).stage is Stage.CANCELLED_ELSEWHERE
+    state = reduced(state, queue(T0 + 300, (5, 0, END, "D")), tick(T0 + 301))
+    assert (first(state).stage, first(state).detail) == (
+        Stage.DONE,
+        "order 5: as reported by the robot; corrects: cancelled elsewhere",
+    )
+    assert of_command(state) == []
+
+
 def test_ids_that_started_over_take_nothing_back() -> None:
     lost = given(driving(T0 + 2), gone(T0 + 3, 0), tick(T0 + 4))
     state = reduced(lost, queue(T0 + 9, (5, 0, END, "D")), tick(T0 + 10))

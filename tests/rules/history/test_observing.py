@@ -240,3 +240,5 @@ def test_an_end_that_another_console_caused_is_told_so_once_also_if_that_is_know
     (change,) = (fact for fact in told(observer, state) if isinstance(fact, OrderChange))
     assert (change.stage, change.reason) == ("cancelled elsewhere", "cleared by ben at pc:7")
     assert of_orders(told(observer, state)) == []
+    state = reduced(state, queue(T0 + 9, (7, 1, 2, "D")), tick(T0 + 9))
+    assert of_orders(told(observer, state)) == [("7", "done")]

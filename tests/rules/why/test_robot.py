@@ -65,7 +65,7 @@ def test_poses_that_come_late_are_told_from_poses_that_stay_away() -> None:
     late = [pose(T0 + 12 + n / 10, stamp=2 + n / 10) for n in range(20)]
     facts: list[Event] = [link_up(T0), *fresh, *late, battery(T0 + 14), queue(T0 + 14), tick(T0 + 14)]
     alone = reduced(fleet(), *facts)
-    assert reasons(alone, alone.robots[R0])[0].evidence == "poses arrive late: their time stamps lag"
+    assert reasons(alone, alone.robots[R0])[0].evidence == "poses repeat at rest: their time stamps lag"
     state = reduced(alone, BridgeAnswered(LINK, T0 + 14, 10.0), tick(T0 + 14))
     found = reasons(state, state.robots[R0])[0]
     assert (found.name, found.evidence) == ("messages 10 s late", "bridge of rosbridge overloaded")
