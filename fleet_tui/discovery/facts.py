@@ -5,17 +5,13 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from fleet_tui.adapters.adapter import Adapter, Feed
+from fleet_tui.adapters.ros.names import is_hidden
 from fleet_tui.model.events import Event, GraphReceived, LabelsReceived
 
 if TYPE_CHECKING:  # with numpy
     from fleet_tui.model.set_up.streams import StreamValue
 
 LONG_ENOUGH = 1.5  # seconds of silence that count as evidence
-
-
-def is_hidden(topic: str) -> bool:
-    """Tell whether it belongs to an action: rosapi does not list these."""
-    return "/_action/" in topic
 
 
 @dataclass(frozen=True, slots=True)

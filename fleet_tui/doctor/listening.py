@@ -8,10 +8,11 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from fleet_tui.adapters.adapter import Adapter, Feed
+from fleet_tui.adapters.ros.names import is_hidden
 from fleet_tui.adapters.ros.reading import ROSOUT
 from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.config.schema import Link
-from fleet_tui.discovery.facts import RosapiFacts, TopicFacts, is_hidden
+from fleet_tui.discovery.facts import RosapiFacts, TopicFacts
 from fleet_tui.discovery.rosapi import subscribers
 from fleet_tui.discovery.wire import BridgeConnection
 from fleet_tui.errors import LinkError

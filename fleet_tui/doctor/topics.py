@@ -2,10 +2,11 @@
 
 from collections.abc import Iterator, Sequence
 
+from fleet_tui.adapters.ros.names import is_hidden
 from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.config.entries import RobotEntry
 from fleet_tui.config.schema import Config
-from fleet_tui.discovery.facts import LONG_ENOUGH, BridgeFacts, RosapiFacts, TopicFacts, is_hidden
+from fleet_tui.discovery.facts import LONG_ENOUGH, BridgeFacts, RosapiFacts, TopicFacts
 from fleet_tui.discovery.finding import Finding, Verdict, listed, nearest
 from fleet_tui.discovery.tools import LATCHED, LOOK_FOR_NODE, named
 from fleet_tui.doctor.cameras import judged_camera

@@ -11,6 +11,11 @@ from fleet_tui.adapters.profile import Profile, VertexRole
 _IN_BRACES = re.compile(r"\{(\w+)\}")
 
 
+def is_hidden(topic: str) -> bool:
+    """Tell whether a topic belongs to an action: rosapi of ROS 2 does not list these, and all are latched."""
+    return "/_action/" in topic
+
+
 @dataclass(frozen=True, slots=True)
 class Vocabulary:
     """The usual names of a kind. `topics`, `services` and `actions`: name with `{robot}` and `{floor}` in it,

@@ -3,14 +3,17 @@
 Such a bridge fixes the QoS of a topic when its first client subscribes. A subscription before the publisher
 is discovered makes it volatile for all clients, and the latched value never arrives: so `qos` is requested. A
 volatile publisher never delivers to a subscription with `qos`, and then to no client: so it is dropped if
-nothing arrives.
+nothing arrives. A topic that is sent only on a change then stays without: both kinds of publishers deliver
+what they send from now on.
 """
 
 import asyncio
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Iterable
 
 from fleet_tui.adapters.adapter import Feed
 from fleet_tui.adapters.ros.reading import FrameReader
+from fleet_tui.client.rosbridge.calls import Calls
+from fleet_tui.client.rosbridge.rosapi import publishers
 
 FIRST_PATIENCE, LONGEST_PATIENCE = 2.0, 64.0
 """Seconds without a value after which the other QoS is tried; doubled each time."""
@@ -23,29 +26,38 @@ class Latched:
 
     def __init__(
         self,
+        calls: Calls,
         reading: FrameReader,
         wanted: Callable[[], Iterable[Feed]],
         subscribe: Callable[[Feed], None],
         unsubscribe: Callable[[Feed], None],
     ) -> None:
-        self._reading, self._wanted = reading, wanted
+        self._calls, self._reading, self._wanted = calls, reading, wanted
         self._subscribe, self._unsubscribe = subscribe, unsubscribe
-        self._volatile: set[str] = set()
-        """Topics that are subscribed without `qos`, also on later connections."""
+        self._volatile: dict[str, Feed] = {}
+        """Those that are subscribed without `qos`."""
         self._counts: dict[str, int] = {}
-        """By topic: the number of messages received before it was subscribed on this connection."""
+        """By topic: the number of messages received before it was subscribed last."""
         self._task: asyncio.Task[None] | None = None
 
     def wants_qos(self, topic: str) -> bool:
         """Tell whether to subscribe to a topic as transient local and reliable."""
         return topic not in self._volatile
 
-    def start(self, asked: Collection[Feed], per_topic: float) -> None:
-        """Watch the topics just `asked` for, besides the earlier ones. A latched value arrives once, so
-        topics that have one are left alone. A bridge takes `per_topic` seconds for each subscription."""
+    def begin(self) -> None:
+        """A new connection: what is repeated came without `qos`, and will; the last value of what is sent
+        only on a change comes with it alone."""
+        self._volatile = {topic: one for topic, one in self._volatile.items() if not one.silent}
+
+    def note(self, one: Feed) -> None:
+        """Note that a topic is being subscribed: what comes from now on counts."""
+        self._counts[one.address] = self._count(one)
+
+    def start(self, handled_in: float) -> None:
+        """Watch all topics, which the bridge has subscribed in so many seconds. A latched value arrives once,
+        so topics that have one are left alone."""
         self.stop()
-        self._counts |= {_topic(one): self._count(one) for one in asked}
-        self._task = asyncio.ensure_future(self._look(FIRST_PATIENCE + per_topic * len(asked)))
+        self._task = asyncio.ensure_future(self._look(FIRST_PATIENCE + handled_in))
 
     def stop(self) -> None:
         """Stop watching."""
@@ -55,22 +67,24 @@ class Latched:
     async def _look(self, patience: float) -> None:
         while True:
             await asyncio.sleep(patience)
-            silent = [one for one in self._wanted() if self._count(one) == self._counts.get(_topic(one), 0)]
-            if not silent:
+            unheard = [one for one in self._wanted() if self._count(one) == self._counts.get(one.address, 0)]
+            if not unheard:
                 return
+            silent = [one for one in unheard if not one.silent or await self._is_volatile(one)]
             for one in silent:
                 self._unsubscribe(one)
             try:
                 await asyncio.sleep(LET_GO)
             finally:  # also if a map is opened meanwhile, which starts the watch of all of them again
-                self._volatile ^= {_topic(one) for one in silent}
                 for one in silent:
+                    if self._volatile.pop(one.address, None) is None:
+                        self._volatile[one.address] = one
                     self._subscribe(one)
             patience = min(2 * patience, LONGEST_PATIENCE)
 
+    async def _is_volatile(self, one: Feed) -> bool:
+        """Tell whether the QoS may be why nothing comes of a topic that may as well have nothing to say."""
+        return one.address not in self._volatile and await publishers(self._calls, one.address) > 0
+
     def _count(self, one: Feed) -> int:
-        return self._reading.counter.topics[_topic(one)].count
-
-
-def _topic(wanted: Feed) -> str:
-    return wanted.address
+        return self._reading.counter.topics[one.address].count

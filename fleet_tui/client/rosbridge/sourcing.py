@@ -1,23 +1,19 @@
 """Detects message packages missing from the bridge's environment, some seconds after subscribing."""
 
 import asyncio
-import logging
 from collections.abc import Callable, Iterable, Mapping
 
 from fleet_tui.adapters.adapter import Feed
 from fleet_tui.adapters.ros.reading import FrameReader
 from fleet_tui.client.rosbridge.calls import Calls
-from fleet_tui.errors import LinkError
+from fleet_tui.client.rosbridge.rosapi import publishers
 from fleet_tui.model.events import MessagesUnsourced
 from fleet_tui.rules.sourcing import ALWAYS_THERE, Listening, unsourced_package
-
-LOG = logging.getLogger(__name__)
 
 LOOK_AFTER, FOR_EACH_TOPIC = 4.0, 0.03
 """Seconds after which a published topic should have delivered: a bridge subscribes one by one."""
 RETRY_AFTER = 2.0
 """Seconds between checks whether a package that seemed missing delivers after all."""
-ROSAPI_TIMEOUT = 2.0
 MOST_ASKED = 20
 """Number of topics whose publishers are queried: the package is the same for all."""
 
@@ -57,12 +53,12 @@ class Sourcing:
         await asyncio.sleep(LOOK_AFTER + FOR_EACH_TOPIC * len(before))
         silent = [one for one in self._wanted if self._count(one) == before[one.address]]
         suspects = [one for one in silent if self._type(one).partition("/")[0] not in ALWAYS_THERE]
-        publishers = {one.address: await self._publishers(one) for one in suspects[:MOST_ASKED]}
+        numbers = {one.address: await publishers(self._calls, one.address) for one in suspects[:MOST_ASKED]}
         listening = [
             Listening(
                 one.robot,
                 self._type(one),
-                0 if one in suspects[MOST_ASKED:] else publishers.get(one.address),
+                0 if one in suspects[MOST_ASKED:] else numbers.get(one.address),
                 one not in silent,
             )
             for one in self._wanted
@@ -81,14 +77,3 @@ class Sourcing:
 
     def _count(self, one: Feed) -> int:
         return self._reading.counter.topics[one.address].count
-
-    async def _publishers(self, one: Feed) -> int:
-        """Return the number of nodes that publish a topic, 0 if unknown."""
-        args = {"topic": one.address}
-        try:
-            response = await self._calls.call("/rosapi/publishers", args, ROSAPI_TIMEOUT)
-        except LinkError as problem:
-            LOG.info("publishers not looked up: %s", problem)
-            return 0
-        nodes = response.values.get("publishers") if isinstance(response.values, dict) else None
-        return len(nodes) if response.result and isinstance(nodes, list) else 0

@@ -9,6 +9,7 @@ from contextlib import suppress
 
 from fleet_tui.adapters.adapter import Adapter, Feed
 from fleet_tui.adapters.ros import operations
+from fleet_tui.adapters.ros.names import is_hidden
 from fleet_tui.adapters.ros.reading import FrameReader
 from fleet_tui.adapters.ros.type_names import type_problem
 from fleet_tui.client.rosbridge.calls import Calls
@@ -17,7 +18,7 @@ from fleet_tui.client.rosbridge.latched import Latched
 from fleet_tui.client.rosbridge.log_subscription import LogSubscription
 from fleet_tui.client.rosbridge.pacing import Pacing
 from fleet_tui.client.rosbridge.renewals import PER_TOPIC, Renewals
-from fleet_tui.client.rosbridge.topic_types import ROSAPI_TIMEOUT, topic_types
+from fleet_tui.client.rosbridge.rosapi import ROSAPI_TIMEOUT, topic_types
 from fleet_tui.errors import LinkError
 from fleet_tui.model import events
 from fleet_tui.transports.rosbridge.connection import Connection
@@ -60,7 +61,7 @@ class Subscriber:
         self._watched: frozenset[Feed] = frozenset()
         self._subscribed: set[str] = set()
         self.log_subscription = LogSubscription(connection, lambda: topic_types(calls))
-        self._latched = Latched(reading, self._of_latched, self._subscribe, self._unsubscribe)
+        self._latched = Latched(calls, reading, self._of_latched, self._subscribe, self._unsubscribe)
         self._task: asyncio.Task[None] | None = None
 
     def start(self, now: float) -> None:
@@ -69,6 +70,7 @@ class Subscriber:
         self._refused.clear()
         self._renewals.start(now)
         self._subscribed.clear()
+        self._latched.begin()
         self._pacing.begin(now)
         self._task = asyncio.ensure_future(self._begin())
 
@@ -89,7 +91,7 @@ class Subscriber:
                 at_once = len(waiting)
         self._report_progress(total, total)
         if self._is_ros2:
-            self._latched.start(self._of_latched(), PER_TOPIC)
+            self._latched.start(PER_TOPIC * len(self._of_latched()))
 
     def is_handled(self) -> bool:
         """Tell whether the bridge has handled all subscriptions so far, and none are under way."""
@@ -113,14 +115,15 @@ class Subscriber:
         return not self.types or any("/msg/" in type_ for type_ in self.types.values())
 
     def _of_latched(self) -> list[Feed]:
-        """The requested latched topics that exist as far as rosapi knows."""
+        """The requested latched topics that may come without the right QoS: not those of actions, which all
+        are latched, nor those that rosapi does not list. One that is sent on change may begin later."""
         return [
             one
             for one in self._of(self._robots)
             if one.latched
-            and not one.silent
             and one.address not in self._refused
-            and (not self.types or one.address in self.types)
+            and not is_hidden(one.address)
+            and (one.silent or not self.types or one.address in self.types)
         ]
 
     def stop(self) -> None:
@@ -173,6 +176,7 @@ class Subscriber:
                 self._report(events.MessageRejected(wanted.robot, problem))
             return
         self._reading.counter.topics[wanted.address].not_subscribed = ""
+        self._latched.note(wanted)
         topic, is_stream = wanted.address, wanted.wanted_for == "stream" and not wanted.latched
         asked = operations.Subscription(
             topic,
@@ -236,4 +240,4 @@ class Subscriber:
         if wanted is not None and self._connection.is_connected:
             self._subscribe(wanted)
             if self._is_ros2:
-                self._latched.start([wanted], PER_TOPIC)
+                self._latched.start(PER_TOPIC)

@@ -23,7 +23,7 @@ LATE = 8.0  # seconds after which `late` answers, and `late-call` begins
 SLOW = 6.0  # seconds after which `slow-answer` answers: a ROS 2 bridge abandons a call after 5
 OBEYS = 12.0  # seconds from the answer of `obeys-late` until the command is carried out
 CARRIED = 40.0  # messages a second that an `overloaded` bridge carries: those of two robots
-AGAIN = 3.0  # seconds after which `volatile-maps` are published again
+AGAIN = 3.0  # seconds after which what is not latched is published again
 GONE = 5.0  # seconds after which `unregistered` has no services
 
 
@@ -159,11 +159,18 @@ def dead_rosapi(server: "RosbridgeServer", _robot: str) -> None:
 
 def volatile_maps(server: "RosbridgeServer", robot: str) -> None:
     """Publish maps, graphs and labels repeatedly instead of latched."""
-    names = [
-        name
-        for name, topic in server.bridge.topics.items()
-        if topic.latched and name.startswith(f"/{robot}/")
-    ]
+    topics = server.bridge.topics.items()
+    _repeat(
+        server, robot, [name for name, topic in topics if topic.latched and name.startswith(f"/{robot}/")]
+    )
+
+
+def volatile_pose(server: "RosbridgeServer", robot: str) -> None:
+    """Publish the place of the localisation repeatedly instead of latched, as slam_toolbox does."""
+    _repeat(server, robot, [f"/{robot}/amcl_pose"])
+
+
+def _repeat(server: "RosbridgeServer", robot: str, names: list[str]) -> None:
     server.bridge.topics |= {name: replace(server.bridge.topics[name], latched=False) for name in names}
     age = 0.0
 
@@ -173,6 +180,8 @@ def volatile_maps(server: "RosbridgeServer", robot: str) -> None:
         if age > AGAIN:
             age = 0.0
             for name in names:
-                server.bridge.publish(name)
+                kept = server.bridge.topics[name].history
+                for payload in (None,) if kept is None else kept():
+                    server.bridge.publish(name, payload)
 
     server.bridge.services.fleet_of(robot).troubles.append(step)

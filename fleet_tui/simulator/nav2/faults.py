@@ -94,5 +94,9 @@ FAULTS: Faults = {
     ),
     "mute-rejection": ("an old bridge: rejected goals get no reply", _mute_rejection),
     "unsourced": ("the bridge lacks the package nav2_msgs", _unsourced),
+    "volatile-pose": (
+        f"its localisation not latched, sent every {wire.AGAIN:g} s, as by slam_toolbox",
+        wire.volatile_pose,
+    ),
     "never": ("services never reply and do nothing", wire.never),
 } | {name: OF_ALL[name] for name in GENERIC}

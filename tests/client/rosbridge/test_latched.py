@@ -7,6 +7,7 @@ import pytest
 
 from fleet_tui.client.rosbridge import latched, subscriber
 from fleet_tui.model.commands import PauseRobot, Stage
+from fleet_tui.model.events import BridgeAnswered
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
 from fleet_tui.simulator.faults import play, wire
@@ -14,8 +15,9 @@ from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.transports.rosbridge import connection
-from tests.support.fleets import place_order
+from tests.support.fleets import R0, place_order
 from tests.support.links import finished, linked, phase, ready
+from tests.support.nav2_site import LONG_AGO, Site
 from tests.support.polling import HANGS
 from tests.support.watched_store import WatchedStore, config_of
 
@@ -143,3 +145,59 @@ async def test_why_the_bridge_did_not_subscribe_a_topic_is_in_the_log(
         await store.until(lambda _: topic.not_subscribed)
         assert topic.not_subscribed.startswith("bridge: Unable to import oh_ressources")
     assert "bridge did not subscribe /robot_0/queue: Unable to import" in caplog.text
+
+
+async def test_a_pose_arrives_though_its_publisher_is_volatile(
+    site: Site, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Asked for again on each connection: the other kind of publisher tells its last value only so."""
+    monkeypatch.setattr(latched, "FIRST_PATIENCE", 0.5)
+    monkeypatch.setattr(wire, "AGAIN", 0.05)
+    play(site.server, [("volatile-pose", R0)])
+    async with linked(site.config) as (_, store):
+        await store.until(lambda state: state.robots[R0].pose, within=HANGS)
+        assert poses_asked(site.server) == [True, False]
+        await site.server.restart_bridge()
+        await store.until(lambda _: poses_asked(site.server) == [True, False, True, False], within=HANGS)
+
+
+async def test_a_latched_pose_that_is_yet_to_come_is_asked_for_in_one_other_way(
+    site: Site, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(latched, "FIRST_PATIENCE", 0.1)
+    site.server.bridge.muted.add(f"/{R0}/amcl_pose")
+    async with linked(site.config) as (link, store):
+        await store.until(lambda _: len(poses_asked(site.server)) == 2, within=HANGS)
+        site.server.bridge.muted.clear()
+        link.submit(site.to("Receiving"))
+        await store.until(lambda state: state.robots[R0].pose, within=HANGS)
+        assert poses_asked(site.server) == [True, False]
+
+
+def poses_asked(server: RosbridgeServer) -> list[bool]:
+    """Tell for each subscription of a pose, in sequence, whether it asked for a QoS."""
+    return [
+        "qos" in one
+        for one in server.bridge.received
+        if one["op"] == "subscribe" and one["topic"] == f"/{R0}/amcl_pose"
+    ]
+
+
+async def test_what_came_while_other_topics_were_asked_for_is_not_fetched_again(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(latched, "FIRST_PATIENCE", 1.0)
+    monkeypatch.setattr(subscriber, "PER_TOPIC", 0.01)
+    monkeypatch.setattr(subscriber, "AT_ONCE", 10)
+    server = RosbridgeServer(World(12, 2, seed=1, quiet=True), dialect=ROS2)
+    await server.start()
+    server.bridge.started -= LONG_AGO
+    try:
+        async with linked(config_of(server.url, 12, 2)) as (_, store):
+            await store.until(lambda state: all(one.knows_all_graphs() for one in state.robots.values()))
+            answers = len(store.told(BridgeAnswered))
+            await store.until(lambda _: len(store.told(BridgeAnswered)) > answers + 4)
+            assert len(server.bridge.received) > 2 * subscriber.AT_ONCE
+            assert not asked_for(server, "unsubscribe", "floor_0")
+    finally:
+        await server.stop()

@@ -7,7 +7,7 @@ import pytest
 
 from fleet_tui.adapters.ros.operations import ServiceResponse
 from fleet_tui.client.rosbridge.calls import Calls
-from fleet_tui.client.rosbridge.topic_types import topic_types
+from fleet_tui.client.rosbridge.rosapi import topic_types
 from fleet_tui.errors import LinkError
 from fleet_tui.transports.rosbridge.connection import Connection
 

@@ -1,4 +1,4 @@
-"""The topics that rosapi lists."""
+"""What rosapi tells about topics."""
 
 import logging
 
@@ -25,3 +25,14 @@ async def topic_types(calls: Calls) -> dict[str, str]:
     if not isinstance(topics, list) or not isinstance(types, list):
         return {}
     return {str(topic): str(type_) for topic, type_ in zip(topics, types, strict=False)}
+
+
+async def publishers(calls: Calls, topic: str) -> int:
+    """Return the number of nodes that publish a topic, 0 if rosapi does not tell."""
+    try:
+        response = await calls.call("/rosapi/publishers", {"topic": topic}, ROSAPI_TIMEOUT)
+    except LinkError as problem:
+        LOG.info("publishers not looked up: %s", problem)
+        return 0
+    nodes = response.values.get("publishers") if isinstance(response.values, dict) else None
+    return len(nodes) if response.result and isinstance(nodes, list) else 0
