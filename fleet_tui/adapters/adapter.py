@@ -63,11 +63,13 @@ class Feed(NamedTuple):
 
 
 class ServiceCall(NamedTuple):
-    """A service call, complete and typed: a bridge would fill gaps with zeros."""
+    """A service call, complete and typed: a bridge would fill gaps with zeros. `server` is the action server
+    without which the call is not made, if rosapi lists these."""
 
     address: str
     type: str
     args: Mapping[str, object]
+    server: str = ""
 
 
 class ActionGoal(NamedTuple):

@@ -64,7 +64,10 @@ def _action(robot: str, probe: ActionProbe, facts: BridgeFacts) -> Finding:
         return Finding(robot, probe.check, Verdict.SKIPPED, unknown, values=values)
     if probe.action in rosapi.actions:
         return Finding(robot, probe.check, Verdict.OK, f"{probe.action} available", values=values)
-    near = nearest(probe.action, rosapi.actions, 1)
+    verbs = {name.rpartition("/")[2] for name in rosapi.actions}
+    alike = nearest(probe.action.rpartition("/")[2], verbs, 1)
+    # Of the same robot, or another namespace: nearly all of a name is that of its robot.
+    near = nearest(probe.action, [name for name in rosapi.actions if name.rpartition("/")[2] in alike], 1)
     remedy = f"did you mean {near[0]}? Otherwise {probe.remedy}" if near else probe.remedy
     return Finding(robot, probe.check, Verdict.FAIL, f"no action server {probe.action}", remedy, values)
 

@@ -64,6 +64,14 @@ class GoalsUnknown(Struct, frozen=True, tag=True):
     uuids: tuple[str, ...]
 
 
+class MotionStopped(Struct, frozen=True, tag=True):
+    """A pause of this console ended a motion that was no order, such as `spin`."""
+
+    robot: str
+    at: float
+    motion: str
+
+
 class PlanReported(Struct, frozen=True, tag=True):
     """The end of the path that a robot drives now."""
 
@@ -149,7 +157,7 @@ class OrderMoved(Struct, frozen=True, tag=True):
 
 QueueChange = QueueHeld | OrderMoved
 OwnWord = ErrorReported | FloorReported | ModeReported | Unmeasured
-GoalFact = GoalsReported | GoalsUnknown | PlanReported | TargetReported
+GoalFact = GoalsReported | GoalsUnknown | MotionStopped | PlanReported | TargetReported
 Navigation = (
     OdometryReported | LocalisationReported | BlockedReported | ProgressReported | GoalFact | Alive | OwnWord
 )

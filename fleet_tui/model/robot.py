@@ -105,6 +105,7 @@ class Robot(Struct, frozen=True, eq=False):
     obstacle: Reading[float] | None = None
     queue: Reading[OrderQueue] | None = None
     goals: Mapping[str, tuple[Goal, ...]] = field(default_factory=dict)
+    stopped_motion: Reading[str] | None = None
     odometry: Pose | None = None
     odometry_at: float | None = None
     located: Pose | None = None

@@ -26,6 +26,8 @@ def apply_goals(robot: Robot, event: navigation_events.GoalFact) -> Robot:
             return _take_goals(robot, event)
         case navigation_events.GoalsUnknown():
             return _without_goals(robot, event.uuids, event.at)
+        case navigation_events.MotionStopped():
+            return replace(robot, stopped_motion=Reading(event.motion, event.at))
         case navigation_events.PlanReported():
             return _take_plan(robot, event)
         case navigation_events.TargetReported():

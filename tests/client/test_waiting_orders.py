@@ -15,13 +15,13 @@ from fleet_tui.model.commands import (
     ResumeRobot,
     Stage,
 )
-from fleet_tui.model.events import Event
+from fleet_tui.model.events import BridgeAnswered, Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
 from fleet_tui.model.navigation_events import OrderMoved
 from fleet_tui.model.order import OrderState, at_vertices
 from fleet_tui.rules.commands.local_queue import ANOTHER_CLIENT, waiting, waiting_orders_of
-from fleet_tui.simulator.nav2.navigation import TO_POSE
+from fleet_tui.simulator.nav2.navigation import SPIN, TO_POSE
 from fleet_tui.simulator.ros.goals import CANCELED
 from fleet_tui.state.store import Store
 from fleet_tui.transports.rosbridge import connection
@@ -30,6 +30,7 @@ from tests.support.kinds import KEEPING
 from tests.support.links import finished, linked, phase
 from tests.support.nav2_site import SPEED, Holds, Site, keeping, nav2_ready, reached, record_of
 from tests.support.queue_files import kept
+from tests.support.watched_store import WatchedStore
 
 R0 = "robot_0"
 FAR, NEAR = (35.0, 20.0), (8.0, 0.0)
@@ -269,7 +270,7 @@ async def test_a_pause_stops_the_robot_and_keeps_its_goal_here(site: Site) -> No
         assert (pause.stage, pause.detail) == (Stage.CONFIRMED, "stopped, goal kept here")
         waits = await reached(store, order.id, Stage.WAITING)
         assert waits.order_id == "k1" and not site.navigation().robot.driving
-        assert [action for action, _ in site.cancels()] == [
+        assert [action for action, _ in site.cancels()][:2] == [
             "/robot_0/follow_waypoints",
             "/robot_0/navigate_to_pose",
         ]
@@ -304,6 +305,46 @@ async def test_a_goal_of_another_client_is_stopped_by_a_pause_and_cannot_be_resu
         pause = await finished(link, store, PauseRobot(R0))
         assert (pause.stage, pause.detail) == (Stage.CONFIRMED, FOREIGN_STOPPED)
     assert goal.status == CANCELED
+
+
+LONG_SPIN = {"target_yaw": 500.0, "time_allowance": {"sec": 600, "nanosec": 0}}
+
+
+async def actions_listed(store: WatchedStore, site: Site) -> None:
+    """Wait until rosapi has listed the action servers: it answers in turn, and a question may be on its way."""
+    asked = "/rosapi/action_servers"
+    await store.until(lambda _: any(one.get("service") == asked for one in site.server.bridge.received))
+    answers = len(store.told(BridgeAnswered))
+    await store.until(lambda _: len(store.told(BridgeAnswered)) > answers + 1)
+
+
+async def test_a_motion_that_another_client_asked_of_nav2_itself_is_stopped_and_named(site: Site) -> None:
+    async with linked(site.config, queue=keeping()) as (link, store):
+        await store.until(nav2_ready)
+        spin = site.navigation().take(SPIN, LONG_SPIN)
+        assert spin is not None
+        await actions_listed(store, site)
+        pause = await finished(link, store, PauseRobot(R0))
+        assert (pause.stage, pause.detail) == (
+            Stage.CONFIRMED,
+            "stopped, also another client's spin, not resumable from here",
+        )
+        resumed = await finished(link, store, ResumeRobot(R0))
+        assert (resumed.stage, resumed.detail) == (Stage.CONFIRMED, "no orders waiting here")
+        listed = {one.rpartition("/")[2] for one in site.server.bridge.services.actions.names}
+        asked = {action.rpartition("/")[2] for action, _ in site.cancels()}
+        assert asked == {"navigate_to_pose", "follow_waypoints", "spin", "dock_robot"} <= listed
+    assert spin.status == CANCELED
+
+
+async def test_a_recovery_within_an_order_is_no_motion_of_another_client(site: Site) -> None:
+    async with linked(site.config, queue=keeping()) as (link, store):
+        await store.until(nav2_ready)
+        order = link.submit(site.to("Receiving"))
+        await reached(store, order, Stage.CONFIRMED)
+        site.navigation().take(SPIN, LONG_SPIN)
+        pause = await finished(link, store, PauseRobot(R0))
+        assert (pause.stage, pause.detail) == (Stage.CONFIRMED, "stopped, goal kept here")
 
 
 async def test_a_robot_without_a_goal_can_be_paused_and_then_drives_no_order(site: Site) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from fleet_tui.adapters.adapter import Feed, ServiceCall, Site
 from fleet_tui.adapters.nav2 import reading
 from fleet_tui.adapters.nav2.action_outcome import judge_cancel, judge_goal
-from fleet_tui.adapters.nav2.goals import cancel, cancel_all, cancel_own, order, unknown_goals
+from fleet_tui.adapters.nav2.goals import cancel, cancel_all, cancel_own, order, stopped_motion, unknown_goals
 from fleet_tui.adapters.nav2.probes import probes
 from fleet_tui.adapters.nav2.settings import Nav2Settings
 from fleet_tui.adapters.nav2.vocabulary import ACTIONS, VOCABULARY
@@ -98,9 +98,12 @@ class Nav2(NavigationAdapter):
     def learned(
         self, call: ServiceCall, values: object, robot: Robot, sent_at: float, at: float
     ) -> Iterable[events.Event]:
-        """Return the goals unknown to an action server: the only sign that it was restarted."""
+        """Return the goals unknown to an action server: the only sign that it was restarted; and what a pause
+        ended that is in no list of goals."""
         if gone := unknown_goals(self.names, call, values, robot, sent_at):
             yield navigation_events.GoalsUnknown(robot.name, at, gone)
+        if motion := stopped_motion(call, values, robot, sent_at):
+            yield navigation_events.MotionStopped(robot.name, at, motion)
 
 
 ADAPTER = Nav2

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 from fleet_tui.adapters.adapter import ActionGoal, ServiceCall
-from fleet_tui.adapters.nav2.vocabulary import ACTIONS
+from fleet_tui.adapters.nav2.vocabulary import ACTIONS, MOTIONS
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros_navigation.places import pose_of_stop, stamped
 from fleet_tui.errors import CommandError
@@ -57,11 +57,23 @@ def cancel_own(names: Names, robot: Robot) -> list[ServiceCall]:
 
 
 def cancel_all(names: Names, robot: Robot) -> list[ServiceCall]:
-    """Return the calls that cancel all goals of all clients, of each action that ever had one, and of those
-    that orders use."""
+    """Return the calls that cancel all goals of all clients: of each action that ever had one, of those that
+    orders use, and then of all others that move the robot, of which no end of those is the end."""
     used = {"follow_waypoints", "navigate_to_pose", *robot.goals}
     keys = [key for key in ACTIONS if key in used and names.action(key, robot.name)]
-    return [_cancel(names, robot, key, ALL) for key in keys]
+    motions = [key for key in MOTIONS if key not in keys and names.action(key, robot.name)]
+    return [_cancel(names, robot, key, ALL) for key in keys] + [
+        _cancel(names, robot, key, ALL)._replace(server=names.action(key, robot.name)) for key in motions
+    ]
+
+
+def stopped_motion(call: ServiceCall, values: object, robot: Robot, sent_at: float) -> str:
+    """Return the name of the action of which a pause ended a goal that no navigation had given, else ""."""
+    if not call.server or not isinstance(values, Mapping) or not values.get("goals_canceling"):
+        return ""
+    if active(robot.goals) or any(gone.at >= sent_at for gone in robot.gone):
+        return ""
+    return call.server.rpartition("/")[2]
 
 
 def unknown_goals(

@@ -7,6 +7,16 @@ from fleet_tui.adapters.ros_navigation import vocabulary as shared
 
 ACTIONS = ("follow_waypoints", "navigate_through_poses", "navigate_to_pose", "dock_robot", "undock_robot")
 """In the order of cancelling: the first drives by goals of others."""
+MOTIONS = (
+    "follow_path",
+    "spin",
+    "backup",
+    "drive_on_heading",
+    "assisted_teleop",
+    "dock_robot",
+    "undock_robot",
+)
+"""Those that move the robot, too: Nav2 gives itself goals there, and any client may."""
 
 MAP_SAVE = {
     "map_topic": "map",
@@ -55,6 +65,11 @@ VOCABULARY = Vocabulary(
         "navigate_to_pose": ("/{robot}/navigate_to_pose", "nav2_msgs/action/NavigateToPose"),
         "dock_robot": ("/{robot}/dock_robot", "nav2_msgs/action/DockRobot"),
         "undock_robot": ("/{robot}/undock_robot", "nav2_msgs/action/UndockRobot"),
+        "follow_path": ("/{robot}/follow_path", "nav2_msgs/action/FollowPath"),
+        "spin": ("/{robot}/spin", "nav2_msgs/action/Spin"),
+        "backup": ("/{robot}/backup", "nav2_msgs/action/BackUp"),
+        "drive_on_heading": ("/{robot}/drive_on_heading", "nav2_msgs/action/DriveOnHeading"),
+        "assisted_teleop": ("/{robot}/assisted_teleop", "nav2_msgs/action/AssistedTeleop"),
     },
     fields={
         **shared.FIELDS,

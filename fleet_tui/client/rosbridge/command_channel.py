@@ -205,14 +205,19 @@ class CommandChannel:
             if mismatch := self._services.mismatch(one.address):
                 table = adapter.names.table
                 raise CommandError(f"{mismatch}: correct [{table}.services], or [{table}.service_types]")
-        return outgoing
+        return [one for one in outgoing if not self._is_useless(one)]
+
+    def _is_useless(self, outgoing: Outgoing) -> bool:
+        """Tell whether there is nobody to take a call, which would be an error in the log of the site."""
+        server = outgoing.server if isinstance(outgoing, ServiceCall) else ""
+        return server != "" and self._services.lacks_server(server)
 
     def _send(self, outgoing: Sequence[Outgoing]) -> list[tuple[ServiceCall, PendingCall]]:
         """Send calls and publications; the calls wait for answers. Raises LinkError."""
         calls = list[tuple[ServiceCall, PendingCall]]()
         for one in outgoing:
             match one:
-                case ServiceCall(address, _, args):
+                case ServiceCall(address, args=args):
                     calls.append((one, self._calls.start(address, args, self._timeout)))
                 case Publication():
                     self._publishing.send(one)

@@ -3,7 +3,7 @@
 import asyncio
 import logging
 import time
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping, Set
 from contextlib import suppress
 
 from fleet_tui.adapters.ros.operations import ServiceResponse
@@ -29,9 +29,10 @@ class Services:
     another type must not be sent; an unknown type is no reason to hold it back.
     """
 
-    def __init__(self, calls: Calls, wanted: Mapping[str, Service]) -> None:
-        """`wanted` are the services by name."""
-        self._calls, self._wanted = calls, wanted
+    def __init__(self, calls: Calls, wanted: Mapping[str, Service], has_actions: bool = False) -> None:
+        """`wanted` are the services by name; `has_actions`: action servers are asked for, too."""
+        self._calls, self._wanted, self._has_actions = calls, wanted, has_actions
+        self._servers: Set[str] | None = None
         self._types: dict[str, str] = {}
         self._confirmed: set[str] = set()
         """Services whose types rosapi has confirmed on this connection."""
@@ -135,10 +136,16 @@ class Services:
         self.query()
         return f"{service} has type {found}, not {expected}"
 
+    def lacks_server(self, action: str) -> bool:
+        """Tell whether rosapi lists the action servers, and this one is not among them."""
+        return self._servers is not None and action not in self._servers
+
     async def _query(self) -> None:
         while True:
             try:
                 await self._take_services(await self._ask("services", {}))
+                if self._has_actions:
+                    self._take_servers(await self._ask("action_servers", {}))
             except NoAnswerError as problem:
                 LOG.info("services not looked up yet: %s", problem)
             except LinkError:
@@ -167,6 +174,11 @@ class Services:
         if absent != self._absent:
             self.changed()
         await self._ask_types([name for name in self._wanted if name in there - self._confirmed])
+
+    def _take_servers(self, response: ServiceResponse) -> None:
+        listed = response.values.get("action_servers") if isinstance(response.values, dict) else None
+        is_list = response.result and isinstance(listed, list)
+        self._servers = {str(name) for name in listed or ()} if is_list else None
 
     def _miss(self, missing: set[str]) -> None:
         """Drop services that two queries in a row missed: a bridge that just started lists only some."""

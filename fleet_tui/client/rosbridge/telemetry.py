@@ -73,7 +73,8 @@ class Telemetry:
         )
         self._on_demand = [feed for feed in feeds if feed.wanted_for in ("target", "stream")]
         self._pictures = CameraChannel(bridge, feeds, adapters, self._subscriber, self._reading, self._sink)
-        self.services = Services(self._calls, services_of(config, adapters, link))
+        has_actions = any(adapters[robot].names.vocabulary.actions for feed in feeds for robot in feed.robots)
+        self.services = Services(self._calls, services_of(config, adapters, link), has_actions)
         self._sourcing = Sourcing(
             link, self._calls, feeds, self._reading, lambda: self._subscriber.types, writer.apply
         )

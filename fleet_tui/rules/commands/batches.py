@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 from fleet_tui.model.commands import Command, CommandRecord, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.rules.commands.pauses import FOREIGN_STOPS
+from fleet_tui.rules.commands.pauses import FOREIGN
 from fleet_tui.text.limits import some
 
 TOGETHER = 0.3
@@ -67,7 +67,7 @@ def summary(state: FleetState, batch: Sequence[CommandRecord]) -> tuple[str, str
         found[_WORDS.get(record.stage, "open")].append(record)
     words = dict.fromkeys([*_WELL, *_WORDS.values(), "open"])
     parts = [_part(word, found[word]) for word in words if word in found]
-    foreign = [record.command.robot for record in batch if record.detail in FOREIGN_STOPS]
+    foreign = [record.command.robot for record in batch if record.detail.startswith(FOREIGN)]
     if foreign:
         parts.append(f"goals of other clients stopped, not resumable from here ({some(foreign)})")
     return batch_name(state, [record.command for record in batch]), ", ".join(parts)

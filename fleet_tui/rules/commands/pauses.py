@@ -13,13 +13,6 @@ STANDS_AFTER = 1.0
 SELDOM = 2.0
 """Seconds between the poses of robots that nobody looks at, at most by the usual configuration."""
 
-FOREIGN_STOPPED = "stopped, also another client's goal, not resumable from here"
-"""Detail of a pause that cancelled another client's goal."""
-FOREIGN_STOPS = (
-    FOREIGN_STOPPED,
-    "stopped, and someone else's goal with it, which can't be resumed from here",
-)
-"""The same, and as older recordings have it."""
 
 WAITS = frozenset({Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
 """Text of a pause that telemetry decides."""
@@ -132,8 +125,19 @@ def _held(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) 
     ours = own_ids(robot.goals) | {one.order_id for one in orders_of(state, robot)}
     ended = [gone for gone in robot.gone if gone.at >= record.issued_at and gone.stage is Stage.CANCELLED]
     if any(gone.order.id not in ours for gone in ended):
-        detail = FOREIGN_STOPPED
+        detail = foreign_stopped("goal")
+    elif (motion := robot.stopped_motion) is not None and motion.at >= record.issued_at:
+        detail = foreign_stopped(motion.value)
     return Step(Stage.CONFIRMED, state.now, detail)
+
+
+def foreign_stopped(what: str) -> str:
+    """Return the detail of a pause that ended what another client had asked for."""
+    return f"stopped, also another client's {what}, not resumable from here"
+
+
+FOREIGN = foreign_stopped("|").partition("|")[0]
+"""Begin of such a detail."""
 
 
 def late_goals(state: FleetState, record: CommandRecord) -> list[Goal]:

@@ -80,8 +80,15 @@ def _humble(server: "RosbridgeServer", robot: str) -> None:
         navigation.distro = "humble"
 
 
+def _foreign_spin(navigation: "SimNavigation", age: float) -> float:
+    if age >= AWHILE and not navigation.busy:
+        navigation.take("spin", {"target_yaw": 30.0, "time_allowance": {"sec": 60, "nanosec": 0}})
+    return 0.0 if age >= AWHILE else age
+
+
 FAULTS: Faults = {
     **BODY,
+    "foreign-spin": ("another client lets it spin, again and again", often(_foreign_spin, idle=True)),
     "inactive": ("Nav2 not active: every goal is rejected, is_active is false", at_once(_inactive)),
     "reject": ("every goal is rejected though Nav2 is active", at_once(_reject)),
     "aborts": (f"every drive is aborted with code {ABORTS} after {AWHILE:g} s", often(_aborts)),

@@ -3,7 +3,7 @@
 from typing import Any
 
 from fleet_tui.simulator.messages import float32
-from fleet_tui.simulator.nav2.navigation import DOCK, THROUGH, WAYPOINTS, SimNavigation
+from fleet_tui.simulator.nav2.navigation import DOCK, SPIN, THROUGH, WAYPOINTS, SimNavigation
 from fleet_tui.simulator.navigating.poses import solid
 from fleet_tui.simulator.ros.goals import Id, ServedGoal, uuid_of
 
@@ -43,6 +43,8 @@ def feedback(navigation: SimNavigation, verb: str, goal: ServedGoal, header: Mes
         return {"current_waypoint": navigation.waypoint()}
     if verb == DOCK:
         return {"state": 1, "docking_time": _duration(goal.age), "num_retries": 0}
+    if verb == SPIN:
+        return {"angular_distance_traveled": float32(goal.request["target_yaw"] - robot.turns_left)}
     values = {
         "current_pose": {"header": header, "pose": solid(robot.pose)},
         "navigation_time": _duration(goal.age),

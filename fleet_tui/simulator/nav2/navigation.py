@@ -13,12 +13,13 @@ from fleet_tui.simulator.ros.goals import ABORTED, CANCELED, CANCELING, SUCCEEDE
 Message = dict[str, Any]
 
 TO_POSE, THROUGH = "navigate_to_pose", "navigate_through_poses"
-WAYPOINTS, DOCK = "follow_waypoints", "dock_robot"
+WAYPOINTS, DOCK, SPIN = "follow_waypoints", "dock_robot", "spin"
 TYPES = {
     TO_POSE: "nav2_msgs/NavigateToPose",
     THROUGH: "nav2_msgs/NavigateThroughPoses",
     WAYPOINTS: "nav2_msgs/FollowWaypoints",
     DOCK: "nav2_msgs/DockRobot",
+    SPIN: "nav2_msgs/Spin",
 }
 NOT_STAGED = 903
 
@@ -41,6 +42,7 @@ class SimNavigation:
         self.robot = robot
         self._rng, self._clock = rng, clock
         begins = {TO_POSE: self._begin, THROUGH: self._begin, WAYPOINTS: self._tour, DOCK: self._dock}
+        begins[SPIN] = self._spin
         self.servers = {
             verb: ActionServer(f"/{robot.name}/{verb}", TYPES[verb], self._decide, begin)
             for verb, begin in begins.items()
@@ -90,6 +92,7 @@ class SimNavigation:
         for server in self.servers.values():
             server.age(dt)
         self._advance_drive()
+        self._advance_spin()
         for verb, tour in list(self._tours.items()):
             self._advance_tour(verb, tour)
 
@@ -148,6 +151,21 @@ class SimNavigation:
         dock = floor.graph.vertices[floor.vertex_of("charger")]
         self._replace(DOCK, _Tour(goal, [stamped(Pose(dock.x, dock.y))]))
 
+    def _spin(self, goal: ServedGoal) -> None:
+        for before in self.servers[SPIN].running:
+            if before is not goal:
+                self.servers[SPIN].advance(before, ABORTED, _spun(before))
+        self.robot.turns_left = abs(goal.request["target_yaw"])
+
+    def _advance_spin(self) -> None:
+        server = self.servers[SPIN]
+        for goal in server.running:
+            if goal.status == CANCELING:
+                self.robot.turns_left = 0.0
+                server.advance(goal, CANCELED, _spun(goal))
+            elif self.robot.turns_left <= 0.0:
+                server.advance(goal, SUCCEEDED, _spun(goal))
+
     def _replace(self, verb: str, tour: _Tour) -> None:
         before = self._tours.get(verb)
         if before is not None:
@@ -189,6 +207,10 @@ class SimNavigation:
             code = NOT_STAGED if tour.missed else 0
             return {"success": not tour.missed, "error_code": code, "num_retries": 0}
         return {"missed_waypoints": tour.missed, **_result()}
+
+
+def _spun(goal: ServedGoal) -> Message:
+    return {"total_elapsed_time": {"sec": int(goal.age), "nanosec": 0}, "error_code": 0}
 
 
 def _result(code: int = 0, message: str = "") -> Message:

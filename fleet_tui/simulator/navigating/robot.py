@@ -55,6 +55,8 @@ class NavigatingRobot(Obstructed):
         """True while it drives; true if it progressed in the last step."""
         self.way: list[Spot] = []
         """The corners still before it."""
+        self.turns_left = 0.0
+        """Radians to turn on the spot without a drive."""
         self.stops = 0
         """The remaining poses."""
         self.recoveries = 0
@@ -115,6 +117,7 @@ class NavigatingRobot(Obstructed):
                 self._blocked(self.moving and not self._quiet)
             if not self.stuck:
                 self.pose = self.wheels.carry(self.pose, STEP)
+                self._spin()
         self.moving = self.driving and self.pose != before
         self._watch_progress()
         self._count_wheels(before)
@@ -165,6 +168,11 @@ class NavigatingRobot(Obstructed):
             turned = math.copysign(min(abs(left), TURN * STEP), left)
             self.pose = Pose(self.pose.x, self.pose.y, math.remainder(self.pose.yaw + turned, math.tau))
             yield
+
+    def _spin(self) -> None:
+        turned = min(self.turns_left, TURN * STEP)
+        self.turns_left -= turned
+        self.pose = Pose(self.pose.x, self.pose.y, math.remainder(self.pose.yaw + turned, math.tau))
 
     def _watch_progress(self) -> None:
         self._stood = 0.0 if self.moving or not self.driving else self._stood + STEP

@@ -183,6 +183,8 @@ nav2_msgs/DockRobot: bool use_dock_id, string dock_id, geometry_msgs/PoseStamped
 string dock_type, float32 max_staging_time, bool navigate_to_staging_pose \
 -> bool success, uint16 error_code, uint16 num_retries \
 -> uint16 state, builtin_interfaces/Duration docking_time, uint16 num_retries
+nav2_msgs/Spin: float32 target_yaw, builtin_interfaces/Duration time_allowance \
+-> builtin_interfaces/Duration total_elapsed_time, uint16 error_code -> float32 angular_distance_traveled
 """
 
 _FIELD = re.compile(r"([\w/]+?)(?:\[(\d*)\])? (\w+)")

@@ -23,7 +23,7 @@ def test_a_pause_service_without_one_to_resume_is_not_called() -> None:
     it = Nav2(Profile(kind="nav2", services={"pause": "/{robot}/pause"}), Site())
     assert it.kind.holds
     calls = it.outgoing(PauseRobot("tb2"), 1, ROBOT)
-    assert [call.type for call in calls if isinstance(call, ServiceCall)] == [CANCEL_TYPE, CANCEL_TYPE]
+    assert {call.type for call in calls if isinstance(call, ServiceCall)} == {CANCEL_TYPE}
 
 
 class TestPauses:

@@ -15,7 +15,7 @@ from fleet_tui.model.events import CommandAdvanced, CommandIssued
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import at_vertices
 from fleet_tui.rules.commands.local_queue import all_orders, hold_all, next_to_send
-from fleet_tui.rules.commands.pauses import FOREIGN_STOPPED
+from fleet_tui.rules.commands.pauses import foreign_stopped
 from tests.support.fleets import R0, T0, link_lost, link_up, reduced, tick
 from tests.support.legs import DONE, OFF, goal, lived, record, sent, site
 
@@ -91,7 +91,7 @@ def test_a_pause_that_stops_a_goal_of_others_says_so_though_orders_wait_here() -
     state = reduced(lived(state, T0 + 1.1, goal("another1")), CommandAdvanced(7, Stage.WAITING, T0 + 1.2))
     state = asked(lived(state, T0 + 1.3, goal("another1")), T0 + 2, PauseRobot(R0))
     state = lived(lived(state, T0 + 2.2, goal("another1", OFF)), T0 + 2.4, goal("another1", OFF))
-    assert (record(state, 8).stage, record(state, 8).detail) == (Stage.CONFIRMED, FOREIGN_STOPPED)
+    assert (record(state, 8).stage, record(state, 8).detail) == (Stage.CONFIRMED, foreign_stopped("goal"))
 
 
 def test_a_resume_after_which_an_order_left_says_so() -> None:
