@@ -311,7 +311,7 @@ LONG_SPIN = {"target_yaw": 500.0, "time_allowance": {"sec": 600, "nanosec": 0}}
 
 
 async def actions_listed(store: WatchedStore, site: Site) -> None:
-    """Wait until rosapi has listed the action servers: it answers in turn, and a question may be on its way."""
+    """Wait until rosapi has listed the action servers: it answers in turn, one question may be on its way."""
     asked = "/rosapi/action_servers"
     await store.until(lambda _: any(one.get("service") == asked for one in site.server.bridge.received))
     answers = len(store.told(BridgeAnswered))

@@ -168,6 +168,9 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
         st.sampled_from(["follow_waypoints", "navigate_to_pose"]),
         st.lists(GOALS, max_size=4).map(tuple),
     ),
+    navigation_events.MotionStopped: st.builds(
+        navigation_events.MotionStopped, ROBOTS, AT, st.sampled_from(["spin", "backup"])
+    ),
     navigation_events.GoalsUnknown: st.builds(
         navigation_events.GoalsUnknown, ROBOTS, AT, st.lists(GOALS.map(lambda goal: goal.uuid)).map(tuple)
     ),
