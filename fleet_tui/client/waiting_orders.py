@@ -6,7 +6,15 @@ import time
 from collections.abc import Callable, Iterator
 
 from fleet_tui.client.queue_file import QueueFile, WaitingOrder
-from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, CommandRecord, PlaceOrder, Stage
+from fleet_tui.model.commands import (
+    RESTARTED,
+    CancelOrder,
+    ClearOrders,
+    Command,
+    CommandRecord,
+    PlaceOrder,
+    Stage,
+)
 from fleet_tui.model.events import CommandAdvanced, CommandIssued, Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation_events import QueueHeld
@@ -18,7 +26,6 @@ from fleet_tui.state.store import Store
 
 LOG = logging.getLogger(__name__)
 
-RESTARTED = "this console was restarted"
 
 MOST_WAITING = 100
 """Maximum number of orders that wait for one robot."""

@@ -51,11 +51,13 @@ class Writer:
     async def _tick(self) -> None:
         due = time.monotonic()
         while True:
+            now = time.monotonic()
+            late = now - due
+            due = now + TICK  # not after the work of this tick: the process may be stopped in it
             try:
-                now = time.monotonic()
                 for look in self.before_tick:
                     look(now)
-                behind = max([self._stalled(now, now - due), *(age(now) for age in self.backlogs)])
+                behind = max([self._stalled(now, late), *(age(now) for age in self.backlogs)])
                 self.apply(TimePassed(now, time.time(), behind if behind > TICK else 0.0))
                 if now - self._tidied > TIDY_EVERY:
                     self._tidied = now
@@ -64,7 +66,6 @@ class Writer:
             except Exception:
                 # Without ticks nothing would age: one that fails must not be the last.
                 LOG.exception("tick")
-            due = time.monotonic() + TICK
             await asyncio.sleep(TICK)
 
     def _stalled(self, now: float, late: float) -> float:

@@ -7,7 +7,7 @@ from datetime import datetime
 from typing import assert_never
 
 from fleet_tui.model.audit_record import AuditRecord
-from fleet_tui.model.commands import NEXT, ORDER_ENDS, Stage
+from fleet_tui.model.commands import NEXT, ORDER_ENDS, RESTARTED, Stage
 from fleet_tui.model.history.facts import Charge, LaterCause, LinkChange, Note, OrderChange, Span
 from fleet_tui.rules.history.observing import BEGUN, HOUR, QUEUED, Fact
 
@@ -109,7 +109,10 @@ def _write_order(database: sqlite3.Connection, change: OrderChange, run: str, op
     stage = "" if change.stage == QUEUED else ", stage = :stage, reason = :reason"
     database.execute(
         "UPDATE orders SET operator = coalesce(nullif(:operator, ''), operator),"
-        f" request = coalesce(:request, request), run = :run, way = :way{times}{stage} WHERE id = :id",
+        f" request = coalesce(:request, request), run = :run,"
+        # A console that does not know where it began knows less.
+        " way = CASE WHEN instr(way, ' -> ') AND NOT instr(:way, ' -> ') THEN way ELSE :way END"
+        f"{times}{stage} WHERE id = :id",
         {
             "operator": operator,
             "request": change.request,
@@ -125,10 +128,11 @@ def _write_order(database: sqlite3.Connection, change: OrderChange, run: str, op
 
 def _open_order(database: sqlite3.Connection, change: OrderChange, run: str) -> tuple[int, float] | None:
     """Return the row of an order that has not ended, and when it was queued. Its way has other names as soon
-    as a console has the labels of its vertices."""
+    as a console has the labels of its vertices, and none for a console that does not know its goal; a number
+    may be that of another order of a robot that has restarted, any other name is unique."""
     found: tuple[int, float] | None = database.execute(
         "SELECT id, queued FROM orders WHERE robot = :robot AND name = :name AND ended IS NULL"
-        " AND (way = :way OR run = :run) ORDER BY way = :way DESC",
+        " AND (way = :way OR run = :run OR name GLOB '*[^0-9]*') ORDER BY way = :way DESC",
         {"robot": change.robot, "name": change.order, "way": change.way, "run": run},
     ).fetchone()
     return found
@@ -212,6 +216,11 @@ def write_record(database: sqlite3.Connection, record: AuditRecord) -> None:
 def _write_command(database: sqlite3.Connection, record: AuditRecord, at: float) -> None:
     names = [record.start_label or record.start, record.end_label or record.end]
     way = " -> ".join(filter(None, names)) or (f"order {record.order}" if record.what == "cancel" else "")
+    if record.words == RESTARTED:  # it has taken over all orders of its earlier run: each waits once
+        database.execute(
+            "DELETE FROM commands WHERE stage = ? AND (operator, robot) = (?, ?) AND run != ?",
+            (Stage.WAITING.value, record.operator, record.robot, record.run),
+        )
     database.execute(
         "INSERT INTO commands VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"
         " ON CONFLICT DO UPDATE SET stage = excluded.stage, reason = excluded.reason",

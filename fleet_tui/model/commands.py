@@ -149,6 +149,8 @@ ORDER_ENDS: Mapping[Stage, OrderEnd] = {
 }
 """Ends of an order that was in the queue: alarm, `w`, row, history, report and metrics read them here."""
 _REPORTED = frozenset(stage for stage, end in ORDER_ENDS.items() if not end.is_inferred)
+RESTARTED = "this console was restarted"
+"""Reason of an order that waits again: a later run of its console has taken it over."""
 NOT_LEFT = frozenset({Stage.CHECKED, Stage.WAITING, Stage.NOT_SENT})
 """Stages of a command that has not left this console."""
 _SEEN = frozenset({Stage.CONFIRMED, Stage.NOT_CONFIRMED, Stage.UNVERIFIABLE})

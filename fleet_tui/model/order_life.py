@@ -35,14 +35,16 @@ report; None if unknown."""
 
 class OrderTrace(Struct, frozen=True):
     """An order in the queue: whether it was `begun`; `began_at` is when a queue first showed that, None if
-    nobody saw it change; `arrived_at` is when the robot was last at its end since then (both monotonic);
-    `request_id` is the queue's echo while it was the newest, 0 for none."""
+    nobody saw it change; `arrived_at` is when the robot was last at its end since then, `listed_at` when a
+    queue first listed it (all monotonic); `request_id` is the queue's echo while it was the newest, 0 for
+    none."""
 
     order: Order
     begun: bool = False
     arrived_at: float | None = None
     request_id: int = 0
     began_at: float | None = None
+    listed_at: float | None = None
 
     def was_driven(self, last_listed: float | None) -> bool:
         """Tell whether the robot was at its end when it left the queue; `last_listed`: when a queue last
@@ -54,13 +56,14 @@ class OrderTrace(Struct, frozen=True):
 
 class GoneOrder(Struct, frozen=True):
     """An order that left the queue, or is listed as ended, at a monotonic second: one of ORDER_ENDS, and the
-    evidence. `is_reported`: the robot itself says so."""
+    evidence. `is_reported`: the robot itself says so; `listed_at` as in OrderTrace."""
 
     order: Order
     at: float
     stage: Stage
     reason: str
     is_reported: bool = False
+    listed_at: float | None = None
 
 
 def trace_movement(traces: Mapping[str, OrderTrace], away: Away) -> Mapping[str, OrderTrace]:
@@ -95,27 +98,32 @@ def trace_queue(
     last_listed = before[0] if before else None
     starts_over = before is not None and queue.last_serial < before[1]
     gone = [
-        GoneOrder(trace.order, at, Stage.LOST, NOT_LISTED)
+        GoneOrder(trace.order, at, Stage.LOST, NOT_LISTED, listed_at=trace.listed_at)
         if reports_ends and id_ not in listed
-        else _end_of(trace, listed.get(id_), last_listed, at, starts_over, away)
+        else replace(
+            _end_of(trace, listed.get(id_), last_listed, at, starts_over, away), listed_at=trace.listed_at
+        )
         for id_, trace in traces.items()
         if _is_over(trace, listed.get(id_))
     ]
     seen_at = at if last_listed is not None and at - last_listed < BLIND_AFTER else None
     still = {
-        id_: _traced(traces.get(id_), order, queue, seen_at)
+        id_: _traced(traces.get(id_), order, queue, at, seen_at)
         for id_, order in listed.items()
         if not order.is_over
     }
     return trace_movement(still, away), gone
 
 
-def _traced(before: OrderTrace | None, order: Order, queue: OrderQueue, seen_at: float | None) -> OrderTrace:
+def _traced(
+    before: OrderTrace | None, order: Order, queue: OrderQueue, at: float, seen_at: float | None
+) -> OrderTrace:
     begun = order.state in BEGUN or queue.is_current(order)
     began_at = seen_at if begun else None
     if before is None or not _is_same(before.order, order):
         is_newest = order.serial == queue.last_serial
-        return OrderTrace(order, begun, request_id=queue.request_id if is_newest else 0, began_at=began_at)
+        request_id = queue.request_id if is_newest else 0
+        return OrderTrace(order, begun, request_id=request_id, began_at=began_at, listed_at=at)
     if before.begun:
         return replace(before, order=order)
     return replace(before, order=order, begun=begun, began_at=began_at)
@@ -189,7 +197,7 @@ def corrected(gone: tuple[GoneOrder, ...], queue: OrderQueue, reports_ends: bool
     if not any(_is_taken_back(one, over, reports_ends) for one in gone):
         return gone
     return tuple(
-        listed_end(over[one.order.id], one.at) if _is_taken_back(one, over, reports_ends) else one
+        _corrected(one, over[one.order.id]) if _is_taken_back(one, over, reports_ends) else one
         for one in gone
     )
 
@@ -199,7 +207,11 @@ def _is_taken_back(gone: GoneOrder, over: Mapping[str, Order], reports_ends: boo
     if order is None or not ORDER_ENDS[gone.stage].is_inferred or gone.reason == STARTED_OVER:
         return False
     # Where ends are reported an id is never used twice; a goal that is listed again has a new serial.
-    return (reports_ends or _is_same(gone.order, order)) and listed_end(order, gone.at) != gone
+    return (reports_ends or _is_same(gone.order, order)) and _corrected(gone, order) != gone
+
+
+def _corrected(gone: GoneOrder, order: Order) -> GoneOrder:
+    return replace(listed_end(order, gone.at), listed_at=gone.listed_at)
 
 
 def latest(gone: Iterable[GoneOrder], order_id: str, since: float) -> GoneOrder | None:

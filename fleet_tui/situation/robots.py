@@ -26,10 +26,18 @@ BAD_FOR = 10.0
 def silent_from(state: FleetState, robot: Robot) -> float:
     """Return the monotonic second from which a robot counts as silent, if it sends nothing until then. What
     its bridge is late by may still be on its way; a new link restarts the silence of all its robots."""
-    last, link = robot.last_received, state.links[robot.link]
+    last, link = _last_word(state, robot), state.links[robot.link]
     if robot.is_gone and robot.connection is not None and last is not None:
         return robot.connection.at
     return max(last or 0.0, link.ready_since) + state.patience(robot) + link.late
+
+
+def _last_word(state: FleetState, robot: Robot) -> float | None:
+    """Return the monotonic second of its last message: of one that nobody could read once it is no news."""
+    last, bad = robot.last_received, robot.fault_at
+    if bad is None or state.now - bad <= state.patience(robot):
+        return last
+    return max(last or bad, bad)
 
 
 def absence(state: FleetState, robot: Robot) -> Fact | None:
@@ -46,10 +54,11 @@ def silence(state: FleetState, robot: Robot) -> Fact:
     since, link = silent_from(state, robot), state.links[robot.link]
     is_certain = not is_late(link) or state.now > since
     known = robot.connection.value if robot.connection is not None else None
-    if robot.last_received is not None:
-        since_last = state.now - robot.last_received
+    last = _last_word(state, robot)
+    if last is not None:
+        since_last = state.now - last
         why = f" ({known.text})" if known is not None and robot.is_gone else ""
-        kind, text = SILENT, f"{SILENT.word} {age(since_last)}{why}"
+        kind, text = SILENT, f"{SILENT.word if is_certain else 'silent'} {age(since_last)}{why}"
         evidence = "link up, no messages"
         question = f"{robot.name} is {SILENT.word} {age(since_last)}"
     elif robot.is_undated:
@@ -63,13 +72,16 @@ def silence(state: FleetState, robot: Robot) -> Fact:
         what = "message" if known is None else "state"
         evidence = f"link up, no {what} received"
         question = f"{robot.name} was {NEVER_SEEN.word}"
+    pose = robot.pose
+    is_behind = last is not None and pose is not None and last - pose.at >= 1.0
     return Fact(
         kind,
         robot.name,
         text,
         Priority.MEDIUM,
         since,
-        short=text,
+        # Behind a late bridge that of the map, if something else has come since.
+        short=f"pose {age(state.now - pose.at)} old" if pose and is_behind and not is_certain else text,
         evidence=evidence,
         question=question,
         is_certain=is_certain,
@@ -126,10 +138,23 @@ def _old_stamps(state: FleetState, robot: Robot) -> Fact | None:
     after a movement."""
     if robot.clock is None or robot.pose is None or not state.is_old(robot, "pose"):
         return None
+    is_calm = robot.orders.current is None
+    priority = Priority.LOW if is_calm else Priority.MEDIUM
+    if robot.is_undated:
+        return Fact(
+            AGE_UNKNOWN,
+            robot.name,
+            "pose of unknown age",
+            priority,
+            robot.clock.at,
+            short="pose of unknown age",
+            evidence="one pose received: it may be an old one",
+            question=f"the one pose of {robot.name} is of unknown age",
+            seen=robot.clock.at,
+        )
     patience = robot.kind.silence_of("pose", state.limits.offline_after) + state.behind
     if state.now - robot.clock.at > patience:
         return None
-    is_calm = robot.orders.current is None
     lag = state.now - robot.pose.at
     kind = REPEATED_POSE if is_calm else OLD_STAMPS
     what = kind.word
@@ -137,7 +162,7 @@ def _old_stamps(state: FleetState, robot: Robot) -> Fact | None:
         kind,
         robot.name,
         f"poses arrive {age(lag)} old",
-        Priority.LOW if is_calm else Priority.MEDIUM,
+        priority,
         robot.pose.at,
         short=f"pose {age(lag)} old",
         evidence=f"{what}: their time stamps lag",

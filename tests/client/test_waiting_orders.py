@@ -7,8 +7,9 @@ import pytest
 
 from fleet_tui.client import waiting_orders
 from fleet_tui.client.queue_file import FILE, WaitingOrder
-from fleet_tui.client.waiting_orders import RESTARTED, WaitingOrders
+from fleet_tui.client.waiting_orders import WaitingOrders
 from fleet_tui.model.commands import (
+    RESTARTED,
     CancelOrder,
     ClearOrders,
     PauseRobot,

@@ -81,3 +81,13 @@ async def test_what_arrived_while_it_did_not_run_is_read_before_anything_counts_
     await store.until(lambda _: len(store.told(TimePassed)) > ticks + 1)
     assert store.state.behind >= 0.2
     await store.until(lambda state: state.behind < 0.2)
+
+
+async def test_a_stop_within_a_tick_is_known_too(
+    running: Writer, store: WatchedStore, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(writer, "STALL", 0.2)
+    stops = [0.35]
+    running.before_tick.append(lambda _now: time.sleep(stops.pop() if stops else 0.0))
+    running.start()
+    await store.until(lambda state: state.behind >= 0.2)

@@ -11,6 +11,7 @@ from fleet_tui.audit.entries import Origin
 from fleet_tui.history.database import open_to_write
 from fleet_tui.history.reading import History
 from fleet_tui.history.writing import write
+from fleet_tui.model.commands import RESTARTED
 from fleet_tui.model.history.facts import Activity, Charge, LinkChange, OrderChange, Span
 from fleet_tui.rules.history.observing import HOUR
 from tests.support.records import ANA
@@ -104,6 +105,25 @@ def test_what_goes_on_has_its_operator_whoever_observes(database: sqlite3.Connec
         ("7", "queued", "ben"),
         ("", "waiting here", "ben"),
     ]
+
+
+def test_an_order_that_waits_in_a_console_waits_once_after_its_restarts(
+    database: sqlite3.Connection,
+) -> None:
+    told = {"kind": "command", "what": "order", "robot": "r", "id": 1}
+    for run, names in (("run1", {"start": "1", "end": "2"}), ("run2", {}), ("run3", {"start_label": "A"})):
+        words = "" if run == "run1" else RESTARTED
+        console = Origin("ana", "host:1", run)
+        write(database, console.record(6.0, change="waiting here", words=words, **told, **names), run, "ana")
+    assert len(History(database).open_orders()) == 1
+
+
+def test_an_order_with_a_unique_name_is_one_whatever_a_console_knows_of_its_way(
+    database: sqlite3.Connection,
+) -> None:
+    for n, way in enumerate(("A -> B", "-> B", "to a point")):
+        write(database, OrderChange("r", "161219e8", way, 1.0 + n, "begun"), f"run{n}", "ana")
+    assert [(one.order, one.way) for one in History(database).open_orders()] == [("161219e8", "A -> B")]
 
 
 def test_alarms_are_open_until_they_are_over_and_seen(database: sqlite3.Connection) -> None:

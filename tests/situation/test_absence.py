@@ -129,3 +129,27 @@ def test_status_tells_the_silence_that_a_late_bridge_does_not_explain() -> None:
     states = [reduced(state, tick(T0 + after)) for after in (6.0, 8.1)]
     may_be_on_its_way, is_not = ([line for line in attention(s) if "robot_0" in line] for s in states)
     assert may_be_on_its_way == [] and is_not == ["robot_0: offline 8 s"]
+
+
+def test_one_pose_of_unknown_age_is_told_alike_by_all_while_the_robot_speaks_of_other_things() -> None:
+    state = reduced(undated(), battery(T0 + 0.1), tick(T0 + 0.2))
+    fact = absence(state, state.robots[R0])
+    assert fact is not None and fact.kind is AGE_UNKNOWN and fact.short == "pose of unknown age"
+    assert fact.short in [text for text, _ in news(state, state.robots[R0])]
+    assert not any("old" in one.name for one in reasons(state, state.robots[R0]))
+    assert f"robot_0: {fact.short}" not in attention(state), "it has no order"
+    assert f"robot_0: {fact.short}" in attention(with_order(state))
+
+
+def test_a_robot_that_was_offline_and_now_sends_only_bad_data_is_never_well() -> None:
+    state = reduced(silent_robot(), tick(T0 + 1))
+    assert "robot_0: offline 21 s" in attention(state)
+    for n in range(30):
+        state = reduced(state, MessageRejected(R0, BAD), tick(T0 + 1.1 + n / 10))
+        assert any(line.startswith("robot_0: ") for line in attention(state)), n
+
+
+def test_who_sent_bad_data_alone_and_then_nothing_was_seen() -> None:
+    bad = (event for n in range(5) for event in (MessageRejected(R0, BAD), tick(T0 + n)))
+    state = reduced(fleet(), link_up(T0 - 60), *bad, tick(T0 + 30))
+    assert next(news(state, state.robots[R0]))[0] == "offline 27 s"

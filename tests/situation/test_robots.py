@@ -67,7 +67,7 @@ def test_a_robot_whose_messages_all_are_bad_reads_so() -> None:
 
 def test_one_that_sends_nothing_more_is_offline() -> None:
     state = reduced(sends_only_bad_data(20.0), tick(T0 + 30.0), tick(T0 + 31.0))
-    assert next(news(state, state.robots[R0]))[0] == "offline 31 s"
+    assert next(news(state, state.robots[R0]))[0] == "offline 12 s"
     assert {alarm.condition.kind for alarm in state.alarms if alarm.holds} == {"offline"}
 
 

@@ -7,14 +7,14 @@ from typing import Any
 from fleet_tui.cli.session import missing
 from fleet_tui.cli.status.navigation import navigation
 from fleet_tui.cli.status.vehicle import vehicle
+from fleet_tui.model.alarm import Priority
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.fleets.facility import LANES, Facility
 from fleet_tui.model.kind import PAUSE
 from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Reading, Robot
-from fleet_tui.rules.alarms.trouble import in_trouble
-from fleet_tui.situation.facts import OBSTACLE, REPEATED_POSE
+from fleet_tui.situation.facts import OBSTACLE
 from fleet_tui.situation.links import behind, late_link
 from fleet_tui.situation.robots import absence, blocked_robots
 from fleet_tui.text.limits import some
@@ -146,7 +146,12 @@ def attention(state: FleetState) -> list[str]:
 def _unknown(state: FleetState) -> Iterator[str]:
     """Yield the robots of which nothing current is known, as far as no alarm tells it, and the values that
     never came."""
-    troubled = in_trouble(state)
+    told = {
+        (name, alarm.condition.kind)
+        for alarm in state.alarms
+        if alarm.holds
+        for name in (alarm.condition.source, *alarm.condition.parts)
+    }
     for robot in state.robots.values():
         link, absent = state.links[robot.link], missing(robot)
         if link.phase is not Phase.UP:
@@ -154,9 +159,10 @@ def _unknown(state: FleetState) -> Iterator[str]:
         if state.is_online(robot):
             yield from (f"{robot.name}: missing: {', '.join(absent)}" for _ in absent[:1])
         fact = absence(state, robot)
-        if fact is None or fact.kind is REPEATED_POSE or not fact.is_certain or robot.name in troubled:
+        if fact is None or fact.priority is Priority.LOW or not fact.is_certain:
             continue
-        yield f"{robot.name}: {fact.short}"
+        if (robot.name, fact.kind.name) not in told:
+            yield f"{robot.name}: {fact.short}"
 
 
 def report(state: FleetState) -> Values:

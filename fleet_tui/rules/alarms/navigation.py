@@ -10,7 +10,6 @@ from fleet_tui.rules.commands.failures import FAILED_FOR
 from fleet_tui.rules.commands.local_queue import HELD_BY_OTHERS, orders_to_save
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.localisation.misplaced import misplaced_for_long
-from fleet_tui.situation.facts import REPEATED_POSE
 from fleet_tui.situation.robots import absence
 from fleet_tui.text.durations import age
 
@@ -49,7 +48,7 @@ def _pose_lost(state: FleetState, robot: Robot, active: ActiveConditions) -> Con
             robot.name, "localisation", Priority.MEDIUM, "no pose received", "localisation recovered", due
         )
     fact = absence(state, robot) if state.is_online(robot) else None
-    if fact is not None and fact.kind is REPEATED_POSE:
+    if fact is not None and fact.priority is Priority.LOW:
         return None
     text = f"no pose for {age(state.now - robot.pose.at)}" if fact is None else fact.text
     due, remedy = robot.pose.at + NO_POSE_AFTER, NO_ODOMETRY if lacks_odometry(state, robot) else ""

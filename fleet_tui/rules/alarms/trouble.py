@@ -15,7 +15,7 @@ from fleet_tui.rules.commands.order_ends import seen_end
 from fleet_tui.rules.commands.pauses import drives_despite_pause
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
-from fleet_tui.situation.facts import BAD_DATA, REPEATED_POSE
+from fleet_tui.situation.facts import BAD_DATA
 from fleet_tui.situation.robots import absence, bad_data, obstacle, silent
 
 LONG_STILL = 30.0
@@ -155,7 +155,7 @@ def _has_old(state: FleetState, robot: Robot) -> bool:
         return False
     others = tuple(value for value in AGING if value != "pose")
     fact = absence(state, robot)
-    return state.has_old(robot, others) or fact is None or fact.kind is not REPEATED_POSE
+    return state.has_old(robot, others) or fact is None or fact.priority is not Priority.LOW
 
 
 class _Looks:

@@ -21,6 +21,8 @@ from fleet_tui.model.set_up.commands import SetUpCommand
 
 EVIDENCE_WITHIN = 1.0
 """Seconds within which another console's command is known here: the end of its order may be seen before."""
+TAKES_EFFECT_WITHIN = 3.0
+"""Seconds from another console's cancel or clear to the end of what it removed, at most."""
 REMOVED_WITHIN = 60.0
 """Seconds before the end of another client's order in which a cancel or clear counts as its cause."""
 REMOVED = frozenset({Stage.ACCEPTED, Stage.CONFIRMED, Stage.LATE})
@@ -120,5 +122,14 @@ def _elsewhere(
         and removal.removes
         and removal.order_id in ("", gone.order.id)
         and since <= removal.at <= gone.at + EVIDENCE_WITHIN
+        and _was_listed(gone, removal.at)
     )
     return next(found, None)
+
+
+def _was_listed(gone: GoneOrder, removed_at: float) -> bool:
+    """Tell whether an order was in the queue when another console removed what was there. It may have been
+    listed a moment after, while that was on its way, and then was gone at once."""
+    if gone.listed_at is None or removed_at >= gone.listed_at:
+        return True
+    return gone.listed_at - removed_at <= EVIDENCE_WITHIN and gone.at - removed_at <= TAKES_EFFECT_WITHIN

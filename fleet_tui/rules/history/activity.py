@@ -54,10 +54,15 @@ def _activity(state: FleetState, robot: Robot, blocked: Set[str], kept: Set[str]
     return Activity.CHARGING if charges(state, robot) else Activity.IDLE
 
 
+def may_do_anything(state: FleetState, robot: Robot) -> bool:
+    """Tell whether a robot speaks, and nothing of that tells what it does now."""
+    fact = absence(state, robot)
+    return fact is not None and fact.kind in (AGE_UNKNOWN, BAD_DATA) and not state.is_online(robot)
+
+
 def _is_known(state: FleetState, robot: Robot, does: Activity) -> bool:
     """Tell whether fresh reports show what a robot does: its pose that it stands, its queue why."""
-    fact = absence(state, robot)
-    if fact is not None and fact.kind in (AGE_UNKNOWN, BAD_DATA):
+    if may_do_anything(state, robot):
         return False
     if does in (Activity.OFFLINE, Activity.PAUSED) or is_halted(state, robot):
         return True

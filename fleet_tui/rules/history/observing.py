@@ -12,7 +12,7 @@ from fleet_tui.model.order import Order, route_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.told import told
 from fleet_tui.rules.commands.order_ends import placed_by, seen_end
-from fleet_tui.rules.history.activity import activity
+from fleet_tui.rules.history.activity import activity, may_do_anything
 from fleet_tui.rules.why.reason import name_of
 
 HOUR = 3600.0
@@ -116,7 +116,8 @@ class Observer:
     def _span(self, state: FleetState, robot: Robot) -> Iterator[Span]:
         does, now, before = activity(state, robot), state.wall, self._spans.get(robot.name)
         place = (robot.floor or "", *_at(robot))
-        is_unknown = state.links[robot.link].phase is not Phase.UP  # it may work on, unseen
+        # It may work on, unseen.
+        is_unknown = state.links[robot.link].phase is not Phase.UP or may_do_anything(state, robot)
         if before is not None and (is_unknown or now - before.ended > SLEPT):
             yield self._spans.pop(robot.name)
             before = None

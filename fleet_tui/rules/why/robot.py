@@ -1,5 +1,7 @@
 """Reasons to stand still from the robot: its own reports, and whether it is online."""
 
+from functools import partial
+
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState, obstacle_text
 from fleet_tui.model.link import Phase
@@ -21,7 +23,7 @@ from fleet_tui.rules.movement import JUMPS_WITHIN
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, name_of, stationary_since
 from fleet_tui.situation import links
 from fleet_tui.situation.facts import BAD_DATA
-from fleet_tui.situation.robots import absence, last_contact
+from fleet_tui.situation.robots import absence, last_contact, silent
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.units import ago
 
@@ -77,7 +79,7 @@ def silent_robot(state: FleetState, robot: Robot) -> Reason | None:
     strength = Strength.CERTAIN if fact.is_certain else Strength.POSSIBLE
     beside = [other for other in state.robots.values() if other.link == robot.link]
     remedy = fact.action
-    if fact.kind is not BAD_DATA and len(beside) > 1 and not any(map(state.is_online, beside)):
+    if fact.kind is not BAD_DATA and len(beside) > 1 and all(map(partial(silent, state), beside)):
         remedy = (
             f"All {len(beside)} robots of {robot.link} are silent: check its bridge and the network first"
         )

@@ -16,7 +16,7 @@ from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
 from fleet_tui.situation.fact import Fact
-from fleet_tui.situation.facts import BAD_DATA, REPEATED_POSE, SILENT
+from fleet_tui.situation.facts import BAD_DATA, SILENT
 from fleet_tui.situation.robots import absence, bad_data, last_contact, obstacle
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
@@ -35,11 +35,8 @@ def _old(state: FleetState, robot: Robot, unheard: Fact | None) -> Iterator[Run]
     for value, name in _NAMES.items():
         if state.is_old(robot, value):
             reading: Reading[object] = getattr(robot, value)
-            if value == "pose" and robot.is_undated:
-                yield tr(f"{tr(name)} of unknown age"), StyleRole.WARN
-                continue
             if value == "pose" and unheard is not None:
-                is_calm = unheard.kind is REPEATED_POSE
+                is_calm = unheard.priority is Priority.LOW
                 yield tr(unheard.short), StyleRole.DIM if is_calm else StyleRole.WARN
                 continue
             yield tr(f"{tr(name)} {age(state.now - reading.at)} old"), StyleRole.WARN
@@ -74,19 +71,10 @@ def is_on_its_way(state: FleetState, robot: Robot) -> bool:
     return fact is not None and not fact.is_certain and robot.name not in in_trouble(state)
 
 
-def _late(state: FleetState, robot: Robot, received: float) -> str:
-    """Return the age of what is known of a robot behind a late bridge: that of its pose, as on the map, if
-    something newer came since."""
-    if robot.pose is not None and received - robot.pose.at >= 1.0:
-        name = "pose"
-        return tr(f"{tr(name)} {age(state.now - robot.pose.at)} old")
-    return tr(f"silent {age(state.now - received + state.links[robot.link].late)}")
-
-
 def _absent(state: FleetState, robot: Robot, fact: Fact) -> Run:
     """Return why nothing is known of a robot that is not online."""
     if robot.last_received is not None and is_on_its_way(state, robot):
-        return _late(state, robot, robot.last_received), StyleRole.WARN
+        return tr(fact.short), StyleRole.WARN
     is_urgent = fact.kind in (SILENT, BAD_DATA) or robot.name in in_trouble(state)
     return tr(fact.short), StyleRole.ALARM if is_urgent else StyleRole.DIM
 

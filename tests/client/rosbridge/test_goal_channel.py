@@ -8,9 +8,9 @@ from msgspec.structs import replace
 
 from fleet_tui.client.queue_file import WaitingOrder
 from fleet_tui.client.rosbridge import goal_channel
-from fleet_tui.client.waiting_orders import RESTARTED, WaitingOrders
+from fleet_tui.client.waiting_orders import WaitingOrders
 from fleet_tui.config.start import initial_state
-from fleet_tui.model.commands import ClearOrders, Command, PauseRobot, Stage
+from fleet_tui.model.commands import RESTARTED, ClearOrders, Command, PauseRobot, Stage
 from fleet_tui.model.events import CommandIssued
 from fleet_tui.rules.commands.local_queue import waiting
 from fleet_tui.state.store import Store

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from itertools import pairwise
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from msgspec import structs
@@ -11,7 +12,7 @@ from fleet_tui.model.alarm import Alarm, Condition, Priority
 from fleet_tui.model.commands import CancelOrder, Stage
 from fleet_tui.model.desk.desk import CommandElsewhere
 from fleet_tui.model.desk.events import CommandedElsewhere
-from fleet_tui.model.events import QueueReported
+from fleet_tui.model.events import Event, MessageRejected, QueueReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity, Charge, LaterCause, LinkChange, OrderChange, Span
 from fleet_tui.rules.history.observing import EVERY, HOUR, SLEPT, Fact, Observer
@@ -242,3 +243,29 @@ def test_an_end_that_another_console_caused_is_told_so_once_also_if_that_is_know
     assert of_orders(told(observer, state)) == []
     state = reduced(state, queue(T0 + 9, (7, 1, 2, "D")), tick(T0 + 9))
     assert of_orders(told(observer, state)) == [("7", "done")]
+
+
+def test_a_clear_of_another_console_is_no_cause_of_the_end_of_what_was_ordered_after_it() -> None:
+    state = reduced(fleet(), link_up(T0), graph(1, 2), pose(T0), queue(T0, (7, 1, 2, "Q")), tick(T0))
+    observer = Observer()
+    told(observer, state)
+    clear = CommandElsewhere("run 9", R0, "", "ben", "pc:7", T0 + 1, Stage.CONFIRMED, "clear")
+    gone = QueueReported(R0, T0 + 1.2, order_queue(7, -1))
+    state = reduced(state, CommandedElsewhere(clear), gone, pose(T0 + 1.2), tick(T0 + 1.2))
+    assert of_orders(told(observer, state)) == [("7", "cancelled elsewhere")]
+    state = reduced(state, queue(T0 + 2, (8, 1, 2, "w"), current=8), pose(T0 + 2, 1.0), tick(T0 + 2))
+    told(observer, state)
+    state = reduced(state, QueueReported(R0, T0 + 9, order_queue(8, -1)), pose(T0 + 9, 1.0), tick(T0 + 9))
+    assert of_orders(told(observer, reduced(state, tick(T0 + 12)))) == [("8", "done")]
+
+
+@pytest.mark.parametrize("told_of", [MessageRejected(R0, "/robot_0/pose: x is missing"), None])
+def test_time_in_which_nothing_tells_what_a_robot_does_is_no_time_offline(told_of: Event | None) -> None:
+    """It sends only what nobody can read, or its one message is of unknown age."""
+    observer = Observer()
+    state = reduced(fleet(), link_up(T0 - 60), pose(T0 - 0.1, stamp=900.0), tick(T0))
+    for n in range(1, 40):
+        event = told_of or tick(T0 + n / 10)
+        state = reduced(state, event, tick(T0 + n / 10))
+        told(observer, state)
+    assert [span.activity for span in observer.finish() if isinstance(span, Span)] == []

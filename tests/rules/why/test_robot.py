@@ -147,7 +147,7 @@ def late_and_silent(late: float) -> FleetState:
 def test_silence_behind_a_bridge_that_is_late_is_laid_to_the_bridge() -> None:
     bridge, silence = reasons(late_and_silent(25.0), late_and_silent(25.0).robots[R0])[:2]
     assert (bridge.name, bridge.strength) == ("messages 25 s late", Strength.CERTAIN)
-    assert (silence.name, silence.strength) == ("offline 20 s", Strength.POSSIBLE)
+    assert (silence.name, silence.strength) == ("silent 20 s", Strength.POSSIBLE)
     assert reasons(late_and_silent(0.0), late_and_silent(0.0).robots[R0])[0].name == "offline 20 s"
 
 
