@@ -3,10 +3,11 @@
 import pytest
 
 from fleet_tui.cli.status.report import attention
-from fleet_tui.model.events import BridgeAnswered, MessageRejected
+from fleet_tui.model.events import BridgeAnswered, MessageRejected, PausedReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
+from fleet_tui.rules.alarms.trouble import to_look_at
 from fleet_tui.rules.commands.checks import problems
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.situation.fact import FactKind
@@ -153,3 +154,10 @@ def test_who_sent_bad_data_alone_and_then_nothing_was_seen() -> None:
     bad = (event for n in range(5) for event in (MessageRejected(R0, BAD), tick(T0 + n)))
     state = reduced(fleet(), link_up(T0 - 60), *bad, tick(T0 + 30))
     assert next(news(state, state.robots[R0]))[0] == "offline 27 s"
+
+
+def test_status_names_whom_the_top_line_counts_to_look_at() -> None:
+    state = reduced(fleet(), link_up(T0 - 60), pose(T0), battery(T0), queue(T0), tick(T0))
+    state = reduced(state, PausedReported(R0, T0 + 0.1, True), tick(T0 + 0.2))
+    assert to_look_at(state) == (R0,)
+    assert "robot_0: paused (elsewhere)" in attention(state)

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator
+from itertools import islice
 from typing import Any
 
 from fleet_tui.cli.session import missing
@@ -14,11 +15,14 @@ from fleet_tui.model.kind import PAUSE
 from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Reading, Robot
+from fleet_tui.rules.alarms.trouble import to_look_at
 from fleet_tui.situation.facts import OBSTACLE
 from fleet_tui.situation.links import behind, late_link
 from fleet_tui.situation.robots import absence, blocked_robots
 from fleet_tui.text.limits import some
 from fleet_tui.text.units import counted
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.news import news
 
 VERSION = 2
 
@@ -139,6 +143,9 @@ def attention(state: FleetState) -> list[str]:
         if alarm.holds and alarm.condition.kind not in ("link", "commands"):
             lines.append(f"{alarm.condition.source}: {alarm.text}")
     lines += _unknown(state)
+    for name in to_look_at(state):
+        urgent = (text for text, role in news(state, state.robots[name]) if role is not StyleRole.DIM)
+        lines += [f"{name}: {text}" for text in islice(urgent, 1)]
     # An alarm may have reported it already.
     return list(dict.fromkeys(lines))
 

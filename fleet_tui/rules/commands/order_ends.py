@@ -23,6 +23,8 @@ EVIDENCE_WITHIN = 1.0
 """Seconds within which another console's command is known here: the end of its order may be seen before."""
 TAKES_EFFECT_WITHIN = 3.0
 """Seconds from another console's cancel or clear to the end of what it removed, at most."""
+ANSWERED_WITHIN = 1.5
+"""Seconds from the end of a goal in which its command ends, with the robot's own answer or without."""
 REMOVED_WITHIN = 60.0
 """Seconds before the end of another client's order in which a cancel or clear counts as its cause."""
 REMOVED = frozenset({Stage.ACCEPTED, Stage.CONFIRMED, Stage.LATE})
@@ -61,7 +63,10 @@ def seen_end(state: FleetState, robot: Robot, gone: GoneOrder) -> ExplainedEnd:
     record = placed_by(state, robot, gone.order)
     if record is not None and record.stage in ORDER_ENDS:
         return ExplainedEnd(record.stage, record.detail.removeprefix(f"order {record.order_id}: "))
-    return end_of(state, robot, gone, record)
+    end = end_of(state, robot, gone, record)
+    # Its command waits for the robot's own answer, which may tell of stops that were missed.
+    waits = record is not None and robot.kind.keeps_goals and state.now - gone.at < ANSWERED_WITHIN
+    return end._replace(is_open=end.is_open or waits)
 
 
 def placed_by(state: FleetState, robot: Robot, order: Order) -> CommandRecord | None:

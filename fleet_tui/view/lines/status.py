@@ -67,31 +67,21 @@ def resume_all(keys: Mapping[str, tuple[str, ...]]) -> str:
     return tr(f"{key}{' ' * (len(key) > 1)}resume all")
 
 
-def _no_link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
-    if not link.was_up and now - link.since < STARTING:
-        yield tr("○ connecting "), StyleRole.TEXT
-        yield f"{address} ", StyleRole.DIM
-        yield tr(sanitize(link.reason)), StyleRole.DIM
-        return
-    yield tr(f"○ no link for {age(now - link.since)}, "), StyleRole.ALARM
-    if link.phase is Phase.CONNECTING or link.next_try is None:
-        yield tr("connecting"), StyleRole.TEXT
-    else:
-        yield tr(f"retry in {max(0.0, link.next_try - now):.0f} s"), StyleRole.TEXT
-    # The end is cut first.
-    if link.reason:
-        yield f": {tr(sanitize(link.reason))}", StyleRole.WARN
-    last = "" if link.last_received is None else tr(f", last message {age(now - link.last_received)} ago")
-    yield f"{last} {address}", StyleRole.DIM
-
-
-def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
+def _age_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
+    """Yield whether there is a link, and how old what is shown is: what no line may cut."""
     if link.phase is not Phase.UP:
-        yield from _no_link_runs(link, now, address)
+        if not link.was_up and now - link.since < STARTING:
+            yield tr("○ connecting "), StyleRole.TEXT
+            return
+        yield tr(f"○ no link for {age(now - link.since)}, "), StyleRole.ALARM
+        if link.phase is Phase.CONNECTING or link.next_try is None:
+            yield tr("connecting"), StyleRole.TEXT
+        else:
+            yield tr(f"retry in {max(0.0, link.next_try - now):.0f} s"), StyleRole.TEXT
         return
     late = is_late(link)
     yield "● ", StyleRole.WARN if late else StyleRole.GOOD
-    if late:  # before the address, which a narrow line cuts
+    if late:
         yield tr(f"{duration(link.late)} late: {LATE_LINK.word} "), StyleRole.WARN
     yield f"{address} ", StyleRole.TEXT
     if link.last_received is None:
@@ -99,6 +89,20 @@ def _link_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
     elif not late:  # what arrives just now is old
         silent = max(0.0, now - link.last_received)
         yield f"{duration(silent)}", StyleRole.DIM if silent < SILENT_AFTER else StyleRole.WARN
+
+
+def _trouble_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
+    """Yield what else there is to say of a link; the end is cut first."""
+    if link.phase is not Phase.UP:
+        if not link.was_up and now - link.since < STARTING:
+            yield f"{address} ", StyleRole.DIM
+            yield tr(sanitize(link.reason)), StyleRole.DIM
+            return
+        if link.reason:
+            yield f": {tr(sanitize(link.reason))}", StyleRole.WARN
+        last = "" if link.last_received is None else tr(f", last message {age(now - link.last_received)} ago")
+        yield f"{last} {address}", StyleRole.DIM
+        return
     if link.waiting_topics:
         done = link.topics - link.waiting_topics
         yield tr(f" subscribing: {done} of {link.topics} topics"), StyleRole.TEXT
@@ -139,25 +143,27 @@ def status_line(
     only by its name; a recording always by its address.
 
     `kept` are notes on files, recordings and the desk. In `width` cells the link keeps its age: first their
-    paths are shortened, then they are cut, then the address.
+    paths are shortened, then they are cut, then the address, then the other notes.
     """
-    head = [*_head(state, selected), *((note + "  ", StyleRole.WARN) for note in notes)]
+    head = list(_head(state, selected))
     link = _worst(state)
     address = sanitize(link.url if addressed or link.is_bag else link.name)
     tail = _link_tail(state, link, address)
     if width is None:
-        return (*head, *((note + "  ", StyleRole.WARN) for note in kept), *tail)
+        return (*head, *((note + "  ", StyleRole.WARN) for note in (*notes, *kept)), *tail)
+    least = list(_age_runs(link, state.now, fit_words(address, LEAST).rstrip()))
+    head += _in_space(notes, width - width_of(head) - width_of(least))
     space = width - width_of(head) - width_of(tail)
     if space < 0:
         tail = _link_tail(state, link, fit_words(address, max(LEAST, cell_width(address) + space)).rstrip())
+    if cell_width("".join(note + "  " for note in kept)) > space:
+        kept = [_PATH.sub(r"…\1", note) for note in kept]
     return (*head, *_in_space(kept, space), *tail)
 
 
-def _in_space(kept: Sequence[str], space: int) -> Iterator[Run]:
-    """Yield notes in so many cells: with short paths if need be, then cut, then none."""
-    text = "".join(note + "  " for note in kept)
-    if cell_width(text) > space:
-        text = _PATH.sub(r"…\1", text)
+def _in_space(notes: Sequence[str], space: int) -> Iterator[Run]:
+    """Yield notes in so many cells, cut if need be, or none."""
+    text = "".join(note + "  " for note in notes)
     if cell_width(text) <= space:
         yield text, StyleRole.WARN
     elif space > LEAST:
@@ -180,7 +186,7 @@ def _head(state: FleetState, selected: str) -> Iterator[Run]:
 
 def _link_tail(state: FleetState, link: LinkState, address: str) -> list[Run]:
     others = len(state.links) - 1
-    runs = list(_link_runs(link, state.now, address))
+    runs = [*_age_runs(link, state.now, address), *_trouble_runs(link, state.now, address)]
     if others > 0 and link.phase is not Phase.UP:  # before what a narrow line cuts
         runs.insert(0, (f"{sanitize(link.name)} ", StyleRole.ALARM))
     if others > 0:

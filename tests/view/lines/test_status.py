@@ -213,6 +213,20 @@ def test_notes_on_files_never_push_the_link_out(width: int) -> None:
     assert "/home/operator" in text_of(status_line(state, R0, kept=KEPT, width=400)), "all of it has space"
 
 
+@pytest.mark.parametrize("width", [80, 120, 180])
+@pytest.mark.parametrize("phase", [Phase.UP, Phase.WAITING])
+def test_nor_do_notes_on_this_console(width: int, phase: Phase) -> None:
+    state = reduced(fleet(), link_up(T0 - 60), events.MessageArrived(LINK, T0), tick(T0))
+    dead = events.CommandPathChanged(LINK, CommandPath.DEAD, "no reply from the bridge to calls", True)
+    state = reduced(state, dead, tick(T0 + 1))
+    if phase is Phase.WAITING:
+        lost = events.LinkChanged(LINK, T0 + 1, Phase.WAITING, "no answer from the server", T0 + 4)
+        state = reduced(state, lost, tick(T0 + 30))
+    notes = ["ALL PAUSED, R resumes all", "read-only", "not armed", "this console is 12 s behind"]
+    shown = text_of(status_line(state, R0, notes, kept=KEPT, width=width))[:width]
+    assert ("no link for 29 s" if phase is Phase.WAITING else " 1.0 s") in shown and "ALL PAUSED" in shown
+
+
 def test_a_long_address_is_cut_before_the_age_of_the_link() -> None:
     state = reduced(fleet(), link_up(T0), events.MessageArrived(LINK, T0 + 1), tick(T0 + 1))
     link = replace(state.links[LINK], url=f"wss://{'bridge.' * 12}example.org:9090")
