@@ -119,7 +119,8 @@ def _elsewhere(
     state: FleetState, robot: Robot, gone: GoneOrder, record: CommandRecord | None
 ) -> CommandElsewhere | None:
     """Return what another console did to remove an order since it was placed, the last before its end."""
-    since = gone.at - REMOVED_WITHIN if record is None else record.issued_at
+    lately = gone.at - REMOVED_WITHIN
+    since = lately if record is None else record.issued_at
     found = (
         removal
         for removal in reversed(state.desk.elsewhere)
@@ -127,6 +128,8 @@ def _elsewhere(
         and removal.removes
         and removal.order_id in ("", gone.order.id)
         and since <= removal.at <= gone.at + EVIDENCE_WITHIN
+        # One that was taken may take its time; of another nobody knows whether it did anything.
+        and (removal.stage in REMOVED or removal.at >= lately)
         and _was_listed(gone, removal.at)
     )
     return next(found, None)

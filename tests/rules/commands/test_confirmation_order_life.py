@@ -421,6 +421,16 @@ def test_evidence_that_comes_late_corrects_the_end() -> None:
     ]
 
 
+def test_a_cancel_that_nobody_saw_take_effect_is_no_cause_of_an_end_long_after_it() -> None:
+    for after, stage in ((10.0, Stage.CANCELLED_ELSEWHERE), (200.0, Stage.LEFT)):
+        drives = [driving(T0 + 2 + n) for n in range(int(after))]
+        tried = elsewhere(T0 + 2.5, Stage.NOT_CONFIRMED)
+        state = given(
+            drives[0], tried, *drives[1:], pose(T0 + after), gone(T0 + after + 2), tick(T0 + after + 4)
+        )
+        assert first(state).stage is stage
+
+
 def of_command(state: FleetState) -> list[AlarmStage]:
     return [alarm.stage for alarm in state.alarms if alarm.condition.kind == "command"]
 
