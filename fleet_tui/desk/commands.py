@@ -49,5 +49,5 @@ def elsewhere_event(fact: SharedCommand, by: str) -> CommandedElsewhere:
     key, at = f"{fact.console} {fact.request}", time.monotonic()
     console = f"{host}:{process}"
     return CommandedElsewhere(
-        CommandElsewhere(key, fact.robot, fact.order, by, console, at, fact.stage, fact.what)
+        CommandElsewhere(key, fact.robot, fact.order, by, console, at, fact.stage, fact.what, True)
     )

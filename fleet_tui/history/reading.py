@@ -20,6 +20,8 @@ OBSERVED = (
 """Limits a query to the robots that were observed in a time: their name is the first column of the keys."""
 
 MOST = 100_000
+NUMBERED_WITHIN = 600.0
+"""Seconds from a command to the number of its order, which is another order's after the robot restarts."""
 
 
 class History:
@@ -167,7 +169,9 @@ ALARM = (
 OPEN_ORDERS = f"""
 SELECT robot, name, way, floor, queued, begun, ended, stage, reason, coalesce(nullif(operator, ''), (
   SELECT commands.operator FROM commands WHERE commands.robot = orders.robot
-    AND commands.reason = '{IN_QUEUE}' || orders.name ORDER BY at DESC LIMIT 1), '')
+    AND commands.reason = '{IN_QUEUE}' || orders.name
+    AND (orders.name GLOB '*[^0-9]*' OR commands.at > orders.queued - {NUMBERED_WITHIN})
+  ORDER BY at DESC LIMIT 1), '')
 FROM orders WHERE ended IS NULL
 UNION ALL
 SELECT robot, '', way, '', at, NULL, NULL, stage, reason, operator FROM commands WHERE stage = :waiting

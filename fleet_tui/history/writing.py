@@ -9,6 +9,7 @@ from typing import assert_never
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.commands import NEXT, ORDER_ENDS, RESTARTED, Stage
 from fleet_tui.model.history.facts import Charge, LaterCause, LinkChange, Note, OrderChange, Span
+from fleet_tui.model.order_life import STARTED_OVER
 from fleet_tui.rules.history.observing import BEGUN, HOUR, QUEUED, Fact
 
 LOG = logging.getLogger(__name__)
@@ -17,6 +18,8 @@ INFERRED = frozenset(stage.value for stage, end in ORDER_ENDS.items() if end.is_
 STAGES = frozenset(stage.value for stage in Stage)
 UNSEEN = "end not seen"
 """The stage of an order that was open when nobody observed the fleet."""
+LISTED_AGAIN_WITHIN = 600.0
+"""Seconds after an inferred end in which an order of the same name is that one, listed again."""
 SAME_END = 5.0
 """Seconds by which two consoles may differ on the end of an order."""
 
@@ -97,6 +100,8 @@ def _write_charge(database: sqlite3.Connection, charge: Charge) -> None:
 
 def _write_order(database: sqlite3.Connection, change: OrderChange, run: str, operator: str) -> None:
     row = _open_order(database, change, run)
+    if row is None and change.stage not in ENDS:
+        row = _listed_again(database, change, run)
     is_end = change.stage in ENDS and (row is None or row[1] > change.at)
     if is_end and (_has_ended(database, change) or _is_corrected(database, change, run)):
         return
@@ -134,6 +139,27 @@ def _open_order(database: sqlite3.Connection, change: OrderChange, run: str) -> 
         "SELECT id, queued FROM orders WHERE robot = :robot AND name = :name AND ended IS NULL"
         " AND (way = :way OR run = :run OR name GLOB '*[^0-9]*') ORDER BY way = :way DESC",
         {"robot": change.robot, "name": change.order, "way": change.way, "run": run},
+    ).fetchone()
+    return found
+
+
+def _listed_again(database: sqlite3.Connection, change: OrderChange, run: str) -> tuple[int, float] | None:
+    """Open the row of an order again that was thought to have ended; return it and when it was queued."""
+    inferred = ", ".join(f"'{stage}'" for stage in sorted(INFERRED))
+    found: tuple[int, float] | None = database.execute(
+        "UPDATE orders SET ended = NULL, stage = :stage, reason = '' WHERE id = (SELECT max(id) FROM orders"
+        f" WHERE robot = :robot AND name = :name AND stage IN ({inferred}) AND reason != :restarted"
+        " AND ended > :at - :same AND (way = :way OR run = :run)) RETURNING id, queued",
+        {
+            "stage": change.stage,
+            "robot": change.robot,
+            "name": change.order,
+            "restarted": STARTED_OVER,
+            "at": change.at,
+            "same": LISTED_AGAIN_WITHIN,
+            "way": change.way,
+            "run": run,
+        },
     ).fetchone()
     return found
 

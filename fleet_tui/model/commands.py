@@ -176,9 +176,9 @@ NEXT: Mapping[Stage, frozenset[Stage]] = {
     Stage.CANCELLED: frozenset(),
     # Known from the other console alone: the robot's own report stands.
     Stage.CANCELLED_ELSEWHERE: frozenset({Stage.DONE, Stage.FAILED, Stage.REPLACED}),
-    # Inferred from a queue: corrected by a report, or by what another console did.
-    Stage.LEFT: _REPORTED,
-    Stage.LOST: _REPORTED,
+    # Inferred from a queue: corrected by a report, by what another console did, or as it is listed again.
+    Stage.LEFT: _REPORTED | {Stage.CONFIRMED},
+    Stage.LOST: _REPORTED | {Stage.CONFIRMED},
     Stage.FAILED: frozenset(),
     Stage.REPLACED: frozenset(),
 }

@@ -126,6 +126,17 @@ def test_an_order_with_a_unique_name_is_one_whatever_a_console_knows_of_its_way(
     assert [(one.order, one.way) for one in History(database).open_orders()] == [("161219e8", "A -> B")]
 
 
+def test_the_number_of_an_order_of_yesterday_tells_nothing_of_that_of_today(
+    database: sqlite3.Connection,
+) -> None:
+    told = {"kind": "command", "what": "order", "robot": "r", "start": "A", "end": "B", "id": 1}
+    words = "seen in the queue as order 3"
+    ben = Origin("ben", "host:2", "run2")
+    write(database, ben.record(5.0, change="confirmed", words=words, **told), "run2", "ben")
+    order(database, "3", 86_400.0, 0.0)
+    assert [(one.order, one.operator) for one in History(database).open_orders()] == [("3", "")]
+
+
 def test_alarms_are_open_until_they_are_over_and_seen(database: sqlite3.Connection) -> None:
     lives = {"r": ["raised"], "s": ["raised", "returned"], "t": ["raised", "returned, cleared"]}
     for robot, changes in lives.items():

@@ -9,12 +9,14 @@ from pathlib import Path
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from msgspec import structs
 
 from fleet_tui.audit.entries import Origin
 from fleet_tui.history.database import SCHEMA, open_to_write
 from fleet_tui.history.reading import History
 from fleet_tui.history.writing import UNSEEN, end_unseen, end_unseen_alarms, write, write_all
 from fleet_tui.model.history.facts import Activity, Charge, LaterCause, LinkChange, Note, OrderChange, Span
+from fleet_tui.model.order_life import STARTED_OVER
 from fleet_tui.rules.history.observing import HOUR, Fact
 from tests.support.records import ANA
 
@@ -46,7 +48,8 @@ def test_an_order_has_one_row_from_queue_to_end(database: sqlite3.Connection) ->
 
 
 def test_an_id_that_starts_over_is_another_order(database: sqlite3.Connection) -> None:
-    found = put(database, change("queued", 10.0), change("lost", 20.0), change("queued", 30.0))
+    lost = structs.replace(change("lost", 20.0), reason=STARTED_OVER)
+    found = put(database, change("queued", 10.0), lost, change("queued", 30.0))
     assert [order.stage for order in found.orders(*ALL)] == ["lost", "queued"]
 
 
@@ -226,3 +229,12 @@ def test_an_inferred_end_is_replaced_by_what_is_known_later(database: sqlite3.Co
         write(database, OrderChange("r", "9", "A -> B", at, stage), "run1", "ana")
     rows = database.execute("SELECT name, stage, ended FROM orders ORDER BY name").fetchall()
     assert rows == [("7", "cancelled elsewhere", 5.0), ("8", "done", 5.0), ("9", "done", 5.0)]
+
+
+def test_an_order_that_is_listed_again_is_one_order(database: sqlite3.Connection) -> None:
+    for at, stage in ((1.0, "queued"), (2.0, "begun"), (5.0, "lost"), (9.0, "begun"), (20.0, "done")):
+        write(database, OrderChange("r", "7", "A -> B", at, stage), "run1", "ana")
+    for at, stage in ((1.0, "queued"), (5.0, "lost"), (9.0, "queued")):
+        write(database, OrderChange("r", "8", "A -> B", at, stage, reason=STARTED_OVER), "run1", "ana")
+    rows = database.execute("SELECT name, stage, ended FROM orders ORDER BY id").fetchall()
+    assert rows == [("7", "done", 20.0), ("8", "lost", 5.0), ("8", "queued", None)]

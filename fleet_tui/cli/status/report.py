@@ -143,7 +143,7 @@ def attention(state: FleetState) -> list[str]:
         if alarm.holds and alarm.condition.kind not in ("link", "commands"):
             lines.append(f"{alarm.condition.source}: {alarm.text}")
     lines += _unknown(state)
-    for name in to_look_at(state):
+    for name in [name for name in to_look_at(state) if name not in blocked]:
         urgent = (text for text, role in news(state, state.robots[name]) if role is not StyleRole.DIM)
         lines += [f"{name}: {text}" for text in islice(urgent, 1)]
     # An alarm may have reported it already.

@@ -39,8 +39,8 @@ REMOVES = ("cancel", "clear")
 
 class CommandElsewhere(Struct, frozen=True):
     """A command that another console sent to a robot: `order_id` is the order that it removes, empty for all
-    or none; `at` the monotonic second of its sending, `stage` its newest; `key` identifies it; `by` is the
-    operator, `console` host:process, `what` its name in the audit log."""
+    or none; `at` the monotonic second of its sending, or if it `is_arrival` of its news, `stage` its newest;
+    `key` identifies it; `by` is the operator, `console` host:process, `what` its name in the audit log."""
 
     key: str
     robot: str
@@ -50,6 +50,7 @@ class CommandElsewhere(Struct, frozen=True):
     at: float
     stage: Stage
     what: str
+    is_arrival: bool = False
 
     @property
     def removes(self) -> bool:

@@ -73,14 +73,14 @@ def failed_commands(state: FleetState) -> Iterator[Condition]:
 
 
 def taken_back(state: FleetState) -> set[Key]:
-    """Return the keys of the alarms on ends of orders that all were corrected to one that needs no person."""
+    """Return the keys of the alarms on ends of orders that all were corrected to what needs no person."""
     alarms = [alarm for alarm in state.alarms if class_of(alarm.condition.kind) == "command"]
     if not alarms:
         return set()
     corrected = {
         f"{record.id} {stage.value}"
         for record in state.commands
-        if record.stage in commands.ORDER_ENDS and record.stage not in commands.FAILURES
+        if record.stage not in commands.FAILURES
         for stage in commands.CORRECTABLE
     }
     return {alarm.key for alarm in alarms if alarm.condition.parts and alarm.condition.parts <= corrected}

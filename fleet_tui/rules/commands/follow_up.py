@@ -113,6 +113,9 @@ def _corrected(state: FleetState, robot: Robot, record: CommandRecord) -> Comman
     if record.stage not in CORRECTABLE or STARTED_OVER in record.detail:
         return record
     known = [one for one in robot.gone if one.order.id == record.order_id and one.at >= record.issued_at]
+    again = robot.traces.get(record.order_id or "") if Stage.CONFIRMED in NEXT[record.stage] else None
+    if again is not None and again.order.serial == record.order_serial:
+        return _advanced_to(state, record, Stage.CONFIRMED, f"listed again; corrects: {record.stage.value}")
     listed = _listed(robot, record, state.now)
     gone = listed or (known[-1] if known else None)
     if gone is None or not (robot.kind.reports_ends or gone.order.serial == record.order_serial):

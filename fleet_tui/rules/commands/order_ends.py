@@ -25,6 +25,8 @@ TAKES_EFFECT_WITHIN = 3.0
 """Seconds from another console's cancel or clear to the end of what it removed, at most."""
 ANSWERED_WITHIN = 1.5
 """Seconds from the end of a goal in which its command ends, with the robot's own answer or without."""
+ARRIVES_WITHIN = 5.0
+"""Seconds from a command of a console on another machine to its news here: network folders keep listings."""
 REMOVED_WITHIN = 60.0
 """Seconds before the end of another client's order in which a cancel or clear counts as its cause."""
 REMOVED = frozenset({Stage.ACCEPTED, Stage.CONFIRMED, Stage.LATE})
@@ -127,7 +129,7 @@ def _elsewhere(
         if removal.robot == robot.name
         and removal.removes
         and removal.order_id in ("", gone.order.id)
-        and since <= removal.at <= gone.at + EVIDENCE_WITHIN
+        and since <= removal.at <= gone.at + (ARRIVES_WITHIN if removal.is_arrival else EVIDENCE_WITHIN)
         # One that was taken may take its time; of another nobody knows whether it did anything.
         and (removal.stage in REMOVED or removal.at >= lately)
         and _was_listed(gone, removal.at)

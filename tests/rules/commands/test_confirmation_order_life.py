@@ -431,6 +431,26 @@ def test_a_cancel_that_nobody_saw_take_effect_is_no_cause_of_an_end_long_after_i
         assert first(state).stage is stage
 
 
+def test_news_of_another_machine_that_are_late_correct_the_end() -> None:
+    state = given(gone(T0 + 2), tick(T0 + 4))
+    news = replace(elsewhere(T0 + 5, Stage.CONFIRMED).command, is_arrival=True)
+    assert first(reduced(state, CommandedElsewhere(news), tick(T0 + 6))).stage is Stage.CANCELLED_ELSEWHERE
+    assert first(reduced(state, elsewhere(T0 + 5, Stage.CONFIRMED), tick(T0 + 6))).stage is Stage.LEFT
+
+
+def test_an_order_that_is_listed_again_has_not_ended() -> None:
+    lost = given(driving(T0 + 2), gone(T0 + 44), tick(T0 + 45), tick(T0 + 46))
+    assert first(lost).stage is Stage.LOST and of_command(lost)
+    state = reduced(lost, driving(T0 + 47), tick(T0 + 47.1))
+    assert (first(state).stage, first(state).detail) == (
+        Stage.CONFIRMED,
+        "order 5: listed again; corrects: lost",
+    )
+    assert of_command(state) == [] and not state.robots[R0].gone
+    state = reduced(state, pose(T0 + 48, 3.0), driving(T0 + 48), gone(T0 + 49), tick(T0 + 51))
+    assert first(state).stage is Stage.DONE
+
+
 def of_command(state: FleetState) -> list[AlarmStage]:
     return [alarm.stage for alarm in state.alarms if alarm.condition.kind == "command"]
 
