@@ -11,7 +11,7 @@ from fleet_tui.adapters.vda5050.topics import Topics
 from fleet_tui.config.fleet import adapters_of, feeds_of, limit_of
 from fleet_tui.config.schema import Config
 from fleet_tui.model.events import Event, MessageRejected, PoseReported
-from fleet_tui.model.vehicles.events import ConnectionReported, VehicleReported
+from fleet_tui.model.vehicles.events import ConnectionReported, MessageKept, VehicleReported
 from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleConnection
 from fleet_tui.transports.mqtt.connection import BrokerConnection
 
@@ -124,7 +124,7 @@ def _note(facts: VehicleFacts, event: Event) -> None:
         facts.pose = event
         if event.stamp is not None:
             facts.lags.append(time.time() - event.stamp)
-    elif isinstance(event, MessageRejected):
+    elif isinstance(event, MessageRejected | MessageKept):
         facts.problem = event.text
 
 

@@ -66,9 +66,9 @@ class Robot(Struct, frozen=True, eq=False):
     progress, and since when; `jumps` are the metres of recent impossible jumps of its pose, each with its
     time; `relocated` is the last jump that its localisation made, in words; `misplaced` is why
     its newest pose at which it cannot be is none, `misplaced_since` when such poses began; `pace` its usual
-    speed in m/s while it drives; `fault_at` is the time of its last bad data; `says_paused`: it has a topic
-    for that, received or not; `traces` are the orders in its queue by id, `gone` those that left it,
-    newest last;
+    speed in m/s while it drives; `fault_at` is the time of its last bad data, `kept_at` that of a message of
+    unknown age that its broker had kept; `says_paused`: it has a topic for that, received or not; `traces`
+    are the orders in its queue by id, `gone` those that left it, newest last;
     `pause_lost_at` is when a restart ended our own pause; `goals` are those that its action servers list, by
     action; `odometry` is its newest pose by its wheels, of `odometry_at`, `located` its last localised pose
     on the map, `anchor` the origin of its wheel frame on the map; `variance` that of its position in square
@@ -134,6 +134,7 @@ class Robot(Struct, frozen=True, eq=False):
     faults: int = 0
     last_fault: str = ""
     fault_at: float | None = None
+    kept_at: float | None = None
     size: tuple[float, float] | None = None
     laser: Pose | None = None
     laser_flipped: bool = False

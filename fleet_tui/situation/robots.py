@@ -61,7 +61,7 @@ def silence(state: FleetState, robot: Robot) -> Fact:
         kind, text = SILENT, f"{SILENT.word if is_certain else 'silent'} {age(since_last)}{why}"
         evidence = "link up, no messages"
         question = f"{robot.name} is {SILENT.word} {age(since_last)}"
-    elif robot.is_undated:
+    elif robot.is_undated or robot.kept_at is not None:
         kind = AGE_UNKNOWN
         text = AGE_UNKNOWN.word
         evidence = "link up, one message received: it may be an old one"

@@ -34,6 +34,8 @@ def apply_vehicle(robot: Robot, event: vehicle_events.VehicleFact) -> Robot:
             return replace(robot, factsheet=dict(event.facts))
         case vehicle_events.MasterSeen():
             return replace(robot, master=Reading(event.what, event.at))
+        case vehicle_events.MessageKept():
+            return replace(robot, kept_at=event.at)
         case _:
             assert_never(event)
 

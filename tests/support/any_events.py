@@ -320,6 +320,7 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
     vehicle_events.FactsheetReported: st.builds(
         vehicle_events.FactsheetReported, ROBOTS, AT, st.dictionaries(IDS, st.text(max_size=9), max_size=3)
     ),
+    vehicle_events.MessageKept: st.builds(vehicle_events.MessageKept, ROBOTS, AT, st.text(max_size=9)),
     vehicle_events.MasterSeen: st.builds(vehicle_events.MasterSeen, ROBOTS, AT, st.text(max_size=9)),
     events.TimePassed: st.builds(events.TimePassed, AT, AT),
 }

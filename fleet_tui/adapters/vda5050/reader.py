@@ -13,6 +13,7 @@ from fleet_tui.adapters.vda5050.topics import VehicleAddress
 from fleet_tui.errors import WireError
 from fleet_tui.model import events
 from fleet_tui.model.counters import LinkCounter, TopicCounter
+from fleet_tui.model.vehicles.events import MessageKept
 from fleet_tui.text.limits import truncate
 
 MOST_KNOWN = 20_000
@@ -92,7 +93,7 @@ class MessageReader:
             if address.name in DATED:
                 self._undated[message.topic] = message
             counter.failed(KEPT_TEXT)
-            return (events.MessageRejected(robot, f"{address.name}: {KEPT_TEXT}"),)
+            return (MessageKept(robot, at, f"{address.name}: {KEPT_TEXT}"),)
         self._undated.pop(message.topic, None)
         read = self._read(message, robot, address, at)
         return *self._dated_by(read, at), *read

@@ -54,4 +54,14 @@ class MasterSeen(Struct, frozen=True, tag=True):
     ids: tuple[str, ...] = ()
 
 
-VehicleFact = VehicleReported | ConnectionReported | NodesReported | FactsheetReported | MasterSeen
+class MessageKept(Struct, frozen=True, tag=True):
+    """The broker had kept a message of a vehicle, or to it, whose age nothing tells; `text` says so."""
+
+    robot: str
+    at: float
+    text: str
+
+
+VehicleFact = (
+    VehicleReported | ConnectionReported | NodesReported | FactsheetReported | MasterSeen | MessageKept
+)

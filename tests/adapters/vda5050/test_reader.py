@@ -2,7 +2,9 @@
 
 from fleet_tui.adapters.vda5050.frames import BrokerMessage, frame_of
 from fleet_tui.model import events
-from fleet_tui.model.vehicles.events import ConnectionReported, VehicleReported
+from fleet_tui.model.vehicles.events import ConnectionReported, MessageKept, VehicleReported
+from fleet_tui.situation.facts import AGE_UNKNOWN
+from fleet_tui.situation.robots import absence
 from tests.support.vda_fleet import VehicleSite
 from tests.support.vda_messages import BASE, message, state
 
@@ -29,9 +31,13 @@ def test_a_kept_state_is_not_fresh_and_not_shown() -> None:
     site = VehicleSite()
     for name in ("state", "order"):
         (told,) = site.read(name, state(), kept=True)
-        assert isinstance(told, events.MessageRejected)
+        assert isinstance(told, MessageKept)
         assert told.text.startswith(f"{name}: retained by the broker, of unknown age: not shown")
     assert site.agv.vehicle is None and site.agv.pose is None and site.agv.last_received is None
+    for seconds in (0.2, 40.0):
+        site.wait(seconds)
+        fact = absence(site.state, site.agv)
+        assert fact is not None and fact.kind is AGE_UNKNOWN, "nobody spoke, and nothing is bad"
     (found,) = site.read("connection", message(connectionState="ONLINE"), kept=True)
     assert isinstance(found, ConnectionReported) and found.is_kept
 
@@ -60,7 +66,7 @@ def test_a_kept_state_is_as_old_as_its_timestamp_by_the_clock_of_another_vehicle
 def test_a_kept_state_is_dated_once_another_vehicle_reports() -> None:
     site = two_vehicles()
     (told,) = site.read("state", state(timestamp=OLD), kept=True)
-    assert isinstance(told, events.MessageRejected) and site.agv.pose is None
+    assert isinstance(told, MessageKept) and site.agv.pose is None
     site.wait(2.0)
     site.read("state", state(timestamp=NOW), base=OTHER)
     assert site.agv.last_received == site.now - 40.0 and not site.state.is_online(site.agv)
