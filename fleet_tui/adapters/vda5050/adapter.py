@@ -10,7 +10,14 @@ from fleet_tui.adapters.adapter import Feed, Outgoing, Publication, ServiceCall,
 from fleet_tui.adapters.probes import Probe
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros.names import Names
-from fleet_tui.adapters.vda5050.orders import cancel, instant_action, order
+from fleet_tui.adapters.vda5050.orders import (
+    COMMANDED,
+    NeverSeenError,
+    action_at,
+    cancel,
+    instant_action,
+    order,
+)
 from fleet_tui.adapters.vda5050.settings import VehicleSettings
 from fleet_tui.adapters.vda5050.topics import OF_MASTERS, READ, Topics
 from fleet_tui.adapters.vda5050.vocabulary import VOCABULARY
@@ -109,15 +116,32 @@ class VehicleAdapter:
     def outgoing(
         self, command: commands.Command, command_id: int, robot: Robot, unique: str = ""
     ) -> Sequence[Outgoing]:
-        """Return the message of a command, without its header. Raises CommandError for one that must not be
-        sent."""
+        """Return the message of a command, without its header, of a pause for a vehicle of which nothing has
+        arrived one for each way to write it. Raises CommandError for one that must not be sent."""
         unique = unique[: -len(self._site.console)] + self._site.console if self._site.console else unique
-        found = self._message(command, robot, unique)
-        address = self.topics.parse(found.address)
+        try:
+            found = [self._message(command, robot, unique)]
+        except NeverSeenError:
+            manufacturer, serial = self.vehicle(robot.name)
+            if not (isinstance(command, commands.PauseRobot) and manufacturer):
+                raise
+            found = [
+                action_at(
+                    self.settings,
+                    self.topics.named("instantActions", f"v{version[0]}", manufacturer, serial),
+                    *(version, "startPause", unique),
+                )
+                for version in COMMANDED
+            ]
+        return [self._addressed(message, robot) for message in found]
+
+    def _addressed(self, message: Publication, robot: Robot) -> Publication:
+        """Add whose message it is."""
+        address = self.topics.parse(message.address)
         if address is None:
-            raise CommandError(f"{found.address!r} is no topic of {robot.name}")
+            raise CommandError(f"{message.address!r} is no topic of {robot.name}")
         whose = {"manufacturer": address.manufacturer, "serialNumber": address.serial}
-        return (found._replace(message={**whose, **found.message}),)
+        return message._replace(message={**whose, **message.message})
 
     def _message(self, command: commands.Command, robot: Robot, unique: str) -> Publication:
         match command:

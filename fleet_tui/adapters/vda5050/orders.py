@@ -18,7 +18,9 @@ from fleet_tui.rules.commands.goals import active
 
 NOT_COMMANDED = 3
 """The first major version that is only read."""
-_MAJOR = re.compile(r"v?(\d+)")
+COMMANDED = ("2.1.0", "1.1.0")
+"""The newest versions of both ways to write an instant action, for a vehicle whose own is not known."""
+_MAJOR = re.compile(r"v?(\d+)", re.IGNORECASE)
 HERE = "here"
 """The first node of an order for a vehicle that stands at none."""
 AT_NODE = 0.5
@@ -28,23 +30,37 @@ Place = tuple[str, float | None, float | None]
 """A node: its id, and its place where that is known."""
 
 
+class NeverSeenError(CommandError):
+    """Nothing of a vehicle has arrived that tells its topics and its version."""
+
+
+def major_of(version: str) -> int | None:
+    """Return the first number of a version such as 2.0.0, v1.1 or V2, None without one."""
+    found = _MAJOR.match(version.strip())
+    return int(found[1]) if found else None
+
+
 def address_of(robot: Robot, name: str) -> tuple[str, str]:
     """Return the topic of a name and the version of a vehicle's messages. Raises CommandError for one that
     was never seen, or whose version is only read."""
     seen = robot.vehicle.value if robot.vehicle else robot.connection.value if robot.connection else None
     if seen is None:
-        raise CommandError(f"{robot.name} was never seen: its version is unknown")
+        raise NeverSeenError(f"{robot.name} was never seen: its version is unknown")
     version = seen.version or "2.0.0"
-    major = _MAJOR.match(version)
-    if major is None or int(major[1]) >= NOT_COMMANDED:
+    major = major_of(version)
+    if major is None or major >= NOT_COMMANDED:
         raise CommandError(f"{robot.name} speaks VDA 5050 {version}, which is only read, not commanded")
     return with_name(seen.address, name), version
 
 
 def instant_action(settings: VehicleSettings, robot: Robot, type_: str, unique: str) -> Publication:
     """Return an instant action; its id is the publication's name. Raises CommandError."""
-    topic, version = address_of(robot, "instantActions")
-    key = settings.instant_actions or ("instantActions" if version.startswith("1") else "actions")
+    return action_at(settings, *address_of(robot, "instantActions"), type_, unique)
+
+
+def action_at(settings: VehicleSettings, topic: str, version: str, type_: str, unique: str) -> Publication:
+    """Return an instant action on a topic, as vehicles of a version read it."""
+    key = settings.instant_actions or ("instantActions" if major_of(version) == 1 else "actions")
     id_ = str(UUID(hex=unique))
     action = {"actionType": type_, "actionId": id_, "blockingType": "NONE", "actionParameters": []}
     return Publication(topic, version, {key: [action]}, id_)

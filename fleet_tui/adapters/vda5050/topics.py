@@ -6,6 +6,8 @@ from typing import NamedTuple
 
 TEMPLATE = "{interface}/{version}/{manufacturer}/{serial}/{name}"
 LEVELS = ("interface", "version", "manufacturer", "serial", "name")
+INTERFACE = "uagv"
+"""The interface of the standard's examples."""
 ANY = "+"
 """A level of any content."""
 READ = ("connection", "state", "visualization", "factsheet", "order", "instantActions")
@@ -40,6 +42,14 @@ class Topics:
         found = self._template
         for level in LEVELS:
             found = found.replace(f"{{{level}}}", known.get(level) or ANY)
+        return found
+
+    def named(self, name: str, version: str, manufacturer: str, serial: str) -> str:
+        """Return the topic of a vehicle of which nothing has arrived, as the standard writes it."""
+        levels = {"interface": INTERFACE, "version": version, "manufacturer": manufacturer, "serial": serial}
+        found = self._template.replace("{name}", name)
+        for level, value in levels.items():
+            found = found.replace(f"{{{level}}}", value)
         return found
 
     def parse(self, topic: str) -> VehicleAddress | None:

@@ -6,7 +6,8 @@ import logging
 import random
 import time
 import uuid
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from functools import partial
@@ -15,6 +16,7 @@ import msgspec
 
 from fleet_tui.adapters.adapter import Adapter, Publication
 from fleet_tui.adapters.vda5050.answers import answer
+from fleet_tui.adapters.vda5050.orders import NeverSeenError
 from fleet_tui.client.patience import call_awake
 from fleet_tui.client.writer import Writer
 from fleet_tui.errors import CommandError, LinkError
@@ -32,6 +34,9 @@ LATEST = 1.0
 """Seconds after which a command that waited for a stalled console is out of date."""
 LONGEST_SILENCE = 2.5
 """Seconds without an answer of the broker after which a command may be delivered much later, or never."""
+SEEN_WITHIN, ADDRESSED_WITHIN = 1.5, 0.2
+"""Seconds for which a pause waits for the first message of its vehicle, without and with an address by the
+configuration: what the broker has kept comes at once, and has the vehicle's own version."""
 LATE_ANSWER = 60.0
 """Seconds after its deadline for which an answer still counts."""
 FIRST_NUMBERS = 2**24
@@ -65,23 +70,58 @@ class VehicleCommands:
         self._numbers: dict[str, itertools.count[int]] = {}
         """By topic: the next header id."""
         self._own: dict[str, None] = {}
+        self._unseen: dict[str, asyncio.Event] = {}
+        """By robot: set once a message of it has arrived for which a pause waits."""
+        self._under_way: set[asyncio.Task[None]] = set()
 
     def submit(self, command_id: int, command: Command, given_at: float) -> None:
         """Send a command that was given at `given_at` (monotonic)."""
         LOG.info("command %d: %s", command_id, truncate(str(command)))
+        if isinstance(command, PauseRobot) and not self._is_seen(command.robot):
+            task = asyncio.ensure_future(self._pause_unseen(command_id, command, given_at))
+            self._under_way.add(task)
+            task.add_done_callback(self._under_way.discard)
+            return
         try:
-            message = self._message(command, command_id, time.monotonic() - given_at)
-            number = self._publish(message)
+            self._send(command_id, command, given_at)
         except (LinkError, CommandError) as problem:
             self._advance(command_id, Stage.NOT_SENT, str(problem))
-            return
+
+    def _is_seen(self, name: str) -> bool:
+        robot = self._writer.store.state.robots[name]
+        return robot.vehicle is not None or robot.connection is not None
+
+    async def _pause_unseen(self, command_id: int, command: PauseRobot, given_at: float) -> None:
+        """Pause a vehicle as soon as it is known where it listens."""
+        late, reason = time.monotonic() - given_at, ""
+        arrived = self._unseen.setdefault(command.robot, asyncio.Event())
+        for patience in (ADDRESSED_WITHIN, SEEN_WITHIN - ADDRESSED_WITHIN):
+            with suppress(TimeoutError):
+                await asyncio.wait_for(arrived.wait(), patience)
+            try:
+                # It waits by intent: only what delayed it before counts.
+                self._send(command_id, command, time.monotonic() - late)
+            except NeverSeenError as problem:
+                reason = str(problem)
+            except (LinkError, CommandError) as problem:
+                reason = str(problem)
+                break
+            else:
+                return
+        self._advance(command_id, Stage.NOT_SENT, reason)
+
+    def _send(self, command_id: int, command: Command, given_at: float) -> None:
+        """Send a command. Raises CommandError or LinkError if it must not be sent."""
+        messages = self._messages(command, command_id, time.monotonic() - given_at)
+        numbers = [self._publish(message) for message in messages]
+        message, number = messages[0], numbers[0]
         name = message.name if isinstance(command, PlaceOrder) else ""
         self._writer.apply(CommandAdvanced(command_id, Stage.SENT, time.monotonic(), "", name))
         timer = call_awake(self._timeout, partial(self._overdue, message.name))
         self._asked[message.name] = AwaitedAnswer(command_id, command, number, timer)
 
-    def _message(self, command: Command, command_id: int, late: float) -> Publication:
-        """Return the message of a command. Raises CommandError or LinkError if it must not be sent."""
+    def _messages(self, command: Command, command_id: int, late: float) -> Sequence[Publication]:
+        """Return the messages of a command. Raises CommandError or LinkError if it must not be sent."""
         if late > LATEST:
             raise CommandError(f"console busy for {late:.1f} s: repeat the command")
         # A pause is tried even if other commands are held back: it can only make things safer.
@@ -91,10 +131,11 @@ class VehicleCommands:
         robot = state.robots[command.robot]
         if reason := unaccepted(state, command) or other_master(time.monotonic(), robot, command):
             raise CommandError(reason)
-        (found,) = self._adapters[robot.name].outgoing(command, command_id, robot, uuid.uuid4().hex)
-        if not isinstance(found, Publication):
+        found = self._adapters[robot.name].outgoing(command, command_id, robot, uuid.uuid4().hex)
+        messages = [one for one in found if isinstance(one, Publication)]
+        if len(messages) != len(found):
             raise CommandError("a broker carries only messages")
-        return found
+        return messages
 
     def _publish(self, message: Publication) -> int:
         """Send a message with its header, and return the header's id. Raises LinkError."""
@@ -115,6 +156,11 @@ class VehicleCommands:
     def is_own(self, ids: tuple[str, ...]) -> bool:
         """Tell whether a message with these ids is one of this console, as the broker returned it."""
         return bool(ids) and all(id_ in self._own for id_ in ids)
+
+    def on_message(self, robot: str) -> None:
+        """Note that a message of a vehicle has been taken."""
+        if robot in self._unseen and self._is_seen(robot):
+            self._unseen.pop(robot).set()
 
     def on_state(self, robot: str, vehicle: Vehicle) -> None:
         """Take a state: it may answer commands to its vehicle."""

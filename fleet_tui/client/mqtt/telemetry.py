@@ -17,7 +17,7 @@ from fleet_tui.config.schema import Config
 from fleet_tui.errors import LinkError
 from fleet_tui.model import events
 from fleet_tui.model.link import CommandPath, Phase
-from fleet_tui.model.vehicles.events import MasterSeen, VehicleReported
+from fleet_tui.model.vehicles.events import ConnectionReported, MasterSeen, VehicleReported
 from fleet_tui.text.limits import truncate
 from fleet_tui.transports.loop import wait_for_turn
 from fleet_tui.transports.mqtt.connection import BrokerConnection
@@ -126,6 +126,8 @@ class VehicleTelemetry:
             if isinstance(event, events.MessageRejected | events.FrameRejected):
                 self._log_once(event.text)
             self._writer.store.apply(event)
+            if isinstance(event, VehicleReported | ConnectionReported):
+                self.commands.on_message(event.robot)
             if isinstance(event, VehicleReported) and event.at == at:  # an old state answers no command
                 self.commands.on_state(event.robot, event.vehicle)
 

@@ -3,9 +3,10 @@
 from typing import Any
 
 import pytest
-from msgspec.structs import replace
 
-from fleet_tui.adapters.adapter import Publication
+from fleet_tui.adapters.adapter import Publication, Site
+from fleet_tui.adapters.profile import Profile
+from fleet_tui.adapters.vda5050.adapter import VehicleAdapter
 from fleet_tui.config.load import from_text
 from fleet_tui.errors import CommandError
 from fleet_tui.model import events
@@ -136,10 +137,24 @@ def test_version_3_is_only_read() -> None:
         sent(site(version="3.0.0"), PauseRobot("agv"))
 
 
-def test_a_vehicle_that_was_never_seen_is_not_commanded() -> None:
+def test_a_vehicle_that_was_never_seen_is_only_paused_where_the_configuration_has_its_topic() -> None:
     found = VehicleSite()
+    both = found.adapter.outgoing(PauseRobot("agv"), 1, found.agv, UNIQUE)
+    told = [(one.address, sorted(one.message)) for one in both if isinstance(one, Publication)]
+    assert told == [
+        ("uagv/v2/KIT/0001/instantActions", ["actions", "manufacturer", "serialNumber"]),
+        ("uagv/v1/KIT/0001/instantActions", ["instantActions", "manufacturer", "serialNumber"]),
+    ]
+    for command in (ResumeRobot("agv"), ClearOrders("agv"), PlaceOrder("agv", ())):
+        with pytest.raises(CommandError):
+            found.adapter.outgoing(command, 1, found.agv, UNIQUE)
+    of_any = Profile(kind="vda5050")
     with pytest.raises(CommandError, match="never seen"):
-        found.adapter.outgoing(PauseRobot("agv"), 1, found.agv, UNIQUE)
-    unseen = replace(found.agv, vehicle=None, connection=None)
-    with pytest.raises(CommandError):
-        found.adapter.outgoing(PlaceOrder("agv", ()), 1, unseen, UNIQUE)
+        VehicleAdapter(of_any, Site(role="pause")).outgoing(PauseRobot("agv"), 1, found.agv, UNIQUE)
+
+
+@pytest.mark.parametrize("version", ["v1.1", "V1.1.0", "1.1"])
+def test_a_version_is_read_as_it_is_meant(version: str) -> None:
+    assert "instantActions" in sent(site(version=version), PauseRobot("agv")).message
+    newer = version.replace("1.1", "2.1")
+    assert "actions" in sent(site(version=newer), PauseRobot("agv")).message

@@ -1,7 +1,9 @@
 """Tests of fleet_tui/client/mqtt/commands.py: each command ends once, by the states that follow it."""
 
 import asyncio
+import json
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -19,10 +21,11 @@ from fleet_tui.model.commands import (
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.order import Stop
 from tests.support.links import finished
-from tests.support.mosquitto import mosquitto, needs_mosquitto
+from tests.support.mosquitto import Mosquitto, mosquitto, needs_mosquitto
 from tests.support.mqtt_peer import Peer
+from tests.support.polling import until
 from tests.support.vda_broker import SpokenFor, console_on
-from tests.support.vda_messages import BASE, error, message, node
+from tests.support.vda_messages import BASE, error, message, node, state
 from tests.support.watched_store import WatchedStore
 
 pytestmark = needs_mosquitto
@@ -181,3 +184,54 @@ async def test_a_frozen_broker_holds_orders_back_but_no_pause(tmp_path: Path) ->
             await given(link, store, PauseRobot("agv"), Stage.SENT)
             await store.until(lambda state: state.links["broker"].reason == "broker not responding")
             broker.thaw()
+
+
+class Mute(SpokenFor):
+    """A vehicle whose connection topic is not kept, and whose state may be half a minute away."""
+
+    def __init__(self, broker: Mosquitto, base: str = BASE) -> None:
+        self.base = base
+        self.peer = Peer(broker.port, f"{base}/instantActions")
+
+    async def action(self) -> dict[str, Any]:
+        topic = f"{self.base}/instantActions"
+        await until(lambda: self.peer.told_on(topic))
+        found: dict[str, Any] = json.loads(self.peer.told_on(topic)[0])
+        return found
+
+
+async def test_a_pause_goes_out_to_a_vehicle_of_which_nothing_has_arrived_in_both_ways_to_write_it(
+    tmp_path: Path,
+) -> None:
+    with mosquitto(tmp_path) as broker:
+        old = Mute(broker, BASE.replace("/v2/", "/v1/"))
+        new = Mute(broker)
+        async with console_on(broker, "pause") as (link, store):
+            record = await given(link, store, PauseRobot("agv"), Stage.SENT)
+            (first,), (second,) = (await new.action())["actions"], (await old.action())["instantActions"]
+            assert first == second and first["actionType"] == "startPause"
+            versions = [(await one.action())["version"] for one in (new, old)]
+            assert versions == ["2.1.0", "1.1.0"]
+            new.peer.publish(f"{BASE}/state", state(paused=True))
+            await store.until(lambda now: now.commands[-1].stage is Stage.CONFIRMED)
+            assert record.id == store.state.commands[-1].id
+
+
+async def test_a_pause_waits_a_moment_for_what_the_broker_has_kept(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(commands, "ADDRESSED_WITHIN", 60.0)
+    with mosquitto(tmp_path) as broker:
+        vehicle = Mute(broker)
+        async with console_on(broker, "pause") as (link, _):
+            link.submit(PauseRobot("agv"))
+            vehicle.peer.publish(f"{BASE}/connection", message(connectionState="ONLINE", version="V2.1.0"))
+            action = await vehicle.action()
+            assert action["version"] == "V2.1.0" and action["actions"][0]["actionType"] == "startPause"
+
+
+async def test_only_a_pause_leaves_for_a_vehicle_that_was_never_seen(tmp_path: Path) -> None:
+    with mosquitto(tmp_path) as broker:
+        async with console_on(broker, "pause") as (link, store):
+            record = await given(link, store, ResumeRobot("agv"), Stage.NOT_SENT)
+            assert record.detail == "agv was never seen: its version is unknown"
