@@ -10,6 +10,7 @@ from fleet_tui.adapters.adapter import Feed, Outgoing, Publication, ServiceCall,
 from fleet_tui.adapters.probes import Probe
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros.names import Names
+from fleet_tui.adapters.vda5050.answers import INSTANT_ACTIONS
 from fleet_tui.adapters.vda5050.orders import (
     COMMANDED,
     NeverSeenError,
@@ -128,7 +129,7 @@ class VehicleAdapter:
             found = [
                 action_at(
                     self.settings,
-                    self.topics.named("instantActions", f"v{version[0]}", manufacturer, serial),
+                    self.topics.named(INSTANT_ACTIONS, f"v{version[0]}", manufacturer, serial),
                     *(version, "startPause", unique),
                 )
                 for version in COMMANDED

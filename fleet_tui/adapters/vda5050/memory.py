@@ -5,6 +5,7 @@ from typing import Any
 from fleet_tui.adapters.vda5050.fields import Fields
 from fleet_tui.adapters.vda5050.state import OrderNodes, nodes_of
 from fleet_tui.model.navigation import Goal
+from fleet_tui.model.vehicles.vehicle import Vehicle
 
 RESTARTS, WITHIN = 3, 60.0
 """Numbers of messages that go back so often in so many seconds are those of two senders."""
@@ -16,7 +17,9 @@ class StateMemory:
     """The last state of each vehicle."""
 
     def __init__(self) -> None:
-        self._nodes: dict[str, tuple[Any, Any, OrderNodes]] = {}
+        self._nodes: dict[str, tuple[tuple[Any, ...], OrderNodes]] = {}
+        self._actions: dict[str, tuple[str, frozenset[str], frozenset[str]]] = {}
+        """The order of each vehicle, the actions before it, and those of the last state."""
         self._numbers: dict[str, float | None] = {}
         self._back: dict[str, list[float]] = {}
         """When the numbers of a vehicle's states went back (monotonic)."""
@@ -33,15 +36,26 @@ class StateMemory:
 
     def nodes(self, robot: str, state: Fields) -> tuple[OrderNodes, bool]:
         """Return the nodes that are left, and whether they have changed."""
-        raw = state.raw("nodeStates"), state.raw("edgeStates")
+        names = "nodeStates", "edgeStates", "lastNodeId", "lastNodeSequenceId"
+        raw = tuple(state.raw(name) for name in names)
         known = self._nodes.get(robot)
-        if known is not None and known[:2] == raw:
-            return known[2], False
+        if known is not None and known[0] == raw:
+            return known[1], False
         faults = len(state.faults)
         found = nodes_of(state)
         if len(state.faults) == faults:  # else each such message is named
-            self._nodes[robot] = *raw, found
+            self._nodes[robot] = raw, found
         return found, True
+
+    def earlier_actions(self, robot: str, vehicle: Vehicle) -> frozenset[str]:
+        """Return the ids of the actions that were in the states before the vehicle took its order: some keep
+        them for long, and they say nothing of it."""
+        order_id, earlier, last = self._actions.get(robot, ("", frozenset(), frozenset()))
+        if vehicle.order_id != order_id:
+            earlier = last
+        ids = frozenset(one.id for one in vehicle.actions if one.id)
+        self._actions[robot] = vehicle.order_id, earlier, ids
+        return earlier
 
     def is_news(self, robot: str, orders: tuple[Goal, ...], at: float) -> bool:
         """Tell whether the order of a vehicle must be told: it changed, or was told long ago (monotonic)."""

@@ -2,14 +2,17 @@
 
 import hashlib
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Set
 from typing import NamedTuple
+
+from msgspec.structs import replace
 
 from fleet_tui.adapters.vda5050.clock import unix_second
 from fleet_tui.adapters.vda5050.fields import Fields
 from fleet_tui.adapters.vda5050.memory import StateMemory
 from fleet_tui.adapters.vda5050.state import (
     CANCEL,
+    INSTANT,
     MOST_ACTIONS,
     charge_of,
     graph_of,
@@ -88,29 +91,35 @@ def read_state(origin: MessageOrigin, message: Fields) -> Iterator[events.Event]
         yield events.PausedReported(robot, at, vehicle.paused)
     if is_new and nodes.graph.vertices:
         yield NodesReported(robot, at, nodes.frame, nodes.graph)
-    orders = _orders(vehicle, nodes.target, origin.owns(vehicle.order_id))
+    earlier = origin.memory.earlier_actions(robot, vehicle)
+    orders = _orders(vehicle, nodes.target, origin.owns(vehicle.order_id), earlier)
     if origin.memory.is_news(robot, orders, at):
         yield GoalsReported(robot, at, ORDER, orders)
 
 
-def _orders(vehicle: Vehicle, target: str, is_ours: bool) -> tuple[Goal, ...]:
-    """Return the one order of a vehicle, which it names even after its end."""
+def _orders(vehicle: Vehicle, target: str, is_ours: bool, earlier: Set[str]) -> tuple[Goal, ...]:
+    """Return the one order of a vehicle, which it names even after its end. `earlier` are actions that are
+    not of it."""
     if not vehicle.order_id:
         return ()
-    state = OrderState.IN_PROCESS if is_running(vehicle) else _end(vehicle)
-    word = f"{len(vehicle.nodes_left)} nodes left"
-    stops = (Stop(target),) if target else ()
-    return (
-        Goal(short_id(vehicle.order_id), vehicle.order_id, ORDER, state, word, stops=stops, is_ours=is_ours),
-    )
+    state, said = (OrderState.IN_PROCESS, "") if is_running(vehicle) else _end(vehicle, earlier)
+    goal = Goal(short_id(vehicle.order_id), vehicle.order_id, ORDER, state, is_ours=is_ours, said=said)
+    word, stops = f"{len(vehicle.nodes_left)} nodes left", (Stop(target),) if target else ()
+    return (replace(goal, word=word, stops=stops),)
 
 
-def _end(vehicle: Vehicle) -> OrderState:
-    if any(one.type == CANCEL and one.status == "FINISHED" for one in vehicle.actions):
-        return OrderState.CANCELLED
+def _end(vehicle: Vehicle, earlier: Set[str]) -> tuple[OrderState, str]:
+    """Return how an order ended, with the vehicle's text: it is done if all its parts are."""
+    actions = [one for one in vehicle.actions if not one.id or one.id not in earlier]
+    # First: a cancellation makes the actions fail that were to follow.
+    if any(one.type == CANCEL and one.status == "FINISHED" for one in actions):
+        return OrderState.CANCELLED, ""
     if any(one.level in HIGH and one.concerns(vehicle.order_id) for one in vehicle.errors):
-        return OrderState.FAILED
-    return OrderState.DONE
+        return OrderState.FAILED, ""
+    for one in actions:
+        if one.status == "FAILED" and one.type not in INSTANT:
+            return OrderState.FAILED, ": ".join(filter(None, (f"{one.type or 'action'} failed", one.text)))
+    return OrderState.DONE, ""
 
 
 def read_visualization(origin: MessageOrigin, message: Fields) -> Iterator[events.Event]:

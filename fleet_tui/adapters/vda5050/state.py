@@ -16,6 +16,15 @@ MOST_NODES, MOST_ERRORS, MOST_ACTIONS, MOST_REFERENCES = 2000, 100, 500, 20
 ENDED = frozenset({"FINISHED", "FAILED"})
 """States of an action that is over."""
 CANCEL = "cancelOrder"
+INSTANT = frozenset(
+    {
+        *(CANCEL, "startPause", "stopPause", "startHibernation", "stopHibernation", "shutdown"),
+        *("stateRequest", "logReport", "factsheetRequest", "initPosition", "updateCertificate"),
+        *("enableMap", "downloadMap", "deleteMap", "enableZoneSet", "downloadZoneSet", "deleteZoneSet"),
+        *("clearInstantActions", "clearZoneActions", "trigger", "retry", "skipRetry"),
+    }
+)
+"""Types of actions that are given beside an order."""
 
 
 class OrderNodes(NamedTuple):
@@ -33,17 +42,28 @@ class OrderNodes(NamedTuple):
 
 def nodes_of(state: Fields) -> OrderNodes:
     """Return the nodes that are left of the order in a state."""
-    nodes = sorted(state.parts(MOST_NODES, "nodeStates") or [], key=_sequence)
+    listed = sorted(state.parts(MOST_NODES, "nodeStates") or [], key=_sequence)
+    nodes = _without_passed(state, listed)
     edges = state.parts(MOST_NODES, "edgeStates") or []
     released = [node for node in nodes if node.flag("released") is not False]
     horizon = len(nodes) - len(released)
     return OrderNodes(
         tuple(node.text("nodeId") for node in released),
         horizon,
-        nodes[-1].text("nodeId") if nodes else "",
+        listed[-1].text("nodeId") if listed else "",
         horizon > 0 and not released and not any(one.flag("released") for one in edges),
         *graph_of(state, "nodeStates", "edgeStates"),
     )
+
+
+def _without_passed(state: Fields, nodes: list[Fields]) -> list[Fields]:
+    """Return the nodes after the one where the vehicle was last: some keep those for ever. The number of that
+    one is another order's unless its node is among these."""
+    last, number = state.text("lastNodeId"), state.number("lastNodeSequenceId")
+    is_kept = any(node.text("nodeId") == last and node.number("sequenceId") == number for node in nodes)
+    if not last or number is None or not is_kept:
+        return nodes
+    return [node for node in nodes if _sequence(node) > number]
 
 
 def vehicle_of(state: Fields, base: str, nodes: OrderNodes) -> Vehicle:

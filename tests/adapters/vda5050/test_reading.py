@@ -62,6 +62,52 @@ def test_the_order_of_a_vehicle_is_driven_done_cancelled_or_failed() -> None:
     assert states(site) == [OrderState.FAILED]
 
 
+def action(id_: str, type_: str, status: str, text: str = "") -> dict[str, str]:
+    return {"actionId": id_, "actionType": type_, "actionStatus": status, "resultDescription": text}
+
+
+def test_an_order_of_which_an_action_failed_has_failed() -> None:
+    site = VehicleSite()
+    pick = action("o1-pick", "pick", "WAITING")
+    site.read("state", state(orderId="o1", nodeStates=[node("a", 2)], actionStates=[pick]))
+    failed = action("o1-pick", "pick", "FAILED", "no pallet found")
+    beside = action("p1", "startPause", "FAILED", "not now")
+    site.read("state", state(orderId="o1", actionStates=[beside, failed]))
+    assert states(site) == [OrderState.FAILED]
+    assert site.agv.orders.orders[0].said == "pick failed: no pallet found"
+    site.read("state", state(orderId="o2", nodeStates=[node("a", 2)], actionStates=[beside, failed]))
+    site.read("state", state(orderId="o2", actionStates=[beside, failed]))
+    assert states(site) == [OrderState.DONE], "what failed was another order's"
+
+
+def test_a_cancellation_that_still_stands_in_the_states_is_not_of_the_next_order() -> None:
+    site = VehicleSite()
+    site.read("state", state(orderId="o1", nodeStates=[node("a", 2)]))
+    cancelled = [action("c1", "cancelOrder", "FINISHED"), action("d", "drop", "FAILED")]
+    site.read("state", state(orderId="o1", actionStates=cancelled))
+    assert states(site) == [OrderState.CANCELLED]
+    site.read("state", state(orderId="o2", nodeStates=[node("b", 2)], actionStates=cancelled))
+    site.read("state", state(orderId="o2", actionStates=cancelled))
+    assert states(site) == [OrderState.DONE]
+    site.read("state", state(orderId="o3", nodeStates=[node("b", 2)], actionStates=cancelled))
+    again = [*cancelled, action("c2", "cancelOrder", "FINISHED")]
+    site.read("state", state(orderId="o3", actionStates=again))
+    assert states(site) == [OrderState.CANCELLED]
+
+
+def test_a_vehicle_that_keeps_the_nodes_it_has_passed_is_not_busy_for_ever() -> None:
+    site = VehicleSite()
+    way = [node("n0", 0), node("a", 2), node("b", 4)]
+    site.read("state", state(orderId="o1", nodeStates=way, lastNodeId="n0", lastNodeSequenceId=0))
+    assert states(site) == [OrderState.IN_PROCESS]
+    assert site.agv.orders.orders[0].stops == (Stop("b"),)
+    site.read("state", state(orderId="o1", nodeStates=way, lastNodeId="b", lastNodeSequenceId=4))
+    assert states(site) == [OrderState.DONE]
+    # The number is the last order's until a node of this one is reached.
+    site.read("state", state(orderId="o2", nodeStates=way[1:], lastNodeId="b", lastNodeSequenceId=8))
+    assert states(site) == [OrderState.IN_PROCESS]
+
+
 def test_an_order_that_grows_has_a_new_target() -> None:
     site = VehicleSite()
     site.read("state", state(orderId="o1", nodeStates=[node("a", 2)]))
