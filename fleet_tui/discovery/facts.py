@@ -31,6 +31,8 @@ class RosapiFacts:
     ros: int = 0
     distro: str = ""
     problem: str = ""
+    is_bridge_mute: bool = False
+    """The node of the bridge does not answer either."""
 
     @property
     def is_absent(self) -> bool:

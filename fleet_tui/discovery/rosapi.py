@@ -10,6 +10,7 @@ from typing import Any, TypeVar
 import msgspec
 
 from fleet_tui.adapters.ros.messages import TimeAnswer
+from fleet_tui.client.rosbridge.pulse import OF_NODE, is_unknown
 from fleet_tui.discovery.facts import RosapiFacts
 from fleet_tui.discovery.wire import BridgeConnection
 from fleet_tui.errors import LinkError
@@ -24,8 +25,9 @@ def _nothing() -> None:
     """Ignore progress."""
 
 
-async def look_around(wire: BridgeConnection) -> RosapiFacts:
-    """List the topics, services and nodes of a bridge, and detect its ROS version."""
+async def look_around(wire: BridgeConnection, asks_node: bool = False) -> RosapiFacts:
+    """List the topics, services and nodes of a bridge, and detect its ROS version. `asks_node`: if rosapi
+    does not answer, the bridge's own node is asked."""
     try:
         topics, services, nodes, version = await asyncio.gather(
             *(
@@ -34,7 +36,10 @@ async def look_around(wire: BridgeConnection) -> RosapiFacts:
             )
         )
     except LinkError:
-        return RosapiFacts(problem=wire.lost or f"no reply from rosapi within {ANSWER_WITHIN:g} s")
+        problem = wire.lost or f"no reply from rosapi within {ANSWER_WITHIN:g} s"
+        return RosapiFacts(
+            problem=problem, is_bridge_mute=asks_node and not wire.lost and await _is_mute(wire)
+        )
     if not isinstance(topics, dict):
         return RosapiFacts(problem=str(topics))
     types = dict(zip(_names(topics, "topics"), _names(topics, "types"), strict=False))
@@ -47,6 +52,18 @@ async def look_around(wire: BridgeConnection) -> RosapiFacts:
         ros=ros,
         distro=str(version.get("distro", "")) if isinstance(version, dict) else "",
     )
+
+
+async def _is_mute(wire: BridgeConnection) -> bool:
+    """Tell whether the bridge has a node that does not answer, as if its ROS thread had ended."""
+    for service, args in OF_NODE.items():
+        try:
+            answer = await wire.call(service, args, ANSWER_WITHIN)
+        except LinkError:
+            return True
+        if not is_unknown(answer):
+            return isinstance(answer, str)  # that the bridge gave the call up
+    return False
 
 
 async def _actions(wire: BridgeConnection) -> tuple[str, ...]:

@@ -16,7 +16,7 @@ from fleet_tui.adapters.ros.logs import complaint, log_line
 from fleet_tui.adapters.ros.operations import Subscription
 from fleet_tui.adapters.ros.reading import ROSOUT
 from fleet_tui.client.rosbridge.calls import Calls
-from fleet_tui.client.rosbridge.heartbeat import SERVICE as HEARTBEAT
+from fleet_tui.client.rosbridge.pulse import OWN_WORD
 from fleet_tui.config.schema import Link
 from fleet_tui.discovery.facts import TopicFacts, key_of
 from fleet_tui.errors import LinkError, WireError
@@ -149,7 +149,7 @@ class BridgeConnection:
 
     async def beat(self, within: float) -> str:
         """Make the bridge itself answer; returns its text. Raises LinkError without an answer."""
-        return str(await self.call(HEARTBEAT, {}, within))
+        return str(await self.call(OWN_WORD, {}, within))
 
     def subscribe(self, wanted: Feed, type_: str, latched: bool) -> None:
         """Subscribe to every message of a topic, to pictures at the rate of the console. Raises LinkError."""

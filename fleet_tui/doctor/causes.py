@@ -30,6 +30,9 @@ def rosapi_finding(facts: BridgeFacts) -> Finding:
         counts = {"topics": len(rosapi.topics), "services": len(rosapi.services), "nodes": len(rosapi.nodes)}
         measured = ", ".join(f"{count} {what}" for what, count in counts.items())
         return Finding(facts.name, "rosapi", Verdict.OK, measured, values=counts)
+    if is_half_dead(facts):
+        unheard = "no reply, nor from the bridge's own node"
+        return Finding(facts.name, "rosapi", Verdict.SKIPPED, unheard)
     remedy = rosapi_remedy(rosapi)
     lost = f"{rosapi.problem}: names, types, publishers and services are unavailable"
     # Some sites run without it; one that exists and does not work is a failure.
@@ -37,8 +40,26 @@ def rosapi_finding(facts: BridgeFacts) -> Finding:
     return Finding(facts.name, "rosapi", verdict, lost, f"{remedy}; topics work without it")
 
 
+def is_half_dead(facts: BridgeFacts) -> bool:
+    """Tell whether a bridge answers, and nothing of ROS comes through it."""
+    return facts.rosapi.is_bridge_mute and not any(one.count for one in facts.topics)
+
+
+def _half_dead(facts: BridgeFacts) -> Cause:
+    finding = Finding(
+        facts.name,
+        "bridge",
+        Verdict.FAIL,
+        "rosbridge is half dead: no topic and no node, only the bridge itself answers",
+        "restart rosbridge: its ROS thread has ended, its robots may be well",
+    )
+    return Cause(finding, "behind a half-dead rosbridge", frozenset(one.topic for one in facts.topics))
+
+
 def causes_of(config: Config, facts: BridgeFacts) -> list[Cause]:
     """Return the faults of a bridge or a node rather than of one topic, in the order in which to fix them."""
+    if is_half_dead(facts):
+        return [_half_dead(facts)]
     unsourced = list(_unsourced(facts))
     explained = {topic for cause in unsourced for topic in cause.topics}
     return [*unsourced, *_unregistered(config, facts), *_silent_nodes(facts, explained)]

@@ -104,7 +104,7 @@ async def gather(config: Config, name: str, wire: BridgeConnection, until: float
     """Gather everything about a bridge that answers, by the monotonic `until`: queries and topics in
     parallel."""
     trips = await measure_calls(wire, until)
-    rosapi, ahead = await look_around(wire), None
+    rosapi, ahead = await look_around(wire, asks_node=True), None
     drawn = [floor.name for floor in config.floors if floor.map]
     adapters = adapters_of(config)
     wanted = feeds_of(config, adapters, name)

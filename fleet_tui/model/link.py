@@ -26,6 +26,8 @@ class CommandPath(Enum):
 NO_WAY = frozenset({CommandPath.UNREGISTERED, CommandPath.DEAD})
 """States in which commands don't reach all robots."""
 
+HALF_DEAD = "rosbridge is half dead: restart it"
+"""Why there is no command path if only the bridge itself answers: no topic, and no node by way of it."""
 OF_BAG = "rosbag://"
 """Prefix of the address of a recorded file, instead of a bridge."""
 
@@ -82,6 +84,11 @@ class LinkState(Struct, frozen=True):
         if not self.unsourced:
             return ""
         return f"rosbridge lacks package {self.unsourced}: source its workspace and restart rosbridge"
+
+    @property
+    def is_half_dead(self) -> bool:
+        """Tell whether nothing of its robots can arrive though it is connected."""
+        return self.command_path is CommandPath.DEAD and self.command_reason == HALF_DEAD
 
     @property
     def is_starting(self) -> bool:

@@ -57,7 +57,10 @@ class ServiceDesk:
         """Services that are never answered and do nothing."""
         self.frozen: dict[str, float] = {}
         """Services whose node reacts only this many seconds after a call."""
-        self.answers: dict[str, Callable[[Values], Values]] = {}
+        is_ros2 = dialect.call_timeout is not None
+        of_node: Values = {"values": []} if is_ros2 else {"loggers": []}
+        own = "/rosbridge_websocket/get_parameters" if is_ros2 else "/rosbridge_websocket/get_loggers"
+        self.answers: dict[str, Callable[[Values], Values]] = {own: lambda _: of_node}
         """Answers instead of the world's, made from the args; a ServiceError makes the call fail."""
         self.deliveries: dict[str, Callable[[Call, Frame], None]] = {}
         """Functions that deliver the answers of a service, if not immediately."""
@@ -119,7 +122,7 @@ class ServiceDesk:
     def answer(self, operation: Mapping[str, Any]) -> Frame | None:
         """Return the frame that answers a call_service operation, None if it is never answered."""
         service, args = resolve(operation["service"]), operation.get("args")
-        if not service.startswith("/rosapi/"):
+        if not service.startswith(("/rosapi/", "/rosbridge_websocket/")):
             self.calls.append((service, args if isinstance(args, dict) else {}))
             del self.calls[:-REMEMBERED]
         if service in self.silent_services:

@@ -3,7 +3,6 @@
 from fleet_tui.model.alarm import Priority
 from fleet_tui.model.fleet import FleetState, behind_text
 from fleet_tui.model.link import NO_WAY, LinkState, Phase
-from fleet_tui.model.robot import Robot
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import BEHIND, LATE_LINK
 from fleet_tui.text.durations import duration
@@ -11,6 +10,10 @@ from fleet_tui.text.units import counted
 
 LATE_FROM = 1.0
 """Seconds from which this console, or a bridge, counts as late."""
+
+
+RESTART_BRIDGE = "Restart rosbridge: nothing of its robots arrives, and they may drive on"
+"""What to do with a bridge that is half dead."""
 
 
 def is_late(link: LinkState) -> bool:
@@ -22,7 +25,7 @@ def late_link(state: FleetState, link: LinkState) -> Fact | None:
     """Find a bridge that is late, with what is missing because of that."""
     if not is_late(link):
         return None
-    silent = sum(robot.link == link.name and _is_silent(state, robot) for robot in state.robots.values())
+    silent = sum(robot.link == link.name and not state.is_online(robot) for robot in state.robots.values())
     effects = [f"{counted(silent, 'robot')} silent"] * (silent > 0)
     effects += ["no reply to commands"] * (link.command_path in NO_WAY)
     why, told = LATE_LINK.word, ", ".join(effects)
@@ -32,12 +35,6 @@ def late_link(state: FleetState, link: LinkState) -> Fact | None:
     priority = Priority.HIGH if told else Priority.MEDIUM
     since = state.began.get((link.name, LATE_LINK.name), state.now)
     return Fact(LATE_LINK, link.name, text, priority, since)
-
-
-def _is_silent(state: FleetState, robot: Robot) -> bool:
-    """Tell whether nothing at all comes of a robot, however late."""
-    last = robot.last_received
-    return last is None or state.now - last > state.patience(robot)
 
 
 def behind(state: FleetState) -> Fact | None:

@@ -52,7 +52,7 @@ def absence(state: FleetState, robot: Robot) -> Fact | None:
 def silence(state: FleetState, robot: Robot) -> Fact:
     """Return the fact that a robot sends nothing, as it is if nothing comes until it is one."""
     since, link = silent_from(state, robot), state.links[robot.link]
-    is_certain = not is_late(link) or state.now > since
+    is_certain = not link.is_half_dead and (not is_late(link) or state.now > since)
     known = robot.connection.value if robot.connection is not None else None
     last = _last_word(state, robot)
     if last is not None:
@@ -92,7 +92,8 @@ def silent(state: FleetState, robot: Robot) -> Fact | None:
     """Find that a robot has stopped speaking, or never did: while its link is up, and whatever its bridge is
     late by. One that sends only what nobody can read does speak."""
     fact = absence(state, robot)
-    if fact is None or fact.kind.name != SILENT.name or state.links[robot.link].phase is not Phase.UP:
+    link = state.links[robot.link]
+    if fact is None or fact.kind.name != SILENT.name or link.phase is not Phase.UP or link.is_half_dead:
         return None
     return fact if state.now > fact.since else None
 

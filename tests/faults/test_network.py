@@ -10,6 +10,7 @@ from types import SimpleNamespace
 import pytest
 from msgspec.structs import replace
 
+from fleet_tui.client.rosbridge import pulse
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
@@ -286,7 +287,7 @@ async def test_a_message_over_the_limit_costs_only_itself(server: RosbridgeServe
 async def test_a_command_path_of_its_own_fault(server: RosbridgeServer) -> None:
     """Telemetry flows while calls are not answered: said at once, commands are held back, a pause is not."""
     async with through(server) as (_, link, store, watch):
-        server.bridge.services.silent_services.add("/rosapi/fleet_tui_heartbeat")
+        server.bridge.services.silent_services.update(pulse.EVERY_QUESTION)
         watch.start()
         noticed = await watch.until(
             lambda state: state.links["rosbridge"].command_path is CommandPath.DEAD, within=HANGS

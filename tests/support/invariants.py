@@ -36,7 +36,7 @@ class Wire:
 
     def on_sent(self, link: str, channel: str, payload: bytes) -> None:
         frame = json.loads(payload)
-        if channel == "commands" and not frame["service"].startswith("/rosapi/"):
+        if channel == "commands" and not frame["service"].startswith(("/rosapi/", "/rosbridge_websocket/")):
             self.left[frame["service"].split("/")[1]] += 1
 
     def on_event(self, event: Event) -> None: ...

@@ -351,6 +351,7 @@ NAV2_PLANTS: dict[str, Plant] = {
     "with Nav2 a misspelt robot name": in_the_config(robots=[RobotEntry("robot_00")]),
     "with Nav2 no odometry": _with_fault("no-odom"),
     "with Nav2 a silent robot": _with_fault("silent"),
+    "with Nav2 a bridge whose ROS thread has ended": _with_fault("half-dead"),
     "with Nav2 a missing action server": on_the_server(_no_waypoints),
     "with Nav2 nodes that are not active": _with_fault("inactive"),
     "with Nav2 a frozen lifecycle manager": on_the_server(_frozen_manager),

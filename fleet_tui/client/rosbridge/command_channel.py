@@ -51,9 +51,11 @@ class CommandChannel:
         timeout: float,
         telemetry: Telemetry,
         advertised: Iterable[tuple[str, str]],
+        asks_node: bool = True,
     ) -> None:
         """`timeout` of an answer in seconds; `telemetry` of the same bridge, whose silence counts here;
-        `advertised`: names and types of topics on which commands may be published."""
+        `advertised`: names and types of topics on which commands may be published; `asks_node` as for
+        Pulse."""
         self._link = link
         self._goals = Goals(link, bridge, adapters, writer, self._advance)
         self._adapters = adapters
@@ -69,7 +71,13 @@ class CommandChannel:
         self._answers = Answers(self._calls, self._services, adapters, writer, timeout, self._advance)
         self._settling = Settling(writer.store, self._answers, self._send_now, self._advance)
         self._heartbeat = Heartbeat(
-            link, self._calls, self._services, telemetry.counter.round_trips, writer.apply
+            link,
+            self._calls,
+            self._services,
+            telemetry.counter.round_trips,
+            telemetry.topic_silence,
+            writer.apply,
+            asks_node,
         )
 
     def on_connecting(self) -> None:

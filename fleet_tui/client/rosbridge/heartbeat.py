@@ -5,20 +5,25 @@ import time
 from collections.abc import Callable
 
 from fleet_tui.adapters.ros.operations import ServiceResponse
+from fleet_tui.client.patience import timed
 from fleet_tui.client.rosbridge.calls import Calls, NoAnswerError
+from fleet_tui.client.rosbridge.pulse import OWN_WORD, Pulse
 from fleet_tui.client.rosbridge.services import Services
 from fleet_tui.errors import LinkError
 from fleet_tui.model.counters import RoundTrips
 from fleet_tui.model.events import CommandPathChanged
-from fleet_tui.model.link import CommandPath
+from fleet_tui.model.link import HALF_DEAD, CommandPath
 from fleet_tui.text.limits import some
 
-SERVICE = "/rosapi/fleet_tui_heartbeat"
-"""A service that no node offers: the bridge itself reports the error, in 1-2 ms, regardless of rosapi and
-robots."""
-EVERY, TIMEOUT = 5.0, 5.0
-LOOK_EVERY = 3
+EVERY, AGAIN = 2.0, 0.5
+"""Seconds between two beats, and after one that a node left unanswered."""
+QUICK, TIMEOUT = 0.7, 5.0
+"""Seconds for a node to answer, and for the bridge itself."""
+LOOK_EVERY = 8
 """Beats between two checks of the services: a quick restart of the master goes unnoticed otherwise."""
+HALF_DEAD_AFTER = 1.5
+"""Seconds without a message on any topic after which a bridge of which no node answers is half dead."""
+NO_REPLY = "no reply from the bridge to calls"
 
 
 class Heartbeat:
@@ -30,9 +35,13 @@ class Heartbeat:
         calls: Calls,
         services: Services,
         round_trips: RoundTrips,
+        silence: Callable[[], float],
         report: Callable[[CommandPathChanged], None],
+        asks_node: bool = True,
     ) -> None:
+        """`silence` are the seconds since the last message on any topic; `asks_node` as for Pulse."""
         self._link, self._calls, self._services, self._report = link, calls, services, report
+        self._pulse, self._silence = Pulse(calls, asks_node), silence
         self._round_trips = round_trips
         self._connected = False
         self._reported: CommandPathChanged | None = None
@@ -51,6 +60,7 @@ class Heartbeat:
     def start(self) -> None:
         """Start beating: the connection is open. A pause need not wait for the first answer."""
         self._connected = True
+        self._pulse.restart()
         self._set(self.path, self.reason)
         self._task = asyncio.ensure_future(self._beat())
 
@@ -66,8 +76,10 @@ class Heartbeat:
             self._task.cancel()
 
     def take(self, response: ServiceResponse) -> None:
-        """Take an answer to any call: any answer shows that the bridge is alive."""
+        """Take an answer to any call: any answer shows that the bridge is alive, if not half dead."""
         self._answered_at = time.monotonic()
+        if self.reason == HALF_DEAD and not response.result:
+            return
         message = response.values if isinstance(response.values, str) else ""
         if "unable to communicate with master" in message.lower():
             self._services.on_master_lost()
@@ -97,19 +109,30 @@ class Heartbeat:
         beats = 0
         while True:
             began = time.monotonic()
+            is_answered = False
             try:
-                await self._calls.call(SERVICE, {}, TIMEOUT)
+                is_answered = await self._ask()
             except NoAnswerError:
                 self._round_trips.unanswered += 1
                 # An answer to another call, meanwhile, is a sign of life, too.
                 if self._answered_at < began:
-                    self._set(CommandPath.DEAD, "no reply from the bridge to calls")
+                    self._set(CommandPath.DEAD, NO_REPLY)
             except LinkError:
                 return
-            else:
-                now = time.monotonic()
-                self._round_trips.take(now - began, now)
             beats += 1
             if beats % LOOK_EVERY == 0:
                 self._services.query()
-            await asyncio.sleep(EVERY)
+            await asyncio.sleep(AGAIN if not is_answered and self._pulse.is_mute else EVERY)
+
+    async def _ask(self) -> bool:
+        """Ask once; tell whether a node answered. Raises NoAnswerError if not even the bridge did, LinkError
+        without a connection."""
+        found = await self._pulse.of_ros(QUICK)
+        is_answered = found is not None
+        if found is None:
+            found = await timed(self._calls.call(OWN_WORD, {}, TIMEOUT))
+            # Upstream issue 1144: its ROS thread has ended, the rest of it goes on.
+            if self._pulse.is_mute and self._silence() > HALF_DEAD_AFTER:
+                self._set(CommandPath.DEAD, HALF_DEAD)
+        self._round_trips.take(found[0], time.monotonic())
+        return is_answered

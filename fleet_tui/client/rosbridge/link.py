@@ -27,7 +27,10 @@ class BridgeLink:
         bridge = config.bridge(name)
         self.counter = self._telemetry.counter
         advertised = publications_of(config, adapters, name)
-        self._commands = CommandChannel(name, bridge, adapters, writer, timeout, self._telemetry, advertised)
+        asks_node = not config.operator.read_only
+        self._commands = CommandChannel(
+            name, bridge, adapters, writer, timeout, self._telemetry, advertised, asks_node
+        )
 
     def open(self) -> None:
         """Connect, and stay connected; commands first, so that no subscription delays a pause."""

@@ -9,6 +9,7 @@ from contextlib import suppress
 from fleet_tui.adapters.ros.operations import ServiceResponse
 from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.client.rosbridge.calls import Calls, NoAnswerError
+from fleet_tui.client.rosbridge.pulse import is_unknown
 from fleet_tui.config.fleet import Service
 from fleet_tui.errors import LinkError
 from fleet_tui.text.limits import truncate
@@ -110,7 +111,7 @@ class Services:
         """Take an answer to a call of a robot's service as evidence of its existence."""
         if service not in self._wanted:
             return
-        if not result and _does_not_exist(values):
+        if not result and is_unknown(values):
             self._set_missing(self._missing | ({service} & self._seen))
             self.query()
         elif result:
@@ -157,7 +158,7 @@ class Services:
 
     async def _take_services(self, response: ServiceResponse) -> None:
         if not response.result or not isinstance(response.values, dict):
-            if self._rosapi_answered and self._master_was_lost and _does_not_exist(response.values):
+            if self._rosapi_answered and self._master_was_lost and is_unknown(response.values):
                 # rosapi is a node like the robots': the new master knows none of them.
                 self._set_missing(set(self._seen))
             return
@@ -199,7 +200,3 @@ class Services:
     async def _ask(self, question: str, args: Mapping[str, object]) -> ServiceResponse:
         """Query rosapi. Raises LinkError."""
         return await self._calls.call(f"/rosapi/{question}", args, ROSAPI_TIMEOUT)
-
-
-def _does_not_exist(values: object) -> bool:
-    return isinstance(values, str) and values.endswith("does not exist")

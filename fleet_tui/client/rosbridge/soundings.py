@@ -10,7 +10,7 @@ from fleet_tui.adapters.ros.messages import TimeAnswer
 from fleet_tui.adapters.ros.operations import ServiceResponse
 from fleet_tui.client.patience import timed
 from fleet_tui.client.rosbridge.calls import Calls, NoAnswerError
-from fleet_tui.client.rosbridge.heartbeat import SERVICE
+from fleet_tui.client.rosbridge.pulse import OWN_WORD, TIME, Pulse
 from fleet_tui.errors import LinkError
 from fleet_tui.model.events import BridgeAnswered
 
@@ -20,17 +20,27 @@ Behind a bridge whose robots have nothing to say, its answers are all that shows
 (`command_channel.LONGEST_SILENCE`)."""
 PATIENT, QUICK, LONGEST = 2.0, 0.5, 60.0
 """Seconds for rosapi to tell the clock of the site, first and later, and for the bridge's own answer."""
-TIME = "/rosapi/get_time"
 
 
 class Soundings:
     """Asks over one connection, and reports each answer. Runs on the network loop."""
 
     def __init__(
-        self, link: str, calls: Calls, is_ready: Callable[[], bool], report: Callable[[BridgeAnswered], None]
+        self,
+        link: str,
+        pulse: Pulse,
+        calls: Calls,
+        is_ready: Callable[[], bool],
+        report: Callable[[BridgeAnswered], None],
     ) -> None:
         """`is_ready` tells whether the bridge has handled our own subscriptions, which delay its answers."""
-        self._link, self._calls, self._is_ready, self._report = link, calls, is_ready, report
+        self._link, self._pulse, self._calls, self._is_ready, self._report = (
+            link,
+            pulse,
+            calls,
+            is_ready,
+            report,
+        )
         self._task: asyncio.Task[None] | None = None
         self._has_time = True
         """rosapi may be frozen: then only the bridge itself is asked."""
@@ -38,6 +48,7 @@ class Soundings:
     def start(self) -> None:
         """Start asking: the connection is open."""
         self._has_time = True
+        self._pulse.restart()
         self._task = asyncio.ensure_future(self._run())
 
     def stop(self) -> None:
@@ -66,8 +77,9 @@ class Soundings:
                 stamp = _stamp(response) if took <= QUICK else None  # of a late answer it is old
                 self._report(BridgeAnswered(self._link, monotonic(), took, stamp))
                 return took
+        found = await self._pulse.of_ros(QUICK, skip=TIME)
         try:
-            took, _ = await self._ask(SERVICE, LONGEST)
+            took, _ = found or await self._ask(OWN_WORD, LONGEST)
         except NoAnswerError:
             took = 0.0  # it answers no calls at all, which is no lateness
         self._has_time = self._has_time and took > QUICK

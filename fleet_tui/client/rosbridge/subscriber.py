@@ -13,10 +13,10 @@ from fleet_tui.adapters.ros.names import is_hidden
 from fleet_tui.adapters.ros.reading import FrameReader
 from fleet_tui.adapters.ros.type_names import type_problem
 from fleet_tui.client.rosbridge.calls import Calls
-from fleet_tui.client.rosbridge.heartbeat import SERVICE
 from fleet_tui.client.rosbridge.latched import Latched
 from fleet_tui.client.rosbridge.log_subscription import LogSubscription
 from fleet_tui.client.rosbridge.pacing import Pacing
+from fleet_tui.client.rosbridge.pulse import OWN_WORD
 from fleet_tui.client.rosbridge.renewals import PER_TOPIC, Renewals
 from fleet_tui.client.rosbridge.rosapi import ROSAPI_TIMEOUT, topic_types
 from fleet_tui.errors import LinkError
@@ -93,6 +93,11 @@ class Subscriber:
         if self._is_ros2:
             self._latched.start(PER_TOPIC * len(self._of_latched()))
 
+    @property
+    def topics(self) -> int:
+        """Return the number of topics that are subscribed."""
+        return len(self._subscribed)
+
     def is_handled(self) -> bool:
         """Tell whether the bridge has handled all subscriptions so far, and none are under way."""
         return self._task is None or self._task.done()
@@ -100,7 +105,7 @@ class Subscriber:
     async def _are_handled(self) -> bool:
         """Wait until the bridge has handled all subscriptions. Tell whether it shows that."""
         with suppress(LinkError):
-            await self._calls.call(SERVICE, {}, ROSAPI_TIMEOUT + PER_TOPIC * AT_ONCE)
+            await self._calls.call(OWN_WORD, {}, ROSAPI_TIMEOUT + PER_TOPIC * AT_ONCE)
             return True
         return False
 

@@ -16,6 +16,8 @@ from fleet_tui.client.memory import trim
 from fleet_tui.client.rosbridge.backlog import Backlog, Frame
 from fleet_tui.client.rosbridge.calls import Calls
 from fleet_tui.client.rosbridge.pacing import Pacing
+from fleet_tui.client.rosbridge.pulse import Pulse
+from fleet_tui.client.rosbridge.renewals import PER_TOPIC
 from fleet_tui.client.rosbridge.services import Services
 from fleet_tui.client.rosbridge.set_up.camera_channel import CameraChannel
 from fleet_tui.client.rosbridge.set_up.stream_writer import StreamWriter
@@ -56,7 +58,7 @@ class Telemetry:
 
     def __init__(self, link: str, config: Config, adapters: Mapping[str, Adapter], writer: Writer) -> None:
         self._link, self._writer, self._logged, self._waiting = link, writer, set[str](), 0
-        self._received_at = self._reported_at = self._active_at = self._next_check = 0.0
+        self._received_at = self._reported_at = self._active_at = self._next_check = self._opened_at = 0.0
         self._last_messages, self._jumps = dict[str, float](), dict[str, object]()
         self._decoder = ThreadPoolExecutor(1, thread_name_prefix="fleet-tui-decode")
         bridge, feeds = config.bridge(link), feeds_of(config, adapters, link)
@@ -78,7 +80,10 @@ class Telemetry:
         self._sourcing = Sourcing(
             link, self._calls, feeds, self._reading, lambda: self._subscriber.types, writer.apply
         )
-        self._soundings = Soundings(link, self._calls, self._subscriber.is_handled, writer.apply)
+        asks_node = not config.operator.read_only
+        self._soundings = Soundings(
+            link, Pulse(self._calls, asks_node), self._calls, self._subscriber.is_handled, writer.apply
+        )
         self.show_map = self._subscriber.show_map
         self.subscribe_logs = self._subscriber.log_subscription.listen
         self.counter = self._reading.counter
@@ -117,13 +122,20 @@ class Telemetry:
         """Seconds since the last message on this connection, 0 before the first."""
         return time.monotonic() - self._active_at if self._active_at else 0.0
 
+    def topic_silence(self) -> float:
+        """Seconds since the last message on a topic, or since the bridge has subscribed them all."""
+        if not self._subscriber.is_handled():
+            return 0.0
+        handled_at = self._opened_at + PER_TOPIC * self._subscriber.topics
+        return time.monotonic() - max(self._active_at, handled_at)
+
     def on_connecting(self) -> None:
         """Report that a connection attempt has begun."""
         self._writer.apply(events.LinkChanged(self._link, time.monotonic(), Phase.CONNECTING))
 
     def on_open(self) -> None:
         """Subscribe to all topics."""
-        now = time.monotonic()
+        now = self._opened_at = time.monotonic()
         self.counter.opened()
         self._writer.apply(events.LinkChanged(self._link, now, Phase.UP))
         self._active_at = 0.0

@@ -168,7 +168,8 @@ def dead_commands(state: FleetState, link: LinkState, active: ActiveConditions) 
     text = f"no command path: {link.command_reason}"
     if link.command_path is CommandPath.UNREGISTERED:
         text = link.command_reason  # of some robots: the others take commands
-    return Condition(link.name, "commands", Priority.HIGH, text, "command path restored")
+    remedy = links.RESTART_BRIDGE if link.is_half_dead else ""
+    return Condition(link.name, "commands", Priority.HIGH, text, "command path restored", remedy=remedy)
 
 
 def _condition(fact: Fact, due: float) -> Condition:
@@ -189,7 +190,8 @@ def offline(state: FleetState, robot: Robot, active: ActiveConditions) -> Condit
     fact = silence(state, robot) if state.is_online(robot) else absence(state, robot)
     if fact is None or fact.kind.name != SILENT.name:
         return None
-    if state.is_online(robot) if raised else state.links[robot.link].phase is not Phase.UP:
+    link = state.links[robot.link]
+    if state.is_online(robot) if raised else (link.phase is not Phase.UP or link.is_half_dead):
         return None
     return _condition(fact, (last or 0.0) + limit if raised else fact.since)
 

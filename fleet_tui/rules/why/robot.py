@@ -52,8 +52,13 @@ def moves(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def no_link(state: FleetState, robot: Robot) -> Reason | None:
-    """Report that its state is unknown without a link."""
+    """Report that its state is unknown without a link, or behind a bridge that is half dead."""
     link = state.links[robot.link]
+    if link.is_half_dead:
+        evidence = "no topic and no node: only the bridge itself answers"
+        return Reason(
+            "rosbridge half dead", evidence, keys=DIAGNOSE, remedy=links.RESTART_BRIDGE, page="link"
+        )
     if link.phase is Phase.UP:
         return None
     why = f": {link.reason}" if link.reason else ""

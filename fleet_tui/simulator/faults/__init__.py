@@ -35,6 +35,7 @@ FAULTS: Faults = {
         wire.overloaded,
     ),
     "dead-rosapi": ("no rosapi", wire.dead_rosapi),
+    "half-dead": ("the bridge's ROS thread has ended: no topic, no node answers", wire.half_dead),
     "volatile-maps": (
         f"maps, graphs and labels not latched, sent every {wire.AGAIN:g} s",
         wire.volatile_maps,

@@ -157,6 +157,13 @@ def dead_rosapi(server: "RosbridgeServer", _robot: str) -> None:
     server.bridge.services.rosapi_alive = False
 
 
+def half_dead(server: "RosbridgeServer", _robot: str) -> None:
+    """End the bridge's ROS thread: it sends no topic, and no call of an existing service is answered."""
+    services = server.bridge.services
+    server.bridge.muted.update(server.bridge.topics)
+    services.silent_services.update([*services.offered, *services.rosapi.services, *services.answers])
+
+
 def volatile_maps(server: "RosbridgeServer", robot: str) -> None:
     """Publish maps, graphs and labels repeatedly instead of latched."""
     topics = server.bridge.topics.items()

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 ABORTS = 105  # Nav2's code for no progress
 GENERIC = (
     *("late", "slow-answer", "twice", "wrong-id", "drop"),
-    *("frozen-rosapi", "dead-rosapi", "overloaded", "unregistered"),
+    *("frozen-rosapi", "dead-rosapi", "half-dead", "overloaded", "unregistered"),
 )
 
 

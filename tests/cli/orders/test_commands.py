@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from fleet_tui.client.rosbridge import pulse
 from fleet_tui.simulator.calls import Call
 from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.frames import Frame, Payload
@@ -100,7 +101,7 @@ async def test_pause_and_resume_one_or_all(server: RosbridgeServer, folder: Path
 
 
 async def test_a_pause_waits_for_neither_rosapi_nor_the_robots(server: RosbridgeServer, folder: Path) -> None:
-    server.bridge.services.silent_services.add("/rosapi/fleet_tui_heartbeat")
+    server.bridge.services.silent_services.update(pulse.EVERY_QUESTION)
     server.bridge.muted.update(server.bridge.topics)
     done = await run(folder, "pause", "--all", "--timeout", "3")
     assert sorted(asked(server)) == ["robot_0 Pause", "robot_1 Pause"]
@@ -255,7 +256,7 @@ async def test_ended_from_outside_it_says_what_is_not_known(
 
 async def test_ctrl_c_before_anything_was_sent(server: RosbridgeServer, folder: Path) -> None:
     server.bridge.muted.add("/robot_0/queue")
-    connected = carried_out(server, "/rosapi/fleet_tui_heartbeat", answers=True)
+    connected = carried_out(server, pulse.TIME, answers=True)
     process = await started(folder, *ORDER)
     await asyncio.wait_for(connected.wait(), HANGS)
     process.send_signal(signal.SIGINT)

@@ -1,14 +1,25 @@
 """The command path, as the console tests it on a real loopback server."""
 
+from pathlib import Path
+
 import pytest
 
-from fleet_tui.client.rosbridge import heartbeat
+from fleet_tui.cli.status.report import attention
+from fleet_tui.client.rosbridge import heartbeat, pulse
+from fleet_tui.config.schema import Config
+from fleet_tui.demo import demo_config
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
+from fleet_tui.model.counters import RoundTrips
 from fleet_tui.model.events import CommandPathChanged
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
+from fleet_tui.rules.why.why import reasons
+from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.fleets import reduced, tick
 from tests.support.links import finished, linked, path, ready
-from tests.support.watched_store import config_of
+from tests.support.polling import HANGS
+from tests.support.watched_store import WatchedStore, config_of
 
 PAUSE, RESUME = "/robot_0/Application_layout/Pause", "/robot_0/Application_layout/Resume"
 
@@ -27,7 +38,7 @@ async def test_a_probe_that_runs_out_after_an_answer_came_raises_nothing(
 ) -> None:
     monkeypatch.setattr(heartbeat, "TIMEOUT", 1.0)
     monkeypatch.setattr(heartbeat, "EVERY", 60.0)
-    server.bridge.services.silent_services.add(heartbeat.SERVICE)
+    server.bridge.services.silent_services.update(pulse.EVERY_QUESTION)
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(lambda state: state.links["rosbridge"].commands_connected)
         assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
@@ -44,7 +55,7 @@ async def test_an_answer_to_a_command_is_life_at_once(
 ) -> None:
     monkeypatch.setattr(heartbeat, "TIMEOUT", 0.2)
     monkeypatch.setattr(heartbeat, "EVERY", 60.0)
-    server.bridge.services.silent_services.add(heartbeat.SERVICE)
+    server.bridge.services.silent_services.update(pulse.EVERY_QUESTION)
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(path(CommandPath.DEAD))
         assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
@@ -76,3 +87,65 @@ async def test_a_master_that_is_back_without_its_nodes_is_told_until_they_are(
         )
         server.bridge.services.offered.update(there)
         await store.until(path(CommandPath.ALIVE))
+
+
+async def test_a_bridge_whose_nodes_answer_is_asked_nothing_that_is_an_error_in_the_log_of_its_site(
+    ros_2: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(heartbeat, "EVERY", 0.05)
+    async with linked(config_of(ros_2.url, 1)) as (link, store):
+        beats = link.counters["rosbridge"].round_trips
+        await store.until(lambda _: len(beats.took) > 5)
+        for fault in ("dead-rosapi", "frozen-rosapi"):
+            play(ros_2, [(fault, "robot_0")])
+            await more_beats(store, beats)
+        asked = [one["service"] for one in ros_2.bridge.received if one["op"] == "call_service"]
+    assert store.state.links["rosbridge"].command_path is CommandPath.ALIVE
+    assert pulse.OWN_WORD not in asked
+
+
+async def more_beats(store: WatchedStore, beats: RoundTrips) -> None:
+    seen: set[float | None] = set()
+
+    def went_on(_: FleetState) -> bool:
+        seen.add(beats.at)
+        return len(seen) > 3
+
+    await store.until(went_on)
+
+
+async def test_a_bridge_that_is_half_dead_is_told_as_that_and_no_robot_is_blamed(
+    nav2: RosbridgeServer, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(heartbeat, "EVERY", 0.1)
+    monkeypatch.setattr(heartbeat, "QUICK", 0.2)
+    monkeypatch.setattr(heartbeat, "HALF_DEAD_AFTER", 1.0)
+    config = demo_config(Config(), nav2.url, 1, 1, "2", "nav2", tmp_path)
+    async with linked(config) as (_, store):
+        await store.until(lambda state: state.robots["robot_0"].pose)
+        play(nav2, [("half-dead", "robot_0")])
+        await store.until(lambda state: state.links["rosbridge"].is_half_dead)
+        state = await store.until(lambda state: not state.is_online(state.robots["robot_0"]), within=HANGS)
+        later = reduced(state, tick(state.now + 60.0))
+        assert [alarm.condition.kind for alarm in later.alarms if alarm.holds] == ["commands"]
+        assert later.alarms[0].text == "no command path: rosbridge is half dead: restart it"
+        found = reasons(later, later.robots["robot_0"])
+        assert found[0].name == "rosbridge half dead" and "Restart rosbridge" in found[0].remedy
+        assert attention(later) == ["rosbridge: no command path: rosbridge is half dead: restart it"]
+        nav2.bridge.services.silent_services.clear()
+        await store.until(path(CommandPath.ALIVE))
+
+
+async def test_a_fleet_that_has_nothing_to_say_has_no_half_dead_bridge(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Nor has one without rosapi, or with a frozen one."""
+    monkeypatch.setattr(heartbeat, "EVERY", 0.05)
+    monkeypatch.setattr(heartbeat, "QUICK", 0.1)
+    monkeypatch.setattr(heartbeat, "HALF_DEAD_AFTER", 0.1)
+    server.bridge.muted.update(server.bridge.topics)
+    async with linked(config_of(server.url, 1)) as (link, store):
+        for fault in ("dead-rosapi", "frozen-rosapi"):
+            play(server, [(fault, "robot_0")])
+            await more_beats(store, link.counters["rosbridge"].round_trips)
+            assert store.state.links["rosbridge"].command_path is CommandPath.ALIVE

@@ -131,7 +131,7 @@ async def test_a_bridge_that_answers_no_call_gets_all_subscriptions_at_once(
     monkeypatch.setattr(subscriber, "AT_ONCE", 10)
     monkeypatch.setattr(subscriber, "ROSAPI_TIMEOUT", 0.05)
     monkeypatch.setattr(subscriber, "PER_TOPIC", 0.0)
-    monkeypatch.setattr(subscriber, "SERVICE", "/rosapi/get_time")
+    monkeypatch.setattr(subscriber, "OWN_WORD", "/rosapi/get_time")
     server.bridge.services.silent_services.add("/rosapi/get_time")
     async with linked(large(server)) as (_, store):
         await store.until(lambda state: all(robot.pose for robot in state.robots.values()))
