@@ -166,12 +166,14 @@ ALARM = (
     *("source", "kind", "priority", "text", "raised", "returned", "acknowledged", "ended"),
     *("operator", "count"),
 )
+PLACED = f"""FROM commands WHERE commands.robot = orders.robot
+  AND commands.reason = '{IN_QUEUE}' || orders.name
+  AND (orders.name GLOB '*[^0-9]*' OR commands.at > orders.queued - {NUMBERED_WITHIN})
+  ORDER BY at DESC LIMIT 1"""
+"""The command of any console that placed an order."""
 OPEN_ORDERS = f"""
-SELECT robot, name, way, floor, queued, begun, ended, stage, reason, coalesce(nullif(operator, ''), (
-  SELECT commands.operator FROM commands WHERE commands.robot = orders.robot
-    AND commands.reason = '{IN_QUEUE}' || orders.name
-    AND (orders.name GLOB '*[^0-9]*' OR commands.at > orders.queued - {NUMBERED_WITHIN})
-  ORDER BY at DESC LIMIT 1), '')
+SELECT robot, name, coalesce((SELECT nullif(commands.way, '') {PLACED}), way), floor, queued, begun, ended,
+  stage, reason, coalesce(nullif(operator, ''), (SELECT commands.operator {PLACED}), '')
 FROM orders WHERE ended IS NULL
 UNION ALL
 SELECT robot, '', way, '', at, NULL, NULL, stage, reason, operator FROM commands WHERE stage = :waiting

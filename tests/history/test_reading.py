@@ -126,6 +126,17 @@ def test_an_order_with_a_unique_name_is_one_whatever_a_console_knows_of_its_way(
     assert [(one.order, one.way) for one in History(database).open_orders()] == [("161219e8", "A -> B")]
 
 
+def test_an_order_has_the_way_of_who_placed_it_whoever_observes(database: sqlite3.Connection) -> None:
+    write(database, OrderChange("r", "161219e8", "-> Packing", 6.0, "begun"), "run1", "ana")
+    told = {"kind": "command", "what": "order", "robot": "r", "start_label": "Base", "end_label": "Packing"}
+    words = "seen in the queue as order 161219e8"
+    ben = Origin("ben", "host:2", "run2")
+    write(database, ben.record(5.0, change="confirmed", id=1, words=words, **told), "run2", "ben")
+    assert [(one.way, one.operator) for one in History(database).open_orders()] == [
+        ("Base -> Packing", "ben")
+    ]
+
+
 def test_the_number_of_an_order_of_yesterday_tells_nothing_of_that_of_today(
     database: sqlite3.Connection,
 ) -> None:

@@ -7,6 +7,7 @@ from fleet_tui.model.events import BridgeAnswered, MessageRejected, PausedReport
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
+from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.alarms.trouble import to_look_at
 from fleet_tui.rules.commands.checks import problems
 from fleet_tui.rules.why.why import reasons
@@ -161,3 +162,13 @@ def test_status_names_whom_the_top_line_counts_to_look_at() -> None:
     state = reduced(state, PausedReported(R0, T0 + 0.1, True), tick(T0 + 0.2))
     assert to_look_at(state) == (R0,)
     assert "robot_0: paused (elsewhere)" in attention(state)
+
+
+def test_a_robot_that_speaks_again_and_only_rubbish_is_not_back() -> None:
+    state = reduced(silent_robot(), tick(T0 + 1))
+    for n in range(30):
+        state = reduced(state, MessageRejected(R0, BAD), tick(T0 + 1.1 + n / 10))
+        (alarm,) = (one for one in state.alarms if one.condition.kind == "offline")
+        assert alarm.holds and "back online" not in alarm.text and "power" not in action_of(alarm.condition)
+    state = reduced(state, battery(T0 + 5), tick(T0 + 5.1))
+    assert next(one.text for one in state.alarms if one.condition.kind == "offline") == "back online"

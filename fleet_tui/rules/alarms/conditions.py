@@ -188,6 +188,10 @@ def offline(state: FleetState, robot: Robot, active: ActiveConditions) -> Condit
         return None
     raised = was_active(active, robot.name, robot.link, SILENT.name)
     fact = silence(state, robot) if state.is_online(robot) else absence(state, robot)
+    if raised and fact is not None and fact.kind is BAD_DATA:
+        # It speaks, and nobody can tell what: it is not back yet.
+        over, remedy = SILENT.over, fact.action
+        return Condition(robot.name, SILENT.name, fact.priority, fact.text, over, -math.inf, remedy=remedy)
     if fact is None or fact.kind.name != SILENT.name:
         return None
     link = state.links[robot.link]
