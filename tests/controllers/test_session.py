@@ -23,7 +23,7 @@ def test_the_headline_says_what_keeps_commands_here() -> None:
 
 
 def test_the_way_back_from_all_paused_is_shown_where_it_fits_and_may_be_gone() -> None:
-    paused = reduced(ready(), PausedReported(R0, T0 + 0.4, True), tick(T0 + 0.5))
+    paused = reduced(ready(), PausedReported(R0, T0 + 1.4, True), tick(T0 + 1.5))
 
     def headline(width: int, permissions: Permissions | None = None) -> str:
         return text_of(LiveSession(Desk(paused, permissions).parts).headline(paused, R0, width)[0])

@@ -8,7 +8,7 @@ from fleet_tui.model.fleet import FleetState, behind_text
 from fleet_tui.model.kind import PAUSE
 from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.rules.alarms.trouble import to_look_at
-from fleet_tui.rules.commands.pauses import is_held
+from fleet_tui.rules.commands.pauses import is_held, is_moving
 from fleet_tui.rules.sites import alarms_by_site, site_of, sites_of
 from fleet_tui.situation.facts import LATE_LINK
 from fleet_tui.situation.links import LATE_FROM, is_late
@@ -38,8 +38,9 @@ def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: f
     """Return notes on this console, such as its delay, or a stalled clock when the state is `standstill`
     seconds old."""
     able = [robot for robot in state.robots.values() if robot.kind.can(PAUSE)]
-    # Of a robot that is not heard nobody knows whether it stands.
-    stopped = [robot for robot in able if state.is_online(robot) and is_held(state, robot)]
+    # Of a robot that is not heard nobody knows whether it stands, and one that was paused may drive on.
+    held = [robot for robot in able if state.is_online(robot) and is_held(state, robot)]
+    stopped = [robot for robot in held if not is_moving(robot, state.now)]
     # A robot whose kind has no pause drives on: beside it not all are paused.
     robots = len(state.robots)
     paused = tr(f"ALL {PAUSED}") if len(stopped) == robots else tr(f"{len(stopped)} of {robots} {PAUSED}")

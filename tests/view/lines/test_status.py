@@ -22,6 +22,7 @@ from tests.support.fleets import (
     link_lost,
     link_up,
     of_kinds,
+    pose,
     reduced,
     text_of,
     tick,
@@ -232,3 +233,14 @@ def test_a_long_address_is_cut_before_the_age_of_the_link() -> None:
     link = replace(state.links[LINK], url=f"wss://{'bridge.' * 12}example.org:9090")
     shown = text_of(status_line(replace(state, links={LINK: link}), R0, kept=KEPT, width=80))
     assert "● wss://bridge." in shown and shown.endswith(" 0.0 s") and len(shown) <= 80
+
+
+def test_a_robot_that_drives_on_though_it_was_paused_is_not_among_the_paused() -> None:
+    paused = [events.PausedReported(f"robot_{n}", T0, True) for n in range(2)]
+    alive = [battery(T0, robot=f"robot_{n}") for n in range(2)]
+    moves = [pose(T0 - 1 + n / 10, n / 10, robot="robot_1") for n in range(11)]
+    state = reduced(fleet(2), link_up(T0 - 2), *alive, *moves, *paused, tick(T0))
+    assert console_notes(state, read_only=False, armed=True, standstill=0.0) == []
+    stands = [pose(T0 + n / 10, 1.0, robot="robot_1") for n in range(1, 12)]
+    later = reduced(state, *stands, tick(T0 + 1.2))
+    assert console_notes(later, read_only=False, armed=True, standstill=0.0) == ["ALL PAUSED"]
