@@ -5,7 +5,7 @@ from fleet_tui.keys import KEYS, Pane
 from fleet_tui.model.events import PausedReported
 from fleet_tui.model.problem import Permissions
 from tests.support.desk import Desk, ready
-from tests.support.fleets import R0, T0, reduced, text_of, tick
+from tests.support.fleets import R0, T0, pose, reduced, text_of, tick
 
 
 def test_no_key_and_no_line_of_a_recording_means_anything() -> None:
@@ -23,7 +23,8 @@ def test_the_headline_says_what_keeps_commands_here() -> None:
 
 
 def test_the_way_back_from_all_paused_is_shown_where_it_fits_and_may_be_gone() -> None:
-    paused = reduced(ready(), PausedReported(R0, T0 + 1.4, True), tick(T0 + 1.5))
+    stands = pose(T0 + 1.4)
+    paused = reduced(ready(), stands, PausedReported(R0, T0 + 1.4, True), tick(T0 + 1.5))
 
     def headline(width: int, permissions: Permissions | None = None) -> str:
         return text_of(LiveSession(Desk(paused, permissions).parts).headline(paused, R0, width)[0])
