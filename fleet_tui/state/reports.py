@@ -18,6 +18,8 @@ from fleet_tui.text.limits import LONGEST_NAME, MOST_ORDERS, truncate
 
 # A robot whose clock runs slower than ours by this share must not age into "offline" over days.
 CLOCK_DRIFT = 1e-3
+# Seconds by which a robot's clock may be ahead of that of its site.
+CLOCK_AHEAD = 5.0
 # Stamps of one robot never go backwards unless its clock was set.
 CLOCK_STEP = 0.5
 # Seconds beyond the lateness of a bridge by which a clock that agrees with its site's may seem to be off.
@@ -55,7 +57,10 @@ def _set_clock(clock: StampClock | None, at: float, stamp: float, site: SiteCloc
     offset = at - stamp
     if clock is None:
         known = offset if site is None else min(offset, site.offset)
-        return StampClock(known, stamp, at, is_running=False, is_compared=site is not None)
+        # Ahead of its site a robot's clock is another one, which tells no age.
+        is_ahead = site is not None and math.isfinite(site.offset) and offset < site.offset - CLOCK_AHEAD
+        is_compared = site is not None and not is_ahead
+        return StampClock(known, stamp, at, is_running=False, is_compared=is_compared)
     if stamp < clock.stamp - CLOCK_STEP:
         return StampClock(offset, stamp, at)
     if not clock.is_running:

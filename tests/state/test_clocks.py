@@ -48,6 +48,16 @@ def test_a_first_stamp_is_as_old_as_the_clock_of_the_site_says() -> None:
     assert [one["online"] for one in report(state)["robots"]] == [False]
 
 
+def test_a_first_stamp_ahead_of_the_site_is_of_unknown_age_and_of_a_clock_that_runs_none() -> None:
+    """A stamp of the future proves nothing: the message may be a latched one."""
+    ahead = seen(BridgeAnswered(LINK, T0 - 0.5, 0.004, SITE - 0.5), pose(T0, stamp=SITE + 3600.0))
+    assert not ahead.is_online(ahead.robots[R0]) and told(ahead)[0] == "age unknown"
+    state = reduced(ahead, pose(T0 + 0.6, stamp=SITE + 3600.6), tick(T0 + 0.7))
+    assert state.is_online(state.robots[R0]) and age(state) < 0.2
+    little = seen(BridgeAnswered(LINK, T0 - 0.5, 0.004, SITE - 0.5), pose(T0, stamp=SITE + 2.0))
+    assert little.is_online(little.robots[R0])
+
+
 def test_other_robots_have_the_clock_of_the_site() -> None:
     others = [pose(T0 - 1 + n / 10, stamp=SITE - 1 + n / 10, robot="robot_1") for n in range(9)]
     state = seen(*others, pose(T0, stamp=SITE - 40.0), robots=2)
