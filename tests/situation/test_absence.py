@@ -172,3 +172,11 @@ def test_a_robot_that_speaks_again_and_only_rubbish_is_not_back() -> None:
         assert alarm.holds and "back online" not in alarm.text and "power" not in action_of(alarm.condition)
     state = reduced(state, battery(T0 + 5), tick(T0 + 5.1))
     assert next(one.text for one in state.alarms if one.condition.kind == "offline") == "back online"
+
+
+def test_what_is_missing_is_named_once() -> None:
+    state = reduced(fleet(), link_up(T0 - 60), battery(T0), queue(T0), tick(T0))
+    assert to_look_at(state) == (R0,)
+    assert [line for line in attention(state) if "pose" in line] == [
+        "robot_0: missing: pose, cargo, obstacle, graph of floor_0, labels of floor_0"
+    ]

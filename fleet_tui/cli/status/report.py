@@ -9,7 +9,7 @@ from fleet_tui.cli.session import missing
 from fleet_tui.cli.status.navigation import navigation
 from fleet_tui.cli.status.vehicle import vehicle
 from fleet_tui.model.alarm import Priority
-from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.fleet import FleetState, missing_text
 from fleet_tui.model.fleets.facility import LANES, Facility
 from fleet_tui.model.kind import PAUSE
 from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
@@ -19,6 +19,7 @@ from fleet_tui.rules.alarms.trouble import to_look_at
 from fleet_tui.situation.facts import OBSTACLE
 from fleet_tui.situation.links import behind, late_link
 from fleet_tui.situation.robots import absence, blocked_robots
+from fleet_tui.text.language import tr
 from fleet_tui.text.limits import some
 from fleet_tui.text.units import counted
 from fleet_tui.view.roles import StyleRole
@@ -144,8 +145,12 @@ def attention(state: FleetState) -> list[str]:
             lines.append(f"{alarm.condition.source}: {alarm.text}")
     lines += _unknown(state)
     for name in [name for name in to_look_at(state) if name not in blocked]:
-        urgent = (text for text, role in news(state, state.robots[name]) if role is not StyleRole.DIM)
-        lines += [f"{name}: {text}" for text in islice(urgent, 1)]
+        robot = state.robots[name]
+        urgent = (text for text, role in news(state, robot) if role is not StyleRole.DIM)
+        told = [f"{name}: {text}" for text in islice(urgent, 1)]
+        if missing(robot):  # said with all else that is missing
+            told = [line for line in told if line != f"{name}: {tr(missing_text(state, robot, 'pose'))}"]
+        lines += told
     # An alarm may have reported it already.
     return list(dict.fromkeys(lines))
 
