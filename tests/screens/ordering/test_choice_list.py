@@ -21,6 +21,8 @@ async def test_an_order_by_mouse_alone(server: RosbridgeServer) -> None:
             wanted = "Base" if field == "from" else "Charger"
             row = next(y for y, text in enumerate(labels) if text.startswith(wanted))
             await it.pilot.click("#matches", offset=(3, row))
+            # The list is that of the next field then.
+            await it.until(lambda _, field=field: it.app.main.query_one(f"#{field}", Input).value)
         await it.shows("Enter  send")
         assert it.app.main.query_one("#to", Input).value == "Charger" and sent(server) == []
         await it.pilot.click("#send")
