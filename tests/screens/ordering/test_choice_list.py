@@ -1,14 +1,21 @@
 """The list of choices below the fields: by mouse, by arrows, by what was typed last."""
 
+from functools import partial
+
 import pytest
 from textual.app import App
 from textual.widgets import Input
 
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.console_pilot import console
+from tests.support.console_pilot import Console, console
 from tests.support.ordering import sent, vertex
 from tests.support.polling import HANGS
 from tests.support.watched_store import config_of
+
+
+def has_value(it: Console, field: str, _: FleetState) -> bool:
+    return it.app.main.query_one(f"#{field}", Input).value != ""
 
 
 async def test_an_order_by_mouse_alone(server: RosbridgeServer) -> None:
@@ -22,7 +29,7 @@ async def test_an_order_by_mouse_alone(server: RosbridgeServer) -> None:
             row = next(y for y, text in enumerate(labels) if text.startswith(wanted))
             await it.pilot.click("#matches", offset=(3, row))
             # The list is that of the next field then.
-            await it.until(lambda _, field=field: it.app.main.query_one(f"#{field}", Input).value)
+            await it.until(partial(has_value, it, field))
         await it.shows("Enter  send")
         assert it.app.main.query_one("#to", Input).value == "Charger" and sent(server) == []
         await it.pilot.click("#send")
