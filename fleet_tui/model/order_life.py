@@ -193,37 +193,24 @@ def listed_end(order: Order, at: float) -> GoneOrder:
 
 def corrected(gone: tuple[GoneOrder, ...], queue: OrderQueue, reports_ends: bool) -> tuple[GoneOrder, ...]:
     """Return the orders that left, those with an inferred end with the one that the robot lists now, and
-    without those that it lists again: they have not ended."""
-    listed = {order.id: order for order in queue.orders if not order.is_over}
-    if any(_is_listed_again(one, listed, reports_ends) for one in gone):
-        gone = tuple(one for one in gone if not _is_listed_again(one, listed, reports_ends))
-    over = {order.id: order for order in queue.orders if order.is_over}
-    if not any(_is_taken_back(one, over, reports_ends) for one in gone):
-        return gone
-    return tuple(
-        _corrected(one, over[one.order.id]) if _is_taken_back(one, over, reports_ends) else one
-        for one in gone
-    )
+    without those that it lists as open again: they have not ended."""
+    listed = {order.id: order for order in queue.orders}
+    known = list[GoneOrder]()
+    for one in gone:
+        if not _is_listed(one, listed, reports_ends):
+            known.append(one)
+        elif (order := listed[one.order.id]).is_over:
+            known.append(replace(listed_end(order, one.at), listed_at=one.listed_at))
+    return gone if known == [*gone] else tuple(known)
 
 
-def _is_listed_again(gone: GoneOrder, listed: Mapping[str, Order], reports_ends: bool) -> bool:
-    """Tell whether an order with an inferred end is among the `listed` ones that are open, by id."""
+def _is_listed(gone: GoneOrder, listed: Mapping[str, Order], reports_ends: bool) -> bool:
+    """Tell whether an order with an inferred end is among the `listed` ones, by id: the robot knows better.
+    Where ends are reported an id is never used twice; a goal that is listed again has a new serial."""
     order = listed.get(gone.order.id)
     if order is None or not ORDER_ENDS[gone.stage].is_inferred or gone.reason == STARTED_OVER:
         return False
     return reports_ends or _is_same(gone.order, order)
-
-
-def _is_taken_back(gone: GoneOrder, over: Mapping[str, Order], reports_ends: bool) -> bool:
-    order = over.get(gone.order.id)
-    if order is None or not ORDER_ENDS[gone.stage].is_inferred or gone.reason == STARTED_OVER:
-        return False
-    # Where ends are reported an id is never used twice; a goal that is listed again has a new serial.
-    return (reports_ends or _is_same(gone.order, order)) and _corrected(gone, order) != gone
-
-
-def _corrected(gone: GoneOrder, order: Order) -> GoneOrder:
-    return replace(listed_end(order, gone.at), listed_at=gone.listed_at)
 
 
 def latest(gone: Iterable[GoneOrder], order_id: str, since: float) -> GoneOrder | None:

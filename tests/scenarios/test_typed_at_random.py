@@ -6,6 +6,7 @@ More of them: FLEET_TUI_SEQUENCES=10000 (make typed).
 import os
 import random
 from collections.abc import Sequence
+from pathlib import Path
 
 import pytest
 from textual.widgets import Button, Input, OptionList, Static
@@ -127,8 +128,9 @@ class Allowed:
 @pytest.mark.timeout(600)
 @pytest.mark.parametrize("seed", range(1, CONSOLES + 1))
 async def test_random_keys_send_nothing_that_was_not_meant(
-    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch, seed: int
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, seed: int
 ) -> None:
+    monkeypatch.chdir(tmp_path)  # maps and files are saved where the console was opened
     chance = random.Random(seed)
     async with console(config_of(server.url, 2, 2), (80, 24)) as it:
         submitted: list[Command] = []
