@@ -10,7 +10,6 @@ from typing import Any, TypeVar
 import msgspec
 
 from fleet_tui.adapters.ros.messages import TimeAnswer
-from fleet_tui.client.rosbridge.pulse import OF_NODE, is_unknown
 from fleet_tui.discovery.facts import RosapiFacts
 from fleet_tui.discovery.wire import BridgeConnection
 from fleet_tui.errors import LinkError
@@ -38,7 +37,7 @@ async def look_around(wire: BridgeConnection, asks_node: bool = False) -> Rosapi
     except LinkError:
         problem = wire.lost or f"no reply from rosapi within {ANSWER_WITHIN:g} s"
         return RosapiFacts(
-            problem=problem, is_bridge_mute=asks_node and not wire.lost and await _is_mute(wire)
+            problem=problem, is_bridge_mute=asks_node and not wire.lost and await wire.is_mute(ANSWER_WITHIN)
         )
     if not isinstance(topics, dict):
         return RosapiFacts(problem=str(topics))
@@ -52,18 +51,6 @@ async def look_around(wire: BridgeConnection, asks_node: bool = False) -> Rosapi
         ros=ros,
         distro=str(version.get("distro", "")) if isinstance(version, dict) else "",
     )
-
-
-async def _is_mute(wire: BridgeConnection) -> bool:
-    """Tell whether the bridge has a node that does not answer, as if its ROS thread had ended."""
-    for service, args in OF_NODE.items():
-        try:
-            answer = await wire.call(service, args, ANSWER_WITHIN)
-        except LinkError:
-            return True
-        if not is_unknown(answer):
-            return isinstance(answer, str)  # that the bridge gave the call up
-    return False
 
 
 async def _actions(wire: BridgeConnection) -> tuple[str, ...]:

@@ -16,7 +16,7 @@ from fleet_tui.adapters.ros.logs import complaint, log_line
 from fleet_tui.adapters.ros.operations import Subscription
 from fleet_tui.adapters.ros.reading import ROSOUT
 from fleet_tui.client.rosbridge.calls import Calls
-from fleet_tui.client.rosbridge.pulse import OWN_WORD
+from fleet_tui.client.rosbridge.pulse import OWN_WORD, TIME, Pulse
 from fleet_tui.config.schema import Link
 from fleet_tui.discovery.facts import TopicFacts, key_of
 from fleet_tui.errors import LinkError, WireError
@@ -150,6 +150,12 @@ class BridgeConnection:
     async def beat(self, within: float) -> str:
         """Make the bridge itself answer; returns its text. Raises LinkError without an answer."""
         return str(await self.call(OWN_WORD, {}, within))
+
+    async def is_mute(self, within: float) -> bool:
+        """Tell whether the bridge has a node that does not answer, as if its ROS thread had ended. Raises
+        LinkError without a connection."""
+        pulse = Pulse(self._calls)
+        return await pulse.of_ros(within, skip=TIME) is None and pulse.is_mute
 
     def subscribe(self, wanted: Feed, type_: str, latched: bool) -> None:
         """Subscribe to every message of a topic, to pictures at the rate of the console. Raises LinkError."""

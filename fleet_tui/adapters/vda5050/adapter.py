@@ -17,10 +17,11 @@ from fleet_tui.adapters.vda5050.orders import (
     action_at,
     cancel,
     instant_action,
+    major_of,
     order,
 )
 from fleet_tui.adapters.vda5050.settings import VehicleSettings
-from fleet_tui.adapters.vda5050.topics import OF_MASTERS, READ, Topics
+from fleet_tui.adapters.vda5050.topics import INTERFACE, OF_MASTERS, READ, Topics
 from fleet_tui.adapters.vda5050.vocabulary import VOCABULARY
 from fleet_tui.errors import CommandError, WireError
 from fleet_tui.model import commands, events
@@ -126,14 +127,11 @@ class VehicleAdapter:
             manufacturer, serial = self.vehicle(robot.name)
             if not (isinstance(command, commands.PauseRobot) and manufacturer):
                 raise
-            found = [
-                action_at(
-                    self.settings,
-                    self.topics.named(INSTANT_ACTIONS, f"v{version[0]}", manufacturer, serial),
-                    *(version, "startPause", unique),
-                )
-                for version in COMMANDED
-            ]
+            found = []
+            for version in COMMANDED:
+                levels = {"interface": INTERFACE, "version": f"v{major_of(version)}"}
+                topic = self.topics.filter(INSTANT_ACTIONS, manufacturer, serial, **levels)
+                found.append(action_at(self.settings, topic, version, "startPause", unique))
         return [self._addressed(message, robot) for message in found]
 
     def _addressed(self, message: Publication, robot: Robot) -> Publication:

@@ -5,8 +5,6 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Set
 from typing import NamedTuple
 
-from msgspec.structs import replace
-
 from fleet_tui.adapters.vda5050.clock import unix_second
 from fleet_tui.adapters.vda5050.fields import Fields
 from fleet_tui.adapters.vda5050.memory import StateMemory
@@ -103,9 +101,17 @@ def _orders(vehicle: Vehicle, target: str, is_ours: bool, earlier: Set[str]) -> 
     if not vehicle.order_id:
         return ()
     state, said = (OrderState.IN_PROCESS, "") if is_running(vehicle) else _end(vehicle, earlier)
-    goal = Goal(short_id(vehicle.order_id), vehicle.order_id, ORDER, state, is_ours=is_ours, said=said)
-    word, stops = f"{len(vehicle.nodes_left)} nodes left", (Stop(target),) if target else ()
-    return (replace(goal, word=word, stops=stops),)
+    goal = Goal(
+        short_id(vehicle.order_id),
+        vehicle.order_id,
+        ORDER,
+        state,
+        f"{len(vehicle.nodes_left)} nodes left",
+        stops=(Stop(target),) if target else (),
+        is_ours=is_ours,
+        said=said,
+    )
+    return (goal,)
 
 
 def _end(vehicle: Vehicle, earlier: Set[str]) -> tuple[OrderState, str]:

@@ -36,20 +36,13 @@ class Topics:
             pattern = pattern.replace(re.escape(f"{{{level}}}"), f"(?P<{level}>[^/]+)", 1)
         self._pattern = re.compile(pattern)
 
-    def filter(self, name: str, manufacturer: str = "", serial: str = "") -> str:
-        """Return the subscription to a topic of one vehicle, or of all."""
-        known: Mapping[str, str] = {"name": name, "manufacturer": manufacturer, "serial": serial}
+    def filter(self, name: str, manufacturer: str = "", serial: str = "", **levels: str) -> str:
+        """Return the subscription to a topic of one vehicle, or of all; its address if the interface and the
+        version are among the `levels`."""
+        known: Mapping[str, str] = {"name": name, "manufacturer": manufacturer, "serial": serial, **levels}
         found = self._template
         for level in LEVELS:
             found = found.replace(f"{{{level}}}", known.get(level) or ANY)
-        return found
-
-    def named(self, name: str, version: str, manufacturer: str, serial: str) -> str:
-        """Return the topic of a vehicle of which nothing has arrived, as the standard writes it."""
-        levels = {"interface": INTERFACE, "version": version, "manufacturer": manufacturer, "serial": serial}
-        found = self._template.replace("{name}", name)
-        for level, value in levels.items():
-            found = found.replace(f"{{{level}}}", value)
         return found
 
     def parse(self, topic: str) -> VehicleAddress | None:

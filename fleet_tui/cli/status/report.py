@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterator
-from itertools import islice
 from typing import Any
 
 from fleet_tui.cli.session import missing
@@ -144,15 +143,19 @@ def attention(state: FleetState) -> list[str]:
         if alarm.holds and alarm.condition.kind not in ("link", "commands"):
             lines.append(f"{alarm.condition.source}: {alarm.text}")
     lines += _unknown(state)
-    for name in [name for name in to_look_at(state) if name not in blocked]:
-        robot = state.robots[name]
-        urgent = (text for text, role in news(state, robot) if role is not StyleRole.DIM)
-        told = [f"{name}: {text}" for text in islice(urgent, 1)]
-        if missing(robot):  # said with all else that is missing
-            told = [line for line in told if line != f"{name}: {tr(missing_text(state, robot, 'pose'))}"]
-        lines += told
+    lines += [line for name in to_look_at(state) if name not in blocked for line in _first_news(state, name)]
     # An alarm may have reported it already.
     return list(dict.fromkeys(lines))
+
+
+def _first_news(state: FleetState, name: str) -> Iterator[str]:
+    """Yield what needs a person first of a robot, unless it is that its pose is missing: that is said with
+    all else that is."""
+    robot = state.robots[name]
+    urgent = (text for text, role in news(state, robot) if role is not StyleRole.DIM)
+    text = next(urgent, "")
+    if text and not (missing(robot) and text == tr(missing_text(state, robot, "pose"))):
+        yield f"{name}: {text}"
 
 
 def _unknown(state: FleetState) -> Iterator[str]:

@@ -213,9 +213,9 @@ class CommandChannel:
             if mismatch := self._services.mismatch(one.address):
                 table = adapter.names.table
                 raise CommandError(f"{mismatch}: correct [{table}.services], or [{table}.service_types]")
-        return [one for one in outgoing if not self._is_useless(one)]
+        return [one for one in outgoing if not self._lacks_server(one)]
 
-    def _is_useless(self, outgoing: Outgoing) -> bool:
+    def _lacks_server(self, outgoing: Outgoing) -> bool:
         """Tell whether there is nobody to take a call, which would be an error in the log of the site."""
         server = outgoing.server if isinstance(outgoing, ServiceCall) else ""
         return server != "" and self._services.lacks_server(server)

@@ -127,12 +127,10 @@ class Heartbeat:
     async def _ask(self) -> bool:
         """Ask once; tell whether a node answered. Raises NoAnswerError if not even the bridge did, LinkError
         without a connection."""
-        found = await self._pulse.of_ros(QUICK)
-        is_answered = found is not None
-        if found is None:
-            found = await timed(self._calls.call(OWN_WORD, {}, TIMEOUT))
-            # Upstream issue 1144: its ROS thread has ended, the rest of it goes on.
-            if self._pulse.is_mute and self._silence() > HALF_DEAD_AFTER:
-                self._set(CommandPath.DEAD, HALF_DEAD)
-        self._round_trips.take(found[0], time.monotonic())
-        return is_answered
+        answer = await self._pulse.of_ros(QUICK)
+        took, _ = answer or await timed(self._calls.call(OWN_WORD, {}, TIMEOUT))
+        self._round_trips.take(took, time.monotonic())
+        # Upstream issue 1144: its ROS thread has ended, the rest of it goes on.
+        if answer is None and self._pulse.is_mute and self._silence() > HALF_DEAD_AFTER:
+            self._set(CommandPath.DEAD, HALF_DEAD)
+        return answer is not None

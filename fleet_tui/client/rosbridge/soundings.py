@@ -34,13 +34,11 @@ class Soundings:
         report: Callable[[BridgeAnswered], None],
     ) -> None:
         """`is_ready` tells whether the bridge has handled our own subscriptions, which delay its answers."""
-        self._link, self._pulse, self._calls, self._is_ready, self._report = (
-            link,
-            pulse,
-            calls,
-            is_ready,
-            report,
-        )
+        self._link = link
+        self._pulse = pulse
+        self._calls = calls
+        self._is_ready = is_ready
+        self._report = report
         self._task: asyncio.Task[None] | None = None
         self._has_time = True
         """rosapi may be frozen: then only the bridge itself is asked."""
