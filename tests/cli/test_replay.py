@@ -55,4 +55,5 @@ async def test_the_console_says_that_it_is_a_bag(tmp_path: Path, size: tuple[int
         assert "REPLAY 2023-11-1" in running.text.splitlines()[0]
         assert size[0] < 100 or "● rosbag://night.bag" in running.text.splitlines()[0]
         assert "from ROS bag night.bag" in running.text
-        assert "25 %" in running.text and "Grüße ☃" in running.text
+        await running.shows("25 %")
+        await running.shows("Grüße ☃")

@@ -133,6 +133,7 @@ async def test_streams_go_along_with_the_selected_robot(site: Site) -> None:
 
 
 async def test_a_robot_that_drives_is_told_to_be_paused_before_its_pose_is_chosen(site: Site) -> None:
+    site.server.speed = 1.0
     async with console(site.config) as it:
         await it.press("G")
         await it.shows("GOAL", "map")

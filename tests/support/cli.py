@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.driven_time import TIME
 from tests.support.polling import HANGS
 from tests.support.warm_cli import warm_cli
 
@@ -63,6 +64,7 @@ async def run(
 ) -> Ended:
     """Run `fleet-tui` with the config of a folder to its end, while this loop goes on serving; `on_start`
     gets its process id."""
+    TIME.be_real()
     with ExitStack() as opened:
         given, out, err = (opened.enter_context(tempfile.TemporaryFile()) for _ in range(3))
         given.write((stdin or "").encode())

@@ -2,6 +2,7 @@
 
 import asyncio
 from collections.abc import Callable
+from contextlib import suppress
 
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.entries import FloorEntry, RobotEntry
@@ -39,7 +40,9 @@ class WatchedStore(Store):
         async with asyncio.timeout(within):
             while not holds(self.state):
                 self._told.clear()
-                await self._told.wait()
+                with suppress(TimeoutError):  # a screen may change without an event: that of a stopped replay
+                    async with asyncio.timeout(0.1):
+                        await self._told.wait()
         return self.state
 
     def told(self, kind: type[Event]) -> list[Event]:

@@ -73,7 +73,7 @@ async def test_the_worst_of_several_answers_is_the_end(waiting: Waiting) -> None
 async def test_an_answer_after_its_deadline_is_told_after_all(waiting: Waiting) -> None:
     (call,), task = waiting.wait(1)
     while not waiting.told:  # noqa: ASYNC110  # its own deadline tells
-        await asyncio.sleep(0)
+        await asyncio.sleep(0.001)
     assert waiting.told[0][1] is Stage.NO_ANSWER
     waiting.answer(call, True, "paused")
     await task
@@ -93,7 +93,7 @@ async def test_a_lost_link_and_a_fault_of_our_own_leave_the_end_unknown(
     waiting: Waiting, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     _, lost = waiting.wait(1)
-    await asyncio.sleep(0)
+    await asyncio.sleep(0.001)
     waiting.calls.on_lost()
     await lost
     monkeypatch.setattr(waiting.answers, "_learn", lambda *_: 1 / 0)

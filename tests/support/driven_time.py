@@ -1,0 +1,283 @@
+"""Time of a test: it stands still while anything computes, and jumps to what is due next once all wait.
+
+A plugin of pytest. While a test runs in an asyncio loop, seconds pass for nothing else: not for a machine
+that is busy, not for a test that waits. Two kinds of test have real seconds: those that run no loop, and
+those with another process, from its start on.
+"""
+
+import asyncio
+import concurrent.futures.thread
+import math
+import os
+import queue
+import select
+import selectors
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from types import FrameType
+from typing import Any
+
+import pytest
+
+_monotonic, _time, _sleep, _wait = time.monotonic, time.time, time.sleep, threading.Condition.wait
+
+LOOK = 0.002
+"""Seconds of the machine between two looks at whether all wait."""
+
+GLANCE = 1e-6
+"""Seconds that pass with each look at the time: what is done later has a later time."""
+
+PATIENCE = 10
+"""Looks without any computing after which a thread that waits in an unknown way holds nobody up."""
+
+
+class DrivenTime:
+    """The clock of this process, and who waits for it until when: threads by their ident."""
+
+    def __init__(self) -> None:
+        self._lock = threading.RLock()
+        self._ahead = self._led = 0.0  # of the machine's clocks: while time runs, and when they last agreed
+        self._stands_at: float | None = None
+        self._real = False
+        self._loops = set[int]()
+        self._due: dict[int, tuple[float, _Selector | None]] = {}
+        self._computing = 0
+        self._before: set[int] = set()
+
+    def monotonic(self) -> float:
+        with self._lock:
+            if self._stands_at is None:
+                return _monotonic() + self._ahead
+            self._stands_at += GLANCE
+            return self._stands_at
+
+    def time(self) -> float:
+        return _time() - _monotonic() + self.monotonic() - self._led
+
+    def time_ns(self) -> int:
+        return int(self.time() * 1e9)
+
+    def sleep(self, seconds: float) -> None:
+        """As `time.sleep`."""
+        with self._waiting(self.monotonic() + seconds) as due:
+            while (left := due - self.monotonic()) > 0:
+                if self._stands_at is None:
+                    _sleep(min(left, LOOK))
+                elif not self._jump():
+                    _sleep(LOOK)
+
+    def wait_for(self, condition: threading.Condition, seconds: float | None) -> bool:
+        """As `threading.Condition.wait`."""
+        if seconds is None or self._stands_at is None or threading.get_ident() in self._before:
+            return _wait(condition, seconds)
+        with self._waiting(self.monotonic() + seconds) as due:
+            while self.monotonic() < due:
+                if _wait(condition, LOOK):
+                    return True
+        return False
+
+    def begin_test(self) -> None:
+        """Have seconds stand again: another process may have made them run."""
+        self._real = False
+        self._led = self.monotonic() - _monotonic()
+        self._before = {thread.ident or 0 for thread in threading.enumerate()}
+
+    def be_real(self) -> None:
+        """Have seconds run, to the end of this test: another process has no other."""
+        with self._lock:
+            self._real = True
+            self._run()
+            self._led = self._ahead
+
+    def _run(self) -> None:
+        if self._stands_at is not None:
+            self._ahead, self._stands_at = self._stands_at - _monotonic(), None
+
+    @contextmanager
+    def loop_runs(self) -> Iterator[None]:
+        ident, is_main = threading.get_ident(), threading.current_thread() is threading.main_thread()
+        with self._lock:
+            self._loops.add(ident)
+            if is_main and not self._real and self._stands_at is None:
+                self._stands_at = self.monotonic()
+        try:
+            yield
+        finally:
+            with self._lock:
+                self._loops.remove(ident)
+                if is_main:
+                    self._run()
+
+    @contextmanager
+    def _waiting(self, due: float, selector: "_Selector | None" = None) -> Iterator[float]:
+        ident = threading.get_ident()
+        with self._lock:
+            self._due[ident] = due, selector
+        try:
+            yield due
+        finally:
+            with self._lock:
+                del self._due[ident]
+
+    def computes(self, future: "asyncio.Future[Any]") -> None:
+        """Hold time until a thread has done what a loop waits for."""
+        with self._lock:
+            self._computing += 1
+        future.add_done_callback(self._has_computed)
+
+    def _has_computed(self, _future: "asyncio.Future[Any]") -> None:
+        with self._lock:
+            self._computing -= 1
+
+    def wait(self, selector: "_Selector", seconds: float | None) -> list[tuple[selectors.SelectorKey, int]]:
+        """Return what a loop waits for: what has come, or nothing once the time is over."""
+        looks, used = 0, 0.0
+        with self._waiting(math.inf if seconds is None else self.monotonic() + seconds, selector) as due:
+            while True:
+                stands = self._stands_at is not None
+                if stands:
+                    self._jump(looks > PATIENCE)
+                left = due - self.monotonic()
+                ready = selector.look(0.0 if left <= 0 else LOOK if stands else min(left, 0.02))
+                if ready or left <= 0:
+                    return ready
+                before, used = used, time.process_time()
+                looks = looks + 1 if used - before < LOOK / 10 else 0
+
+    def _jump(self, patience_is_over: bool = False) -> bool:
+        """Move to the first moment for which somebody waits, if all wait; tell whether time passed."""
+        with self._lock:
+            if self._stands_at is None or not self._loops <= self._due.keys():
+                return False
+            first = min(due for due, _ in self._due.values())
+            if first == math.inf or any(map(self._is_called, self._due.values())):
+                return False
+            if not patience_is_over and not self._nothing_computes():
+                return False
+            self._stands_at = max(self._stands_at, first) + GLANCE
+            for due, loop in self._due.values():
+                if loop and due <= self._stands_at:
+                    loop.wake()
+            return True
+
+    def _is_called(self, waits: tuple[float, "_Selector | None"]) -> bool:
+        """Tell whether a thread is about to wake."""
+        due, loop = waits
+        assert self._stands_at is not None
+        return loop.has_news() if loop else due <= self._stands_at
+
+    def _nothing_computes(self) -> bool:
+        sleeping = len(self._due.keys() - self._loops)
+        return self._computing <= sleeping and all(map(self._waits, threading.enumerate()))
+
+    def _waits(self, thread: threading.Thread) -> bool:
+        """Tell whether a thread without a loop does nothing: it waits for another, or was there before."""
+        ident = thread.ident or 0
+        if ident in self._before or ident in self._due or ident == threading.get_ident():
+            return True
+        frame: FrameType | None = sys._current_frames().get(ident)  # Python has no other way in
+        if frame is None:
+            return True
+        if frame.f_code is _wait.__code__:
+            waiter = frame.f_locals.get("waiter")
+            return waiter is not None and waiter.locked()
+        return frame.f_code is concurrent.futures.thread._worker.__code__ or (
+            frame.f_code.co_filename == selectors.__file__
+        )
+
+
+class _Selector(selectors.EpollSelector):
+    """One that a jump in time wakes."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._is_woken = False
+        self._jumped = os.eventfd(0, os.EFD_NONBLOCK | os.EFD_CLOEXEC)
+        self._epoll: select.epoll = self._selector  # type: ignore[attr-defined]  # typeshed has it not
+        self._epoll.register(self._jumped, select.EPOLLIN)
+        self._news = select.poll()
+        self._news.register(self._epoll.fileno(), select.POLLIN)
+
+    def select(self, timeout: float | None = None) -> list[tuple[selectors.SelectorKey, int]]:
+        ready = self.look(0.0)
+        return ready if ready or (timeout is not None and timeout <= 0) else TIME.wait(self, timeout)
+
+    def look(self, seconds: float) -> list[tuple[selectors.SelectorKey, int]]:
+        ready = super().select(seconds)
+        if self._is_woken:
+            self._is_woken = False
+            os.eventfd_read(self._jumped)
+        return ready
+
+    def has_news(self) -> bool:
+        """Tell whether its loop has something to do that it has not seen yet. From any thread."""
+        return bool(self._news.poll(0))
+
+    def wake(self) -> None:
+        os.eventfd_write(self._jumped, 1)
+        self._is_woken = True
+
+    def close(self) -> None:
+        super().close()
+        os.close(self._jumped)
+
+
+class _Loop(asyncio.SelectorEventLoop):
+    def __init__(self) -> None:
+        self._driven = _Selector()
+        super().__init__(self._driven)
+
+    def run_forever(self) -> None:
+        with TIME.loop_runs():
+            super().run_forever()
+
+    def run_in_executor(  # type: ignore[override]  # typeshed's types for it need its own names
+        self, executor: Any, func: Callable[..., Any], *args: Any
+    ) -> "asyncio.Future[Any]":
+        future = super().run_in_executor(executor, func, *args)
+        TIME.computes(future)
+        return future
+
+
+class _Policy(asyncio.DefaultEventLoopPolicy):
+    def new_event_loop(self) -> asyncio.AbstractEventLoop:
+        return _Loop()
+
+
+TIME = DrivenTime()
+_start = subprocess.Popen.__init__
+
+
+def _starts(process: "subprocess.Popen[Any]", *arguments: Any, **named: Any) -> None:
+    TIME.be_real()
+    _start(process, *arguments, **named)
+
+
+def _waits(condition: threading.Condition, timeout: float | None = None) -> bool:
+    return TIME.wait_for(condition, timeout)
+
+
+for _owner, _name, _ours in (
+    (time, "monotonic", TIME.monotonic),
+    (threading, "_time", TIME.monotonic),
+    (queue, "time", TIME.monotonic),
+    (time, "time", TIME.time),
+    (time, "time_ns", TIME.time_ns),
+    (time, "sleep", TIME.sleep),
+    (threading.Condition, "wait", _waits),
+    (subprocess.Popen, "__init__", _starts),
+):
+    setattr(_owner, _name, _ours)
+os.register_at_fork(before=TIME.be_real)
+asyncio.set_event_loop_policy(_Policy())
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    TIME.begin_test()
+    if item.get_closest_marker("real_time"):
+        TIME.be_real()
