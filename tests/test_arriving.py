@@ -38,7 +38,7 @@ def terminals(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Termi
         terminal.close()
 
 
-@pytest.mark.parametrize("kind", ["oh_ressources", "nav2"])
+@pytest.mark.parametrize("kind", ["oh_ressources", pytest.param("nav2", marks=pytest.mark.nightly)])
 def test_an_address_is_enough(terminals: Terminals, kind: str) -> None:
     with simulator(3, kind=kind) as url:
         console = terminals.open(url)
@@ -78,7 +78,7 @@ def test_what_keeps_it_from_opening_is_one_sentence(
     assert max(map(len, console.sent.decode().splitlines())) <= 120, "folded between words"
 
 
-@pytest.mark.parametrize("more", [{}, {"NO_COLOR": "1"}])
+@pytest.mark.parametrize("more", [{}, pytest.param({"NO_COLOR": "1"}, marks=pytest.mark.nightly)])
 def test_without_a_configuration_it_asks_where_to_go(terminals: Terminals, more: dict[str, str]) -> None:
     with simulator(2) as url:
         first = terminals.open(**more)

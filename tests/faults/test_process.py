@@ -36,7 +36,9 @@ def command(running: InTerminal) -> None:
     running.until(lambda: b'"change":"sent"' in log.read_bytes(), what="sent")
 
 
-@pytest.mark.parametrize("name", ["SIGTERM", "SIGHUP", "SIGINT"])
+@pytest.mark.parametrize(
+    "name", ["SIGTERM", *(pytest.param(one, marks=pytest.mark.nightly) for one in ("SIGHUP", "SIGINT"))]
+)
 def test_a_signal_ends_it(demo: InTerminal, name: str) -> None:
     simulator = demo.children()
     command(demo)
@@ -254,6 +256,7 @@ def test_the_state_folder_goes_away(demo: InTerminal, tmp_path: Path) -> None:
     report("state folder removed", "while the console runs", "keeps working", None, None)
 
 
+@pytest.mark.nightly
 def test_two_consoles_on_one_state_folder(demo: InTerminal, tmp_path: Path) -> None:
     with in_terminal(tmp_path, "demo") as other:
         for console in (demo, other):

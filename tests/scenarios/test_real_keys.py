@@ -96,6 +96,7 @@ def plant(robot: SimRobot, cargo: bool, paused: bool, order: tuple[int, int] | N
     robot.cargo, robot.paused = cargo, paused
 
 
+@pytest.mark.nightly
 def test_the_tutorials_keys_place_one_order_or_open_one_question_in_every_state(desk: Desk) -> None:
     robot, base, packing = desk.bridge.robot(), desk.bridge.id_of("Base"), desk.bridge.id_of("Packing")
     order = f"robot_0 Execute_order {base} {packing}"
@@ -264,6 +265,7 @@ def test_keys_belong_to_what_is_shown(desk: Desk) -> None:
     desk.gets("robot_1 Pause")
 
 
+@pytest.mark.nightly
 def test_a_disarmed_console_pauses_and_sends_nothing_else(desk: Desk) -> None:
     desk.type(":arm\r")
     desk.shows("not armed")
@@ -283,6 +285,7 @@ def test_a_disarmed_console_pauses_and_sends_nothing_else(desk: Desk) -> None:
         desk.shows("this console is armed")
 
 
+@pytest.mark.nightly
 def test_keys_that_waited_while_the_console_stood_still_are_dropped_but_a_pause_of_all(desk: Desk) -> None:
     for keys, calls in (("oBase\rPacking\rP", []), ("P", ["robot_0 Pause", "robot_1 Pause"])):
         os.kill(desk.terminal.child.pid, signal.SIGSTOP)

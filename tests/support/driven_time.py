@@ -18,20 +18,29 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from types import FrameType
+from types import CodeType, FrameType
 from typing import Any
 
 import pytest
 
 _monotonic, _time, _sleep, _wait = time.monotonic, time.time, time.sleep, threading.Condition.wait
+_join = threading.Thread.join
 
-LOOK = 0.002
-"""Seconds of the machine between two looks at whether all wait."""
+LOOK, REAL_LOOK = 0.002, 0.02
+"""Seconds of the machine between two looks at whether all wait; and at whether time stands, while it runs."""
 
 GLANCE = 1e-6
 """Seconds that pass with each look at the time: what is done later has a later time."""
 
-PATIENCE = 10
+POOLED = concurrent.futures.thread._threads_queues
+"""The threads of executors."""
+IDLE = concurrent.futures.thread._worker.__code__
+"""What one of them does that has nothing to do."""
+
+FAR, QUIET = 0.5, 10
+"""A leap of more seconds than that waits for so many looks: on a busy machine what one end of a connection
+has sent may not have reached the other."""
+PATIENCE = 50
 """Looks without any computing after which a thread that waits in an unknown way holds nobody up."""
 
 
@@ -63,21 +72,49 @@ class DrivenTime:
 
     def sleep(self, seconds: float) -> None:
         """As `time.sleep`."""
+        looks = 0
         with self._waiting(self.monotonic() + seconds) as due:
             while (left := due - self.monotonic()) > 0:
                 if self._stands_at is None:
-                    _sleep(min(left, LOOK))
-                elif not self._jump():
+                    _sleep(min(left, REAL_LOOK))
+                elif not self._jump(looks := looks + 1):
                     _sleep(LOOK)
 
     def wait_for(self, condition: threading.Condition, seconds: float | None) -> bool:
         """As `threading.Condition.wait`."""
-        if seconds is None or self._stands_at is None or threading.get_ident() in self._before:
+        if not self._drives(seconds):
             return _wait(condition, seconds)
-        with self._waiting(self.monotonic() + seconds) as due:
+        return self._until(lambda nap: _wait(condition, nap), seconds)
+
+    def join(self, thread: threading.Thread, seconds: float | None) -> None:
+        """As `threading.Thread.join`."""
+
+        def has_ended(nap: float) -> bool:
+            _join(thread, nap)
+            return not thread.is_alive()
+
+        if self._drives(seconds):
+            self._until(has_ended, seconds)
+        else:
+            _join(thread, seconds)
+
+    def _drives(self, seconds: float | None) -> bool:
+        """Tell whether a thread that waits for another has driven seconds. One without a loop that waits for
+        ever needs none."""
+        ident = threading.get_ident()
+        return (
+            self._stands_at is not None
+            and ident not in self._before
+            and (ident in self._loops or seconds is not None)
+        )
+
+    def _until(self, holds: Callable[[float], bool], seconds: float | None) -> bool:
+        looks = 0
+        with self._waiting(math.inf if seconds is None else self.monotonic() + seconds) as due:
             while self.monotonic() < due:
-                if _wait(condition, LOOK):
+                if holds(LOOK):
                     return True
+                self._jump(looks := looks + 1)
         return False
 
     def begin_test(self) -> None:
@@ -140,23 +177,26 @@ class DrivenTime:
             while True:
                 stands = self._stands_at is not None
                 if stands:
-                    self._jump(looks > PATIENCE)
+                    self._jump(looks)
                 left = due - self.monotonic()
-                ready = selector.look(0.0 if left <= 0 else LOOK if stands else min(left, 0.02))
+                ready = selector.look(0.0 if left <= 0 else LOOK if stands else min(left, REAL_LOOK))
                 if ready or left <= 0:
                     return ready
                 before, used = used, time.process_time()
                 looks = looks + 1 if used - before < LOOK / 10 else 0
 
-    def _jump(self, patience_is_over: bool = False) -> bool:
-        """Move to the first moment for which somebody waits, if all wait; tell whether time passed."""
+    def _jump(self, looks: int) -> bool:
+        """Move to the first moment for which somebody waits, if all wait; tell whether time passed. `looks`:
+        those of this thread in which nothing has come."""
         with self._lock:
             if self._stands_at is None or not self._loops <= self._due.keys():
                 return False
             first = min(due for due, _ in self._due.values())
             if first == math.inf or any(map(self._is_called, self._due.values())):
                 return False
-            if not patience_is_over and not self._nothing_computes():
+            if first > self._stands_at + FAR and looks < QUIET:
+                return False
+            if looks < PATIENCE and not self._nothing_computes():
                 return False
             self._stands_at = max(self._stands_at, first) + GLANCE
             for due, loop in self._due.values():
@@ -171,23 +211,29 @@ class DrivenTime:
         return loop.has_news() if loop else due <= self._stands_at
 
     def _nothing_computes(self) -> bool:
-        sleeping = len(self._due.keys() - self._loops)
-        return self._computing <= sleeping and all(map(self._waits, threading.enumerate()))
+        threads = threading.enumerate()
+        at_work = [one for one in threads if one in POOLED and _code(one) is not IDLE]
+        return self._computing <= len(at_work) and all(map(self._waits, threads))
 
     def _waits(self, thread: threading.Thread) -> bool:
         """Tell whether a thread without a loop does nothing: it waits for another, or was there before."""
         ident = thread.ident or 0
         if ident in self._before or ident in self._due or ident == threading.get_ident():
             return True
-        frame: FrameType | None = sys._current_frames().get(ident)  # Python has no other way in
-        if frame is None:
-            return True
-        if frame.f_code is _wait.__code__:
+        frame = _frame(thread)
+        if frame is not None and frame.f_code is _wait.__code__:
             waiter = frame.f_locals.get("waiter")
             return waiter is not None and waiter.locked()
-        return frame.f_code is concurrent.futures.thread._worker.__code__ or (
-            frame.f_code.co_filename == selectors.__file__
-        )
+        return frame is None or frame.f_code is IDLE or frame.f_code.co_filename == selectors.__file__
+
+
+def _frame(thread: threading.Thread) -> FrameType | None:
+    return sys._current_frames().get(thread.ident or 0)  # Python has no other way in
+
+
+def _code(thread: threading.Thread) -> CodeType | None:
+    frame = _frame(thread)
+    return frame.f_code if frame else None
 
 
 class _Selector(selectors.EpollSelector):
@@ -261,6 +307,10 @@ def _waits(condition: threading.Condition, timeout: float | None = None) -> bool
     return TIME.wait_for(condition, timeout)
 
 
+def _joins(thread: threading.Thread, timeout: float | None = None) -> None:
+    TIME.join(thread, timeout)
+
+
 for _owner, _name, _ours in (
     (time, "monotonic", TIME.monotonic),
     (threading, "_time", TIME.monotonic),
@@ -269,6 +319,7 @@ for _owner, _name, _ours in (
     (time, "time_ns", TIME.time_ns),
     (time, "sleep", TIME.sleep),
     (threading.Condition, "wait", _waits),
+    (threading.Thread, "join", _joins),
     (subprocess.Popen, "__init__", _starts),
 ):
     setattr(_owner, _name, _ours)

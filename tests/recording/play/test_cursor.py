@@ -112,6 +112,7 @@ async def test_every_instant_is_as_it_was(tmp_path: Path, server: RosbridgeServe
     anywhere()
 
 
+@pytest.mark.nightly
 async def test_a_record_back_is_as_it_was_before_it(tmp_path: Path) -> None:
     head = RecordingCursor(shift(tmp_path / "night.jsonl.gz"))
     seen = [(head.at, plain(head.state))]
