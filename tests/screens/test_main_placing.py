@@ -74,6 +74,7 @@ async def test_a_pose_snaps_to_the_scan_and_a_goal_does_not(site: Site) -> None:
 
 
 async def test_a_goal_is_an_order_to_a_pose(site: Site) -> None:
+    site.server.speed = 1.0
     async with console(site.config) as it:
         await it.press("G")
         await it.shows("GOAL", "map")
@@ -137,7 +138,9 @@ async def test_a_robot_that_drives_is_told_to_be_paused_before_its_pose_is_chose
     async with console(site.config) as it:
         await it.press("G")
         await it.shows("GOAL", "map")
-        await it.press(*["L"] * 6, "enter", "y")
+        await it.press(*["L"] * 6, "enter")
+        await it.shows("go to (")
+        await it.press("y")
         await it.until(lambda state: state.robots["robot_0"].orders.current is not None)
         await it.press("I")
         await it.shows("pause it first")

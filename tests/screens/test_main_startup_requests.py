@@ -35,6 +35,7 @@ async def test_a_key_pressed_before_the_link_is_there_is_sent_when_it_is(
     server: RosbridgeServer, gate: threading.Event, monkeypatch: pytest.MonkeyPatch, key: str, service: str
 ) -> None:
     monkeypatch.setattr(startup_requests, "LINK_WITHIN", 20.0)
+    monkeypatch.setattr(startup_requests, "PAUSE_WITHIN", 20.0)
     async with console(config_of(server.url, 1), wait=False) as it:
         await it.press(key)
         await it.shows("waiting for the link")

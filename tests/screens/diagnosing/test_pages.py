@@ -117,9 +117,8 @@ async def test_the_console_on_itself(server: RosbridgeServer, own_log: logging.L
 
 
 async def test_before_there_is_a_link_it_says_that_the_console_starts(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2), wait=False) as it:
-        await it.pilot.pause()
+    async with console(config_of(server.url, 2)) as it:
         assert isinstance(it.app.backend, LiveBackend)
-        it.app.backend.links = None
+        it.app.backend.links = None  # as before they were opened
         it.app.main.rest.actions.view.diagnostics()
         await it.shows("console starting")
