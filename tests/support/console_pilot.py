@@ -52,7 +52,7 @@ class Console:
         """Press keys one after the other, each a second later, when all that the one before it led to is
         done."""
         for key in keys:
-            self._key_at += 1.0
+            self._pause()
             self._send(key)
             await self.settled()
 
@@ -64,16 +64,20 @@ class Console:
 
     async def type(self, text: str) -> None:
         """Type text a second later, as a person or a paste does: every character is already there."""
-        self._key_at += 1.0
+        self._pause()
         for letter in text:
             self._send("space" if letter == " " else letter)
         await self.settled()
 
     def packet(self, *keys: str) -> None:
         """Send keys that arrive at the same moment, a second later, without waiting for what they lead to."""
-        self._key_at += 1.0
+        self._pause()
         for key in keys:
             self._send(key, after=0.0)
+
+    def _pause(self) -> None:
+        """A person takes a second, also after what a test has waited for."""
+        self._key_at = max(self._key_at, time.monotonic()) + 1.0
 
     def _send(self, key: str, after: float = 0.01) -> None:
         """Send it as Textual's pilot does, which waits for an idle process: with a fleet it never is."""
