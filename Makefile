@@ -39,10 +39,11 @@ quick: $(READY)
 tested: compiled
 	@$(MAKE) --no-print-directory unit
 
-# Not yet green 20 times of 20 on a busy machine: what failed is run again, alone, and must pass then.
+# Not yet green 20 times of 20 on a busy machine: what failed is run again, alone and in real seconds, and must
+# pass then.
 unit: $(READY)
 	@$(BIN)/pytest $(TOGETHER) || { test $$? -eq 1 && echo "Again, one at a time:" && \
-	$(BIN)/pytest -q -p no:xdist --maxfail 3 --last-failed --last-failed-no-failures none; }
+	FLEET_TUI_REAL_TIME=1 $(BIN)/pytest -q -p no:xdist --maxfail 3 --last-failed --last-failed-no-failures none; }
 
 # All that takes too long for each commit: the tests marked so, 2,000 examples of each pure property, random keys,
 # kills, an hour's load in minutes, fuzzing, figures. Hours; each part ends by itself, and the first failure ends it.

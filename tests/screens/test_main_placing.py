@@ -13,6 +13,8 @@ from fleet_tui.simulator.faults import play
 from tests.support.console_pilot import Console, console
 from tests.support.nav2_site import Site, placed
 
+pytestmark = pytest.mark.real_time
+
 
 async def test_a_mislocalised_robot_is_put_right_by_keys_alone(
     site: Site, monkeypatch: pytest.MonkeyPatch
@@ -74,7 +76,6 @@ async def test_a_pose_snaps_to_the_scan_and_a_goal_does_not(site: Site) -> None:
 
 
 async def test_a_goal_is_an_order_to_a_pose(site: Site) -> None:
-    site.server.speed = 1.0
     async with console(site.config) as it:
         await it.press("G")
         await it.shows("GOAL", "map")
@@ -134,13 +135,10 @@ async def test_streams_go_along_with_the_selected_robot(site: Site) -> None:
 
 
 async def test_a_robot_that_drives_is_told_to_be_paused_before_its_pose_is_chosen(site: Site) -> None:
-    site.server.speed = 1.0
     async with console(site.config) as it:
         await it.press("G")
         await it.shows("GOAL", "map")
-        await it.press(*["L"] * 6, "enter")
-        await it.shows("go to (")
-        await it.press("y")
+        await it.press(*["L"] * 6, "enter", "y")
         await it.until(lambda state: state.robots["robot_0"].orders.current is not None)
         await it.press("I")
         await it.shows("pause it first")

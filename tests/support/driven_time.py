@@ -40,6 +40,8 @@ IDLE = concurrent.futures.thread._worker.__code__
 FAR, QUIET = 0.5, 10
 """A leap of more seconds than that waits for so many looks: on a busy machine what one end of a connection
 has sent may not have reached the other."""
+REAL = bool(os.environ.get("FLEET_TUI_REAL_TIME"))
+"""Whether all tests have real seconds."""
 PATIENCE = 50
 """Looks without any computing after which a thread that waits in an unknown way holds nobody up."""
 
@@ -330,5 +332,5 @@ asyncio.set_event_loop_policy(_Policy())
 @pytest.hookimpl(tryfirst=True)
 def pytest_runtest_setup(item: pytest.Item) -> None:
     TIME.begin_test()
-    if item.get_closest_marker("real_time"):
+    if REAL or item.get_closest_marker("real_time"):
         TIME.be_real()
