@@ -71,7 +71,7 @@ typed: $(READY)
 
 # Each console is killed as its command reaches the robot: its audit log has the command. 1.5 s each.
 kills: $(READY)
-	@FLEET_TUI_KILLS=$(or $(KILLS),500) $(BIN)/pytest -q -p no:xdist tests/faults/test_kills.py
+	@FLEET_TUI_KILLS=$(or $(KILLS),500) $(BIN)/pytest -m '' -q -p no:xdist tests/faults/test_kills.py
 
 # Coverage-guided, and no part of the tests: atheris has no wheels for some systems.
 fuzz: $(READY)
