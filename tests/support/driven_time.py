@@ -17,7 +17,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from types import CodeType, FrameType
 from typing import Any
 
@@ -86,7 +86,19 @@ class DrivenTime:
         """As `threading.Condition.wait`."""
         if not self._drives(seconds):
             return _wait(condition, seconds)
-        return self._until(lambda nap: _wait(condition, nap), seconds)
+        # Python's own wait for a nap, again and again, misses a notice that comes as the nap ends.
+        waiter = threading.Lock()
+        waiter.acquire()
+        condition._waiters.append(waiter)  # type: ignore[attr-defined]  # typeshed has it not
+        held, is_notified = condition._release_save(), False  # type: ignore[attr-defined]  # nor this
+        try:
+            is_notified = self._until(lambda nap: waiter.acquire(timeout=nap), seconds)
+        finally:
+            condition._acquire_restore(held)  # type: ignore[attr-defined]  # nor this
+            if not is_notified:
+                with suppress(ValueError):
+                    condition._waiters.remove(waiter)  # type: ignore[attr-defined]  # nor this
+        return is_notified
 
     def join(self, thread: threading.Thread, seconds: float | None) -> None:
         """As `threading.Thread.join`."""
@@ -258,7 +270,8 @@ class _Selector(selectors.EpollSelector):
         ready = super().select(seconds)
         if self._is_woken:
             self._is_woken = False
-            os.eventfd_read(self._jumped)
+            with suppress(BlockingIOError):  # a thread that wakes it once more now has its news read already
+                os.eventfd_read(self._jumped)
         return ready
 
     def has_news(self) -> bool:
