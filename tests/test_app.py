@@ -53,7 +53,6 @@ async def test_no_screen_sends_a_colour(pilot: Pilot[None]) -> None:
     assert codes <= {"", "0", "1", "2", "3", "4", "7", "9"}
 
 
-@pytest.mark.real_time
 async def test_what_is_marked_stands_out(pilot: Pilot[None]) -> None:
     await pilot.press(":", *"next")
     await pilot.pause()

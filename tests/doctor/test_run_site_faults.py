@@ -186,7 +186,6 @@ def assert_harmless(server: RosbridgeServer, *queries: str) -> None:
     assert all(server.bridge.services.types.get(one["topic"]) == one["type"] for one in told)
 
 
-@pytest.mark.real_time
 @pytest.mark.parametrize("plant", OTHER_SERVERS)
 async def test_something_else_listens_there(plant: str, tmp_path: Path) -> None:
     async with OTHER_SERVERS[plant](tmp_path) as url:

@@ -13,8 +13,6 @@ from fleet_tui.simulator.faults import play
 from tests.support.console_pilot import Console, console
 from tests.support.nav2_site import Site, placed
 
-pytestmark = pytest.mark.real_time
-
 
 async def test_a_mislocalised_robot_is_put_right_by_keys_alone(
     site: Site, monkeypatch: pytest.MonkeyPatch

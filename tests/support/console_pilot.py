@@ -157,7 +157,10 @@ def _waits(pump: MessagePump) -> bool:
 def _ready(state: FleetState) -> bool:
     robots = state.robots.values()
     waited_for = {"pose", "queue", "cargo", *(f"labels of {floor}" for floor in state.floors)}
-    known = all(robot.knows_all_graphs() and waited_for.isdisjoint(missing(robot)) for robot in robots)
+    known = all(
+        robot.knows_all_graphs() and waited_for.isdisjoint(missing(robot)) and robot.last_received is not None
+        for robot in robots
+    )
     return known and all(link.command_path is CommandPath.ALIVE for link in state.links.values())
 
 

@@ -343,7 +343,7 @@ asyncio.set_event_loop_policy(_Policy())
 
 
 @pytest.hookimpl(tryfirst=True)
-def pytest_runtest_setup(item: pytest.Item) -> None:
+def pytest_runtest_setup() -> None:
     TIME.begin_test()
-    if REAL or item.get_closest_marker("real_time"):
+    if REAL:
         TIME.be_real()
