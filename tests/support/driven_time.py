@@ -18,6 +18,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
+from pathlib import Path
 from types import CodeType, FrameType
 from typing import Any
 
@@ -43,7 +44,8 @@ has sent may not have reached the other."""
 REAL = bool(os.environ.get("FLEET_TUI_REAL_TIME"))
 """Whether all tests have real seconds."""
 PATIENCE = 50
-"""Looks without any computing after which a thread that waits in an unknown way holds nobody up."""
+"""Looks without any computing after which a thread that waits in an unknown way, as for a socket, holds
+nobody up."""
 
 
 class DrivenTime:
@@ -210,7 +212,7 @@ class DrivenTime:
                 return False
             if first > self._stands_at + FAR and looks < QUIET:
                 return False
-            if looks < PATIENCE and not self._nothing_computes():
+            if not self._nothing_computes() and (looks < PATIENCE or _others_could_run()):
                 return False
             self._stands_at = max(self._stands_at, first) + GLANCE
             for due, loop in self._due.values():
@@ -239,6 +241,19 @@ class DrivenTime:
             waiter = frame.f_locals.get("waiter")
             return waiter is not None and waiter.locked()
         return frame is None or frame.f_code is IDLE or frame.f_code.co_filename == selectors.__file__
+
+
+def _others_could_run() -> bool:
+    """Tell whether a thread computes, or would if a busy machine let it."""
+    return any(map(_could_run, threading.enumerate()))
+
+
+def _could_run(thread: threading.Thread) -> bool:
+    try:
+        told = Path(f"/proc/self/task/{thread.native_id}/stat").read_text()
+    except OSError:  # it has ended
+        return False
+    return thread is not threading.current_thread() and told.rpartition(") ")[2][0] in "RD"
 
 
 def _frame(thread: threading.Thread) -> FrameType | None:
