@@ -16,6 +16,7 @@ from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.robot import Robot
+from fleet_tui.situation.robots import may_be_back
 from fleet_tui.state.store import Store
 
 
@@ -81,7 +82,8 @@ def is_known(state: FleetState) -> bool:
         link.phase is Phase.UP and link.command_path is not CommandPath.UNTRIED
         for link in state.links.values()
     )
-    return links and not any(missing(robot) for robot in state.robots.values())
+    awaited = (missing(robot) or may_be_back(state, robot) for robot in state.robots.values())
+    return links and not any(awaited)
 
 
 def has_link(state: FleetState) -> bool:

@@ -22,10 +22,11 @@ AT_LEAST = 1.5
 
 @dataclass
 class VehicleFacts:
-    """Measurements of one vehicle: `arrivals` of its messages by topic name (monotonic), `lags` of their
-    stamps behind our clock in seconds."""
+    """Measurements of one vehicle: `is_kept` tells whether the broker keeps its connection; `arrivals` of its
+    messages by topic name (monotonic), `lags` of their stamps behind our clock in seconds."""
 
     connection: VehicleConnection | None = None
+    is_kept: bool = False
     vehicle: Vehicle | None = None
     pose: PoseReported | None = None
     arrivals: dict[str, list[float]] = field(default_factory=dict)
@@ -104,7 +105,7 @@ class BrokerObserver:
         found = self._reader.whose(topic)
         if found is None:
             address = Topics().parse(topic)
-            if address is not None and address.name == "connection":
+            if address is not None and address.name == "connection" and payload:
                 self.facts.strangers.add((address.manufacturer, address.serial))
             return
         robot, address = found
@@ -119,7 +120,7 @@ def _note(facts: VehicleFacts, event: Event) -> None:
     if isinstance(event, VehicleReported):
         facts.vehicle = event.vehicle
     elif isinstance(event, ConnectionReported):
-        facts.connection = event.connection
+        facts.connection, facts.is_kept = event.connection, facts.is_kept or event.is_kept
     elif isinstance(event, PoseReported):
         facts.pose = event
         if event.stamp is not None:

@@ -14,6 +14,7 @@ STATE_EVERY = 30.0
 CLOCK_OFF = 2.0
 """Seconds by which a vehicle's clock may differ."""
 NOT_COMMANDED = "3"
+RETAIN = "let its software retain each connection message: the broker's last word would be wrong"
 OF_MASTERS = ("order", "instantActions")
 
 
@@ -64,10 +65,7 @@ def _vehicle(config: Config, robot: RobotEntry, facts: VehicleFacts, seconds: fl
             robot.name, "connection", Verdict.FAIL, f"{NEVER_SEEN.word}: no connection message", remedy
         )
         return
-    if facts.connection is not None:
-        gone = facts.connection.is_gone and "state" not in facts.arrivals
-        verdict, remedy = (Verdict.WARN, "switch it on, or check its network") if gone else (Verdict.OK, "")
-        yield Finding(robot.name, "connection", verdict, facts.connection.text, remedy)
+    yield _connection(robot.name, facts)
     yield _version(config, robot, known.version)
     yield _state(robot.name, facts, seconds)
     poses = facts.arrivals.get("visualization", [])
@@ -80,6 +78,18 @@ def _vehicle(config: Config, robot: RobotEntry, facts: VehicleFacts, seconds: fl
     yield from _floor(config, robot, facts)
     if facts.problem:
         yield Finding(robot.name, "messages", Verdict.WARN, facts.problem, "tell its manufacturer")
+
+
+def _connection(name: str, facts: VehicleFacts) -> Finding:
+    known = facts.connection
+    if known is None or not facts.is_kept:
+        return Finding(name, "connection", Verdict.WARN, "not retained by the broker", RETAIN)
+    if not known.is_gone:
+        return Finding(name, "connection", Verdict.OK, known.text)
+    if "state" in facts.arrivals:
+        measured = f"{known.text} is retained, and the vehicle reports"
+        return Finding(name, "connection", Verdict.WARN, measured, RETAIN)
+    return Finding(name, "connection", Verdict.WARN, known.text, "switch it on, or check its network")
 
 
 def _version(config: Config, robot: RobotEntry, version: str) -> Finding:

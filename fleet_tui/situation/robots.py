@@ -21,14 +21,18 @@ from fleet_tui.text.durations import age
 
 BAD_FOR = 10.0
 """Seconds without bad data until it counts as over."""
+SPEAKS_WITHIN = 2.0
+"""Seconds for a vehicle to speak of which the broker keeps that it is gone: some leave an old last will there
+for good, and send a state each second."""
 
 
 def silent_from(state: FleetState, robot: Robot) -> float:
     """Return the monotonic second from which a robot counts as silent, if it sends nothing until then. What
     its bridge is late by may still be on its way; a new link restarts the silence of all its robots."""
     last, link = _last_word(state, robot), state.links[robot.link]
-    if robot.is_gone and robot.connection is not None and last is not None:
-        return robot.connection.at
+    if robot.is_gone and robot.connection is not None:
+        is_kept = robot.connection.at < link.ready_since
+        return link.ready_since + SPEAKS_WITHIN if is_kept else robot.connection.at
     return max(last or 0.0, link.ready_since) + state.patience(robot) + link.late
 
 
@@ -61,6 +65,11 @@ def silence(state: FleetState, robot: Robot) -> Fact:
         kind, text = SILENT, f"{SILENT.word if is_certain else 'silent'} {age(since_last)}{why}"
         evidence = "link up, no messages"
         question = f"{robot.name} is {SILENT.word} {age(since_last)}"
+    elif known is not None and robot.is_gone:
+        kind = SILENT
+        text = f"{SILENT.word} ({known.text})"
+        evidence = "link up, no messages"
+        question = f"{robot.name} is {text}"
     elif robot.is_undated or robot.kept_at is not None:
         kind = AGE_UNKNOWN
         text = AGE_UNKNOWN.word
@@ -86,6 +95,11 @@ def silence(state: FleetState, robot: Robot) -> Fact:
         question=question,
         is_certain=is_certain,
     )
+
+
+def may_be_back(state: FleetState, robot: Robot) -> bool:
+    """Tell whether a vehicle that its broker knows as gone may still speak at once."""
+    return robot.is_gone and state.now <= silent_from(state, robot)
 
 
 def silent(state: FleetState, robot: Robot) -> Fact | None:

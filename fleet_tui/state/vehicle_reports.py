@@ -12,6 +12,7 @@ from fleet_tui.model.graph import Edge, RouteGraph
 from fleet_tui.model.navigation import Blocked
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.model.vehicles import events as vehicle_events
+from fleet_tui.model.vehicles.vehicle import REMOVED
 from fleet_tui.state.goal_reports import with_sign_of_life
 from fleet_tui.state.reports import apply_report
 
@@ -42,7 +43,13 @@ def apply_vehicle(robot: Robot, event: vehicle_events.VehicleFact) -> Robot:
 
 def _with_connection(robot: Robot, event: vehicle_events.ConnectionReported) -> Robot:
     """Take a connection. Whatever else arrives is newer than a message that the broker had kept; one for
-    other topics of the same vehicle, as before an update of its software, tells nothing."""
+    other topics of the same vehicle, as before an update of its software, tells nothing. Neither does a
+    removed one of a vehicle that is there."""
+    if event.connection.word == REMOVED:
+        before = robot.connection
+        if before is None or before.value.address != event.connection.address:
+            return robot
+        return replace(robot, connection=Reading(event.connection, before.at) if robot.is_gone else None)
     if not event.is_kept:
         return replace(robot, connection=Reading(event.connection, event.at))
     known = (robot.vehicle or robot.connection) if robot.vehicle or robot.connection else None

@@ -21,6 +21,7 @@ def found(facts: BrokerFacts) -> dict[str, Finding]:
 def of_vehicle(**fields: Any) -> dict[str, Finding]:
     usual: dict[str, Any] = {
         "connection": VehicleConnection("ONLINE", "b", "2.0.0"),
+        "is_kept": True,
         "vehicle": Vehicle("b", "2.0.0"),
         "pose": PoseReported("agv", 1.0, Pose(0.0, 0.0), "hall", 1.0),
         "arrivals": {"state": [1.0, 2.0], "visualization": [1.0, 1.2, 1.4]},
@@ -85,3 +86,12 @@ def test_without_a_session_its_reason_is_all() -> None:
         one.verdict is Verdict.FAIL
         and one.remedy == "correct url, user_file and password_file in links.broker"
     )
+
+
+def test_a_connection_that_the_broker_does_not_keep_or_keeps_wrongly_is_a_warning() -> None:
+    for fields in ({"is_kept": False}, {"connection": None, "is_kept": False}):
+        one = of_vehicle(**fields)["connection"]
+        assert (one.verdict, one.measured) == (Verdict.WARN, "not retained by the broker")
+        assert one.remedy.startswith("let its software retain each connection message")
+    stale = of_vehicle(connection=VehicleConnection("CONNECTIONBROKEN", "b", "2.0.0"))["connection"]
+    assert stale.measured == "connection broken is retained, and the vehicle reports"

@@ -1,5 +1,6 @@
 """Tests of fleet_tui/state/vehicle_reports.py: who is online, and what an order adds to the graph."""
 
+from fleet_tui.cli.status.report import attention
 from fleet_tui.model import events
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.vehicles.events import FactsheetReported
@@ -45,6 +46,25 @@ def test_a_kept_goodbye_on_topics_of_an_older_version_tells_nothing() -> None:
     site.wait(1)
     site.read("connection", message(connectionState="OFFLINE"), kept=True, base=OLD_BASE)
     assert site.state.is_online(site.agv)
+
+
+def test_an_emptied_kept_message_is_a_vehicle_removed_and_no_bad_data() -> None:
+    site = VehicleSite()
+    site.read("connection", BROKEN, kept=True)
+    for name in ("connection", "state", "factsheet"):
+        site.read(name, b"")
+    (line,) = attention(site.state)
+    assert line == "agv: offline (removed from the broker)" and site.agv.faults == 0
+    site.read("state", state())
+    assert site.state.is_online(site.agv)
+
+
+def test_a_vehicle_that_is_there_stays_so_when_its_connection_message_is_removed() -> None:
+    site = VehicleSite()
+    site.read("connection", ONLINE)
+    site.read("state", state())
+    site.read("connection", b"")
+    assert site.state.is_online(site.agv) and site.agv.connection is None
 
 
 def test_a_vehicle_is_offline_after_35_seconds_of_silence() -> None:

@@ -13,7 +13,8 @@ from fleet_tui.adapters.vda5050.topics import VehicleAddress
 from fleet_tui.errors import WireError
 from fleet_tui.model import events
 from fleet_tui.model.counters import LinkCounter, TopicCounter
-from fleet_tui.model.vehicles.events import MessageKept
+from fleet_tui.model.vehicles.events import ConnectionReported, MessageKept
+from fleet_tui.model.vehicles.vehicle import REMOVED, VehicleConnection
 from fleet_tui.text.limits import truncate
 
 MOST_KNOWN = 20_000
@@ -95,6 +96,9 @@ class MessageReader:
             counter.failed(KEPT_TEXT)
             return (MessageKept(robot, at, f"{address.name}: {KEPT_TEXT}"),)
         self._undated.pop(message.topic, None)
+        if not message.payload:  # so a kept message is removed
+            removed = ConnectionReported(robot, at, VehicleConnection(REMOVED, address.base, ""))
+            return (removed,) if address.name == "connection" else ()
         read = self._read(message, robot, address, at)
         return *self._dated_by(read, at), *read
 

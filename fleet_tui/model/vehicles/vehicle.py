@@ -2,8 +2,9 @@
 
 from msgspec import Struct
 
-OFFLINE, BROKEN = "OFFLINE", "CONNECTIONBROKEN"
-"""Connections of a vehicle that is gone: it said goodbye, or the broker says it for it."""
+OFFLINE, BROKEN, REMOVED = "OFFLINE", "CONNECTIONBROKEN", "REMOVED"
+"""Connections of a vehicle that is gone: it said goodbye, the broker says it for it, or somebody has removed
+what the broker kept of it."""
 DRIVES = frozenset({"AUTOMATIC", "SEMIAUTOMATIC"})
 """Modes in which a vehicle takes orders."""
 HIGH, MEDIUM = frozenset({"FATAL", "CRITICAL"}), frozenset({"URGENT"})
@@ -88,10 +89,15 @@ class VehicleConnection(Struct, frozen=True):
     @property
     def is_gone(self) -> bool:
         """Tell whether the vehicle has left the broker."""
-        return self.word in (OFFLINE, BROKEN)
+        return self.word in (OFFLINE, BROKEN, REMOVED)
 
     @property
     def text(self) -> str:
         """Return its state in words."""
-        words = {"ONLINE": "connected", OFFLINE: "signed off", BROKEN: "connection broken"}
+        words = {
+            "ONLINE": "connected",
+            OFFLINE: "signed off",
+            BROKEN: "connection broken",
+            REMOVED: "removed from the broker",
+        }
         return words.get(self.word, self.word.lower() or "connection unknown")

@@ -139,7 +139,8 @@ def is_odd(state: FleetState, robot: Robot) -> bool:
     an amber sign, and `!` goes there. A pause of this console and what a late bridge explains are known."""
     if not state.is_online(robot):
         fact = absence(state, robot)
-        is_gone = silent(state, robot) is not None and robot.last_received is not None
+        is_known = robot.last_received is not None or robot.is_gone
+        is_gone = silent(state, robot) is not None and is_known
         is_bad = fact is not None and fact.kind is BAD_DATA
         return is_gone or is_bad or unexplained_end(state, robot) is not None
     is_held = state.is_paused(robot) and own_pause(state, robot) is None

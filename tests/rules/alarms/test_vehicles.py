@@ -1,8 +1,11 @@
 """Tests of fleet_tui/rules/alarms/vehicles.py."""
 
+from fleet_tui.cli.status.report import attention
 from fleet_tui.model.alarm import Priority
 from fleet_tui.rules.alarms.classes import action_of
+from fleet_tui.rules.alarms.trouble import to_look_at
 from fleet_tui.rules.why.why import reasons
+from fleet_tui.view.tables.news import news
 from tests.support.vda_fleet import VehicleSite
 from tests.support.vda_messages import error, message, position, state
 
@@ -55,10 +58,20 @@ def test_a_vehicle_that_is_gone_is_an_alarm_at_once_and_keeps_its_fault() -> Non
     assert site.alarms["offline"] == "offline 2 s (connection broken)" and "fault" in site.alarms
 
 
-def test_a_vehicle_that_was_never_seen_is_one_after_its_time() -> None:
+def test_a_vehicle_that_the_broker_knows_as_gone_is_offline_with_an_alarm_from_the_first_look() -> None:
     site = VehicleSite()
     site.read("connection", message(connectionState="OFFLINE"), kept=True)
-    site.wait(30)
-    assert "offline" not in site.alarms
-    site.wait(6)
-    assert site.alarms["offline"] == "no state yet (signed off)"
+    assert next(text for text, _ in news(site.state, site.agv)) == "offline (signed off)"
+    assert "agv: offline (signed off)" in attention(site.state)
+    site.wait(2.1)
+    assert site.alarms["offline"] == "offline (signed off)" and to_look_at(site.state) == ()
+    assert reasons(site.state, site.agv)[0].name == "offline (signed off)"
+
+
+def test_a_last_will_that_a_live_vehicle_has_left_on_the_broker_raises_no_alarm() -> None:
+    site = VehicleSite()
+    site.read("connection", message(connectionState="CONNECTIONBROKEN"), kept=True)
+    for _ in range(5):
+        site.wait(1)
+        site.read("state", state())
+        assert not site.alarms and site.state.is_online(site.agv)
