@@ -174,6 +174,7 @@ def _take_pose(robot: Robot, event: events.PoseReported, site: SiteClock | None)
     robot = replace(
         robot,
         pose=pose,
+        is_estimated=False,
         standing=_standing(robot, pose, frame_id),
         place=_place(robot, pose, frame_id),
         jumps=_jumps(robot, event.pose, frame_id, true_at),

@@ -12,7 +12,7 @@ from fleet_tui.model.graph import Edge, RouteGraph
 from fleet_tui.model.navigation import Blocked
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.model.vehicles import events as vehicle_events
-from fleet_tui.model.vehicles.vehicle import REMOVED
+from fleet_tui.model.vehicles.vehicle import REMOVED, Vehicle
 from fleet_tui.state.goal_reports import with_sign_of_life
 from fleet_tui.state.reports import apply_report
 
@@ -25,7 +25,7 @@ def apply_vehicle(robot: Robot, event: vehicle_events.VehicleFact) -> Robot:
     """Apply one report of a vehicle to it."""
     match event:
         case vehicle_events.VehicleReported():
-            robot = _with_field(robot, event)
+            robot = _with_motion(_with_field(robot, event), event)
             return with_sign_of_life(replace(robot, vehicle=Reading(event.vehicle, event.at)), event.at)
         case vehicle_events.ConnectionReported():
             return _with_connection(robot, event)
@@ -71,6 +71,20 @@ def _with_field(robot: Robot, event: vehicle_events.VehicleReported) -> Robot:
     return replace(robot, blocked=Reading(blocked, event.at)) if blocked else robot
 
 
+def _with_motion(robot: Robot, event: vehicle_events.VehicleReported) -> Robot:
+    """Take what it says it does: while it says that it drives, it stands nowhere, whatever its poses are. One
+    without poses makes progress, too; those of another may show that it does not."""
+    found = next((one for one in event.vehicle.actions if one.is_carried_out), None)
+    before = robot.acting
+    goes_on = found is not None and before is not None and before.value.id == found.id
+    acting = None if found is None else Reading(found, before.at if before and goes_on else event.at)
+    robot = replace(robot, acting=acting)
+    if not event.vehicle.driving or robot.pose is None:
+        return robot
+    here = Reading(robot.pose.value, event.at)
+    return replace(robot, standing=here, place=here if robot.is_estimated else robot.place)
+
+
 def _with_nodes(robot: Robot, event: vehicle_events.NodesReported) -> Robot:
     """Add the nodes of an order that no graph has to that of the floor, in place of those of the last one."""
     robot_map = robot.maps.get(robot.floor or "")
@@ -96,14 +110,33 @@ def _with_nodes(robot: Robot, event: vehicle_events.NodesReported) -> Robot:
 
 
 def at_last_node(state: FleetState, robot: Robot, at: float) -> Robot:
-    """Place a vehicle that reports no position at the node where it was last, if a graph has it."""
+    """Place a vehicle that reports no position by the node where it was last, if a graph has it."""
     vehicle = robot.vehicle.value if robot.vehicle is not None and robot.vehicle.at == at else None
     if vehicle is None or vehicle.is_placed or not vehicle.last_node:
         return robot
+    known = None if robot.is_estimated else robot.pose
+    if known is not None and at - known.at <= robot.kind.silence_of("pose", state.limits.offline_after):
+        return robot  # its visualization has positions
     for name, one in robot.maps.items():
-        node = one.graph.vertices.get(vehicle.last_node) if one.graph is not None else None
-        if node is not None and name in state.floors:
-            pose = Pose(node.x, node.y, robot.pose.value.yaw if robot.pose else 0.0)
+        pose = _between_nodes(robot, vehicle, one.graph) if one.graph is not None else None
+        if pose is not None and name in state.floors:
             frame = state.floors[name].frame_id
-            return apply_report(robot, PoseReported(robot.name, at, pose, frame, None))
+            placed = apply_report(robot, PoseReported(robot.name, at, pose, frame, None))
+            # From node to node is no jump of a localisation, and no speed.
+            same = replace(placed, jumps=robot.jumps, relocated=robot.relocated, pace=robot.pace)
+            return replace(same, is_estimated=True)
     return robot
+
+
+def _between_nodes(robot: Robot, vehicle: Vehicle, graph: RouteGraph) -> Pose | None:
+    """Return the place at the last node, or as far as it drove from there straight towards the next one."""
+    node = graph.vertices.get(vehicle.last_node)
+    if node is None:
+        return None
+    ahead = graph.vertices.get(vehicle.nodes_left[0]) if vehicle.nodes_left else None
+    length = math.dist((node.x, node.y), (ahead.x, ahead.y)) if ahead is not None else 0.0
+    if ahead is None or length == 0.0:
+        return Pose(node.x, node.y, robot.pose.value.yaw if robot.pose else 0.0)
+    part = min(max(vehicle.distance or 0.0, 0.0), length) / length
+    dx, dy = ahead.x - node.x, ahead.y - node.y
+    return Pose(node.x + dx * part, node.y + dy * part, math.atan2(dy, dx))

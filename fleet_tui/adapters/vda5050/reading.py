@@ -9,8 +9,6 @@ from fleet_tui.adapters.vda5050.clock import unix_second
 from fleet_tui.adapters.vda5050.fields import Fields
 from fleet_tui.adapters.vda5050.memory import StateMemory
 from fleet_tui.adapters.vda5050.state import (
-    CANCEL,
-    INSTANT,
     MOST_ACTIONS,
     charge_of,
     graph_of,
@@ -29,7 +27,7 @@ from fleet_tui.model.vehicles.events import (
     NodesReported,
     VehicleReported,
 )
-from fleet_tui.model.vehicles.vehicle import HIGH, Vehicle, VehicleConnection
+from fleet_tui.model.vehicles.vehicle import CANCEL, HIGH, INSTANT, Vehicle, VehicleConnection
 
 ORDER = "order"
 """The key under which a vehicle's one order is listed."""

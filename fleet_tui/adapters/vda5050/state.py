@@ -15,16 +15,6 @@ MOST_NODES, MOST_ERRORS, MOST_ACTIONS, MOST_REFERENCES = 2000, 100, 500, 20
 """Maximum parts of one state."""
 ENDED = frozenset({"FINISHED", "FAILED"})
 """States of an action that is over."""
-CANCEL = "cancelOrder"
-INSTANT = frozenset(
-    {
-        *(CANCEL, "startPause", "stopPause", "startHibernation", "stopHibernation", "shutdown"),
-        *("stateRequest", "logReport", "factsheetRequest", "initPosition", "updateCertificate"),
-        *("enableMap", "downloadMap", "deleteMap", "enableZoneSet", "downloadZoneSet", "deleteZoneSet"),
-        *("clearInstantActions", "clearZoneActions", "trigger", "retry", "skipRetry"),
-    }
-)
-"""Types of actions that are given beside an order."""
 
 
 class OrderNodes(NamedTuple):
@@ -81,6 +71,7 @@ def vehicle_of(state: Fields, base: str, nodes: OrderNodes) -> Vehicle:
         e_stop=_e_stop(safety) if safety else "",
         field_violation=safety.flag("fieldViolation") if safety else None,
         last_node=state.text("lastNodeId"),
+        distance=state.number("distanceSinceLastNode"),
         nodes_left=nodes.released,
         horizon=nodes.horizon,
         # At the end of an order some vehicles ask for more as well: there is nothing to wait for.

@@ -72,6 +72,7 @@ def _pose(robot: Robot, state: FleetState) -> Values | None:
         "y_m": round(pose.y, 2),
         "yaw_deg": yaw,
         "age_s": None if robot.is_undated else _age(state, robot.pose.at),
+        **({"estimated": True} if robot.is_estimated else {}),
     }
 
 
@@ -217,7 +218,7 @@ def changes(before: Values, after: Values) -> Values:
 
 
 def _ageless(entry: Values) -> Values:
-    ages = ("since_s", "last_message_s", "heard_s", "late_s", "blocked_s", "state_s")
+    ages = ("since_s", "last_message_s", "heard_s", "late_s", "blocked_s", "state_s", "action_s")
     kept = {name: value for name, value in entry.items() if name not in ages}
     for part, age in (("pose", "age_s"), ("progress", "elapsed_s")):
         if kept.get(part):

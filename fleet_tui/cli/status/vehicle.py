@@ -5,6 +5,7 @@ from typing import Any
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.vehicles.vehicle import VehicleError
+from fleet_tui.situation.motion import running_action
 
 
 def vehicle(state: FleetState, robot: Robot) -> dict[str, Any]:
@@ -15,7 +16,7 @@ def vehicle(state: FleetState, robot: Robot) -> dict[str, Any]:
         found["protocol"] = robot.connection.value.version or None
     if robot.vehicle is None:
         return found
-    known = robot.vehicle.value
+    known, action = robot.vehicle.value, running_action(state, robot)
     return found | {
         "protocol": known.version or None,
         "state_s": round(max(0.0, state.now - robot.vehicle.at), 1),
@@ -24,6 +25,8 @@ def vehicle(state: FleetState, robot: Robot) -> dict[str, Any]:
         "field_violation": known.field_violation,
         "driving": known.driving,
         "speed_m_s": None if known.speed is None else round(known.speed, 2),
+        "action": action.value.type if action is not None else None,
+        "action_s": None if action is None else round(state.now - action.at, 1),
         "charging": known.charging,
         "localised": known.localised,
         "load": known.load,

@@ -9,6 +9,16 @@ DRIVES = frozenset({"AUTOMATIC", "SEMIAUTOMATIC"})
 """Modes in which a vehicle takes orders."""
 HIGH, MEDIUM = frozenset({"FATAL", "CRITICAL"}), frozenset({"URGENT"})
 """Levels of errors, by the priority of their alarms; others are low."""
+CANCEL = "cancelOrder"
+INSTANT = frozenset(
+    {
+        *(CANCEL, "startPause", "stopPause", "startHibernation", "stopHibernation", "shutdown"),
+        *("stateRequest", "logReport", "factsheetRequest", "initPosition", "updateCertificate"),
+        *("enableMap", "downloadMap", "deleteMap", "enableZoneSet", "downloadZoneSet", "deleteZoneSet"),
+        *("clearInstantActions", "clearZoneActions", "trigger", "retry", "skipRetry"),
+    }
+)
+"""Types of actions that are given beside an order."""
 
 
 class VehicleError(Struct, frozen=True):
@@ -34,13 +44,18 @@ class VehicleAction(Struct, frozen=True):
     text: str = ""
     type: str = ""
 
+    @property
+    def is_carried_out(self) -> bool:
+        """Tell whether it is an action of an order that runs now."""
+        return self.status in ("INITIALIZING", "RUNNING") and self.type not in INSTANT
+
 
 class Vehicle(Struct, frozen=True):
     """One state of a vehicle; None: not reported. `address` is the base of its topics, `version` that of its
     messages. `is_placed`: it reports a position. `e_stop` is the word for its emergency stop, empty if it is
-    not active. `last_node` is where it was last, `nodes_left` are the released nodes that it has still to
-    reach, `horizon` the number of those not released; `waits`: it may not drive on until its master control
-    releases them. `load`: empty without one. `speed` in m/s."""
+    not active. `last_node` is where it was last, `distance` the metres that it drove from there, `nodes_left`
+    are the released nodes that it has still to reach, `horizon` the number of those not released; `waits`: it
+    may not drive on until its master control releases them. `load`: empty without one. `speed` in m/s."""
 
     address: str
     version: str
@@ -52,6 +67,7 @@ class Vehicle(Struct, frozen=True):
     e_stop: str = ""
     field_violation: bool | None = None
     last_node: str = ""
+    distance: float | None = None
     nodes_left: tuple[str, ...] = ()
     horizon: int = 0
     waits: bool = False

@@ -24,6 +24,7 @@ from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.situation import links
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import BAD_DATA, SILENT
+from fleet_tui.situation.motion import running_action, says_driving
 from fleet_tui.situation.robots import (
     absence,
     is_blocked_for_long,
@@ -117,6 +118,8 @@ def stuck(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
     """
     order, place = robot.orders.current, robot.place
     if order is None or place is None or state.now - place.at < STILL:
+        return None
+    if running_action(state, robot) is not None or (robot.is_estimated and says_driving(state, robot)):
         return None
     began = state.began.get((robot.name, "stuck"), state.now)
     due = began + state.limits.stuck_after - STILL

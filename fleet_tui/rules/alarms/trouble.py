@@ -16,6 +16,7 @@ from fleet_tui.rules.commands.pauses import drives_despite_pause
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
 from fleet_tui.situation.facts import BAD_DATA
+from fleet_tui.situation.motion import running_action, says_driving
 from fleet_tui.situation.robots import absence, bad_data, obstacle, silent
 
 LONG_STILL = 30.0
@@ -29,7 +30,10 @@ AGING = ("pose", "battery", "queue", "cargo", "obstacle", "paused")
 
 
 def waits(state: FleetState, robot: Robot) -> bool:
-    """Tell whether a robot has stood with an order for so long, by poses that still hold."""
+    """Tell whether a robot has stood with an order for so long, by poses that still hold, and says of no
+    reason: that it drives or works."""
+    if says_driving(state, robot) or running_action(state, robot) is not None:
+        return False
     stands = robot.still_for >= LONG_STILL and robot.orders.current is not None
     return stands and state.is_fresh(robot, "pose")
 

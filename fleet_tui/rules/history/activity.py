@@ -13,12 +13,15 @@ from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.why.orders import at_stop
 from fleet_tui.rules.why.robot import charges
 from fleet_tui.situation.facts import AGE_UNKNOWN, BAD_DATA
+from fleet_tui.situation.motion import running_action, says_driving
 from fleet_tui.situation.robots import absence
 
 MOVES_WITHIN = 2.0
 """Seconds without a change of its pose for which a robot still counts as driving: it turns, it brakes."""
 BEGINS_FOR = 5.0
 """Seconds of a link in which a pose may be the first one."""
+LOADS = frozenset({"pick", "drop"})
+"""Types of actions that load and unload."""
 OBSTRUCTIONS = frozenset({"stuck", "obstacle", "blocked", "navigation"})
 """Kinds of alarms of a robot that can't drive on."""
 
@@ -42,13 +45,18 @@ def _activity(state: FleetState, robot: Robot, blocked: Set[str], kept: Set[str]
         return Activity.PAUSED
     if robot.name in blocked or is_halted(state, robot):
         return Activity.BLOCKED
-    drives = robot.standing is not None and robot.still_for < MOVES_WITHIN
+    says = says_driving(state, robot)
+    if says:
+        return Activity.DRIVING
+    if charging_reported(state, robot) is not None:
+        return Activity.CHARGING
+    drives = says is None and robot.standing is not None and robot.still_for < MOVES_WITHIN
     # The first pose of one without an order is no movement.
     begins = robot.orders.current is None and state.now - state.links[robot.link].since < BEGINS_FOR
     if drives and not begins and state.is_fresh(robot, "pose") and not is_jumping(robot, state.now):
         return Activity.DRIVING
-    if charging_reported(state, robot) is not None:
-        return Activity.CHARGING
+    if (action := running_action(state, robot)) is not None:
+        return Activity.LOADING if action.value.type in LOADS else Activity.WAITING
     if robot.orders.open or robot.name in kept:
         return Activity.LOADING if at_stop(state, robot) else Activity.WAITING
     return Activity.CHARGING if charges(state, robot) else Activity.IDLE
@@ -66,7 +74,11 @@ def _is_known(state: FleetState, robot: Robot, does: Activity) -> bool:
         return False
     if does in (Activity.OFFLINE, Activity.PAUSED) or is_halted(state, robot):
         return True
-    if "pose" in robot.kind.reports and not state.is_fresh(robot, "pose"):
+    if (
+        says_driving(state, robot) is None
+        and "pose" in robot.kind.reports
+        and not state.is_fresh(robot, "pose")
+    ):
         return False
     if does in (Activity.DRIVING, Activity.BLOCKED) or state.is_fresh(robot, "queue"):
         return True

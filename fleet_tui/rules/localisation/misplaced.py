@@ -59,6 +59,8 @@ def _half(turn: int, at: float) -> int:
 
 
 def _newest(state: FleetState, robot: Robot, live: LiveMaps, before: float) -> Reading[str] | None:
+    if robot.is_estimated:
+        return None
     text, seen = _text(state, robot, live), robot.misplaced
     if not text and _is_turn(robot, before, state.now) and is_off_route(robot):
         text = OFF_ROUTE

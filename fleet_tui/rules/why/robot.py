@@ -23,6 +23,7 @@ from fleet_tui.rules.movement import JUMPS_WITHIN
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, name_of, stationary_since
 from fleet_tui.situation import links
 from fleet_tui.situation.facts import BAD_DATA
+from fleet_tui.situation.motion import says_driving
 from fleet_tui.situation.robots import absence, last_contact, silent
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.units import ago
@@ -41,7 +42,11 @@ _UNRESOLVED = frozenset(
 
 
 def moves(state: FleetState, robot: Robot) -> Reason | None:
-    """Report that the robot is driving."""
+    """Report that the robot is driving: by its own word if it has one."""
+    says = says_driving(state, robot)
+    if says is not None and robot.vehicle is not None:
+        name = f"{robot.name} is driving"
+        return Reason(name, "reported by the vehicle", seen=robot.vehicle.at) if says else None
     since = stationary_since(robot)
     if robot.pose is None or since is None or state.is_old(robot, "pose"):
         return None

@@ -6,6 +6,7 @@ from fleet_tui.model.vehicles.vehicle import HIGH, Vehicle
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.alarms.vehicles import LOCALISE, fault_remedy, fault_text, sorted_errors
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength
+from fleet_tui.situation.motion import action_text, running_action
 
 
 def _reading(state: FleetState, robot: Robot) -> Reading[Vehicle] | None:
@@ -54,6 +55,15 @@ def faulty(state: FleetState, robot: Robot) -> Reason | None:
     return Reason(worst.type, evidence, strength, seen=reading.at, keys=LOOK_AT, remedy=remedy)
 
 
+def acts(state: FleetState, robot: Robot) -> Reason | None:
+    """Report the action of its order that it carries out where it stands."""
+    action = running_action(state, robot)
+    if action is None or robot.vehicle is None:
+        return None
+    text = action_text(state, action)
+    return Reason(text, "reported by the vehicle", since=action.at, seen=robot.vehicle.at)
+
+
 def unlocalised(state: FleetState, robot: Robot) -> Reason | None:
     """Report that it does not know its place."""
     reading = _reading(state, robot)
@@ -63,4 +73,4 @@ def unlocalised(state: FleetState, robot: Robot) -> Reason | None:
     return Reason("not localised", "reported by the vehicle", seen=reading.at, keys=keys, remedy=LOCALISE)
 
 
-VEHICLE_REASONS = (stopped, by_hand, faulty, clearance, unlocalised)
+VEHICLE_REASONS = (stopped, by_hand, faulty, acts, clearance, unlocalised)

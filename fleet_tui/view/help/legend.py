@@ -74,6 +74,7 @@ _ROBOTS = (
     (_robots(_ROBOT._replace(alarmed=True)), "! with an alarm, red until it is acknowledged"),
     (_robots(_ROBOT._replace(paused=True)), "paused"),
     (_robots(_ROBOT._replace(jumped=True)), "its pose has just jumped, or is inside a wall or off the map"),
+    (_robots(_ROBOT._replace(estimated=True)), "estimated: it reports no position, only its last node"),
     (_robots(_ROBOT._replace(other_map=True)), "its own map differs from the one shown"),
     (_robots(_ROBOT._replace(online=False, age=95.0)), "offline, with the age of its last message"),
     (_robots(_ROBOT._replace(pose=Pose(9.0, 2.0), size=(7.0, 3.0))), "zoomed in: its outline to scale"),

@@ -18,6 +18,7 @@ from fleet_tui.rules.why.place import place_text
 from fleet_tui.rules.why.reason import Reason, Strength, stationary_since
 from fleet_tui.rules.why.robot import moves
 from fleet_tui.rules.why.why import reasons
+from fleet_tui.situation.motion import says_driving
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
@@ -126,8 +127,10 @@ def _movement(state: FleetState, robot: Robot, is_dated: bool) -> str:
         return tr("No pose received.")
     if state.is_old(robot, "pose"):
         return tr(f"Last pose {age(state.now - robot.pose.at)} old.")
+    if says_driving(state, robot):
+        return tr("It reports that it drives.")
     still = robot.still_for
-    if still < STANDS_AFTER:
+    if says_driving(state, robot) is None and still < STANDS_AFTER:
         return tr("Pose changing.")
     return tr("Not moving.") if is_dated else tr(f"No movement for {age(still)}.")
 

@@ -174,6 +174,7 @@ def _robot(
         mark=mark,
         waits=waits(state, robot) and not is_paused,
         misplaced=misplaced_text(state, robot) != "",
+        estimated=robot.is_estimated,
         jumped=robot.relocated is not None and state.now - robot.relocated.at < JUMP_MARKED,
     )
 

@@ -40,6 +40,8 @@ def robot_tag(robot: SceneRobot, plain: bool, has_age: bool = True) -> str:
         tag += "=" if plain else "‖"
     if robot.jumped or robot.misplaced:
         tag += "?"
+    if robot.estimated:
+        tag += "*" if plain else "±"
     if robot.other_map:
         tag += "~" if plain else "≈"
     if robot.online:

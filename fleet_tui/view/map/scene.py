@@ -29,7 +29,7 @@ class SceneRobot(NamedTuple):
     another; age: seconds since its last message; size: length and width in metres, None if unknown; alarmed:
     an alarm of it waits for an acknowledgement; acknowledged: it has alarms, and none waits; jumped: its
     localisation has just moved it; misplaced: its pose is inside a wall or off the map; waits: it has stood
-    with an order for long; said: its most urgent alarm.
+    with an order for long; said: its most urgent alarm; estimated: its pose is one between nodes.
 
     A tuple, because a hundred of them are made ten times a second: it takes a third of the time."""
 
@@ -51,6 +51,7 @@ class SceneRobot(NamedTuple):
     waits: bool = False
     said: str = ""
     misplaced: bool = False
+    estimated: bool = False
 
     @property
     def is_odd(self) -> bool:

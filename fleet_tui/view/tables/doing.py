@@ -5,9 +5,11 @@ from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.trouble import acknowledged, waits
 from fleet_tui.rules.history.activity import activities
+from fleet_tui.situation.motion import action_text, running_action
 from fleet_tui.situation.robots import obstacle
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.news import failed_command, listed, news, shortened_news
 from fleet_tui.view.tables.table import Run, width_of
@@ -29,8 +31,11 @@ def word(does: Activity | None) -> str:
     return tr(UNKNOWN if does is None else does.value)
 
 
-def doing_text(robot: Robot, does: Activity | None) -> str:
-    """Return `waiting 11 s` of a robot that stands with an order, else the word alone."""
+def doing_text(state: FleetState, robot: Robot, does: Activity | None) -> str:
+    """Return `waiting 11 s` of a robot that stands with an order, `pick, 40 s` of one that says what it does
+    there, else the word alone."""
+    if does in (Activity.WAITING, Activity.LOADING) and (action := running_action(state, robot)) is not None:
+        return sanitize(action_text(state, action))
     if does not in STANDING or robot.still_for < STILL_FROM:
         return word(does)
     return f"{word(does)} {age(robot.still_for)}"
@@ -63,7 +68,7 @@ def state_texts(state: FleetState, robot: Robot, does: Activity | None, cells: i
     if failed and width_of(failed) > cells:
         failed = list(failed_command(state, robot, short=True))
     texts = shortened_news([*failed, *others], cells)
-    doing = doing_text(robot, does), doing_role(state, robot)
+    doing = doing_text(state, robot, does), doing_role(state, robot)
     if not texts:
         return [(missing(state, robot) or doing[0], doing[1]) if does is None else doing]
     # "lost idle" would read as one, and an emergency stop says that it is blocked.

@@ -130,6 +130,8 @@ def _pose_text(state: FleetState, robot: Robot, is_narrow: bool) -> str:
     pose = robot.pose.value
     degrees = f"{math.degrees(pose.yaw):.0f}°" if math.isfinite(pose.yaw) else tr("no heading")
     floor = "" if is_narrow and place_text(robot) else f", {floor_text(state, robot)}"
+    if robot.is_estimated:
+        return tr(f"about {pose.x:.1f}, {pose.y:.1f} m{floor}")
     return f"{pose.x:.1f}, {pose.y:.1f} m, {degrees}{floor}"
 
 

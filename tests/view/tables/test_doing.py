@@ -88,9 +88,11 @@ def test_several_are_counted_in_the_plural() -> None:
 
 
 def test_seconds_are_told_of_who_stands_with_an_order_from_a_few_on() -> None:
-    robot = standing().robots[R0]
-    assert doing_text(robot, Activity.LOADING) == "loading 40 s"
-    assert doing_text(robot, Activity.IDLE) == "idle" and doing_text(robot, None) == word(None) == "unknown"
+    state = standing()
+    robot = state.robots[R0]
+    assert doing_text(state, robot, Activity.LOADING) == "loading 40 s"
+    assert doing_text(state, robot, Activity.IDLE) == "idle"
+    assert doing_text(state, robot, None) == word(None) == "unknown"
 
 
 def test_a_row_never_ends_within_a_word_or_is_longer_than_its_pane() -> None:
