@@ -4,7 +4,7 @@ import itertools
 import logging
 import secrets
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 
 from fleet_tui.client.links import link_of
@@ -129,6 +129,13 @@ class FleetLink:
     def _resend(self, command: Command) -> None:
         """Send a command once more. On the loop."""
         self._links[self._store.state.robots[command.robot].link].resend(command)
+
+    def request_states(self, robots: Iterable[str]) -> None:
+        """Ask robots of which no state has arrived for one, before they are commanded."""
+        if not self._refusal(Right.DISPATCH):
+            for robot in robots:
+                link = self._links[self._store.state.robots[robot].link]
+                self._writer.loop.call_soon_threadsafe(link.request_state, robot)
 
     def drive(self, robot: str) -> HandDrive:
         """Begin to drive a robot by hand; a drive before it ends. Raises CommandError."""

@@ -31,6 +31,9 @@ class RobotLink(Protocol):
     def resend(self, command: Command) -> None:
         """Send a command once more, on the loop: only the first attempt is reported."""
 
+    def request_state(self, robot: str) -> None:
+        """Ask a robot of which no state has arrived for one, on the loop."""
+
     def drive(self, robot: str) -> HandDrive:
         """Begin to drive a robot by hand. Raises CommandError."""
 

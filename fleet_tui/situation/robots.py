@@ -81,6 +81,8 @@ def silence(state: FleetState, robot: Robot) -> Fact:
         what = "message" if known is None else "state"
         evidence = f"link up, no {what} received"
         question = f"{robot.name} was {NEVER_SEEN.word}"
+        if known is not None:
+            question = f"{robot.name} has sent no state yet: it sends one every 30 s"
     pose = robot.pose
     is_behind = last is not None and pose is not None and last - pose.at >= 1.0
     return Fact(

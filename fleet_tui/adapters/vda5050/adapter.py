@@ -121,18 +121,27 @@ class VehicleAdapter:
         """Return the message of a command, without its header, of a pause for a vehicle of which nothing has
         arrived one for each way to write it. Raises CommandError for one that must not be sent."""
         unique = unique[: -len(self._site.console)] + self._site.console if self._site.console else unique
+        return [self._addressed(one, robot) for one in self._messages(command, robot, unique)]
+
+    def state_request(self, robot: Robot, unique: str) -> Sequence[Publication]:
+        """Return the messages that ask a vehicle for its state now: by itself it sends one every 30 s. Raises
+        CommandError."""
+        return [self._addressed(one, robot) for one in self._to_unseen(robot, "stateRequest", unique)]
+
+    def _to_unseen(self, robot: Robot, type_: str, unique: str) -> Sequence[Publication]:
+        """Return an instant action, in both ways to write it where nothing of the vehicle has arrived."""
         try:
-            found = [self._message(command, robot, unique)]
+            return [instant_action(self.settings, robot, type_, unique)]
         except NeverSeenError:
             manufacturer, serial = self.vehicle(robot.name)
-            if not (isinstance(command, commands.PauseRobot) and manufacturer):
+            if not manufacturer:
                 raise
             found = []
             for version in COMMANDED:
                 levels = {"interface": INTERFACE, "version": f"v{major_of(version)}"}
                 topic = self.topics.filter(INSTANT_ACTIONS, manufacturer, serial, **levels)
-                found.append(action_at(self.settings, topic, version, "startPause", unique))
-        return [self._addressed(message, robot) for message in found]
+                found.append(action_at(self.settings, topic, version, type_, unique))
+            return found
 
     def _addressed(self, message: Publication, robot: Robot) -> Publication:
         """Add whose message it is."""
@@ -142,18 +151,18 @@ class VehicleAdapter:
         whose = {"manufacturer": address.manufacturer, "serialNumber": address.serial}
         return message._replace(message={**whose, **message.message})
 
-    def _message(self, command: commands.Command, robot: Robot, unique: str) -> Publication:
+    def _messages(self, command: commands.Command, robot: Robot, unique: str) -> Sequence[Publication]:
         match command:
             case commands.PlaceOrder(_, stops):
-                return order(self.settings, self._site.frames, robot, stops, unique)
+                return [order(self.settings, self._site.frames, robot, stops, unique)]
             case commands.CancelOrder(_, order_id):
-                return cancel(self.settings, robot, order_id, unique)
+                return [cancel(self.settings, robot, order_id, unique)]
             case commands.ClearOrders():
-                return instant_action(self.settings, robot, "cancelOrder", unique)
+                return [instant_action(self.settings, robot, "cancelOrder", unique)]
             case commands.PauseRobot():
-                return instant_action(self.settings, robot, "startPause", unique)
+                return self._to_unseen(robot, "startPause", unique)
             case commands.ResumeRobot():
-                return instant_action(self.settings, robot, "stopPause", unique)
+                return [instant_action(self.settings, robot, "stopPause", unique)]
             case SetUpCommand():
                 raise CommandError(self.kind.lack(command.ability))
             case _:

@@ -61,7 +61,7 @@ def run_batch(
     with sending(config, how, say) as given:
         busy = [line for _, line in lines if line.split()[0].casefold() not in FREE]
         named = [name for line in busy for name in _robots(line, given.state)]
-        await_reports(given, list(dict.fromkeys(named)) or list(given.state.robots), bool(named))
+        await_reports(given, list(dict.fromkeys(named)) or list(given.state.robots), bool(named), not dry_run)
         if reason := unreachable(given.state, named):
             say(f"fleet-tui: nothing sent: {sanitize(reason)}", err=True)
             return NO_LINK

@@ -31,6 +31,7 @@ from fleet_tui.rules.commands.rivals import rivals_text
 from fleet_tui.rules.language.grammar import ALL, parse_words
 from fleet_tui.rules.language.set_up import USAGE as SET_UP
 from fleet_tui.rules.language.words import find_robot
+from fleet_tui.situation.robots import may_be_back
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import command_text
 from fleet_tui.view.lines.questions import question
@@ -133,8 +134,9 @@ def _say_what_is_open(given: Sending, say: Say) -> None:
         say(f"{command_text(given.state, record.command)}: outcome unknown: {known}; {LOOK}", err=True)
 
 
-def await_reports(given: Sending, robots: Sequence[str], reports: bool) -> None:
-    """Wait for a link to each of these robots and, if needed, for their reports."""
+def await_reports(given: Sending, robots: Sequence[str], reports: bool, asks: bool = True) -> None:
+    """Wait for a link to each of these robots and, if needed, for their reports; `asks`: where they come
+    seldom, they are asked for."""
 
     def comes(holds: Callable[[FleetState, Robot], object], seconds: float) -> None:
         given.store.wait(
@@ -144,7 +146,13 @@ def await_reports(given: Sending, robots: Sequence[str], reports: bool) -> None:
     if not reports:
         comes(reaches, LINK_WITHIN)
         return
-    comes(lambda state, robot: reaches(state, robot) and _is_received(robot), LINK_WITHIN)
+    comes(
+        lambda state, robot: reaches(state, robot) and (_is_received(robot) or bool(robot.kind.optional)),
+        LINK_WITHIN,
+    )
+    if asks:
+        given.link.request_states(name for name in robots if unreported(given.state.robots[name]))
+    comes(_has_state, given.left)
     if all(reaches(given.state, given.state.robots[name]) for name in robots):
         comes(
             lambda _, robot: _has_labels(robot) and _reports_pause(robot) and _reports_goals(robot),
@@ -161,6 +169,12 @@ def unreachable(state: FleetState, robots: Iterable[str]) -> str:
 def _is_received(robot: Robot) -> bool:
     """Tell whether it is online, and all reports needed for checks have arrived."""
     return robot.last_received is not None and not unreported(robot)
+
+
+def _has_state(state: FleetState, robot: Robot) -> bool:
+    """Tell whether the state of a vehicle is there, which comes every 30 s, or will not come."""
+    is_away = not reaches(state, robot) or (robot.is_gone and not may_be_back(state, robot))
+    return not robot.kind.optional or not unreported(robot) or is_away
 
 
 def _has_labels(robot: Robot) -> bool:

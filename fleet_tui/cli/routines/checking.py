@@ -29,7 +29,7 @@ def check(config: Config, name: str, within: float, as_json: bool, say: Say) -> 
     if not problems:
         with session(config) as (link, store):
             given = Sending(link, store, How(Permissions(), within))
-            robots = await_robots(given, file)
+            robots = await_robots(given, file, asks=False)
             problems, no_link = problems_of(given.state, file), unreachable(given.state, robots)
             if not problems:
                 entries = timeline_of(given.state, file)

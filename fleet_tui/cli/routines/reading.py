@@ -30,8 +30,9 @@ def named_routine(config: Config, name: str) -> RoutineFile:
         raise click.UsageError(sanitize(str(problem))) from None
 
 
-def await_robots(given: Sending, file: RoutineFile) -> list[str]:
-    """Wait for the reports of a routine's robots, and return their names."""
+def await_robots(given: Sending, file: RoutineFile, asks: bool = True) -> list[str]:
+    """Wait for the reports of a routine's robots, which they are asked for where these come seldom (`asks`),
+    and return their names."""
     robots = robots_of(given.state, file.parsed.routine)
-    await_reports(given, robots, bool(robots))
+    await_reports(given, robots, bool(robots), asks)
     return robots

@@ -6,15 +6,17 @@ import logging
 import random
 import time
 import uuid
-from collections.abc import Mapping, Sequence
+from collections.abc import Coroutine, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from functools import partial
+from typing import cast
 
 import msgspec
 
 from fleet_tui.adapters.adapter import Adapter, Publication
+from fleet_tui.adapters.vda5050.adapter import VehicleAdapter
 from fleet_tui.adapters.vda5050.answers import answer
 from fleet_tui.adapters.vda5050.orders import NeverSeenError
 from fleet_tui.client.patience import call_awake
@@ -78,9 +80,7 @@ class VehicleCommands:
         """Send a command that was given at `given_at` (monotonic)."""
         LOG.info("command %d: %s", command_id, truncate(str(command)))
         if isinstance(command, PauseRobot) and not self._is_seen(command.robot):
-            task = asyncio.ensure_future(self._pause_unseen(command_id, command, given_at))
-            self._under_way.add(task)
-            task.add_done_callback(self._under_way.discard)
+            self._start(self._pause_unseen(command_id, command, given_at))
             return
         try:
             self._send(command_id, command, given_at)
@@ -90,6 +90,32 @@ class VehicleCommands:
     def _is_seen(self, name: str) -> bool:
         robot = self._writer.store.state.robots[name]
         return robot.vehicle is not None or robot.connection is not None
+
+    def request_state(self, name: str) -> None:
+        """Ask a vehicle for its state, if none has arrived and this console may command it."""
+        robot = self._writer.store.state.robots[name]
+        if robot.vehicle is None and robot.kind.accepts:
+            self._start(self._request_state(name))
+
+    async def _request_state(self, name: str) -> None:
+        arrived = self._unseen.setdefault(name, asyncio.Event())
+        if not self._is_seen(name):
+            with suppress(TimeoutError):
+                await asyncio.wait_for(arrived.wait(), SEEN_WITHIN)
+        robot = self._writer.store.state.robots[name]
+        if robot.vehicle is not None:
+            return
+        adapter = cast("VehicleAdapter", self._adapters[name])
+        try:
+            for message in adapter.state_request(robot, uuid.uuid4().hex):
+                self._publish(message)
+        except (LinkError, CommandError) as problem:
+            LOG.info("state of %s not requested: %s", name, problem)
+
+    def _start(self, sending: Coroutine[None, None, None]) -> None:
+        task = asyncio.ensure_future(sending)
+        self._under_way.add(task)
+        task.add_done_callback(self._under_way.discard)
 
     async def _pause_unseen(self, command_id: int, command: PauseRobot, given_at: float) -> None:
         """Pause a vehicle as soon as it is known where it listens."""

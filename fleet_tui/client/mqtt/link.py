@@ -32,6 +32,10 @@ class BrokerLink:
     def resend(self, command: Command) -> None:
         """Do nothing: these vehicles are paused without cancelling their order."""
 
+    def request_state(self, robot: str) -> None:
+        """Ask a vehicle of which no state has arrived for one, on the loop."""
+        self._telemetry.commands.request_state(robot)
+
     def drive(self, robot: str) -> HandDrive:
         """Raise CommandError: no vehicle is driven by hand over a broker."""
         raise CommandError(self._adapters[robot].kind.lack(DRIVE))

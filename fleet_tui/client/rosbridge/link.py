@@ -45,6 +45,9 @@ class BridgeLink:
         """Send a command once more, on the loop: only the first attempt is reported."""
         self._commands.resend(command)
 
+    def request_state(self, robot: str) -> None:
+        """Do nothing: the topics of a bridge come by themselves."""
+
     def drive(self, robot: str) -> Drive:
         """Begin to drive a robot by hand, on a connection of its own. Raises CommandError."""
         topic = self._adapters[robot].names.topic("drive", robot)
