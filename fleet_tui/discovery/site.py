@@ -35,13 +35,15 @@ WITHIN = 20.0
 @dataclass(frozen=True)
 class DiscoveredSite:
     """The site behind a bridge. `claims`: the findings of each kind; `frames` of poses by robot; `answers` of
-    a person to its choices. `topics`: their number, for the message when no robot is found."""
+    a person to its choices. `topics`: their number, for the message when no robot is found; `listened`:
+    seconds of listening on a broker."""
 
     bridge: Link
     claims: Found
     frames: Mapping[str, str]
     topics: int
     answers: Answers = field(default_factory=dict)
+    listened: float = 0.0
 
     @cached_property
     def found(self) -> Found:
@@ -106,25 +108,28 @@ def unwatched(_done: int, _total: int, _doing: str) -> None:
 
 
 def start_discovery(
-    bridge: Link, timeout: float = WITHIN, watch: Watch = unwatched
+    bridge: Link, timeout: float = WITHIN, watch: Watch = unwatched, wait: float = 0.0
 ) -> Future[DiscoveredSite]:
-    """Discover the site behind a bridge; `watch` is called on another thread.
+    """Discover the site behind a bridge, with at least `wait` seconds of listening on a broker; `watch` is
+    called on another thread.
 
     The result raises LinkError if it can't be reached, FleetError if rosapi fails.
     """
-    discover = _discover_vehicles if bridge.is_broker else _discover
-    return asyncio.run_coroutine_threadsafe(
-        discover(bridge, time.monotonic() + timeout, watch), network_loop()
-    )
+    until = time.monotonic() + max(timeout, wait)
+    if bridge.is_broker:
+        return asyncio.run_coroutine_threadsafe(
+            _discover_vehicles(bridge, until, watch, wait), network_loop()
+        )
+    return asyncio.run_coroutine_threadsafe(_discover(bridge, until, watch), network_loop())
 
 
-async def _discover_vehicles(bridge: Link, until: float, watch: Watch) -> DiscoveredSite:
-    watch(0, 0, "waiting for vehicles")
-    vehicles, topics = await vehicles_on(bridge, until)
+async def _discover_vehicles(bridge: Link, until: float, watch: Watch, wait: float) -> DiscoveredSite:
+    began = time.monotonic()
+    vehicles, topics = await vehicles_on(bridge, until, wait, watch)
     found = Discovery({name: [] for name in vehicles})
     found.vehicles = {name: (one.manufacturer, one.serial) for name, one in vehicles.items()}
     frames = {name: one.maps[0] for name, one in vehicles.items() if one.maps}
-    return DiscoveredSite(bridge, {"vda5050": found}, frames, topics)
+    return DiscoveredSite(bridge, {"vda5050": found}, frames, topics, listened=time.monotonic() - began)
 
 
 async def _discover(bridge: Link, until: float, watch: Watch) -> DiscoveredSite:

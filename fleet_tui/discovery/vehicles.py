@@ -4,18 +4,25 @@ import asyncio
 import time
 from collections.abc import Mapping
 
-from fleet_tui.adapters.vda5050.discovery import SeenVehicle, named
+from fleet_tui.adapters.vda5050.discovery import SeenVehicle, has_header, named
 from fleet_tui.adapters.vda5050.fields import Fields
 from fleet_tui.adapters.vda5050.state import pose_of
 from fleet_tui.adapters.vda5050.topics import Topics
 from fleet_tui.config.schema import Link
+from fleet_tui.discovery.questions import Watch
 from fleet_tui.errors import LinkError, WireError
 from fleet_tui.transports.mqtt.connection import BrokerConnection
 
 LISTENED = ("connection", "state", "visualization")
-NO_VEHICLE = "no connection topic (+/+/+/+/connection): start the vehicles, or check the user's read access"
-AT_LEAST, AT_MOST = 0.5, 2.0
-"""Seconds in which kept messages have arrived, and those in which poses should have."""
+STATE_EVERY = 30.0
+"""Seconds within which a vehicle sends its state, by the standard."""
+NO_VEHICLE = (
+    "no message of a vehicle (+/+/+/+/connection, .../state): start the vehicles, check the user's read"
+    " access, or listen longer: fleet-tui config init --from-live ADDRESS --wait 35"
+)
+SETTLED = 2.0
+"""Seconds without a further vehicle after which all are taken to be there: what the broker has kept comes at
+once, and most send a state each second. A vehicle whose connection is not kept may be silent for 30 s."""
 
 
 class VehicleListener:
@@ -28,6 +35,8 @@ class VehicleListener:
         """Version by manufacturer and serial number."""
         self.maps: dict[tuple[str, str], str] = {}
         self.heard = set[str]()
+        self.newest_at = time.monotonic()
+        """When the last vehicle was found."""
         self.opened: asyncio.Future[str] = asyncio.get_running_loop().create_future()
         """The reason that the broker can't be reached, empty if it is."""
         self.refused = set[str]()
@@ -58,7 +67,11 @@ class VehicleListener:
             message = Fields.of(payload)
         except WireError:
             return
+        if not has_header(message):
+            return
         vehicle = address.manufacturer, address.serial
+        if vehicle not in self.seen:
+            self.newest_at = time.monotonic()
         self.seen[vehicle] = message.text("version") or self.seen.get(vehicle, "")
         found = pose_of(message)
         if found is not None:
@@ -78,26 +91,25 @@ class VehicleListener:
     def on_too_large(self, topic: str, size: int) -> None:
         """Do nothing: no vehicle is found by such a message."""
 
-    @property
-    def is_complete(self) -> bool:
-        """Tell whether every vehicle has told its map."""
-        return bool(self.seen) and self.seen.keys() <= self.maps.keys()
 
-
-async def vehicles_on(bridge: Link, until: float) -> tuple[Mapping[str, SeenVehicle], int]:
-    """Return the vehicles on a broker by the names of their robots, and the number of topics heard. `until`
-    is monotonic. Raises LinkError."""
+async def vehicles_on(
+    bridge: Link, until: float, wait: float, watch: Watch
+) -> tuple[Mapping[str, SeenVehicle], int]:
+    """Return the vehicles on a broker by the names of their robots, and the number of topics heard. Listens
+    for at least `wait` seconds, and as long as further ones are found or there are none, but not after
+    `until` (monotonic). Raises LinkError."""
     listener = VehicleListener(bridge)
     listener.connection.connect()
     try:
         reason = await asyncio.wait_for(asyncio.shield(listener.opened), max(0.1, until - time.monotonic()))
         if reason:
             raise LinkError(f"{bridge.shown}: {reason}")
-        began = time.monotonic()
-        while time.monotonic() < min(until, began + AT_MOST):
-            await asyncio.sleep(0.05)
-            if listener.is_complete and time.monotonic() > began + AT_LEAST:
+        began = listener.newest_at = time.monotonic()
+        while (now := time.monotonic()) < until and not (listener.refused and not listener.seen):
+            if listener.seen and now >= max(began + wait, listener.newest_at + SETTLED):
                 break
+            watch(0, 0, f"waiting for vehicles, {len(listener.seen)} so far")
+            await asyncio.sleep(0.05)
     except TimeoutError:
         raise LinkError(f"{bridge.shown}: connection timed out") from None
     finally:

@@ -5,11 +5,14 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from fleet_tui.adapters.vda5050.discovery import has_header
+from fleet_tui.adapters.vda5050.fields import Fields
 from fleet_tui.adapters.vda5050.frames import BrokerMessage
 from fleet_tui.adapters.vda5050.reader import MessageReader
 from fleet_tui.adapters.vda5050.topics import Topics
 from fleet_tui.config.fleet import adapters_of, feeds_of, limit_of
 from fleet_tui.config.schema import Config
+from fleet_tui.errors import WireError
 from fleet_tui.model.events import Event, MessageRejected, PoseReported
 from fleet_tui.model.vehicles.events import ConnectionReported, MessageKept, VehicleReported
 from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleConnection
@@ -105,7 +108,7 @@ class BrokerObserver:
         found = self._reader.whose(topic)
         if found is None:
             address = Topics().parse(topic)
-            if address is not None and address.name == "connection" and payload:
+            if address is not None and address.name == "connection" and _is_of_vehicle(payload):
                 self.facts.strangers.add((address.manufacturer, address.serial))
             return
         robot, address = found
@@ -114,6 +117,13 @@ class BrokerObserver:
             _note(facts, event)
         if not retained:
             facts.arrivals.setdefault(address.name, []).append(now)
+
+
+def _is_of_vehicle(payload: bytes) -> bool:
+    try:
+        return has_header(Fields.of(payload))
+    except WireError:
+        return False
 
 
 def _note(facts: VehicleFacts, event: Event) -> None:

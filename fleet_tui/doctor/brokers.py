@@ -6,11 +6,10 @@ from fleet_tui.config.entries import RobotEntry
 from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.schema import Config, link_key
 from fleet_tui.discovery.finding import Finding, Verdict, listed, milliseconds
+from fleet_tui.discovery.vehicles import STATE_EVERY
 from fleet_tui.doctor.broker_facts import BrokerFacts, VehicleFacts
 from fleet_tui.situation.facts import NEVER_SEEN
 
-STATE_EVERY = 30.0
-"""Seconds within which a vehicle sends its state, by the standard."""
 CLOCK_OFF = 2.0
 """Seconds by which a vehicle's clock may differ."""
 NOT_COMMANDED = "3"

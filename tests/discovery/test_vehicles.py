@@ -15,8 +15,8 @@ from tests.support.vda_messages import message, position, state
 pytestmark = needs_mosquitto
 
 
-async def found(url: str) -> DiscoveredSite:
-    return await asyncio.wrap_future(start_discovery(Link(url), 10.0))
+async def found(url: str, within: float = 10.0, wait: float = 0.0) -> DiscoveredSite:
+    return await asyncio.wrap_future(start_discovery(Link(url), within, wait=wait))
 
 
 async def test_vehicles_are_found_by_their_connections_and_floors_by_their_maps(tmp_path: Path) -> None:
@@ -45,10 +45,46 @@ async def test_vehicles_are_found_by_their_connections_and_floors_by_their_maps(
 
 async def test_a_broker_without_vehicles_or_without_rights_is_told(tmp_path: Path) -> None:
     with mosquitto(tmp_path) as broker:
-        site = await found(broker.url)
-        with pytest.raises(FleetError, match="no vehicle found: no connection topic"):
+        site = await found(broker.url, 1.0)
+        with pytest.raises(FleetError, match="no vehicle found: no message of a vehicle"):
             _ = site.config
     with mosquitto(tmp_path, *refusing(tmp_path, "#")) as broker, pytest.raises(LinkError, match="refuses"):
         await found(broker.url)
     with pytest.raises(LinkError, match="connection refused"):
         await found(f"mqtt://127.0.0.1:{free_port()}")
+
+
+async def test_vehicles_come_as_long_as_further_ones_are_found(tmp_path: Path) -> None:
+    with mosquitto(tmp_path) as broker:
+        peer = Peer(broker.port)
+        asking = asyncio.ensure_future(found(broker.url, 20.0))
+        for serial in ("1", "2", "3"):  # none retains its connection
+            await asyncio.sleep(1.2)
+            assert not asking.done()
+            header = message(manufacturer="KIT", serialNumber=serial)
+            peer.publish(f"uagv/v2/KIT/{serial}/state", header)
+        assert len((await asking).config.robots) == 3
+
+
+async def test_one_that_is_silent_for_long_is_waited_for_on_request(tmp_path: Path) -> None:
+    with mosquitto(tmp_path) as broker:
+        peer = Peer(broker.port)
+        peer.publish("uagv/v2/KIT/0001/connection", message(connectionState="ONLINE"), True, 1)
+        asking = asyncio.ensure_future(found(broker.url, wait=6.0))
+        await asyncio.sleep(4.0)
+        peer.publish("uagv/v2/KIT/0002/state", state())
+        site = await asking
+        assert len(site.config.robots) == 2 and site.listened >= 6.0
+
+
+async def test_only_what_says_which_vehicle_sent_it_is_one(tmp_path: Path) -> None:
+    with mosquitto(tmp_path) as broker:
+        peer = Peer(broker.port)
+        for topic, payload in (
+            ("home/v2/kitchen/lamp/state", b'{"on": true}'),
+            ("a/b/c/d/connection", b""),
+            ("a/b/c/e/state", b"[1]"),
+            ("uagv/v2/KIT/0001/state", state()),
+        ):
+            peer.publish(topic, payload, True, 1)
+        assert [one.serial for one in (await found(broker.url)).config.robots] == ["0001"]

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 from fleet_tui.adapters.discovery import NAME, Discovery, Listed
+from fleet_tui.adapters.vda5050.fields import Fields
 
 _UNUSABLE = re.compile(r"[^A-Za-z0-9_]+")
 
@@ -21,6 +22,11 @@ class SeenVehicle(NamedTuple):
 def discover(_listed: Listed) -> Discovery:
     """Return nothing: a bridge has no such vehicles."""
     return Discovery()
+
+
+def has_header(message: Fields) -> bool:
+    """Tell whether a message says which vehicle sent it: any program may publish on topics of this shape."""
+    return bool(message.id("manufacturer") and message.id("serialNumber"))
 
 
 def named(vehicles: Iterable[SeenVehicle]) -> Mapping[str, SeenVehicle]:

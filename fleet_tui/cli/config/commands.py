@@ -6,7 +6,7 @@ import click
 
 from fleet_tui.cli.chosen import of_file
 from fleet_tui.cli.offers import files
-from fleet_tui.cli.options import NearestGroup, common, merged, screen, timeout
+from fleet_tui.cli.options import NearestGroup, NumberRange, common, merged, screen, timeout
 from fleet_tui.config.load import find, user_folder
 from fleet_tui.config.schema import Config
 from fleet_tui.log_file import log_to_file
@@ -30,17 +30,26 @@ def config() -> None:
     help="Write to this file instead of standard output.",
 )
 @click.option("--force", is_flag=True, help="Overwrite an existing file.")
+@click.option(
+    "--wait",
+    type=NumberRange(0, 3600),
+    metavar="SECONDS",
+    default=0.0,
+    help="Listen at least so long for vehicles on a broker: each sends a state within 30 s.",
+)
 @timeout(20.0)
 @common
 @merged
-def init(config_file: str | None, debug: bool, url: str, output: str, force: bool, timeout: float) -> None:
+def init(
+    config_file: str | None, debug: bool, url: str, output: str, force: bool, wait: float, timeout: float
+) -> None:
     """Write a configuration to edit, with comments. An example, or one discovered on a bridge. --config FILE
     supplies the certificates and authorization for the connection, from its [rosbridge]."""
     from fleet_tui.cli.config.init import example, from_live, next_steps, write
 
     log_to_file(debug)
     known = of_file(config_file) if config_file else Config()
-    site = from_live(known, url, timeout) if url else None
+    site = from_live(known, url, timeout, wait) if url else None
     write(site.text if site else example(), output, force, click.echo)
     for line in next_steps(site, output):
         click.echo(sanitize(line), err=True)

@@ -9,6 +9,7 @@ from fleet_tui.config.saving import write_config
 from fleet_tui.config.schema import Config
 from fleet_tui.discovery.address import bridge_at
 from fleet_tui.discovery.site import DiscoveredSite, start_discovery
+from fleet_tui.discovery.vehicles import STATE_EVERY
 from fleet_tui.errors import FleetError
 
 
@@ -17,7 +18,7 @@ def example() -> str:
     return shipped().read_text(encoding="utf-8")
 
 
-def from_live(known: Config, url: str, timeout: float) -> DiscoveredSite:
+def from_live(known: Config, url: str, timeout: float, wait: float) -> DiscoveredSite:
     """Return the site behind the bridge or broker at `url`, reached with the settings that `known` has for
     it, else with those of its [rosbridge].
 
@@ -26,7 +27,7 @@ def from_live(known: Config, url: str, timeout: float) -> DiscoveredSite:
     whole = known.whole()
     same = (link for link in whole.links.values() if link.url == url)
     bridge = bridge_at(url, next(same, whole.rosbridge))
-    return start_discovery(bridge, timeout).result()
+    return start_discovery(bridge, timeout, wait=wait).result()
 
 
 def write(text: str, output: str, force: bool, say: Callable[[str], None]) -> None:
@@ -46,12 +47,25 @@ def write(text: str, output: str, force: bool, say: Callable[[str], None]) -> No
         raise FleetError(f"{output}: {problem.strerror}") from None
 
 
+def _listening(seconds: float) -> str:
+    """Return for how long vehicles were listened for, and whom that may have missed."""
+    text = f"listened for {seconds:.0f} s, the last 2 without a further vehicle"
+    if seconds > STATE_EVERY:
+        return f"listened for {seconds:.0f} s: each vehicle that is on has sent a state"
+    return (
+        f"{text}. One whose connection the broker does not retain may be silent for {STATE_EVERY:.0f} s: "
+        f"--wait {STATE_EVERY + 5:.0f} finds it"
+    )
+
+
 def next_steps(site: DiscoveredSite | None, output: str) -> Iterator[str]:
     """Return the findings, with every uncertain setting, and what to do next."""
     if site is None:
         edit = "set the address of your rosbridge and your robots, then type: "
     else:
         yield f"{site.bridge.shown}: {site.summary}"
+        if site.bridge.is_broker:
+            yield _listening(site.listened)
         yield from (f"warning: {line}" for line in site.warnings)
         edit = "correct what is uncertain, then type: " if site.warnings else ""
     if not output:
