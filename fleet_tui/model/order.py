@@ -39,10 +39,12 @@ OVER = frozenset(OrderState) - PENDING
 
 
 class Stop(Struct, frozen=True):
-    """A destination of an order: a vertex by its id, or a pose; exactly one of both."""
+    """A destination of an order: a vertex by its id, or a pose; exactly one of both. `turns_freely`: nobody
+    gave the heading of that pose."""
 
     vertex: str = ""
     pose: Pose | None = None
+    turns_freely: bool = False
 
 
 @lru_cache(maxsize=4096)

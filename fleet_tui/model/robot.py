@@ -15,7 +15,7 @@ from fleet_tui.model.kind import Kind
 from fleet_tui.model.navigation import Blocked, Goal, Progress
 from fleet_tui.model.order import Order, OrderQueue, route_text
 from fleet_tui.model.order_life import GoneOrder, OrderTrace
-from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleAction, VehicleConnection
+from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleAction, VehicleConnection, VehicleFeatures
 from fleet_tui.text.limits import truncate
 
 T = TypeVar("T")
@@ -82,9 +82,9 @@ class Robot(Struct, frozen=True, eq=False):
     upside down, `base_frame` the frame of the robot itself, empty for a usual one; `vehicle` is its last
     state, `acting` the action of its order that it carries out, since it first said so; `is_estimated`: it
     reports no pose, and this one is between nodes; `connection` is that to its broker, `factsheet` its
-    properties by name, `master` the last sign of another master control that commands it; `member` are the
-    reports of its fleet adapter; `diagnosed` and `logged` are the last errors in its diagnostics and in its
-    log."""
+    properties by name, `features` what it takes by that, `master` the last sign of another master control
+    that commands it; `member` are the reports of its fleet adapter; `diagnosed` and `logged` are the last
+    errors in its diagnostics and in its log."""
 
     name: str
     number: int
@@ -146,6 +146,7 @@ class Robot(Struct, frozen=True, eq=False):
     is_estimated: bool = False
     connection: Reading[VehicleConnection] | None = None
     factsheet: Mapping[str, str] = field(default_factory=dict)
+    features: VehicleFeatures | None = None
     master: Reading[str] | None = None
     member: Reading[Member] | None = None
     diagnosed: Reading[str] | None = None

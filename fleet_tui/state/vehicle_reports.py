@@ -32,7 +32,7 @@ def apply_vehicle(robot: Robot, event: vehicle_events.VehicleFact) -> Robot:
         case vehicle_events.NodesReported():
             return _with_nodes(robot, event)
         case vehicle_events.FactsheetReported():
-            return replace(robot, factsheet=dict(event.facts))
+            return replace(robot, factsheet=dict(event.facts), features=event.features)
         case vehicle_events.MasterSeen():
             return replace(robot, master=Reading(event.what, event.at))
         case vehicle_events.MessageKept():

@@ -83,8 +83,9 @@ def order(
     known = robot.maps.get(floor)
     places = _route(robot, (known.graph if known else None) or RouteGraph(), stops)
     map_id, id_ = robot.frame_id or frames.get(floor, ""), str(UUID(hex=unique))
+    headings = _headings(robot, stops)
     nodes = [
-        {**_part(2 * n), "nodeId": node, **_position(settings, map_id, x, y)}
+        {**_part(2 * n), "nodeId": node, **_position(settings, map_id, x, y, headings.get(node))}
         for n, (node, x, y) in enumerate(places)
     ]
     edges = [_edge(2 * n + 1, start[0], end[0]) for n, (start, end) in enumerate(pairwise(places))]
@@ -102,13 +103,27 @@ def _edge(number: int, start: str, end: str) -> Mapping[str, object]:
     return {**_part(number), "edgeId": f"{start}-{end}", "startNodeId": start, "endNodeId": end}
 
 
+def _goal(number: int) -> str:
+    """Return the node of a stop that is a pose."""
+    return f"goal_{number}"
+
+
+def _headings(robot: Robot, stops: Sequence[Stop]) -> Mapping[str, float]:
+    """Return the headings to keep, by node: those that were given, unless the vehicle takes none."""
+    if robot.features is not None and robot.features.refuses_headings:
+        return {}
+    given = ((n, stop.pose) for n, stop in enumerate(stops) if stop.pose and not stop.turns_freely)
+    return {_goal(n): math.remainder(pose.yaw, math.tau) for n, pose in given}
+
+
 def _position(
-    settings: VehicleSettings, map_id: str, x: float | None, y: float | None
+    settings: VehicleSettings, map_id: str, x: float | None, y: float | None, heading: float | None
 ) -> Mapping[str, object]:
     if x is None or y is None:
         return {}
+    theta = {} if heading is None else {"theta": heading}
     deviation = {"allowedDeviationXY": settings.deviation} if settings.deviation else {}
-    return {"nodePosition": {"x": x, "y": y, "mapId": map_id, **deviation}}
+    return {"nodePosition": {"x": x, "y": y, **theta, "mapId": map_id, **deviation}}
 
 
 def _add_actions(
@@ -169,7 +184,7 @@ def _start(robot: Robot, graph: RouteGraph) -> Place:
 def _leg(robot: Robot, graph: RouteGraph, start: Place, stop: Stop, number: int) -> Iterator[Place]:
     """Yield the nodes after `start` up to a stop. Raises CommandError."""
     if stop.pose is not None:
-        yield f"goal_{number}", stop.pose.x, stop.pose.y
+        yield _goal(number), stop.pose.x, stop.pose.y
         return
     if stop.vertex not in graph.vertices:
         raise CommandError(f"position of node {stop.vertex} unknown: no graph of its floor contains it")

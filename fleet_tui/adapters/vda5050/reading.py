@@ -27,7 +27,14 @@ from fleet_tui.model.vehicles.events import (
     NodesReported,
     VehicleReported,
 )
-from fleet_tui.model.vehicles.vehicle import CANCEL, HIGH, INSTANT, Vehicle, VehicleConnection
+from fleet_tui.model.vehicles.vehicle import (
+    CANCEL,
+    HIGH,
+    INSTANT,
+    Vehicle,
+    VehicleConnection,
+    VehicleFeatures,
+)
 
 ORDER = "order"
 """The key under which a vehicle's one order is listed."""
@@ -140,12 +147,22 @@ def read_connection(origin: MessageOrigin, message: Fields) -> Iterator[events.E
 
 
 def read_factsheet(origin: MessageOrigin, message: Fields) -> Iterator[events.Event]:
-    """Read a factsheet: the simple values of its parts."""
+    """Read a factsheet: the simple values of its parts, and what the vehicle takes."""
     facts = dict[str, str]()
     for name in ("typeSpecification", "physicalParameters"):
         part = message.part(name)
         facts |= dict(part.shown()) if part else {}
-    yield FactsheetReported(origin.robot, origin.at, dict(list(facts.items())[:MOST_FACTS]))
+    protocol = message.part("protocolFeatures")
+    features = VehicleFeatures(
+        _names(protocol, "parameter", "optionalParameters"),
+        _names(protocol, "actionType", "agvActions", "mobileRobotActions"),
+    )
+    yield FactsheetReported(origin.robot, origin.at, dict(list(facts.items())[:MOST_FACTS]), features)
+
+
+def _names(protocol: Fields | None, name: str, *lists: str) -> tuple[str, ...] | None:
+    listed = protocol.parts(MOST_FACTS, *lists) if protocol is not None else None
+    return None if listed is None else tuple(one.text(name) for one in listed)
 
 
 def read_order(origin: MessageOrigin, message: Fields) -> Iterator[events.Event]:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from msgspec import Struct
 
 from fleet_tui.model.graph import RouteGraph
-from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleConnection
+from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleConnection, VehicleFeatures
 
 
 class VehicleReported(Struct, frozen=True, tag=True):
@@ -37,11 +37,12 @@ class NodesReported(Struct, frozen=True, tag=True):
 
 
 class FactsheetReported(Struct, frozen=True, tag=True):
-    """The properties of a vehicle, as texts by name."""
+    """The properties of a vehicle, as texts by name, and what it takes."""
 
     robot: str
     at: float
     facts: Mapping[str, str]
+    features: VehicleFeatures = VehicleFeatures()
 
 
 class MasterSeen(Struct, frozen=True, tag=True):

@@ -9,6 +9,7 @@ DRIVES = frozenset({"AUTOMATIC", "SEMIAUTOMATIC"})
 """Modes in which a vehicle takes orders."""
 HIGH, MEDIUM = frozenset({"FATAL", "CRITICAL"}), frozenset({"URGENT"})
 """Levels of errors, by the priority of their alarms; others are low."""
+HEADING = "nodePosition.theta"
 CANCEL = "cancelOrder"
 INSTANT = frozenset(
     {
@@ -117,3 +118,17 @@ class VehicleConnection(Struct, frozen=True):
             REMOVED: "removed from the broker",
         }
         return words.get(self.word, self.word.lower() or "connection unknown")
+
+
+class VehicleFeatures(Struct, frozen=True):
+    """What a vehicle takes by its factsheet, None if that does not say: `parameters` of orders beside those
+    that all take, by their full names, and types of actions."""
+
+    parameters: tuple[str, ...] | None = None
+    actions: tuple[str, ...] | None = None
+
+    @property
+    def refuses_headings(self) -> bool:
+        """Tell whether its nodes have no heading: a parameter that is not listed is not supported. An empty
+        list says nothing: many send it for want of another."""
+        return bool(self.parameters) and not any(one.endswith(HEADING) for one in self.parameters or ())

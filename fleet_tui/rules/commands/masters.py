@@ -49,4 +49,13 @@ def foreign_pause(state: FleetState, robot: Robot, command: Command) -> Iterator
         yield Problem("paused elsewhere", text, blocks=False)
 
 
-VEHICLE_CHECKS = (commanded_elsewhere, own_mode, foreign_pause, shared_way)
+def no_heading(_state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+    """Check that a vehicle keeps the heading of a goal."""
+    if robot.features is None or not robot.features.refuses_headings or not isinstance(command, PlaceOrder):
+        return
+    if any(stop.pose is not None and not stop.turns_freely for stop in command.stops):
+        text = f"{robot.name} takes no heading by its factsheet: it turns at the goal as it likes"
+        yield Problem("no heading", text, blocks=False)
+
+
+VEHICLE_CHECKS = (commanded_elsewhere, own_mode, foreign_pause, no_heading, shared_way)

@@ -164,7 +164,7 @@ def written(command: Command, state: FleetState) -> str:
         case PlaceOrder(name, stops):
             robot = state.robots[name]
             if (goal := stops[-1].pose) is not None:
-                return f"goto {name} {set_up.written_pose(goal)}"
+                return f"goto {name} {set_up.written_pose(goal, stops[-1].turns_freely)}"
             return " ".join(["order", name, *(word_of(robot, vertex) for vertex in vertices_of(stops))])
         case CancelOrder(name, order_id):
             return f"cancel {name} {quoted(order_id)}"

@@ -74,7 +74,7 @@ def parse_set_up(verb: str, robot: Robot, values: Sequence[str]) -> Request | No
         case "goto", [place]:
             return _to_place(robot, place)
         case "goto", [_, _] | [_, _, _]:
-            return Request((to_pose(robot, _pose(values)),), alone=True)
+            return Request((to_pose(robot, _pose(values), turns_freely=len(values) == 2),), alone=True)
         case "localise", []:
             return Request((Localise(robot.name),))
         case "settle", []:
@@ -126,18 +126,18 @@ def _to_place(robot: Robot, place: str) -> Request:
     return Request((SendGoal(robot.name, floor, Pose(x, y, yaw)),))
 
 
-def to_pose(robot: Robot, pose: Pose) -> PlaceOrder | SendGoal:
+def to_pose(robot: Robot, pose: Pose, turns_freely: bool = False) -> PlaceOrder | SendGoal:
     """Return the goal at a pose: an order where goals are orders. Raises CommandError."""
     if ability_of("goto", robot.kind) == ORDER_TO:
-        return PlaceOrder(robot.name, (Stop(pose=pose),))
+        return PlaceOrder(robot.name, (Stop(pose=pose, turns_freely=turns_freely),))
     floor = floor_of(robot) if GOAL in robot.kind.accepts else ""
     return SendGoal(robot.name, floor, pose)
 
 
-def written_pose(pose: Pose) -> str:
-    """Return a pose as it is typed."""
-    written = (f"{value:.6f}".rstrip("0").rstrip(".") for value in (pose.x, pose.y, math.degrees(pose.yaw)))
-    return " ".join(written)
+def written_pose(pose: Pose, turns_freely: bool = False) -> str:
+    """Return a pose as it is typed, without its heading if nobody gave one."""
+    values = (pose.x, pose.y) if turns_freely else (pose.x, pose.y, math.degrees(pose.yaw))
+    return " ".join(f"{value:.6f}".rstrip("0").rstrip(".") for value in values)
 
 
 def written_set_up(command: SetUp) -> str:

@@ -14,8 +14,12 @@ from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRob
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.order import Stop, at_vertices
+from fleet_tui.model.problem import Permissions, Problem
+from fleet_tui.model.request import Request
+from fleet_tui.rules.commands.checks import problems
+from fleet_tui.rules.language.grammar import parse
 from tests.support.vda_fleet import VehicleSite, config_text
-from tests.support.vda_messages import node, position, state
+from tests.support.vda_messages import message, node, position, state
 
 UNIQUE = "0123456789abcdef0123456789abcdef"
 PLACES = {"n0": (1.0, 2.0), "n1": (5.0, 2.0), "n2": (5.0, 6.0), "far": (50.0, 50.0)}
@@ -158,3 +162,38 @@ def test_a_version_is_read_as_it_is_meant(version: str) -> None:
     assert "instantActions" in sent(site(version=version), PauseRobot("agv")).message
     newer = version.replace("1.1", "2.1")
     assert "actions" in sent(site(version=newer), PauseRobot("agv")).message
+
+
+SHEET = {"parameter": "order.nodes.nodePosition.allowedDeviationXY", "support": "SUPPORTED"}
+THETA = {"parameter": "order.nodes.nodePosition.theta", "support": "REQUIRED"}
+TURNED = PlaceOrder("agv", (Stop(pose=Pose(5.0, 2.0, 1.5)),))
+
+
+@pytest.mark.parametrize("parameters", [None, [], [SHEET, THETA]])
+def test_a_goal_keeps_the_heading_that_was_given(parameters: list[dict[str, str]] | None) -> None:
+    found = site()
+    if parameters is not None:
+        found.read("factsheet", message(protocolFeatures={"optionalParameters": parameters}))
+    assert nodes(sent(found, TURNED))[-1]["nodePosition"]["theta"] == 1.5
+    free = PlaceOrder("agv", (Stop(pose=Pose(5.0, 2.0), turns_freely=True),))
+    assert "theta" not in nodes(sent(found, free))[-1]["nodePosition"]
+
+
+def test_where_the_factsheet_forbids_a_heading_that_is_said_before_the_order_is_sent() -> None:
+    found = site()
+    found.read("factsheet", message(protocolFeatures={"optionalParameters": [SHEET]}))
+    found.wait(0.1)
+
+    def headings(request: Request) -> list[Problem]:
+        return [one for one in problems(found.state, request, Permissions()) if one.check == "no heading"]
+
+    (problem,) = headings(Request((TURNED,)))
+    assert problem.text == "agv takes no heading by its factsheet: it turns at the goal as it likes"
+    assert not problem.blocks and "theta" not in nodes(sent(found, TURNED))[-1]["nodePosition"]
+    assert headings(parse("goto agv 5 2", found.state)) == []
+
+
+def test_a_typed_heading_is_one() -> None:
+    found = site()
+    (turned,) = parse("goto agv 5 2 90", found.state).commands
+    assert nodes(sent(found, turned))[-1]["nodePosition"]["theta"] == pytest.approx(1.5708, abs=1e-4)

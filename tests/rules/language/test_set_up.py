@@ -72,7 +72,7 @@ def test_where_goals_are_orders_it_is_an_order_to_a_robot_without_any() -> None:
     state = site(NAVIGATES)
     expected = Request((PlaceOrder(R0, (Stop("2"),)),), (("2", F0),), alone=True)
     assert parse("goto robot_0 Base", state) == expected
-    at = Stop(pose=Pose(1.0, 2.0, 0.0))
+    at = Stop(pose=Pose(1.0, 2.0, 0.0), turns_freely=True)
     assert parse("goto robot_0 1 2", state) == Request((PlaceOrder(R0, (at,)),), alone=True)
 
 
