@@ -1,5 +1,6 @@
 """Findings of a broker and its vehicles: session, rights, versions, ages, clocks."""
 
+import json
 from collections.abc import Iterator
 
 from fleet_tui.config.entries import RobotEntry
@@ -132,5 +133,9 @@ def _floor(config: Config, robot: RobotEntry, facts: VehicleFacts) -> Iterator[F
     if frame in frames:
         yield Finding(robot.name, "floor", Verdict.OK, f"{frames[frame]} (mapId {frame})")
         return
-    remedy = f"set frame_id = {frame!r} in one of [[floors]]"
+    if not frame:
+        remedy = "give its positions a mapId at the vehicle, or in its map: without one they are of no floor"
+        yield Finding(robot.name, "floor", Verdict.FAIL, "no mapId: drawn on none", remedy)
+        return
+    remedy = f"set frame_id = {json.dumps(frame)} in one of [[floors]]"
     yield Finding(robot.name, "floor", Verdict.FAIL, f"mapId {frame!r} is no floor: drawn on none", remedy)

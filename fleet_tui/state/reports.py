@@ -193,8 +193,8 @@ def _take_pose(robot: Robot, event: events.PoseReported, site: SiteClock | None)
 
 def lost_vertices(robot: Robot, queue: OrderQueue) -> list[str]:
     """Return one line for each order of the queue that names a vertex missing from every graph of the
-    robot."""
-    if not robot.knows_all_graphs():
+    robot. The nodes of a vehicle are its master control's: its graph need not be ours."""
+    if robot.vehicle is not None or not robot.knows_all_graphs():
         return []
     return [
         f"order {order.id} names unknown vertex {vertex}"

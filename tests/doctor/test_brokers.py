@@ -60,7 +60,7 @@ def test_what_is_wrong_has_its_remedy() -> None:
         "messages": Verdict.WARN,
     }
     assert findings["clock"].measured == "3600 s behind ours"
-    assert findings["floor"].remedy == "set frame_id = 'attic' in one of [[floors]]"
+    assert findings["floor"].remedy == 'set frame_id = "attic" in one of [[floors]]'
     assert findings["state"].measured == "none in 4 s"
 
 
@@ -95,3 +95,17 @@ def test_a_connection_that_the_broker_does_not_keep_or_keeps_wrongly_is_a_warnin
         assert one.remedy.startswith("let its software retain each connection message")
     stale = of_vehicle(connection=VehicleConnection("CONNECTIONBROKEN", "b", "2.0.0"))["connection"]
     assert stale.measured == "connection broken is retained, and the vehicle reports"
+
+
+def test_positions_without_a_map_have_a_remedy_that_works() -> None:
+    one = of_vehicle(pose=PoseReported("agv", 1.0, Pose(0.0, 0.0), "", 1.0))["floor"]
+    assert (one.verdict, one.measured) == (Verdict.FAIL, "no mapId: drawn on none")
+    assert "frame_id" not in one.remedy
+
+
+def test_the_frame_of_a_remedy_is_one_that_the_configuration_reads_as_printed() -> None:
+    odd = 'Halle "A" \\ 2'
+    one = of_vehicle(pose=PoseReported("agv", 1.0, Pose(0.0, 0.0), odd, 1.0))["floor"]
+    line = one.remedy.removeprefix("set ").removesuffix(" in one of [[floors]]")
+    read = from_text(config_text().replace('name = "hall"', f'name = "hall"\n{line}'))
+    assert read.floors[0].frame == odd

@@ -106,12 +106,17 @@ class Fields:
 
 
 def _decoded(payload: bytes) -> Any:
-    """Decode JSON, with NaN and Infinity that some libraries write for numbers. Raises ValueError or
-    RecursionError."""
+    """Decode JSON, with NaN and Infinity that some libraries write for numbers, in Latin-1 where it is not
+    UTF-8, and up to the NUL at the end of a text of C. Raises ValueError or RecursionError."""
     try:
         return msgspec.json.decode(payload)
-    except msgspec.DecodeError:
-        found = json.loads(payload)
+    except (msgspec.DecodeError, UnicodeDecodeError):
+        payload = payload.rstrip(b"\0")
+        try:
+            text = payload.decode()
+        except UnicodeDecodeError:
+            text = payload.decode("latin-1")
+        found = json.loads(text)
         msgspec.json.encode(found)  # raises for half a surrogate pair, which no file or screen can hold
         return found
 

@@ -9,6 +9,8 @@ from fleet_tui.model.vehicles.vehicle import Vehicle
 
 RESTARTS, WITHIN = 3, 60.0
 """Numbers of messages that go back so often in so many seconds are those of two senders."""
+STANDS_FROM = 5.0
+"""Seconds of messages with one timestamp after which the clock of their vehicle stands still."""
 TOLD_EVERY = 5.0
 """Seconds after which an unchanged order is told again, so that it does not grow old."""
 
@@ -23,6 +25,8 @@ class StateMemory:
         self._numbers: dict[str, float | None] = {}
         self._back: dict[str, list[float]] = {}
         """When the numbers of a vehicle's states went back (monotonic)."""
+        self._stamps: dict[tuple[str, str], tuple[str, float | None, float]] = {}
+        """By robot and topic name: the last timestamp, with number and second of its first message."""
         self._orders: dict[str, tuple[tuple[Goal, ...], float]] = {}
 
     def has_second_sender(self, robot: str, number: float | None, at: float) -> bool:
@@ -33,6 +37,14 @@ class StateMemory:
         back = [one for one in self._back.get(robot, ()) if 0.0 <= at - one < WITHIN]
         self._back[robot] = [*back, at][-RESTARTS:]
         return len(self._back[robot]) == RESTARTS
+
+    def clock_stands(self, robot: str, name: str, stamp: str, number: float | None, at: float) -> bool:
+        """Tell whether the messages of a vehicle go on, and their timestamps do not."""
+        known = self._stamps.get((robot, name))
+        if known is None or known[0] != stamp or number is None or known[1] is None or number < known[1]:
+            self._stamps[robot, name] = stamp, number, at
+            return False
+        return number > known[1] and at - known[2] >= STANDS_FROM
 
     def nodes(self, robot: str, state: Fields) -> tuple[OrderNodes, bool]:
         """Return the nodes that are left, and whether they have changed."""

@@ -84,7 +84,7 @@ def read_state(origin: MessageOrigin, message: Fields) -> Iterator[events.Event]
     nodes, is_new = origin.memory.nodes(robot, message)
     vehicle = vehicle_of(message, origin.base, nodes)
     yield VehicleReported(robot, at, vehicle)
-    yield from read_visualization(origin, message)
+    yield from _pose(origin, message, "state")
     charge = charge_of(message)
     if charge is not None:
         yield events.BatteryReported(robot, at, charge)
@@ -135,9 +135,18 @@ def _end(vehicle: Vehicle, earlier: Set[str]) -> tuple[OrderState, str]:
 
 def read_visualization(origin: MessageOrigin, message: Fields) -> Iterator[events.Event]:
     """Read a visualization: the pose alone."""
-    found = pose_of(message)
+    return _pose(origin, message, "visualization")
+
+
+def _pose(origin: MessageOrigin, message: Fields, name: str) -> Iterator[events.Event]:
+    """Read a pose. Where its clock stands still, it is as old as its message."""
+    found, stamp = pose_of(message), stamp_of(message)
+    text, number = message.text("timestamp"), message.number("headerId")
+    if origin.memory.clock_stands(origin.robot, name, text, number, origin.at):
+        message.faults.append(f"clock stands still: {text} in all messages")
+        stamp = None
     if found is not None:
-        yield events.PoseReported(origin.robot, origin.at, *found, stamp_of(message))
+        yield events.PoseReported(origin.robot, origin.at, *found, stamp)
 
 
 def read_connection(origin: MessageOrigin, message: Fields) -> Iterator[events.Event]:

@@ -144,7 +144,7 @@ def pose_of(message: Fields) -> tuple[Pose, str] | None:
     x, y, theta = position.number("x"), position.number("y"), position.number("theta")
     if x is None or y is None:
         return None
-    return Pose(x, y, theta if theta is not None else 0.0), position.text("mapId")
+    return Pose(x, y, theta if theta is not None else 0.0), position.id("mapId")
 
 
 def charge_of(state: Fields) -> float | None:
@@ -171,7 +171,7 @@ def graph_of(message: Fields, nodes: str, edges: str) -> tuple[RouteGraph, str]:
         x, y = (place.number("x"), place.number("y")) if place else (None, None)
         if id_ and place and x is not None and y is not None:
             vertices[id_] = Vertex(id_, x, y)
-            frame = frame or place.text("mapId")
+            frame = frame or place.id("mapId")
     ways = []
     for edge in message.parts(MOST_NODES, edges) or []:
         id_, start, end = edge.text("edgeId"), edge.text("startNodeId"), edge.text("endNodeId")

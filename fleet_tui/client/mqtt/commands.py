@@ -17,14 +17,14 @@ import msgspec
 
 from fleet_tui.adapters.adapter import Adapter, Publication
 from fleet_tui.adapters.vda5050.adapter import VehicleAdapter
-from fleet_tui.adapters.vda5050.answers import answer
+from fleet_tui.adapters.vda5050.answers import INSTANT_ACTIONS, ORDER, answer, error_text
 from fleet_tui.adapters.vda5050.orders import NeverSeenError
 from fleet_tui.client.patience import call_awake
 from fleet_tui.client.writer import Writer
 from fleet_tui.errors import CommandError, LinkError
 from fleet_tui.model.commands import Command, PauseRobot, PlaceOrder, Stage
 from fleet_tui.model.events import CommandAdvanced
-from fleet_tui.model.vehicles.vehicle import Vehicle
+from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleError
 from fleet_tui.rules.commands.abilities import unaccepted
 from fleet_tui.rules.commands.masters import other_master
 from fleet_tui.text.limits import truncate
@@ -49,12 +49,17 @@ OWN_KEPT = 1000
 
 @dataclass
 class AwaitedAnswer:
-    """A command whose answer is awaited: `number` is the header id of its message."""
+    """A command whose answer is awaited: `number` is the header id of its message; `is_echoed`: the broker
+    returned it, or is not asked to; `complaints` are errors that the vehicle has had only since, and that
+    name nothing."""
 
     command_id: int
     command: Command
     number: int
     timer: "asyncio.Task[None]"
+    is_echoed: bool
+    before: tuple[VehicleError, ...]
+    complaints: tuple[VehicleError, ...] = ()
     is_late: bool = False
 
 
@@ -72,6 +77,8 @@ class VehicleCommands:
         self._numbers: dict[str, itertools.count[int]] = {}
         """By topic: the next header id."""
         self._own: dict[str, None] = {}
+        self.returned = set[tuple[str, str]]()
+        """Robots and names of their topics that the broker returns to this console."""
         self._unseen: dict[str, asyncio.Event] = {}
         """By robot: set once a message of it has arrived for which a pause waits."""
         self._under_way: set[asyncio.Task[None]] = set()
@@ -144,7 +151,11 @@ class VehicleCommands:
         name = message.name if isinstance(command, PlaceOrder) else ""
         self._writer.apply(CommandAdvanced(command_id, Stage.SENT, time.monotonic(), "", name))
         timer = call_awake(self._timeout, partial(self._overdue, message.name))
-        self._asked[message.name] = AwaitedAnswer(command_id, command, number, timer)
+        robot = self._writer.store.state.robots[command.robot]
+        before = robot.vehicle.value.errors if robot.vehicle is not None else ()
+        topic = ORDER if isinstance(command, PlaceOrder) else INSTANT_ACTIONS
+        is_echoed = (command.robot, topic) not in self.returned
+        self._asked[message.name] = AwaitedAnswer(command_id, command, number, timer, is_echoed, before)
 
     def _messages(self, command: Command, command_id: int, late: float) -> Sequence[Publication]:
         """Return the messages of a command. Raises CommandError or LinkError if it must not be sent."""
@@ -181,6 +192,9 @@ class VehicleCommands:
 
     def is_own(self, ids: tuple[str, ...]) -> bool:
         """Tell whether a message with these ids is one of this console, as the broker returned it."""
+        for id_ in ids:
+            if (asked := self._asked.get(id_)) is not None:
+                asked.is_echoed = True
         return bool(ids) and all(id_ in self._own for id_ in ids)
 
     def on_message(self, robot: str) -> None:
@@ -193,6 +207,8 @@ class VehicleCommands:
         for id_, asked in list(self._asked.items()):
             if asked.command.robot != robot:
                 continue
+            new = [error for error in vehicle.errors if error not in asked.before and not error.references]
+            asked.complaints = tuple(new) or asked.complaints
             found = answer(asked.command, id_, asked.number, vehicle)
             if found is None:
                 continue
@@ -223,7 +239,12 @@ class VehicleCommands:
             return
         asked.is_late = True
         asked.timer = call_awake(LATE_ANSWER, partial(self._overdue, id_))
-        detail = f"from {asked.command.robot} in {self._timeout:g} s: may still be carried out"
+        why = ""
+        if asked.complaints:
+            why = f", and it reports {error_text(asked.complaints[0])}"
+        elif not asked.is_echoed:
+            why = ", and the broker did not pass it on (rights?)"
+        detail = f"from {asked.command.robot} in {self._timeout:g} s{why}: may still be carried out"
         self._advance(asked.command_id, Stage.NO_ANSWER, detail)
 
     def on_lost(self) -> None:

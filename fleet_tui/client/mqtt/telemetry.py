@@ -101,6 +101,8 @@ class VehicleTelemetry:
         """Name a topic that this user must not read. Those of master controls are only a help."""
         self.counter.topics[pattern].not_subscribed = "" if granted else REFUSED
         feed = self._feeds[pattern]
+        returned, topic = self.commands.returned, (feed.robot, feed.key)
+        (returned.add if granted else returned.discard)(topic)
         if not granted and feed.key not in OF_MASTERS:
             self._take(events.MessageRejected(feed.robot, f"{pattern}: {REFUSED}"))
 

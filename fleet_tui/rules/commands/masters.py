@@ -6,6 +6,7 @@ from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PlaceOrd
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.problem import Problem
 from fleet_tui.model.robot import Robot
+from fleet_tui.model.vehicles.vehicle import HIGH
 from fleet_tui.rules.commands.goals import active
 from fleet_tui.rules.commands.shared_ways import shared_way
 from fleet_tui.text.durations import age
@@ -39,6 +40,9 @@ def own_mode(state: FleetState, robot: Robot, command: Command) -> Iterator[Prob
             yield Problem("mode", f"{robot.name} is in mode {vehicle.mode_text}: it takes no orders")
         if vehicle.e_stop:
             yield Problem("e-stop", f"{robot.name} is stopped: {vehicle.e_stop_text}", blocks=False)
+        grave = next((error for error in vehicle.errors if error.level in HIGH), None)
+        if grave is not None:
+            yield Problem("fault", f"{robot.name} reports {grave.level.lower()} {grave.type}", blocks=False)
 
 
 def foreign_pause(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:

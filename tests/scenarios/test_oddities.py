@@ -1,0 +1,104 @@
+"""Vehicles that do what the standard does not say, or leaves open: told as it is, and never as our fault."""
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from fleet_tui.adapters.vda5050.fields import Fields
+from fleet_tui.config.load import from_text
+from fleet_tui.model.commands import PlaceOrder, Stage
+from fleet_tui.model.geometry import Pose
+from fleet_tui.model.order import Stop
+from fleet_tui.model.problem import Permissions
+from fleet_tui.model.request import Request
+from fleet_tui.rules.commands.checks import problems
+from fleet_tui.view.tables.missions import whose_mission
+from tests.support.mosquitto import ANYONE, mosquitto, needs_mosquitto
+from tests.support.vda_broker import SpokenFor, console_on
+from tests.support.vda_fleet import VehicleSite, config_text
+from tests.support.vda_hall import hall_graph
+from tests.support.vda_messages import error, node, position, state
+
+ORDER = PlaceOrder("agv", (Stop(pose=Pose(5.0, 2.0)),))
+
+
+def test_a_fatal_error_asks_before_an_order_as_an_emergency_stop_does() -> None:
+    site = VehicleSite()
+    site.read("state", state(errors=[error("WARNING", "dirty"), error("FATAL", "motorError")]))
+    site.wait(0.1)
+    found = problems(site.state, Request((ORDER,)), Permissions())
+    (fault,) = (one for one in found if one.check == "fault")
+    assert fault.text == "agv reports fatal motorError" and not fault.blocks
+
+
+def test_an_order_of_another_master_to_nodes_that_are_unknown_here_is_shown_by_id_and_no_bad_data(
+    tmp_path: Path,
+) -> None:
+    site = VehicleSite()
+    site.apply(hall_graph(tmp_path))
+    site.read("state", state(orderId="o", nodeStates=[node("their_7", 2)]))
+    site.wait(2)
+    assert "their_7" in whose_mission(site.state, site.agv, site.agv.orders.orders[0])
+    assert site.agv.faults == 0 and "data" not in site.alarms
+
+
+def test_a_map_may_have_a_number_for_a_name() -> None:
+    site = VehicleSite(from_text(config_text().replace('name = "hall"', 'name = "hall"\nframe_id = "5"')))
+    site.read("state", state(agvPosition={**position(), "mapId": 5}))
+    assert site.agv.floor == "hall" and site.agv.faults == 0
+
+
+@pytest.mark.parametrize("payload", [state() + b"\0", state(lastNodeId="X").replace(b"X", b"T\xfcr")])
+def test_a_text_of_c_and_one_in_latin_1_are_read(payload: bytes) -> None:
+    assert Fields.of(payload).text("lastNodeId") in ("n0", "Tür")
+
+
+def test_a_clock_that_stands_still_is_the_fault_of_its_vehicle_and_ages_nothing() -> None:
+    site = VehicleSite()
+    for number in range(60):
+        site.read("state", state(headerId=number))
+        site.wait(1)
+    assert site.agv.last_fault.startswith("state: clock stands still: 2026-01-02T03:04:05.678Z")
+    assert not site.state.is_old(site.agv, "pose") and site.state.is_online(site.agv)
+    assert list(site.alarms) == ["data"]
+    moving = VehicleSite()
+    for number in range(60):
+        moving.read("state", state(headerId=number, timestamp=f"2026-01-02T03:04:{number:02}Z"))
+        moving.wait(1)
+    assert moving.agv.faults == 0
+
+
+@needs_mosquitto
+async def test_an_order_that_the_broker_does_not_pass_on_is_told_as_that(tmp_path: Path) -> None:
+    rights = tmp_path / "rights"
+    rights.write_text(
+        "topic read #\n" + "".join(f"topic write +/+/+/+/{one}\n" for one in ("state", "connection"))
+    )
+    with mosquitto(tmp_path, *ANYONE, f"acl_file {rights}") as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            vehicle.say()
+            await store.until(lambda state: state.robots["agv"].vehicle)
+            link.submit(ORDER)
+            found = await store.until(lambda state: state.commands[-1].stage is Stage.NO_ANSWER)
+            assert "the broker did not pass it on (rights?)" in found.commands[-1].detail
+
+
+@needs_mosquitto
+async def test_a_rejection_without_references_is_told(tmp_path: Path) -> None:
+    def plain(type_: str, text: str) -> dict[str, Any]:
+        return {**error(type_=type_, text=text), "errorReferences": []}
+
+    with mosquitto(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            vehicle.say(errors=[plain("orderError", "an older one")])
+            await store.until(lambda state: state.robots["agv"].vehicle)
+            link.submit(ORDER)
+            await vehicle.next("order")
+            vehicle.say(errors=[plain("orderError", "an older one"), plain("noRouteError", "too far")])
+            found = await store.until(lambda state: state.commands[-1].stage is Stage.NO_ANSWER)
+            assert found.commands[-1].detail == (
+                "from agv in 5 s, and it reports noRouteError: too far: may still be carried out"
+            )
