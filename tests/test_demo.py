@@ -20,7 +20,6 @@ from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.site import MIXED
 from tests.support.adapters import names_of
-from tests.support.mosquitto import needs_mosquitto
 from tests.support.polling import HANGS
 
 URLS = "ws://one:1", "ws://two:2", "ws://three:3"
@@ -49,7 +48,6 @@ def test_the_demos_configuration_names_links_and_profiles(tmp_path: Path) -> Non
     assert all(Path(floor.graph).is_file() for floor in config.floors)
 
 
-@needs_mosquitto
 def test_a_mixed_demo_has_vehicles_on_a_broker_commanded_by_this_console(tmp_path: Path) -> None:
     with simulated(4, 1, kind=MIXED) as urls:
         assert [url.split(":")[0] for url in urls] == ["ws", "ws", "ws", "mqtt"]

@@ -19,8 +19,8 @@ from fleet_tui.config.start import initial_state
 from fleet_tui.state.store import Store
 from tests.bench.bench_steady import steady
 from tests.bench.rows import Row, row, times_source
+from tests.support.broker import PROGRAM, broker_in
 from tests.support.in_pty import Terminal
-from tests.support.mosquitto import PROGRAM, mosquitto
 
 VEHICLES, PER_SECOND = 200, 1200
 SETTLE, SECONDS, COUNTED = 6.0, 20.0, 10.0
@@ -39,7 +39,7 @@ def config_of(url: str) -> str:
 @contextmanager
 def traffic(folder: Path) -> Iterator[str]:
     """The address of a broker with all vehicles on it."""
-    with mosquitto(folder) as broker:
+    with broker_in(folder) as broker:
         command = [sys.executable, "-m", "tests.bench.vehicle_traffic", str(broker.port), str(VEHICLES)]
         process = subprocess.Popen(command, stdout=subprocess.DEVNULL)
         try:

@@ -8,11 +8,9 @@ import pytest
 from fleet_tui.config.schema import Link
 from fleet_tui.discovery.site import DiscoveredSite, start_discovery
 from fleet_tui.errors import FleetError, LinkError
-from tests.support.mosquitto import free_port, mosquitto, needs_mosquitto, refusing
+from tests.support.broker import BrokerAccess, broker_in, free_port
 from tests.support.mqtt_peer import Peer
 from tests.support.vda_messages import message, position, state
-
-pytestmark = needs_mosquitto
 
 
 async def found(url: str, within: float = 10.0, wait: float = 0.0) -> DiscoveredSite:
@@ -20,7 +18,7 @@ async def found(url: str, within: float = 10.0, wait: float = 0.0) -> Discovered
 
 
 async def test_vehicles_are_found_by_their_connections_and_floors_by_their_maps(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         peer = Peer(broker.port)
         for serial in ("0001", "truck_7", "gone [2J"):
             peer.publish(f"uagv/v2/KIT/{serial}/connection", message(connectionState="ONLINE"), True, 1)
@@ -44,18 +42,18 @@ async def test_vehicles_are_found_by_their_connections_and_floors_by_their_maps(
 
 
 async def test_a_broker_without_vehicles_or_without_rights_is_told(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         site = await found(broker.url, 1.0)
         with pytest.raises(FleetError, match="no vehicle found: no message of a vehicle"):
             _ = site.config
-    with mosquitto(tmp_path, *refusing(tmp_path, "#")) as broker, pytest.raises(LinkError, match="refuses"):
+    with broker_in(tmp_path, BrokerAccess(refused="#")) as broker, pytest.raises(LinkError, match="refuses"):
         await found(broker.url)
     with pytest.raises(LinkError, match="connection refused"):
         await found(f"mqtt://127.0.0.1:{free_port()}")
 
 
 async def test_vehicles_come_as_long_as_further_ones_are_found(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         peer = Peer(broker.port)
         asking = asyncio.ensure_future(found(broker.url, 20.0))
         for serial in ("1", "2", "3"):  # none retains its connection
@@ -67,7 +65,7 @@ async def test_vehicles_come_as_long_as_further_ones_are_found(tmp_path: Path) -
 
 
 async def test_one_that_is_silent_for_long_is_waited_for_on_request(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         peer = Peer(broker.port)
         peer.publish("uagv/v2/KIT/0001/connection", message(connectionState="ONLINE"), True, 1)
         asking = asyncio.ensure_future(found(broker.url, wait=6.0))
@@ -78,7 +76,7 @@ async def test_one_that_is_silent_for_long_is_waited_for_on_request(tmp_path: Pa
 
 
 async def test_only_what_says_which_vehicle_sent_it_is_one(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         peer = Peer(broker.port)
         for topic, payload in (
             ("home/v2/kitchen/lamp/state", b'{"on": true}'),

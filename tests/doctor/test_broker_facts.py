@@ -4,12 +4,10 @@ import asyncio
 import json
 from pathlib import Path
 
+from tests.support.broker import BrokerAccess, broker_in, free_port
 from tests.support.cli import run
-from tests.support.mosquitto import free_port, mosquitto, needs_mosquitto, refusing
 from tests.support.vda_broker import SpokenFor
 from tests.support.vda_fleet import config_text
-
-pytestmark = needs_mosquitto
 
 
 async def examined(folder: Path, url: str) -> tuple[int, dict[str, str]]:
@@ -21,7 +19,7 @@ async def examined(folder: Path, url: str) -> tuple[int, dict[str, str]]:
 
 
 async def test_a_vehicle_that_speaks_is_found_well(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         vehicle = SpokenFor(broker)
         asking = asyncio.ensure_future(examined(tmp_path, broker.url))
         while not asking.done():
@@ -34,7 +32,7 @@ async def test_a_vehicle_that_speaks_is_found_well(tmp_path: Path) -> None:
 
 
 async def test_a_broker_that_refuses_or_is_not_there(tmp_path: Path) -> None:
-    with mosquitto(tmp_path, *refusing(tmp_path, "+/+/KIT/0001/state")) as broker:
+    with broker_in(tmp_path, BrokerAccess(refused="+/+/KIT/0001/state")) as broker:
         code, found = await examined(tmp_path, broker.url)
     assert code == 1 and found["broker read access"] == "fail" and found["agv connection"] == "fail"
     code, found = await examined(tmp_path, f"mqtt://127.0.0.1:{free_port()}")

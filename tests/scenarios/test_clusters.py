@@ -11,21 +11,19 @@ from fleet_tui.config.load import from_text
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
+from tests.support.broker import RealBroker, broker_in, needs_mosquitto
 from tests.support.links import finished, linked
-from tests.support.mosquitto import ANYONE, Mosquitto, mosquitto, needs_mosquitto
 from tests.support.vda_broker import SpokenFor, console_on
 from tests.support.vda_fleet import config_text
 
-pytestmark = needs_mosquitto
 
-
-def bridged(other: Mosquitto) -> tuple[str, ...]:
+def bridged(other: RealBroker) -> tuple[str, ...]:
     """The lines of a broker that shares its messages with another one."""
     share = "topic # both 0"
-    return (*ANYONE, "connection pair", f"address 127.0.0.1:{other.port}", share, "restart_timeout 1")
+    return ("connection pair", f"address 127.0.0.1:{other.port}", share, "restart_timeout 1")
 
 
-async def paused(broker: Mosquitto, vehicle: SpokenFor) -> None:
+async def paused(broker: RealBroker, vehicle: SpokenFor) -> None:
     """See a vehicle at this broker, and pause it."""
     async with console_on(broker) as (link, store):
         await store.until(lambda state: state.robots["agv"].connection)
@@ -39,17 +37,18 @@ async def paused(broker: Mosquitto, vehicle: SpokenFor) -> None:
         await store.until(lambda state: not state.is_online(state.robots["agv"]))
 
 
+@needs_mosquitto
 async def test_a_vehicle_at_another_broker_is_watched_and_paused_and_its_last_will_comes(
     tmp_path: Path,
 ) -> None:
-    with mosquitto(tmp_path) as first, mosquitto(tmp_path, *bridged(first)) as second:
+    with broker_in(tmp_path) as first, broker_in(tmp_path, lines=bridged(first)) as second:
         await paused(first, SpokenFor(second))
 
 
 async def test_the_loss_of_one_address_of_a_name_leads_to_the_next(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    with mosquitto(tmp_path) as first, mosquitto(tmp_path) as second:
+    with broker_in(tmp_path) as first, broker_in(tmp_path) as second:
         resolved, usual = [("127.0.0.1", one.port) for one in (first, second)], socket.getaddrinfo
 
         def addresses(host: Any, *rest: Any, **options: Any) -> Any:

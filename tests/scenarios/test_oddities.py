@@ -14,7 +14,7 @@ from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.checks import problems
 from fleet_tui.view.tables.missions import whose_mission
-from tests.support.mosquitto import ANYONE, mosquitto, needs_mosquitto
+from tests.support.broker import BrokerAccess, broker_in
 from tests.support.vda_broker import SpokenFor, console_on
 from tests.support.vda_fleet import VehicleSite, config_text
 from tests.support.vda_hall import hall_graph
@@ -69,13 +69,8 @@ def test_a_clock_that_stands_still_is_the_fault_of_its_vehicle_and_ages_nothing(
     assert moving.agv.faults == 0
 
 
-@needs_mosquitto
 async def test_an_order_that_the_broker_does_not_pass_on_is_told_as_that(tmp_path: Path) -> None:
-    rights = tmp_path / "rights"
-    rights.write_text(
-        "topic read #\n" + "".join(f"topic write +/+/+/+/{one}\n" for one in ("state", "connection"))
-    )
-    with mosquitto(tmp_path, *ANYONE, f"acl_file {rights}") as broker:
+    with broker_in(tmp_path, BrokerAccess(writable=("state", "connection"))) as broker:
         vehicle = SpokenFor(broker)
         async with console_on(broker) as (link, store):
             vehicle.say()
@@ -85,12 +80,11 @@ async def test_an_order_that_the_broker_does_not_pass_on_is_told_as_that(tmp_pat
             assert "the broker did not pass it on (rights?)" in found.commands[-1].detail
 
 
-@needs_mosquitto
 async def test_a_rejection_without_references_is_told(tmp_path: Path) -> None:
     def plain(type_: str, text: str) -> dict[str, Any]:
         return {**error(type_=type_, text=text), "errorReferences": []}
 
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         vehicle = SpokenFor(broker)
         async with console_on(broker) as (link, store):
             vehicle.say(errors=[plain("orderError", "an older one")])

@@ -15,8 +15,8 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.order import Stop, at_vertices
 from fleet_tui.transports.loop import network_loop
+from tests.support.broker import RealBroker, broker_in
 from tests.support.links import finished
-from tests.support.mosquitto import Mosquitto, mosquitto, needs_mosquitto
 from tests.support.mqtt_peer import Peer
 from tests.support.polling import eventually
 from tests.support.vda_broker import console_on
@@ -24,9 +24,7 @@ from tests.support.vda_hall import hall_graph
 from tests.support.vda_messages import message
 from tests.support.vda_vehicles import npm_vehicle, sdk_vehicle
 
-pytestmark = needs_mosquitto
-
-Vehicle = Callable[[Mosquitto], AbstractAsyncContextManager[None]]
+Vehicle = Callable[[RealBroker], AbstractAsyncContextManager[None]]
 DOCK = PlaceOrder("agv", at_vertices("n2"))
 FREE = PlaceOrder("agv", (Stop(pose=Pose(5.0, 0.0)),))
 REJECTIONS: dict[str, tuple[Vehicle, PlaceOrder, str]] = {
@@ -62,7 +60,7 @@ def charges(state: FleetState) -> bool:
 async def test_an_order_is_rejected_in_the_words_of_the_vehicle(tmp_path: Path, name: str) -> None:
     make, command, words = REJECTIONS[name]
     graph = hall_graph(tmp_path)
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         async with console_on(broker) as (link, store), make(broker):
             link.post(graph)
             await store.until(
@@ -104,7 +102,7 @@ MASTERS: dict[str, tuple[Vehicle, str]] = {
 @pytest.mark.parametrize("name", MASTERS)
 async def test_of_two_masters_at_one_moment_the_second_is_rejected(tmp_path: Path, name: str) -> None:
     make, words = MASTERS[name]
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         other = Peer(broker.port, "uagv/v2/KIT/0001/state")
         async with console_on(broker) as (link, store), make(broker):
             await store.until(lambda state: state.robots["agv"].pose and state.robots["agv"].vehicle)
@@ -127,7 +125,7 @@ async def test_of_two_masters_at_one_moment_the_second_is_rejected(tmp_path: Pat
 
 
 async def test_instant_actions_in_the_wrong_field_are_rejected_and_told(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         async with console_on(broker) as (link, store), npm_vehicle(broker, "2.0.0"):
             await store.until(lambda state: state.robots["agv"].vehicle)
             record = await finished(link, store, PauseRobot("agv"))

@@ -4,19 +4,17 @@ import asyncio
 from pathlib import Path
 from typing import Any
 
+from tests.support.broker import RealBroker, broker_in
 from tests.support.cli import Ended, run
-from tests.support.mosquitto import Mosquitto, mosquitto, needs_mosquitto
 from tests.support.vda_broker import SpokenFor
 from tests.support.vda_fleet import config_text
 from tests.support.vda_hall import hall_graph
 from tests.support.vda_messages import node
 
-pytestmark = needs_mosquitto
-
 ORDER = ("order", "agv", "Rack")
 
 
-def give(folder: Path, broker: Mosquitto, *words: str, role: str = "master") -> "asyncio.Task[Ended]":
+def give(folder: Path, broker: RealBroker, *words: str, role: str = "master") -> "asyncio.Task[Ended]":
     hall_graph(folder)
     text = config_text(broker.url, role).replace('name = "hall"', 'name = "hall"\ngraph = "hall.lif.json"')
     (folder / "config.toml").write_text(text)
@@ -28,7 +26,7 @@ def types(message: dict[str, Any]) -> list[str]:
 
 
 async def test_an_order_asks_for_the_state_that_it_needs(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         vehicle = SpokenFor(broker)
         given = give(tmp_path, broker, *ORDER)
         assert types(await vehicle.next("instantActions")) == ["stateRequest"]
@@ -42,7 +40,7 @@ async def test_an_order_asks_for_the_state_that_it_needs(tmp_path: Path) -> None
 async def test_a_vehicle_that_knows_no_request_is_waited_for_as_long_as_the_timeout_says(
     tmp_path: Path,
 ) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         vehicle = SpokenFor(broker)
         given = give(tmp_path, broker, "clear", "agv", "--timeout", "40")
         await vehicle.next("instantActions")
@@ -53,7 +51,7 @@ async def test_a_vehicle_that_knows_no_request_is_waited_for_as_long_as_the_time
 
 
 async def test_without_a_state_until_then_it_says_so_and_sends_nothing(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         vehicle = SpokenFor(broker)
         done = await give(tmp_path, broker, *ORDER, "--timeout", "2")
         assert vehicle.peer.told_on("uagv/v2/KIT/0001/order") == []
@@ -61,7 +59,7 @@ async def test_without_a_state_until_then_it_says_so_and_sends_nothing(tmp_path:
 
 
 async def test_who_may_only_watch_asks_for_nothing(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         vehicle = SpokenFor(broker)
         done = await give(tmp_path, broker, *ORDER, "--timeout", "2", role="watch")
         assert vehicle.told == []
@@ -71,7 +69,7 @@ async def test_who_may_only_watch_asks_for_nothing(tmp_path: Path) -> None:
 async def test_a_vehicle_that_is_gone_is_not_waited_for_and_its_broken_connection_is_the_reason(
     tmp_path: Path,
 ) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         SpokenFor(broker).peer.drop()
         done = await give(tmp_path, broker, *ORDER, "--timeout", "600")
     assert done.code == 1 and "agv is offline (connection broken)" in done.err, done

@@ -12,13 +12,11 @@ from fleet_tui.model.order import at_vertices
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.view.tables.fleet import fleet_table
+from tests.support.broker import broker_in
 from tests.support.console_pilot import console
 from tests.support.links import linked
-from tests.support.mosquitto import mosquitto, needs_mosquitto
 from tests.support.rmf_site import FIRST, Hospital, hospital
 from tests.support.vda_broker import SpokenFor
-
-pytestmark = needs_mosquitto
 
 TEXT = """
 [links.hall]
@@ -63,7 +61,7 @@ async def three_kinds(folder: Path) -> AsyncIterator[tuple[Config, Hospital, Spo
     hall = RosbridgeServer(World(1, 1, quiet=True))
     await hall.start()
     try:
-        with mosquitto(folder) as broker:
+        with broker_in(folder) as broker:
             async with hospital(robots=1, speed=1.0) as site:
                 vehicle = SpokenFor(broker)
 

@@ -14,8 +14,8 @@ from fleet_tui.model.commands import ClearOrders, Command, PauseRobot, PlaceOrde
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.order import Stop, at_vertices
+from tests.support.broker import RealBroker, broker_in
 from tests.support.links import finished, linked
-from tests.support.mosquitto import Mosquitto, mosquitto, needs_mosquitto
 from tests.support.mqtt_peer import Peer
 from tests.support.polling import until
 from tests.support.vda_broker import console_on
@@ -23,9 +23,7 @@ from tests.support.vda_hall import hall_graph
 from tests.support.vda_vehicles import npm_vehicle, sdk_vehicle
 from tests.support.watched_store import WatchedStore
 
-pytestmark = needs_mosquitto
-
-Vehicle = Callable[[Mosquitto], AbstractAsyncContextManager[None]]
+Vehicle = Callable[[RealBroker], AbstractAsyncContextManager[None]]
 OLD_FIELD = 'instant_actions = "instantActions"'
 VEHICLES: dict[str, tuple[Vehicle, str]] = {
     "vda5050-sdk, 2.1": (sdk_vehicle, ""),
@@ -46,7 +44,7 @@ async def site(
     folder: Path, name: str, role: str = "master"
 ) -> AsyncIterator[tuple[FleetLink, WatchedStore, AbstractAsyncContextManager[None]]]:
     make, settings = VEHICLES[name]
-    with mosquitto(folder) as broker:
+    with broker_in(folder) as broker:
         async with console_on(broker, role, settings) as (link, store):
             yield link, store, make(broker)
 
@@ -102,7 +100,7 @@ async def test_it_drives_over_a_graph_of_lif(tmp_path: Path) -> None:
 
 
 async def test_an_address_is_enough_to_see_vehicles_of_both_libraries(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         async with sdk_vehicle(broker), npm_vehicle(broker, "2.0.0", "0002"):
             peer = Peer(broker.port, "uagv/+/+/0002/state")
             await until(lambda: peer.told)

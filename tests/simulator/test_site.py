@@ -22,7 +22,6 @@ from fleet_tui.simulator.kinds import KINDS
 from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.site import MIXED, Crew, SitedBridge, faults_of, site_of
-from tests.support.mosquitto import needs_mosquitto
 from tests.support.mqtt_peer import Peer
 from tests.support.nav2_client import Json, call, listen, until
 from tests.support.polling import HANGS, eventually
@@ -167,7 +166,6 @@ async def test_sim_serves_three_bridges_and_writes_the_graphs(tmp_path: Path) ->
     ]
 
 
-@needs_mosquitto
 def test_vehicles_are_beside_the_bridges_on_a_broker(tmp_path: Path) -> None:
     with sim(tmp_path, "--port", "0", count=4) as urls:
         assert urls[3].startswith("mqtt://127.0.0.1:")

@@ -8,8 +8,8 @@ from typing import Any
 from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.load import from_text
 from fleet_tui.model.link import CommandPath
+from tests.support.broker import RealBroker
 from tests.support.links import linked
-from tests.support.mosquitto import Mosquitto
 from tests.support.mqtt_peer import Peer, Told
 from tests.support.polling import until
 from tests.support.vda_fleet import config_text
@@ -20,7 +20,7 @@ from tests.support.watched_store import WatchedStore
 class SpokenFor:
     """Vehicle KIT 0001: sends what a test says, and keeps what it is told."""
 
-    def __init__(self, broker: Mosquitto) -> None:
+    def __init__(self, broker: RealBroker) -> None:
         will = f"{BASE}/connection", message(connectionState="CONNECTIONBROKEN")
         self.peer = Peer(broker.port, f"{BASE}/order", f"{BASE}/instantActions", will=will)
         self.peer.publish(f"{BASE}/connection", message(connectionState="ONLINE"), retain=True, qos=1)
@@ -42,7 +42,7 @@ class SpokenFor:
 
 @asynccontextmanager
 async def console_on(
-    broker: Mosquitto, role: str = "master", settings: str = ""
+    broker: RealBroker, role: str = "master", settings: str = ""
 ) -> AsyncIterator[tuple[FleetLink, WatchedStore]]:
     config = from_text(config_text(broker.url, role, settings))
     async with linked(config) as (link, store):

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.mosquitto import Mosquitto
+from tests.support.broker import RealBroker
 
 LIBRARY = "vda-5050-lib@1.4.0"
 FOLDER = Path(__file__).parents[2] / ".venv" / "vehicles"
@@ -54,7 +54,7 @@ def library() -> Path:
 
 @asynccontextmanager
 async def npm_vehicle(
-    broker: Mosquitto,
+    broker: RealBroker,
     version: str,
     serial: str = "0001",
     x: float = 0.0,
@@ -74,7 +74,7 @@ async def npm_vehicle(
 
 
 @asynccontextmanager
-async def sdk_vehicle(broker: Mosquitto, *, x: float = 0.0, map_known: str = "hall") -> AsyncIterator[None]:
+async def sdk_vehicle(broker: RealBroker, *, x: float = 0.0, map_known: str = "hall") -> AsyncIterator[None]:
     """A vehicle of vda5050-sdk at (x, 0), which jumps from node to node, and has one map."""
     pytest.importorskip("aiomqtt")
     agv = pytest.importorskip("vda5050.client.agv")

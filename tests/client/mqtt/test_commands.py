@@ -20,15 +20,13 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.order import Stop
+from tests.support.broker import RealBroker, broker_in
 from tests.support.links import finished
-from tests.support.mosquitto import Mosquitto, mosquitto, needs_mosquitto
 from tests.support.mqtt_peer import Peer
 from tests.support.polling import until
 from tests.support.vda_broker import SpokenFor, console_on
 from tests.support.vda_messages import BASE, error, message, node, state
 from tests.support.watched_store import WatchedStore
-
-pytestmark = needs_mosquitto
 
 ORDER = PlaceOrder("agv", (Stop(pose=Pose(5.0, 2.0)),))
 
@@ -48,7 +46,7 @@ async def given(link: FleetLink, store: WatchedStore, command: Command, stage: S
 
 
 async def test_a_pause_is_confirmed_by_the_vehicle_and_lifted(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         vehicle = SpokenFor(broker)
         async with console_on(broker, "pause") as (link, store):
             await seen(store, vehicle)
@@ -71,7 +69,7 @@ async def test_a_pause_is_confirmed_by_the_vehicle_and_lifted(tmp_path: Path) ->
 
 
 async def test_an_order_is_taken_driven_and_done(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         vehicle = SpokenFor(broker)
         async with console_on(broker) as (link, store):
             await seen(store, vehicle)
@@ -87,7 +85,7 @@ async def test_an_order_is_taken_driven_and_done(tmp_path: Path) -> None:
 
 
 async def test_a_rejected_order_has_the_vehicles_reason(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         vehicle = SpokenFor(broker)
         async with console_on(broker) as (link, store):
             await seen(store, vehicle)
@@ -104,7 +102,7 @@ async def test_a_rejected_order_has_the_vehicles_reason(tmp_path: Path) -> None:
 async def test_a_cancellation_that_takes_long_is_no_missing_answer(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         vehicle = SpokenFor(broker)
         async with console_on(broker) as (link, store):
             await seen(store, vehicle)
@@ -130,7 +128,7 @@ async def test_a_cancellation_that_takes_long_is_no_missing_answer(
 async def test_silence_is_no_answer_and_a_late_one_counts(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         vehicle = SpokenFor(broker)
         async with console_on(broker) as (link, store):
             await seen(store, vehicle)
@@ -141,7 +139,7 @@ async def test_silence_is_no_answer_and_a_late_one_counts(
 
 
 async def test_a_second_master_is_seen_and_ours_refused(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         vehicle, other = SpokenFor(broker), Peer(broker.port)
         async with console_on(broker) as (link, store):
             await seen(store, vehicle)
@@ -155,7 +153,7 @@ async def test_a_second_master_is_seen_and_ours_refused(tmp_path: Path) -> None:
 
 
 async def test_nothing_leaves_without_a_broker_and_open_commands_end(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         vehicle = SpokenFor(broker)
         async with console_on(broker) as (link, store):
             await seen(store, vehicle)
@@ -172,7 +170,7 @@ async def test_nothing_leaves_without_a_broker_and_open_commands_end(tmp_path: P
 
 
 async def test_a_frozen_broker_holds_orders_back_but_no_pause(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         vehicle = SpokenFor(broker)
         async with console_on(broker) as (link, store):
             await seen(store, vehicle)
@@ -189,7 +187,7 @@ async def test_a_frozen_broker_holds_orders_back_but_no_pause(tmp_path: Path) ->
 class Mute(SpokenFor):
     """A vehicle whose connection topic is not kept, and whose state may be half a minute away."""
 
-    def __init__(self, broker: Mosquitto, base: str = BASE) -> None:
+    def __init__(self, broker: RealBroker, base: str = BASE) -> None:
         self.base = base
         self.peer = Peer(broker.port, f"{base}/instantActions")
 
@@ -203,7 +201,7 @@ class Mute(SpokenFor):
 async def test_a_pause_goes_out_to_a_vehicle_of_which_nothing_has_arrived_in_both_ways_to_write_it(
     tmp_path: Path,
 ) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         old = Mute(broker, BASE.replace("/v2/", "/v1/"))
         new = Mute(broker)
         async with console_on(broker, "pause") as (link, store):
@@ -221,7 +219,7 @@ async def test_a_pause_waits_a_moment_for_what_the_broker_has_kept(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(commands, "ADDRESSED_WITHIN", 60.0)
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         vehicle = Mute(broker)
         async with console_on(broker, "pause") as (link, _):
             link.submit(PauseRobot("agv"))
@@ -231,7 +229,7 @@ async def test_a_pause_waits_a_moment_for_what_the_broker_has_kept(
 
 
 async def test_only_a_pause_leaves_for_a_vehicle_that_was_never_seen(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         async with console_on(broker, "pause") as (link, store):
             record = await given(link, store, ResumeRobot("agv"), Stage.NOT_SENT)
             assert record.detail == "agv was never seen: its version is unknown"

@@ -5,14 +5,12 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.errors import CommandError
-from tests.support.mosquitto import mosquitto, needs_mosquitto
+from tests.support.broker import broker_in
 from tests.support.vda_broker import console_on
-
-pytestmark = needs_mosquitto
 
 
 async def test_a_broker_has_no_hand_drive_no_live_map_and_no_log(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         async with console_on(broker) as (link, store):
             with pytest.raises(CommandError, match="this kind has no driving by hand"):
                 link.drive("agv")

@@ -7,14 +7,13 @@ import pytest
 from fleet_tui.config.load import from_text
 from fleet_tui.rules.rates import plan
 from fleet_tui.rules.rates.attention import Attention
+from tests.support.broker import broker_in
 from tests.support.links import linked
-from tests.support.mosquitto import mosquitto, needs_mosquitto
 from tests.support.polling import until
 from tests.support.vda_broker import SpokenFor
 from tests.support.vda_fleet import ONE, config_text
 from tests.support.vda_messages import BASE, message, position
 
-pytestmark = needs_mosquitto
 OTHER = ONE.replace('"agv"', '"agv_2"').replace("0001", "0002")
 
 
@@ -22,7 +21,7 @@ async def test_positions_are_subscribed_while_their_vehicle_is_looked_at(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(plan, "HOLD", 0.2)
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         vehicle = SpokenFor(broker)
         text = config_text(broker.url, "watch", robots=f"{ONE}\n{OTHER}\n[rates]\nfull_up_to = 1")
         async with linked(from_text(text)) as (link, store):

@@ -9,18 +9,16 @@ from fleet_tui.model.link import Phase
 from fleet_tui.recording.play.frames import Frames
 from fleet_tui.recording.records import EventRecord, ReceivedFrame, Record
 from fleet_tui.simulator.server import RosbridgeServer
+from tests.support.broker import BrokerAccess, broker_in
 from tests.support.links import linked
-from tests.support.mosquitto import mosquitto, needs_mosquitto, refusing
 from tests.support.mqtt_peer import Peer
 from tests.support.vda_broker import SpokenFor, console_on
 from tests.support.vda_fleet import ONE, config_text
 from tests.support.vda_messages import BASE, message, position
 
-pytestmark = needs_mosquitto
-
 
 async def test_a_vehicle_is_online_until_its_last_will(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         vehicle = SpokenFor(broker)
         async with console_on(broker, "watch") as (_, store):
             await store.until(lambda state: state.robots["agv"].connection)
@@ -33,7 +31,7 @@ async def test_a_vehicle_is_online_until_its_last_will(tmp_path: Path) -> None:
 
 
 async def test_a_broker_that_is_restarted_is_subscribed_again(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         SpokenFor(broker)
         async with console_on(broker, "watch") as (link, store):
             broker.kill()
@@ -48,7 +46,7 @@ async def test_a_broker_that_is_restarted_is_subscribed_again(tmp_path: Path) ->
 
 
 async def test_a_refused_topic_is_named(tmp_path: Path) -> None:
-    with mosquitto(tmp_path, *refusing(tmp_path, "+/+/KIT/0001/state")) as broker:
+    with broker_in(tmp_path, BrokerAccess(refused="+/+/KIT/0001/state")) as broker:
         async with console_on(broker, "watch") as (link, store):
             await store.until(lambda state: state.robots["agv"].faults)
             refused = "+/+/KIT/0001/state: broker refuses the subscription: grant the user read access"
@@ -76,7 +74,7 @@ class Tape:
 
 async def test_a_recording_shows_the_same_vehicle(tmp_path: Path) -> None:
     tape = Tape()
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         config = from_text(config_text(broker.url))
         vehicle, other = SpokenFor(broker), Peer(broker.port)
         async with linked(config, tape) as (_, store):
@@ -105,7 +103,7 @@ async def test_robots_of_a_bridge_and_vehicles_of_a_broker_are_one_fleet(
     tmp_path: Path, server: RosbridgeServer
 ) -> None:
     robots = f'[[robots]]\nname = "robot_0"\n{ONE}\n'
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         text = config_text(broker.url, robots=robots).replace("[profile", "[profiles.vda", 1)
         text = text.replace("[profile.vda5050]", "[profiles.vda.vda5050]")
         floor = '[[floors]]\nname = "floor_0"\n'

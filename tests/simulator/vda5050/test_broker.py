@@ -14,14 +14,13 @@ from fleet_tui.simulator.vda5050 import broker as brokers
 from fleet_tui.simulator.vda5050.broker import broker, free_port
 from fleet_tui.simulator.vda5050.clients import VehicleClient
 from fleet_tui.simulator.vda5050.serving import vehicles_of
+from tests.support.broker import needs_mosquitto
 from tests.support.links import finished, linked
-from tests.support.mosquitto import needs_mosquitto
 from tests.support.vda_fleet import config_text
 
 SIMULATED = '[[robots]]\nname = "agv"\nlink = "broker"'
 
 
-@needs_mosquitto
 async def test_a_broker_of_ours_listens_and_ends() -> None:
     port = free_port()
     async with broker(port):

@@ -5,16 +5,15 @@ from pathlib import Path
 
 from fleet_tui.simulator.vda5050.clients import VehicleClient
 from fleet_tui.simulator.vda5050.vehicle import SimVehicle
-from tests.support.mosquitto import mosquitto, needs_mosquitto
+from tests.support.broker import broker_in
 from tests.support.mqtt_peer import Peer
 from tests.support.polling import eventually
 
 BASE = "uagv/v2/fleet-tui/robot_0"
 
 
-@needs_mosquitto
 def test_it_announces_itself_tells_its_state_and_takes_any_message(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         peer = Peer(broker.port, "uagv/#")
         vehicle = SimVehicle("robot_0", (0.0, 0.0), "hall", "a")
         client = VehicleClient(vehicle, broker.port)

@@ -13,7 +13,6 @@ from fleet_tui.simulator.vda5050.graph_file import write_lif
 from fleet_tui.simulator.vda5050.serving import vehicles_of
 from tests.support.in_pty import serving
 from tests.support.links import finished, linked
-from tests.support.mosquitto import needs_mosquitto
 
 
 def test_vehicles_stand_at_places_of_their_floors_with_their_faults() -> None:
@@ -24,7 +23,6 @@ def test_vehicles_stand_at_places_of_their_floors_with_their_faults() -> None:
         vehicles_of(["robot_0"], 1, 1, "teapot")
 
 
-@needs_mosquitto
 async def test_a_console_drives_a_simulated_vehicle(tmp_path: Path) -> None:
     (graph,) = write_lif(tmp_path, 1)
     sim = ("sim", "--kind", "vda5050", "--port", "0", "--robots", "1", "--floors", "1", "--speed", "20")

@@ -6,16 +6,14 @@ import pytest
 
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError
+from tests.support.broker import RealBroker, broker_in
 from tests.support.broker_events import connecting
-from tests.support.mosquitto import Mosquitto, mosquitto, needs_mosquitto
 from tests.support.mqtt_peer import Peer
 from tests.support.polling import until
 
-pytestmark = needs_mosquitto
-
 
 async def test_a_broker_that_is_killed_is_found_again_and_nothing_is_sent_late(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         async with connecting(Link(broker.url)) as events:
             broker.kill()
             await until(lambda: events.lost)
@@ -34,7 +32,7 @@ async def test_a_broker_that_is_killed_is_found_again_and_nothing_is_sent_late(t
 
 
 async def test_a_second_console_throws_out_no_first_one(tmp_path: Path) -> None:
-    broker = Mosquitto(tmp_path)
+    broker = RealBroker(tmp_path)
     try:
         async with connecting(Link(broker.url)) as first, connecting(Link(broker.url)) as second:
             await until(lambda: first.answers and second.answers)

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/transports/mqtt/driver.py, against a real mosquitto."""
+"""Tests of fleet_tui/transports/mqtt/driver.py, against a real broker."""
 
 import asyncio
 from pathlib import Path
@@ -8,25 +8,17 @@ from msgspec.structs import replace
 
 from fleet_tui.config.schema import Link
 from fleet_tui.transports.mqtt import driver, session
+from tests.support.broker import BrokerAccess, BrokerTls, broker_in, free_port
 from tests.support.broker_events import connecting
 from tests.support.certificates import sign
-from tests.support.mosquitto import ANYONE, free_port, mosquitto, needs_mosquitto
 from tests.support.mqtt_peer import Peer
 from tests.support.polling import until
-
-pytestmark = needs_mosquitto
 
 
 async def test_tls_with_a_certificate_of_the_client(tmp_path: Path) -> None:
     server, client = sign(tmp_path, "localhost"), sign(tmp_path, "console")
-    lines = (
-        *ANYONE,
-        f"certfile {server.cert_file}",
-        f"keyfile {server.key_file}",
-        f"cafile {client.cert_file}",
-        "require_certificate true",
-    )
-    with mosquitto(tmp_path, *lines) as broker:
+    tls = BrokerTls(server.cert_file, server.key_file, client.cert_file)
+    with broker_in(tmp_path, BrokerAccess(tls=tls)) as broker:
         url = f"mqtts://127.0.0.1:{broker.port}"
         own = Link(url, client_cert=str(client.cert_file), client_key=str(client.key_file))
         async with connecting(replace(own, ca_file=str(server.cert_file))) as events:
@@ -66,7 +58,7 @@ async def test_messages_are_gathered_but_an_answer_to_us_is_read_at_once(
 ) -> None:
     monkeypatch.setattr(driver, "GATHER", 60.0)
     monkeypatch.setattr(session, "BEAT_EVERY", 60.0)
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         peer = Peer(broker.port, "in/#")
         async with connecting(Link(broker.url)) as events:
             await until(lambda: events.answers)

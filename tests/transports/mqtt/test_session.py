@@ -1,20 +1,17 @@
-"""Tests of fleet_tui/transports/mqtt/session.py, against a real mosquitto."""
+"""Tests of fleet_tui/transports/mqtt/session.py, against a real broker."""
 
-import asyncio
 import time
 from pathlib import Path
 
 from fleet_tui.config.schema import Link
+from tests.support.broker import BrokerAccess, broker_in
 from tests.support.broker_events import connecting
-from tests.support.mosquitto import mosquitto, needs_mosquitto, refusing
 from tests.support.mqtt_peer import Peer
 from tests.support.polling import until
 
-pytestmark = needs_mosquitto
-
 
 async def test_what_peers_publish_arrives_and_what_is_retained_says_so(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         peer = Peer(broker.port, "out/#")
         peer.publish("in/old", b"kept", retain=True, qos=1)
         async with connecting(Link(broker.url)) as events:
@@ -32,7 +29,7 @@ async def test_what_peers_publish_arrives_and_what_is_retained_says_so(tmp_path:
 
 
 async def test_a_frozen_broker_is_noticed_within_ten_seconds(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         async with connecting(Link(broker.url)) as events:
             await until(lambda: events.answers)
             broker.freeze()
@@ -46,13 +43,11 @@ async def test_a_frozen_broker_is_noticed_within_ten_seconds(tmp_path: Path) -> 
 
 
 async def test_a_wrong_password_names_the_keys_and_a_right_one_may_come_later(tmp_path: Path) -> None:
-    passwords, user, password = tmp_path / "passwords", tmp_path / "user", tmp_path / "password"
-    made = await asyncio.create_subprocess_exec("mosquitto_passwd", "-b", "-c", passwords, "ana", "right")
-    assert await made.wait() == 0
+    user, password = tmp_path / "user", tmp_path / "password"
     for file, text in ((user, "ana"), (password, "wrong")):
         file.touch(mode=0o600)
         file.write_text(text)
-    with mosquitto(tmp_path, "allow_anonymous false", f"password_file {passwords}") as broker:
+    with broker_in(tmp_path, BrokerAccess(users=(("ana", "right"),))) as broker:
         async with connecting(Link(broker.url), wait=False) as events:
             await until(lambda: events.lost)
             assert events.lost[0][0] == "access denied: set user_file and password_file"
@@ -65,7 +60,7 @@ async def test_a_wrong_password_names_the_keys_and_a_right_one_may_come_later(tm
 
 
 async def test_a_subscription_that_the_broker_refuses_is_told(tmp_path: Path) -> None:
-    with mosquitto(tmp_path, *refusing(tmp_path, "secret/#")) as broker:
+    with broker_in(tmp_path, BrokerAccess(refused="secret/#")) as broker:
         async with connecting(Link(broker.url)) as events:
             await events.subscribe("free/a", "secret/b")
             assert events.granted == {"free/a": True, "secret/b": False}
@@ -73,7 +68,7 @@ async def test_a_subscription_that_the_broker_refuses_is_told(tmp_path: Path) ->
 
 
 async def test_a_message_over_the_limit_is_dropped_with_its_size(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         async with connecting(Link(broker.url, max_message_mb=0.001)) as events:
             await events.subscribe("#")
             await events.call(lambda: events.connection.publish("map", b"x" * 2000))
@@ -83,7 +78,7 @@ async def test_a_message_over_the_limit_is_dropped_with_its_size(tmp_path: Path)
 
 
 async def test_what_is_unsubscribed_does_not_come_any_more(tmp_path: Path) -> None:
-    with mosquitto(tmp_path) as broker:
+    with broker_in(tmp_path) as broker:
         peer = Peer(broker.port, "out/#")
         async with connecting(Link(broker.url)) as events:
             await events.subscribe("in/a", "in/b")
