@@ -15,7 +15,7 @@ from fleet_tui.model.kind import Kind
 from fleet_tui.model.navigation import Blocked, Goal, Progress
 from fleet_tui.model.order import Order, OrderQueue, route_text
 from fleet_tui.model.order_life import GoneOrder, OrderTrace
-from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleAction, VehicleConnection, VehicleFeatures
+from fleet_tui.model.vehicles.vehicle import CurrentAction, Vehicle, VehicleConnection, VehicleFeatures
 from fleet_tui.text.limits import truncate
 
 T = TypeVar("T")
@@ -80,7 +80,7 @@ class Robot(Struct, frozen=True, eq=False):
     `counts_percent`: its battery was seen to count to 100; `size` is its length and width in metres, None if
     not configured; `laser` is the pose of its laser on it, None if unknown, `laser_flipped` that it hangs
     upside down, `base_frame` the frame of the robot itself, empty for a usual one; `vehicle` is its last
-    state, `acting` the action of its order that it carries out, since it first said so; `is_estimated`: it
+    state, `acting` the action of its order that it carries out; `is_estimated`: it
     reports no pose, and this one is between nodes; `connection` is that to its broker, `factsheet` its
     properties by name, `features` what it takes by that, `master` the last sign of another master control
     that commands it; `member` are the reports of its fleet adapter; `diagnosed` and `logged` are the last
@@ -142,7 +142,7 @@ class Robot(Struct, frozen=True, eq=False):
     laser_flipped: bool = False
     base_frame: str = ""
     vehicle: Reading[Vehicle] | None = None
-    acting: Reading[VehicleAction] | None = None
+    acting: CurrentAction | None = None
     is_estimated: bool = False
     connection: Reading[VehicleConnection] | None = None
     factsheet: Mapping[str, str] = field(default_factory=dict)

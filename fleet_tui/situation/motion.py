@@ -1,8 +1,8 @@
 """What robots themselves say they do: it comes before any guess from their poses."""
 
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.robot import Reading, Robot
-from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleAction
+from fleet_tui.model.robot import Robot
+from fleet_tui.model.vehicles.vehicle import CurrentAction, Vehicle
 from fleet_tui.text.durations import age
 
 CRAWLS = 0.05
@@ -24,12 +24,13 @@ def says_driving(state: FleetState, robot: Robot) -> bool | None:
     return vehicle.driving
 
 
-def running_action(state: FleetState, robot: Robot) -> Reading[VehicleAction] | None:
-    """Return the action of its order that a robot carries out while it stands, since its first report."""
+def running_action(state: FleetState, robot: Robot) -> CurrentAction | None:
+    """Return the action of its order that a robot carries out while it stands."""
     is_busy = robot.acting is not None and says_driving(state, robot) is not True
     return robot.acting if is_busy and _fresh(state, robot) is not None else None
 
 
-def action_text(state: FleetState, action: Reading[VehicleAction]) -> str:
-    """Return an action with the time that it has taken so far."""
-    return f"{action.value.type or 'action'}, {age(state.now - action.at)}"
+def action_text(state: FleetState, current: CurrentAction) -> str:
+    """Return an action with the time that it has taken so far, as far as that was seen."""
+    text = f"{current.action.type or 'action'}, {age(state.now - current.since)}"
+    return text if current.is_begin_seen else f"{text} (seen)"

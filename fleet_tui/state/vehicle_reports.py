@@ -12,7 +12,7 @@ from fleet_tui.model.graph import Edge, RouteGraph
 from fleet_tui.model.navigation import Blocked
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.model.vehicles import events as vehicle_events
-from fleet_tui.model.vehicles.vehicle import REMOVED, Vehicle
+from fleet_tui.model.vehicles.vehicle import REMOVED, CurrentAction, Vehicle
 from fleet_tui.state.goal_reports import with_sign_of_life
 from fleet_tui.state.reports import apply_report
 
@@ -25,7 +25,7 @@ def apply_vehicle(robot: Robot, event: vehicle_events.VehicleFact) -> Robot:
     """Apply one report of a vehicle to it."""
     match event:
         case vehicle_events.VehicleReported():
-            robot = _with_motion(_with_field(robot, event), event)
+            robot = _with_motion(_with_field(robot, event), event, robot.vehicle is not None)
             return with_sign_of_life(replace(robot, vehicle=Reading(event.vehicle, event.at)), event.at)
         case vehicle_events.ConnectionReported():
             return _with_connection(robot, event)
@@ -71,14 +71,14 @@ def _with_field(robot: Robot, event: vehicle_events.VehicleReported) -> Robot:
     return replace(robot, blocked=Reading(blocked, event.at)) if blocked else robot
 
 
-def _with_motion(robot: Robot, event: vehicle_events.VehicleReported) -> Robot:
+def _with_motion(robot: Robot, event: vehicle_events.VehicleReported, was_known: bool) -> Robot:
     """Take what it says it does: while it says that it drives, it stands nowhere, whatever its poses are. One
     without poses makes progress, too; those of another may show that it does not."""
     found = next((one for one in event.vehicle.actions if one.is_carried_out), None)
-    before = robot.acting
-    goes_on = found is not None and before is not None and before.value.id == found.id
-    acting = None if found is None else Reading(found, before.at if before and goes_on else event.at)
-    robot = replace(robot, acting=acting)
+    if found is None:
+        robot = replace(robot, acting=None)
+    elif robot.acting is None or robot.acting.action.id != found.id:
+        robot = replace(robot, acting=CurrentAction(found, event.at, was_known))
     if not event.vehicle.driving or robot.pose is None:
         return robot
     here = Reading(robot.pose.value, event.at)

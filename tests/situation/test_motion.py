@@ -68,6 +68,7 @@ def test_a_vehicle_that_stands_with_an_order_is_not_driving_for_the_time_of_its_
 
 def test_a_running_action_is_named_with_its_time_and_nothing_is_blocked(tmp_path: Path) -> None:
     vehicle = site(tmp_path)
+    vehicle.read("state", state(**DRIVEN, driving=True))
     for_seconds(vehicle, 420, **DRIVEN, driving=False, actionStates=PICK)
     assert told_text(vehicle.state, vehicle.agv) == "pick, 7 min" and does(vehicle) is Activity.LOADING
     first = reasons(vehicle.state, vehicle.agv)[0]
@@ -120,3 +121,9 @@ def test_a_position_of_its_own_is_never_replaced_by_an_estimate(tmp_path: Path) 
     vehicle.read("state", state(**LINE_GUIDED))
     assert vehicle.agv.pose is not None and vehicle.agv.pose.value.x == 7.0
     assert "estimated" not in report(vehicle.state)["robots"][0]["pose"]
+
+
+def test_how_long_an_action_runs_that_began_before_the_console_is_what_was_seen() -> None:
+    vehicle = VehicleSite()
+    for_seconds(vehicle, 31, **DRIVEN, driving=False, actionStates=PICK)
+    assert told_text(vehicle.state, vehicle.agv) == "pick, 31 s (seen)"

@@ -51,6 +51,15 @@ class VehicleAction(Struct, frozen=True):
         return self.status in ("INITIALIZING", "RUNNING") and self.type not in INSTANT
 
 
+class CurrentAction(Struct, frozen=True):
+    """An action that a vehicle carries out; `since` its first report here (monotonic), which is its begin if
+    that was seen."""
+
+    action: VehicleAction
+    since: float
+    is_begin_seen: bool
+
+
 class Vehicle(Struct, frozen=True):
     """One state of a vehicle; None: not reported. `address` is the base of its topics, `version` that of its
     messages. `is_placed`: it reports a position. `e_stop` is the word for its emergency stop, empty if it is

@@ -56,7 +56,7 @@ def _activity(state: FleetState, robot: Robot, blocked: Set[str], kept: Set[str]
     if drives and not begins and state.is_fresh(robot, "pose") and not is_jumping(robot, state.now):
         return Activity.DRIVING
     if (action := running_action(state, robot)) is not None:
-        return Activity.LOADING if action.value.type in LOADS else Activity.WAITING
+        return Activity.LOADING if action.action.type in LOADS else Activity.WAITING
     if robot.orders.open or robot.name in kept:
         return Activity.LOADING if at_stop(state, robot) else Activity.WAITING
     return Activity.CHARGING if charges(state, robot) else Activity.IDLE

@@ -61,7 +61,7 @@ def acts(state: FleetState, robot: Robot) -> Reason | None:
     if action is None or robot.vehicle is None:
         return None
     text = action_text(state, action)
-    return Reason(text, "reported by the vehicle", since=action.at, seen=robot.vehicle.at)
+    return Reason(text, "reported by the vehicle", since=action.since, seen=robot.vehicle.at)
 
 
 def unlocalised(state: FleetState, robot: Robot) -> Reason | None:
