@@ -31,6 +31,7 @@ class CommandActions(Struct, frozen=True):
     order: Act
     cancel: Act
     clear: Act
+    charge: Act
     pause: Act
     resume: Act
     pause_all: Act

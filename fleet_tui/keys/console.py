@@ -153,6 +153,16 @@ CONSOLE: tuple[Key[Actions], ...] = (
         helps="leaves",
     ),
     Key(
+        "charge",
+        ("C",),
+        lambda do: do.commands.charge(),
+        "Send the selected robot to the nearest charger (asks first)",
+        hint="charge",
+        needs="order",
+        commands=True,
+        helps="leaves",
+    ),
+    Key(
         "robot_page",
         ("i",),
         lambda do: do.view.robot_page(),

@@ -43,6 +43,7 @@ def key_actions(screen: "MainScreen", rest: "Rest") -> Actions:
             order=partial(_order, screen, rest),
             cancel=rest.orders.cancel,
             clear=rest.orders.clear,
+            charge=rest.orders.charge_now,
             pause=rest.robots.pause,
             resume=rest.robots.resume,
             pause_all=after_a_drive(rest, "pause all", rest.robots.pause_all),

@@ -6,20 +6,26 @@ from contextlib import AbstractAsyncContextManager, asynccontextmanager
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
 from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.schema import Link
 from fleet_tui.discovery.site import start_discovery
 from fleet_tui.model.commands import ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot, Stage
+from fleet_tui.model.events import FloorGraphLoaded
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
+from fleet_tui.model.graph import Edge, Role, RouteGraph
 from fleet_tui.model.order import Stop, at_vertices
+from fleet_tui.rules.battery.charging import charging_reported
+from fleet_tui.rules.routes.charging import order_to_charger
 from tests.support.broker import RealBroker, broker_in
 from tests.support.links import finished, linked
 from tests.support.mqtt_peer import Peer
 from tests.support.polling import until
 from tests.support.vda_broker import console_on
 from tests.support.vda_hall import hall_graph
+from tests.support.vda_messages import message
 from tests.support.vda_vehicles import npm_vehicle, sdk_vehicle
 from tests.support.watched_store import WatchedStore
 
@@ -97,6 +103,39 @@ async def test_it_drives_over_a_graph_of_lif(tmp_path: Path) -> None:
         await store.until(lambda state: state.commands[-1].stage is Stage.DONE)
         agv = store.state.robots["agv"]
         assert agv.vehicle is not None and agv.vehicle.value.last_node == "n2"
+
+
+@pytest.mark.parametrize("name", [name for name in VEHICLES if "lib" in name])
+async def test_it_charges_at_a_charger_and_is_freed_before_its_next_order(tmp_path: Path, name: str) -> None:
+    """vda-5050-lib takes no order while it charges. It sends no factsheet: a test does that for it."""
+    make, settings = VEHICLES[name]
+    version = "1.1.0" if "1.1" in name else "2.0.0"
+    actions = [
+        {"actionType": f"{verb}Charging", "actionScopes": ["INSTANT", "NODE"]} for verb in ("start", "stop")
+    ]
+    with broker_in(tmp_path) as broker:
+        sheet = message(version, protocolFeatures={"agvActions": actions})
+        Peer(broker.port).publish(f"uagv/v{version[0]}/KIT/0001/factsheet", sheet, retain=True)
+        async with console_on(broker, settings=settings) as (link, store), make(broker):
+            link.post(with_charger(hall_graph(tmp_path)))
+            await store.until(lambda state: seen(state) and state.robots["agv"].features)
+            request = order_to_charger(store.state.robots["agv"])
+            assert request is not None
+            assert await outcome(link, store, request.commands[0]) is Stage.CONFIRMED
+            await store.until(lambda state: state.commands[-1].stage is Stage.DONE)
+            await store.until(lambda state: charging_reported(state, state.robots["agv"]))
+            assert await outcome(link, store, PlaceOrder("agv", at_vertices("n1"))) is Stage.CONFIRMED
+            await store.until(lambda state: state.commands[-1].stage is Stage.DONE)
+            assert not charging_reported(store.state, store.state.robots["agv"])
+
+
+def with_charger(loaded: FloorGraphLoaded) -> FloorGraphLoaded:
+    """The hall with a way there and back, and a charger at its end."""
+    graph = loaded.graph
+    assert graph is not None
+    vertices = {**graph.vertices, "n2": replace(graph.vertices["n2"], role=Role.DOCKING)}
+    back = tuple(Edge(f"{edge.id} back", edge.end, edge.start) for edge in graph.edges)
+    return replace(loaded, graph=RouteGraph(vertices, (*graph.edges, *back), True))
 
 
 async def test_an_address_is_enough_to_see_vehicles_of_both_libraries(tmp_path: Path) -> None:

@@ -111,3 +111,18 @@ async def test_a_question_says_what_is_true_while_it_waits(server: RosbridgeServ
         assert it.app.main.query_one(Confirm).is_open
         await it.press("y")
         await it.until(lambda _: trips(server, it) == ["Base -> Store"])
+
+
+async def test_to_the_nearest_charger_asks_and_only_y_sends(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        await it.press("C")
+        await it.shows("Send?")
+        await it.press("n")
+        await it.hides("Send?")
+        assert not server.bridge.services.calls
+        await it.press("C", "y")
+        state = await it.until(lambda state: state.robots["robot_0"].orders.orders)
+        (order,) = state.robots["robot_0"].orders.orders
+        graph = state.robots["robot_0"].maps["floor_0"].graph
+        assert graph is not None and order.end is not None
+        assert order.end.vertex in {one.id for one in graph.chargers}

@@ -21,6 +21,7 @@ NOT_COMMANDED = 3
 COMMANDED = ("2.1.0", "1.1.0")
 """The newest versions of both ways to write an instant action, for a vehicle whose own is not known."""
 _MAJOR = re.compile(r"v?(\d+)", re.IGNORECASE)
+START_CHARGING, STOP_CHARGING = "startCharging", "stopCharging"
 HERE = "here"
 """The first node of an order for a vehicle that stands at none."""
 AT_NODE = 0.5
@@ -90,6 +91,10 @@ def order(
     ]
     edges = [_edge(2 * n + 1, start[0], end[0]) for n, (start, end) in enumerate(pairwise(places))]
     _add_actions(settings, nodes, places, stops, id_)
+    if known and known.graph and robot.features and START_CHARGING in robot.features.at_nodes:
+        chargers = {charger.id for charger in known.graph.chargers}
+        if stops[-1].vertex in chargers:
+            nodes[-1]["actions"] = [*nodes[-1]["actions"], _hard(f"{id_}-charge", START_CHARGING)]
     message = {"orderId": id_, "orderUpdateId": 0, "nodes": nodes, "edges": edges}
     return Publication(topic, version, message, id_)
 
@@ -141,8 +146,12 @@ def _add_actions(
     for key, n in (("pick", ids.index(names[0]) if names[0] in ids else 0), ("drop", len(nodes) - 1)):
         action = settings.actions.get(key)  # type: ignore[call-overload]  # a literal
         if action:
-            usual = {"actionId": f"{id_}-{key}", "blockingType": "HARD", "actionParameters": []}
-            nodes[n]["actions"] = [{**usual, **action}]
+            nodes[n]["actions"] = [{**_hard(f"{id_}-{key}"), **action}]
+
+
+def _hard(id_: str, type_: str = "") -> dict[str, Any]:
+    """Return an action during which nothing else is done."""
+    return {"actionType": type_, "actionId": id_, "blockingType": "HARD", "actionParameters": []}
 
 
 def _floor_of(robot: Robot) -> str:

@@ -163,15 +163,26 @@ def read_factsheet(origin: MessageOrigin, message: Fields) -> Iterator[events.Ev
         facts |= dict(part.shown()) if part else {}
     protocol = message.part("protocolFeatures")
     features = VehicleFeatures(
-        _names(protocol, "parameter", "optionalParameters"),
-        _names(protocol, "actionType", "agvActions", "mobileRobotActions"),
+        _parameters(protocol),
+        _actions(protocol, "NODE"),
+        _actions(protocol, "INSTANT"),
     )
     yield FactsheetReported(origin.robot, origin.at, dict(list(facts.items())[:MOST_FACTS]), features)
 
 
-def _names(protocol: Fields | None, name: str, *lists: str) -> tuple[str, ...] | None:
-    listed = protocol.parts(MOST_FACTS, *lists) if protocol is not None else None
-    return None if listed is None else tuple(one.text(name) for one in listed)
+def _parameters(protocol: Fields | None) -> tuple[str, ...] | None:
+    listed = protocol.parts(MOST_FACTS, "optionalParameters") if protocol is not None else None
+    return None if listed is None else tuple(one.text("parameter") for one in listed)
+
+
+def _actions(protocol: Fields | None, scope: str) -> tuple[str, ...]:
+    """Return the types of the actions that a vehicle takes in a scope, or without any."""
+    listed = protocol.parts(MOST_FACTS, "agvActions", "mobileRobotActions") if protocol is not None else None
+    return tuple(
+        one.text("actionType")
+        for one in listed or ()
+        if not (scopes := one.raw("actionScopes")) or (isinstance(scopes, list) and scope in scopes)
+    )
 
 
 def read_order(origin: MessageOrigin, message: Fields) -> Iterator[events.Event]:

@@ -81,6 +81,8 @@ class VehicleCommands:
         """Robots and names of their topics that the broker returns to this console."""
         self._unseen: dict[str, asyncio.Event] = {}
         """By robot: set once a message of it has arrived for which a pause waits."""
+        self._freed: dict[str, asyncio.Event] = {}
+        """By robot: set once it charges no more, for which an order waits."""
         self._under_way: set[asyncio.Task[None]] = set()
 
     def submit(self, command_id: int, command: Command, given_at: float) -> None:
@@ -90,7 +92,37 @@ class VehicleCommands:
             self._start(self._pause_unseen(command_id, command, given_at))
             return
         try:
-            self._send(command_id, command, given_at)
+            if isinstance(command, PlaceOrder) and (freeing := self._freeing(command_id, command, given_at)):
+                self._start(self._order_freed(command_id, command, given_at, freeing))
+            else:
+                self._send(command_id, command, given_at)
+        except (LinkError, CommandError) as problem:
+            self._advance(command_id, Stage.NOT_SENT, str(problem))
+
+    def _freeing(self, command_id: int, command: PlaceOrder, given_at: float) -> Sequence[Publication]:
+        """Return what must free a vehicle from its charger before an order that may be sent. Raises
+        CommandError or LinkError for another one."""
+        robot = self._writer.store.state.robots[command.robot]
+        adapter = cast("VehicleAdapter", self._adapters[robot.name])
+        freeing = adapter.stop_charging(robot, uuid.uuid4().hex)
+        if freeing:
+            self._messages(command, command_id, time.monotonic() - given_at)
+        return freeing
+
+    async def _order_freed(
+        self, command_id: int, command: PlaceOrder, given_at: float, freeing: Sequence[Publication]
+    ) -> None:
+        """End the charging of a vehicle, then send its order."""
+        late, freed = time.monotonic() - given_at, self._freed.setdefault(command.robot, asyncio.Event())
+        try:
+            for message in freeing:
+                self._publish(message)
+            await asyncio.wait_for(freed.wait(), self._timeout)
+            # It waits by intent: only what delayed it before counts.
+            self._send(command_id, command, time.monotonic() - late)
+        except TimeoutError:
+            reason = f"{command.robot} goes on charging: it did not stop within {self._timeout:g} s"
+            self._advance(command_id, Stage.NOT_SENT, reason)
         except (LinkError, CommandError) as problem:
             self._advance(command_id, Stage.NOT_SENT, str(problem))
 
@@ -204,6 +236,8 @@ class VehicleCommands:
 
     def on_state(self, robot: str, vehicle: Vehicle) -> None:
         """Take a state: it may answer commands to its vehicle."""
+        if not vehicle.charging and robot in self._freed:
+            self._freed.pop(robot).set()
         for id_, asked in list(self._asked.items()):
             if asked.command.robot != robot:
                 continue

@@ -21,7 +21,7 @@ from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.commands.queue_moves import moves
 from fleet_tui.rules.commands.subject import subject_of
 from fleet_tui.rules.language.lookup import Place
-from fleet_tui.rules.routes.charging import way_to_charger
+from fleet_tui.rules.routes.charging import order_to_charger, way_to_charger
 from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.tables.missions import mission, way
@@ -62,6 +62,16 @@ class OrderRequests:
         self._navigation.select(robot)
         if self.may_order():
             self._open_form(robot, None, way_to_charger(self._robot))
+
+    def charge_now(self) -> None:
+        """Send the selected robot to the nearest charger, after asking."""
+        if not self.may_order():
+            return
+        request = order_to_charger(self._robot)
+        if request is None:
+            self._notices.say(f"{self._robot.name} is at a charger, or no way on the graph leads to one")
+        else:
+            self._dispatch.do(request, asks=True)
 
     def may_order(self) -> bool:
         """Tell whether the selected robot takes orders; show a notice if not."""

@@ -130,11 +130,12 @@ class VehicleConnection(Struct, frozen=True):
 
 
 class VehicleFeatures(Struct, frozen=True):
-    """What a vehicle takes by its factsheet, None if that does not say: `parameters` of orders beside those
-    that all take, by their full names, and types of actions."""
+    """What a vehicle takes by its factsheet: `parameters` of orders beside those that all take, by their full
+    names, None if it does not say; types of actions at nodes of an order, and of instant ones."""
 
     parameters: tuple[str, ...] | None = None
-    actions: tuple[str, ...] | None = None
+    at_nodes: tuple[str, ...] = ()
+    instant: tuple[str, ...] = ()
 
     @property
     def refuses_headings(self) -> bool:

@@ -239,5 +239,5 @@ def battery(state: FleetState, robot: Robot) -> Reason | None:
     strength = Strength.LIKELY if critical else Strength.POSSIBLE
     evidence = f"below {limit:.0f} %: the robot may reserve the rest to reach a charger"
     name, on_its_way = f"battery {int(charge.value)} %", charging_remedy(state, robot)
-    remedy, keys = (on_its_way, ()) if on_its_way else (CLASSES["battery"].action, ("order",))
+    remedy, keys = (on_its_way, ()) if on_its_way else (CLASSES["battery"].action, ("charge",))
     return Reason(name, evidence, strength, seen=charge.at, keys=keys, remedy=remedy)

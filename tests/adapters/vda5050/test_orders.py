@@ -12,7 +12,7 @@ from fleet_tui.errors import CommandError
 from fleet_tui.model import events
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot
 from fleet_tui.model.geometry import Pose
-from fleet_tui.model.graph import Edge, RouteGraph, Vertex
+from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.model.order import Stop, at_vertices
 from fleet_tui.model.problem import Permissions, Problem
 from fleet_tui.model.request import Request
@@ -197,3 +197,30 @@ def test_a_typed_heading_is_one() -> None:
     found = site()
     (turned,) = parse("goto agv 5 2 90", found.state).commands
     assert nodes(sent(found, turned))[-1]["nodePosition"]["theta"] == pytest.approx(1.5708, abs=1e-4)
+
+
+CHARGERS = RouteGraph({**GRAPH.vertices, "n2": Vertex("n2", 5.0, 6.0, Role.DOCKING)}, GRAPH.edges)
+
+
+def charging(*scopes: str) -> bytes:
+    actions = [{"actionType": f"{verb}Charging", "actionScopes": list(scopes)} for verb in ("start", "stop")]
+    return message(protocolFeatures={"agvActions": actions})
+
+
+@pytest.mark.parametrize(("scopes", "types"), [(("NODE", "INSTANT"), ["startCharging"]), (("INSTANT",), [])])
+def test_an_order_to_a_charger_charges_there_if_the_factsheet_offers_that(
+    scopes: tuple[str, ...], types: list[str]
+) -> None:
+    found = site()
+    found.apply(events.FloorGraphLoaded("hall", CHARGERS))
+    found.read("factsheet", charging(*scopes))
+    (_, middle, last) = nodes(sent(found, PlaceOrder("agv", at_vertices("n2"))))
+    assert [action["actionType"] for action in last["actions"]] == types and middle["actions"] == []
+    elsewhere = nodes(sent(found, PlaceOrder("agv", at_vertices("n1"))))
+    assert all(part["actions"] == [] for part in elsewhere)
+
+
+def test_without_a_factsheet_it_only_drives_there() -> None:
+    found = site()
+    found.apply(events.FloorGraphLoaded("hall", CHARGERS))
+    assert all(part["actions"] == [] for part in nodes(sent(found, PlaceOrder("agv", at_vertices("n2")))))

@@ -233,3 +233,45 @@ async def test_only_a_pause_leaves_for_a_vehicle_that_was_never_seen(tmp_path: P
         async with console_on(broker, "pause") as (link, store):
             record = await given(link, store, ResumeRobot("agv"), Stage.NOT_SENT)
             assert record.detail == "agv was never seen: its version is unknown"
+
+
+OFFERS = message(
+    protocolFeatures={"agvActions": [{"actionType": "stopCharging", "actionScopes": ["INSTANT"]}]}
+)
+
+
+async def charging(store: WatchedStore, vehicle: SpokenFor) -> None:
+    vehicle.peer.publish(f"{BASE}/factsheet", OFFERS, retain=True)
+    await store.until(lambda state: state.robots["agv"].features)
+    vehicle.say(batteryState={"batteryCharge": 50.0, "charging": True})
+    await store.until(lambda state: state.robots["agv"].vehicle)
+
+
+async def test_a_vehicle_that_charges_is_freed_before_its_order(tmp_path: Path) -> None:
+    with broker_in(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            await charging(store, vehicle)
+            link.submit(ORDER)
+            action = await vehicle.next("instantActions")
+            assert [one["actionType"] for one in action["actions"]] == ["stopCharging"]
+            assert vehicle.peer.told_on(f"{BASE}/order") == []
+            vehicle.say()
+            order = await vehicle.next("order")
+            vehicle.say(orderId=order["orderId"], nodeStates=[node("goal_0", 2)])
+            await store.until(lambda state: state.commands[-1].stage is Stage.CONFIRMED)
+
+
+async def test_one_that_goes_on_charging_gets_no_order(tmp_path: Path) -> None:
+    with broker_in(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            await charging(store, vehicle)
+            record = await finished(link, store, ORDER)
+            assert (record.stage, record.detail) == (
+                Stage.NOT_SENT,
+                "agv goes on charging: it did not stop within 5 s",
+            )
+            vehicle.say()  # too late: nothing is sent later
+            await store.until(lambda state: state.robots["agv"].vehicle)
+            assert vehicle.peer.told_on(f"{BASE}/order") == []

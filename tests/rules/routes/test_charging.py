@@ -1,10 +1,12 @@
 """The nearest charger, and where the way to it begins."""
 
+from fleet_tui.model.commands import PlaceOrder
 from fleet_tui.model.events import GraphReceived
-from fleet_tui.model.graph import Role, RouteGraph, Vertex
+from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
+from fleet_tui.model.order import at_vertices
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.lookup import Place
-from fleet_tui.rules.routes.charging import way_to_charger
+from fleet_tui.rules.routes.charging import order_to_charger, way_to_charger
 from tests.support.fleets import F0, R0, T0, fleet, pose, reduced
 
 CHARGER = Vertex("1", 0.0, 0.0, Role.DOCKING)
@@ -28,3 +30,19 @@ def test_the_way_to_the_nearest_charger_begins_at_the_vertex_nearest_to_the_robo
     without = graph_of({"2": Vertex("2", 5.0, 0.0)})
     assert way_to_charger(at(4.0, without)) == ()
     assert way_to_charger(reduced(fleet(), pose(T0)).robots[R0]) == ()
+
+
+def test_a_charger_that_can_not_be_reached_is_none() -> None:
+    far = Vertex("3", 40.0, 0.0, Role.DOCKING)
+    vertices = {"1": CHARGER, "2": Vertex("2", 5.0, 0.0), "3": far}
+    there = GraphReceived(R0, F0, RouteGraph(vertices, (Edge("a", "2", "3"), Edge("b", "1", "2")), True))
+    assert way_to_charger(at(4.0, there)) == (Place("2", "2", F0), Place("3", "3", F0))
+    away = GraphReceived(R0, F0, RouteGraph(vertices, (Edge("b", "1", "2"),), True))
+    assert way_to_charger(at(4.0, away)) == () and order_to_charger(at(4.0, away)) is None
+
+
+def test_the_order_leads_from_the_robot_to_the_charger() -> None:
+    robot = at(4.0, graph_of({"1": CHARGER, "2": Vertex("2", 5.0, 0.0)}))
+    request = order_to_charger(robot)
+    assert request is not None and request.commands == (PlaceOrder(R0, at_vertices("2", "1")),)
+    assert request.floors == (("2", F0), ("1", F0))
