@@ -8,6 +8,11 @@ from fleet_tui.errors import FleetError
 from fleet_tui.simulator.warehouse import SimFloor, build_building
 
 _NODE = {"vehicleTypeNodeProperties": [{"vehicleTypeId": "simulated"}]}
+_CHARGER = {
+    "vehicleTypeNodeProperties": [
+        {"vehicleTypeId": "simulated", "actions": [{"actionType": "startCharging"}]}
+    ]
+}
 _EDGE = {"vehicleTypeEdgeProperties": [{"vehicleTypeId": "simulated"}]}
 
 
@@ -31,7 +36,7 @@ def lif_of(floor: SimFloor) -> dict[str, Any]:
             "nodeName": floor.labels.get(vertex.id, ""),
             "mapId": floor.name,
             "nodePosition": {"x": float(vertex.x), "y": float(vertex.y)},
-            **_NODE,
+            **(_CHARGER if floor.types.get(vertex.id) == "charger" else _NODE),
         }
         for vertex in floor.graph.vertices.values()
     ]

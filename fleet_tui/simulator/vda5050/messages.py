@@ -43,7 +43,7 @@ def state(vehicle: SimVehicle) -> dict[str, Any]:
         "edgeStates": [],
         "agvPosition": position(vehicle),
         "actionStates": vehicle.actions,
-        "batteryState": {"batteryCharge": round(vehicle.battery, 1), "charging": False},
+        "batteryState": {"batteryCharge": round(vehicle.battery, 1), "charging": vehicle.charging},
         "errors": vehicle.errors,
         "information": [],
         "loads": [{"loadType": "EPAL"}] if vehicle.loaded else [],
@@ -56,4 +56,10 @@ def factsheet() -> dict[str, Any]:
     return {
         "typeSpecification": {"seriesName": "simulated", "agvKinematic": "DIFF", "agvClass": "CARRIER"},
         "physicalParameters": {"speedMin": 0.1, "speedMax": 1.2, "width": 0.6, "length": 0.9},
+        "protocolFeatures": {
+            "agvActions": [
+                {"actionType": "startCharging", "actionScopes": ["NODE"]},
+                {"actionType": "stopCharging", "actionScopes": ["INSTANT"]},
+            ]
+        },
     }

@@ -4,8 +4,8 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-SPEED, TURN, DRAIN = 1.2, 1.5, 0.02
-"""Metres and radians a second, and per cent of charge a second while it drives."""
+SPEED, TURN, DRAIN, CHARGE = 1.2, 1.5, 0.02, 0.5
+"""Metres and radians a second, and per cent of charge a second while it drives, and at a charger."""
 STRAIGHT = 0.2
 """Radians off its way up to which it drives."""
 REACH = 1.5
@@ -30,7 +30,7 @@ class SimVehicle:
         self.actions: list[dict[str, str]] = []
         self.errors: list[dict[str, Any]] = []
         self.battery = 80.0
-        self.paused = self.driving = self.loaded = False
+        self.paused = self.driving = self.loaded = self.charging = False
         self.mode, self.e_stop = "AUTOMATIC", "NONE"
         self.field = False
         self.localised, self.silent, self.rejects, self.slow = True, False, False, False
@@ -45,6 +45,8 @@ class SimVehicle:
     def step(self, dt: float) -> None:
         """Advance the time by dt seconds."""
         self._finish_cancelling()
+        if self.charging:
+            self.battery = min(100.0, self.battery + CHARGE * dt)
         held = self.paused or self.field or self.e_stop != "NONE" or self.mode != "AUTOMATIC"
         held = held or any(one["errorLevel"] == "FATAL" for one in self.errors)
         target = self.nodes[0] if self.nodes and self.nodes[0]["released"] else None
@@ -68,7 +70,9 @@ class SimVehicle:
         self.nodes.pop(0)
         for action in target.get("actions") or ():
             self._report(action, "FINISHED")
-            self.loaded = action.get("actionType") == "pick"
+            type_ = action.get("actionType")
+            self.loaded = type_ == "pick" or (self.loaded and type_ != "drop")
+            self.charging = self.charging or type_ == "startCharging"
         self.is_news = True
 
     def take_order(self, order: Mapping[str, Any]) -> None:
@@ -94,6 +98,8 @@ class SimVehicle:
             return "orderError", "this vehicle rejects every order"
         if not nodes:
             return "validationError", "an order without nodes"
+        if self.charging:
+            return "orderError", "it charges: stop that first"
         if self.is_running and id_ != self.order_id:
             return "orderUpdateError", f"order {self.order_id} is being driven"
         place = nodes[0].get("nodePosition")
@@ -108,6 +114,9 @@ class SimVehicle:
         match action.get("actionType"):
             case "startPause" | "stopPause" as type_:
                 self.paused = type_ == "startPause"
+                self._report(action, "FINISHED")
+            case "stopCharging" if self.charging:
+                self.charging = False
                 self._report(action, "FINISHED")
             case "cancelOrder" if self.is_running:
                 self._report(action, "RUNNING" if self.slow else "FINISHED")

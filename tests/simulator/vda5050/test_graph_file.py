@@ -15,5 +15,6 @@ def test_the_graph_of_each_floor_is_a_file_of_lif(tmp_path: Path) -> None:
     loaded = load_floor_graph("floor_0", files[0])
     assert loaded.graph is not None and loaded.labels["0"] == "Base" and not loaded.problem
     assert loaded.graph.path("0", "19")
+    assert [loaded.labels[charger.id] for charger in loaded.graph.chargers] == ["Charger"]
     with pytest.raises(FleetError, match="cannot write"):
         write_lif(tmp_path / "none", 1)

@@ -93,3 +93,18 @@ def test_a_slow_cancellation_ends_at_the_next_node() -> None:
     assert one.actions[-1]["actionStatus"] == "RUNNING" and one.is_running
     drive(one)
     assert one.actions[-1]["actionStatus"] == "FINISHED" and one.last_node == "b"
+
+
+def test_it_charges_at_a_node_until_it_is_freed_and_takes_no_order_meanwhile() -> None:
+    one = vehicle()
+    to_charger = order()
+    to_charger["nodes"][-1]["actions"] = [action("startCharging")]
+    one.take_order(to_charger)
+    drive(one)
+    before = one.battery
+    drive(one)
+    assert one.charging and one.battery > before and not one.is_running
+    one.take_order({**order(), "orderId": "p"})
+    assert one.errors[-1]["errorType"] == "orderError" and one.order_id == "o"
+    one.take_action(action("stopCharging"))
+    assert not one.charging and one.actions[-1]["actionStatus"] == "FINISHED"
