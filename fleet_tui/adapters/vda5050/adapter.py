@@ -35,6 +35,7 @@ if TYPE_CHECKING:
 
 OFFLINE_AFTER = 35.0
 """Seconds of silence after which a vehicle is offline: it sends its state at least every 30 s."""
+REQUEST = "stateRequest"
 REPORTS = ("pose", "battery", "cargo", "paused", "blocked", "queue")
 ROLES = {
     "watch": (),
@@ -125,9 +126,11 @@ class VehicleAdapter:
         return [self._addressed(one, robot) for one in self._messages(command, robot, unique)]
 
     def state_request(self, robot: Robot, unique: str) -> Sequence[Publication]:
-        """Return the messages that ask a vehicle for its state now: by itself it sends one every 30 s. Raises
-        CommandError."""
-        return [self._addressed(one, robot) for one in self._to_unseen(robot, "stateRequest", unique)]
+        """Return the messages that ask a vehicle for its state now: by itself it sends one every 30 s. There
+        are none if its factsheet lists its actions without that. Raises CommandError."""
+        if robot.features is not None and robot.features.instant and REQUEST not in robot.features.instant:
+            return ()
+        return [self._addressed(one, robot) for one in self._to_unseen(robot, REQUEST, unique)]
 
     def stop_charging(self, robot: Robot, unique: str) -> Sequence[Publication]:
         """Return the message that ends the charging of a vehicle before an order, nothing if it does not

@@ -224,3 +224,12 @@ def test_without_a_factsheet_it_only_drives_there() -> None:
     found = site()
     found.apply(events.FloorGraphLoaded("hall", CHARGERS))
     assert all(part["actions"] == [] for part in nodes(sent(found, PlaceOrder("agv", at_vertices("n2")))))
+
+
+def test_a_vehicle_whose_factsheet_lists_no_request_of_its_state_is_not_asked() -> None:
+    found = site()
+    (asked,) = found.adapter.state_request(found.agv, UNIQUE)
+    (action,) = list(asked.message["actions"])  # type: ignore[call-overload]  # of a list
+    assert action["actionType"] == "stateRequest"
+    found.read("factsheet", charging("INSTANT"))
+    assert found.adapter.state_request(found.agv, UNIQUE) == ()
