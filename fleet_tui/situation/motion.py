@@ -10,8 +10,9 @@ CRAWLS = 0.05
 
 
 def _fresh(state: FleetState, robot: Robot) -> Vehicle | None:
-    reading = robot.vehicle if state.is_fresh(robot, "vehicle") else None
-    return None if reading is None else reading.value
+    if robot.vehicle is None or not state.is_fresh(robot, "vehicle"):  # asked of every robot in every tick
+        return None
+    return robot.vehicle.value
 
 
 def says_driving(state: FleetState, robot: Robot) -> bool | None:

@@ -22,7 +22,7 @@ from fleet_tui.adapters.vda5050.orders import NeverSeenError
 from fleet_tui.client.patience import call_awake
 from fleet_tui.client.writer import Writer
 from fleet_tui.errors import CommandError, LinkError
-from fleet_tui.model.commands import Command, PauseRobot, PlaceOrder, Stage
+from fleet_tui.model.commands import Command, PauseRobot, PlaceOrder, ResumeRobot, Stage
 from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleError
 from fleet_tui.rules.commands.abilities import unaccepted
@@ -81,13 +81,15 @@ class VehicleCommands:
         """Robots and names of their topics that the broker returns to this console."""
         self._unseen: dict[str, asyncio.Event] = {}
         """By robot: set once a message of it has arrived for which a pause waits."""
-        self._freed: dict[str, asyncio.Event] = {}
-        """By robot: set once it charges no more, for which an order waits."""
+        self._freed: dict[str, asyncio.Future[str]] = {}
+        """By robot whose order waits for the end of its charging: empty then, or why it is not sent."""
         self._under_way: set[asyncio.Task[None]] = set()
 
     def submit(self, command_id: int, command: Command, given_at: float) -> None:
         """Send a command that was given at `given_at` (monotonic)."""
         LOG.info("command %d: %s", command_id, truncate(str(command)))
+        if not isinstance(command, ResumeRobot):
+            self._end_freeing(command.robot, "another command was given before it charged no more")
         if isinstance(command, PauseRobot) and not self._is_seen(command.robot):
             self._start(self._pause_unseen(command_id, command, given_at))
             return
@@ -113,11 +115,13 @@ class VehicleCommands:
         self, command_id: int, command: PlaceOrder, given_at: float, freeing: Sequence[Publication]
     ) -> None:
         """End the charging of a vehicle, then send its order."""
-        late, freed = time.monotonic() - given_at, self._freed.setdefault(command.robot, asyncio.Event())
+        late = time.monotonic() - given_at
+        freed = self._freed[command.robot] = asyncio.get_running_loop().create_future()
         try:
             for message in freeing:
                 self._publish(message)
-            await asyncio.wait_for(freed.wait(), self._timeout)
+            if reason := await asyncio.wait_for(freed, self._timeout):
+                raise CommandError(reason)
             # It waits by intent: only what delayed it before counts.
             self._send(command_id, command, time.monotonic() - late)
         except TimeoutError:
@@ -125,6 +129,15 @@ class VehicleCommands:
             self._advance(command_id, Stage.NOT_SENT, reason)
         except (LinkError, CommandError) as problem:
             self._advance(command_id, Stage.NOT_SENT, str(problem))
+        finally:
+            if self._freed.get(command.robot) is freed:
+                del self._freed[command.robot]
+
+    def _end_freeing(self, robot: str, reason: str = "") -> None:
+        """Let the order go on that waits for the end of a vehicle's charging, or end it with a reason."""
+        freed = self._freed.get(robot)
+        if freed is not None and not freed.done():
+            freed.set_result(reason)
 
     def _is_seen(self, name: str) -> bool:
         robot = self._writer.store.state.robots[name]
@@ -236,8 +249,8 @@ class VehicleCommands:
 
     def on_state(self, robot: str, vehicle: Vehicle) -> None:
         """Take a state: it may answer commands to its vehicle."""
-        if not vehicle.charging and robot in self._freed:
-            self._freed.pop(robot).set()
+        if not vehicle.charging:
+            self._end_freeing(robot)
         for id_, asked in list(self._asked.items()):
             if asked.command.robot != robot:
                 continue

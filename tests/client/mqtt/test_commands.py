@@ -275,3 +275,22 @@ async def test_one_that_goes_on_charging_gets_no_order(tmp_path: Path) -> None:
             vehicle.say()  # too late: nothing is sent later
             await store.until(lambda state: state.robots["agv"].vehicle)
             assert vehicle.peer.told_on(f"{BASE}/order") == []
+
+
+async def test_an_order_that_waits_for_the_end_of_a_charge_is_not_sent_after_a_pause(tmp_path: Path) -> None:
+    with broker_in(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            await charging(store, vehicle)
+            order = link.submit(ORDER)
+            await vehicle.next("instantActions")
+            link.submit(PauseRobot("agv"))
+            found = await store.until(
+                lambda state: any(one.id == order and one.is_decided for one in state.commands)
+            )
+            record = next(one for one in found.commands if one.id == order)
+            assert record.stage is Stage.NOT_SENT
+            assert record.detail == "another command was given before it charged no more"
+            vehicle.say(paused=True)
+            await store.until(lambda state: state.commands[-1].stage is Stage.CONFIRMED)
+            assert vehicle.peer.told_on(f"{BASE}/order") == []
