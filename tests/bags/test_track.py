@@ -33,6 +33,7 @@ def test_a_picture_may_begin_at_every_minute(tmp_path: Path) -> None:
     assert all(end == ends[0] for end in ends)
 
 
+@pytest.mark.nightly
 def test_an_hour_without_a_message_is_lived_through(tmp_path: Path) -> None:
     bag = written(tmp_path, "ros1", [pose(0), pose(3600)])
     _, recording = made_of(bag, bag_config("ros1"), tmp_path / "r.jsonl.gz")

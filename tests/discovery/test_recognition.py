@@ -15,6 +15,7 @@ MANY, WITHIN = 3000, 5.0
 STATUS = "actionlib_msgs/GoalStatusArray"
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("kind", ["oh_ressources", "move_base"])
 def test_thousands_of_robots_take_no_longer_each_than_a_few(kind: str) -> None:
     vocabulary = KINDS[kind].vocabulary

@@ -140,6 +140,7 @@ async def test_a_short_timeout_is_a_word_not_a_wrong_verdict(
     assert done.code in (0, 1, 3) and "no messages on" not in done.out
 
 
+@pytest.mark.nightly
 async def test_a_hundred_robots_fit_into_the_default_time(tmp_path: Path) -> None:
     """As slow as a real bridge: 20 ms for a subscribe, and for an answer of rosapi. How busy this machine is
     does not count: only the time that the bridge takes."""

@@ -75,6 +75,7 @@ def test_a_terminal_of_another_session_goes(tmp_path: Path, monkeypatch: pytest.
     report("terminal gone, no SIGHUP", "a terminal of another session; its other end closes", "-", took, None)
 
 
+@pytest.mark.nightly
 def test_killed(demo: InTerminal) -> None:
     simulator = demo.children()
     command(demo)

@@ -59,7 +59,7 @@ def test_parts_in_one_file(tmp_path: Path) -> None:
 def test_cut_off_anywhere_it_is_read_up_to_the_last_whole_record(tmp_path: Path) -> None:
     """As kill -9 leaves it: everything that was flushed, and a piece."""
     packer = zlib.compressobj(1, wbits=31)
-    records: list[Record] = [header(), keyframe(), *map(tick, range(1000, 1200))]
+    records: list[Record] = [header(), keyframe(), *map(tick, range(1000, 1040))]
     whole = b"".join(
         packer.compress(encode(record, PACKER)) + packer.flush(zlib.Z_SYNC_FLUSH) for record in records
     )
@@ -76,7 +76,7 @@ def test_cut_off_anywhere_it_is_read_up_to_the_last_whole_record(tmp_path: Path)
         assert ats[1:] == [1000.0 + n for n in range(len(ats) - 1)]
         assert "truncated" in recording.note
         seen.add(len(ats))
-    assert max(seen) >= 198 and len(seen) > 150
+    assert max(seen) >= 38 and len(seen) > 30
 
 
 def test_a_damaged_part_ends_early_and_the_next_one_goes_on(tmp_path: Path) -> None:

@@ -142,6 +142,7 @@ def test_letters_in_lists_are_text(desk: Desk) -> None:
     assert desk.bridge.calls() == []
 
 
+@pytest.mark.nightly
 def test_what_was_chosen_and_left_is_gone(desk: Desk) -> None:
     for word, field in (("Base", "From: Base"), ("Packing", "To: Packing")):
         desk.type("s\r" if word == "Base" else "\r")
@@ -158,6 +159,7 @@ def test_what_was_chosen_and_left_is_gone(desk: Desk) -> None:
     assert desk.bridge.calls() == []
 
 
+@pytest.mark.nightly
 def test_a_place_that_an_order_cannot_name_is_refused_before_it_is_sent(desk: Desk) -> None:
     """Floors that share labels and ids: the wire has only the id, and the robot is on floor_0."""
     first, second = desk.bridge.server.world.building.floors
@@ -177,6 +179,7 @@ def test_a_place_that_an_order_cannot_name_is_refused_before_it_is_sent(desk: De
         desk.bridge.publish(f"{names[second]}/labeled_vertices", labels_of(second))
 
 
+@pytest.mark.nightly
 def test_a_form_works_on_one_picture_of_the_labels(desk: Desk) -> None:
     floor = desk.bridge.server.world.building.floors[0]
     swapped = {"Base": "Packing", "Packing": "Base"}
@@ -212,6 +215,7 @@ def test_a_click_chooses_and_the_button_sends(desk: Desk) -> None:
     desk.gets(f"robot_0 Execute_order {base} {packing}")
 
 
+@pytest.mark.nightly
 def test_a_question_is_about_the_order_that_was_asked_about(desk: Desk) -> None:
     robot, base, packing = desk.bridge.robot(), desk.bridge.id_of("Base"), desk.bridge.id_of("Packing")
 
@@ -251,6 +255,7 @@ def test_all_are_paused_from_menus_and_questions_and_ctrl_c_names_the_key_that_q
     assert desk.bridge.calls() == []
 
 
+@pytest.mark.nightly
 def test_keys_belong_to_what_is_shown(desk: Desk) -> None:
     desk.type("\tg")
     desk.shows(" cell ")

@@ -4,6 +4,8 @@ import asyncio
 import signal
 from pathlib import Path
 
+import pytest
+
 from fleet_tui.config.load import load
 from fleet_tui.history.database import history_path, is_empty, opened_to_read
 from fleet_tui.history.reading import History
@@ -12,6 +14,7 @@ from tests.support.cli import run, started
 from tests.support.polling import eventually
 
 
+@pytest.mark.nightly
 async def test_it_writes_until_it_is_told_to_end(server: RosbridgeServer, folder: Path) -> None:
     service = await started(folder, "history", "--collect")
     assert service.stdout is not None and service.stderr is not None
