@@ -23,12 +23,12 @@ class Feed(NamedTuple):
 
     `rate_ms`: milliseconds between two messages, 0 for every one. `latched`: late subscribers get its last
     message. `wanted_for`: subscribed only while that is needed, a `map` on screen, the `target` of a goal
-    that no other topic reports, or a `stream` beside the fleet state. `large`: requested as CBOR and decoded
-    off the loop. `fast`: as frequent as poses. `silent`: may rightly send nothing for hours. `is_shared`: one
-    topic may report on all robots of a link; its messages name them, but for a map, which is of none.
-    `queue_length`: messages that the bridge keeps for this console; with more
-    than one of them each counts, not only the newest. `has_pictures`: its maps are pictures, which the reader
-    of frames decodes.
+    that no other topic reports, the `place` of a robot that no localisation tells (all its messages are
+    requested, and one in `rate_ms` is read), or a `stream` beside the fleet state. `large`: requested as CBOR
+    and decoded off the loop. `fast`: as frequent as poses. `silent`: may rightly send nothing for hours.
+    `is_shared`: one topic may report on all robots of a link; its messages name them, but for a map, which is
+    of none. `queue_length`: messages that the bridge keeps for this console; with more than one of them each
+    counts, not only the newest. `has_pictures`: its maps are pictures, which the reader of frames decodes.
     """
 
     key: str
@@ -38,7 +38,7 @@ class Feed(NamedTuple):
     type: str
     rate_ms: int = 0
     latched: bool = False
-    wanted_for: Literal["", "map", "target", "stream"] = ""
+    wanted_for: Literal["", "map", "target", "place", "stream"] = ""
     large: bool = False
     fast: bool = False
     silent: bool = False

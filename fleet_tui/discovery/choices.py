@@ -97,7 +97,8 @@ def lacks(found: Found) -> list[str]:
     return [
         f"no pose topic for {kind} robots: listed, but not on the map"
         for kind, one in found.items()
-        if "pose" in one.absent or one.topics.get("pose") == ""
+        if ("pose" in one.absent or one.topics.get("pose") == "")
+        and "tf" not in KINDS[kind].vocabulary.topics  # else transforms may tell it
     ]
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from fleet_tui.adapters.adapter import Adapter, Feed
 from fleet_tui.adapters.ros.names import is_hidden
 from fleet_tui.model.events import Event, GraphReceived, LabelsReceived
+from fleet_tui.model.navigation_events import OdometryReported
 
 if TYPE_CHECKING:  # with numpy
     from fleet_tui.model.set_up.streams import StreamValue
@@ -107,9 +108,11 @@ class TopicFacts:
 
 def key_of(event: Event) -> str:
     """Return the key of an event among those of its topic: its robot; for maps without one the floor, for a
-    graph and labels both."""
+    graph and labels both. Of two transforms that of the localisation has its robot alone."""
     if isinstance(event, GraphReceived | LabelsReceived):
         return f"{type(event).__name__} {event.robot} {event.floor}"
+    if isinstance(event, OdometryReported) and event.is_transform:
+        return f"{type(event).__name__} {event.robot}"
     return getattr(event, "robot", "") or getattr(event, "floor", "")
 
 

@@ -2,7 +2,7 @@
 
 import asyncio
 import time
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from fleet_tui.adapters.adapter import Adapter, Feed
 from fleet_tui.adapters.probes import ListenerProbe, QueryProbe, ServiceProbe
@@ -100,6 +100,19 @@ async def _ask_robots(
     return {query.service: found for query, found in zip(queries, answers, strict=True)}
 
 
+def _needed(feeds: Iterable[Feed], adapters: Mapping[str, Adapter], rosapi: RosapiFacts) -> Iterator[Feed]:
+    """Leave out the transforms of robots whose localisation has a topic: the console asks for no others."""
+    for feed in feeds:
+        if feed.wanted_for != "place":
+            yield feed
+            continue
+        lacking = [
+            robot for robot in feed.robots if adapters[robot].names.topic("pose", robot) not in rosapi.topics
+        ]
+        if lacking:
+            yield feed._replace(robots=tuple(lacking))
+
+
 async def gather(config: Config, name: str, wire: BridgeConnection, until: float) -> BridgeFacts:
     """Gather everything about a bridge that answers, by the monotonic `until`: queries and topics in
     parallel."""
@@ -107,7 +120,7 @@ async def gather(config: Config, name: str, wire: BridgeConnection, until: float
     rosapi, ahead = await look_around(wire, asks_node=True), None
     drawn = [floor.name for floor in config.floors if floor.map]
     adapters = adapters_of(config)
-    wanted = feeds_of(config, adapters, name)
+    wanted = list(_needed(feeds_of(config, adapters, name), adapters, rosapi))
     listening = asyncio.ensure_future(listen(config.bridge(name), adapters, wanted, rosapi, until, drawn))
     if not rosapi.problem:
         ahead = await clock_ahead(wire)

@@ -14,6 +14,7 @@ from fleet_tui.doctor.causes import Cause
 from fleet_tui.doctor.clocks import load_word
 from fleet_tui.doctor.names import near_topic, robots_on
 from fleet_tui.model.kind import CAMERA
+from fleet_tui.model.navigation_events import OriginReported
 
 SLOWEST_POSES = 5.0  # Hz; robots give about 10
 OLDER = 0.5  # seconds by which the stamps of poses grow older while they are measured
@@ -120,6 +121,8 @@ def _missing(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
     measured = f"{facts.topic} is not on the bridge"
     if facts.topic in bridge.rosapi.topics:
         measured = f"{facts.topic} has subscribers but no publisher"
+    if key == "pose" and (transforms := _placing(wanted.robot, bridge)):
+        return _finding(facts, Verdict.OK, f"{measured}, not needed: {transforms} has its place")
     if key == "map" and floor is not None and floor.map:
         return _finding(facts, Verdict.OK, f"{measured}, not needed: {floor.name} has a map file")
     if key == "map":
@@ -133,6 +136,12 @@ def _missing(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
         return _finding(facts, Verdict.WARN, measured, remedy or none)
     start = f"start the node that publishes it, or correct [{table}.topics] {key}"
     return _finding(facts, Verdict.FAIL, measured, remedy or start)
+
+
+def _placing(robot: str, bridge: BridgeFacts) -> str:
+    """Return the topic of transforms that place a robot on its map, empty if none do."""
+    placed = (one for one in bridge.of(robot) if isinstance(one.events.get(robot), OriginReported))
+    return next((one.topic for one in placed), "")
 
 
 def _wrong_type(config: Config, facts: TopicFacts, there: str, bridge: BridgeFacts) -> Finding:

@@ -9,17 +9,30 @@ from fleet_tui.model.navigation import Goal, Progress
 
 
 class OdometryReported(Struct, frozen=True, tag=True):
-    """A robot's pose by wheel odometry, in its own drifting frame."""
+    """A robot's pose by wheel odometry, in its own drifting frame. `is_transform`: as its transforms have it,
+    which may be another one than that of its topic."""
 
     robot: str
     at: float
     pose: Pose
     stamp: float | None
+    is_transform: bool = False
+
+
+class OriginReported(Struct, frozen=True, tag=True):
+    """The origin of a robot's odometry on its map, as its localisation corrects it in the transforms; one
+    that `is_fixed` never is."""
+
+    robot: str
+    at: float
+    origin: Pose
+    frame_id: str
+    is_fixed: bool = False
 
 
 class LocalisationReported(Struct, frozen=True, tag=True):
     """A robot's last localised pose on its map. `variance`: of x and y together, in square metres, None if it
-    gives none."""
+    gives none. `is_feedback`: it comes with the feedback on a goal, and counts until another one comes."""
 
     robot: str
     at: float
@@ -27,6 +40,7 @@ class LocalisationReported(Struct, frozen=True, tag=True):
     frame_id: str
     stamp: float | None
     variance: float | None
+    is_feedback: bool = False
 
 
 class BlockedReported(Struct, frozen=True, tag=True):
@@ -158,8 +172,7 @@ class OrderMoved(Struct, frozen=True, tag=True):
 QueueChange = QueueHeld | OrderMoved
 OwnWord = ErrorReported | FloorReported | ModeReported | Unmeasured
 GoalFact = GoalsReported | GoalsUnknown | MotionStopped | PlanReported | TargetReported
-Navigation = (
-    OdometryReported | LocalisationReported | BlockedReported | ProgressReported | GoalFact | Alive | OwnWord
-)
+Place = OdometryReported | LocalisationReported | OriginReported
+Navigation = Place | BlockedReported | ProgressReported | GoalFact | Alive | OwnWord
 Live = OdometryReported | BlockedReported | ProgressReported | Unmeasured | TargetReported | Alive
 """Signs of life: the others are latched."""

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping
-from typing import Generic, TypeVar
+from typing import Generic, Literal, TypeVar
 
 from msgspec import Struct, field
 from msgspec.structs import replace
@@ -71,11 +71,14 @@ class Robot(Struct, frozen=True, eq=False):
     are the orders in its queue by id, `gone` those that left it, newest last;
     `pause_lost_at` is when a restart ended our own pause; `goals` are those that its action servers list, by
     action; `odometry` is its newest pose by its wheels, of `odometry_at`, `located` its last localised pose
-    on the map, `anchor` the origin of its wheel frame on the map; `variance` that of its position in square
-    metres; `own_floor` the floor it reports; `held` is the reason that this console sends it no waiting
-    order, empty while it does, and `released_at` when the operator last released them; `named` is a goal that
-    this console named and that is not listed yet; `target` the last reported target of a goal it had just
-    begun; `unmeasured` are values that it reports as not measured; `located_at`: the time of `located`;
+    on the map, `anchor` the origin of its wheel frame on the map, `located_by` what told that: a `topic` of
+    its localisation, else its `transforms`, else the `feedback` on a goal; `adrift_at` is since when its
+    wheels have carried it farther from `located` than its localisation lets pass; `variance` that of its
+    position in square metres; `own_floor` the floor it reports; `held` is the reason that this console sends
+    it no waiting order, empty while it does, and `released_at` when the operator last released them; `named`
+    is a goal that this console named and that is not listed yet; `target` the last reported target of a goal
+    it had just begun; `unmeasured` are values that it reports as not measured;
+    `located_at`: the time of `located`;
     `mode` is the mode that it reports, `mapping_by_us` that this console switched mapping on;
     `counts_percent`: its battery was seen to count to 100; `size` is its length and width in metres, None if
     not configured; `laser` is the pose of its laser on it, None if unknown, `laser_flipped` that it hangs
@@ -113,6 +116,8 @@ class Robot(Struct, frozen=True, eq=False):
     located: Pose | None = None
     located_at: float | None = None
     anchor: Pose | None = None
+    located_by: Literal["", "topic", "transforms", "feedback"] = ""
+    adrift_at: float | None = None
     variance: Reading[float] | None = None
     blocked: Reading[Blocked] | None = None
     progress: Reading[Progress] | None = None

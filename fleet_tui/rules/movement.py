@@ -13,6 +13,9 @@ JUMP_DISTANCE, JUMP_SPEED = 1.0, 5.0
 # Seconds between two poses above which they tell no speed, those over which it is smoothed, and the metres
 # per second above which a robot drives.
 PACE_WITHIN, PACE_OVER, CRAWLS = 2.0, 10.0, 0.1
+# Metres, and radians, before which every localisation gives another pose: amcl does after 0.25 and 0.2,
+# slam_toolbox after 0.5 of both.
+STRAYED, STRAYED_YAW = 1.0, 1.0
 JUMPS_WITHIN = 10.0
 """Seconds for which a jump of a robot's pose counts."""
 
@@ -21,6 +24,12 @@ def moved(one: Pose, other: Pose) -> bool:
     """Tell whether it moved or turned by more than localisation jitter."""
     turned = abs(math.remainder(_turn(one) - _turn(other), math.tau))
     return _metres(one, other) > STILL_WITHIN or turned > STILL_YAW
+
+
+def strayed(one: Pose, other: Pose) -> bool:
+    """Tell whether its localisation must have given another pose between them."""
+    turned = abs(math.remainder(_turn(one) - _turn(other), math.tau))
+    return _metres(one, other) > STRAYED or turned > STRAYED_YAW
 
 
 def progressed(one: Pose, other: Pose) -> bool:

@@ -75,12 +75,22 @@ class TopicDesk:
         return self.subscribers(topic)
 
     def publish(self, name: str, payload: Payload | None = None) -> None:
-        """Publish a message on a topic, its current one by default."""
-        topic = self.topics[name]
+        """Publish a message on a topic, its current one by default; on a withdrawn one none."""
+        topic = self.topics.get(name)
+        if topic is None:
+            return
         for asked in _spellings(name):
             if self.channels.sessions(asked) and self._flows(asked, topic):
                 payload = payload or topic.payload(time.time())
                 self.services.in_turn(partial(self._send, asked, topic, OutgoingFrame(asked, payload)))
+
+    def advertise(self, topic: Topic) -> None:
+        """Begin to publish a topic."""
+        self.topics[topic.name], self.services.types[topic.name] = topic, topic.type
+
+    def withdraw(self, name: str) -> None:
+        """End a topic's publisher: rosapi does not list it any more."""
+        del self.topics[name], self.services.types[name]
 
     def publish_for(self, session: Session, operation: Operation) -> None:
         """Publish a client's message, to robots too. Raises BridgeError."""

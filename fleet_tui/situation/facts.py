@@ -49,13 +49,19 @@ OLD_STAMPS = FactKind(
     "localisation recovered",
     AlarmClass(
         "medium",
-        "the robot does not know where it is on its map, reports without a pose, or for 20 s poses in walls,"
-        " off the map or off its route graph",
+        "the robot does not know where it is on its map, drives on without a localisation, reports without a"
+        " pose, or for 20 s poses in walls, off the map or off its route graph",
         "it may drive into something, or stop; nobody sees where",
         "Pause it and set its pose; without a pose check its localisation",
         2,
     ),
     keys=("diagnostics",),
+)
+ADRIFT = OLD_STAMPS._replace(
+    word="localisation silent",
+    alarm=OLD_STAMPS.alarm._replace(
+        action="Pause it, and check its localisation: the node (amcl, slam_toolbox) and the laser"
+    ),
 )
 REPEATED_POSE = OLD_STAMPS._replace(word="poses repeat at rest")
 BAD_DATA = FactKind(
@@ -106,6 +112,7 @@ FACTS = (
     NEVER_SEEN,
     AGE_UNKNOWN,
     OLD_STAMPS,
+    ADRIFT,
     REPEATED_POSE,
     BAD_DATA,
     OBSTACLE,

@@ -1,5 +1,7 @@
 """Facts about robots: what they say, and whether they say anything."""
 
+import math
+
 from fleet_tui.model.alarm import Priority
 from fleet_tui.model.fleet import CONTACT, FleetState, obstacle_text
 from fleet_tui.model.link import LinkState, Phase
@@ -7,6 +9,7 @@ from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import (
+    ADRIFT,
     AGE_UNKNOWN,
     BAD_DATA,
     NEVER_SEEN,
@@ -24,6 +27,10 @@ BAD_FOR = 10.0
 SPEAKS_WITHIN = 2.0
 """Seconds for a vehicle to speak of which the broker keeps that it is gone: some leave an old last will there
 for good, and send a state each second."""
+
+
+ADRIFT_FOR = 3.0
+"""Seconds for which a localised pose may be overdue: one waits for the next scan."""
 
 
 def silent_from(state: FleetState, robot: Robot) -> float:
@@ -185,6 +192,28 @@ def _old_stamps(state: FleetState, robot: Robot) -> Fact | None:
         evidence=f"{what}: their time stamps lag",
         seen=robot.pose.at,
         is_certain=not is_late(state.links[robot.link]),
+    )
+
+
+def adrift(state: FleetState, robot: Robot) -> Fact | None:
+    """Find that only its wheels tell where a robot is: it has moved on, and its localisation is silent."""
+    since, pose = robot.adrift_at, robot.pose
+    if since is None or pose is None or robot.located is None or not state.is_fresh(robot, "pose"):
+        return None
+    if state.now - since < ADRIFT_FOR:
+        return None
+    metres = math.dist((robot.located.x, robot.located.y), (pose.value.x, pose.value.y))
+    silence = age(state.now - since)
+    return Fact(
+        ADRIFT,
+        robot.name,
+        f"pose estimated, localisation silent for {silence}",
+        Priority.MEDIUM,
+        since,
+        remedy=ADRIFT.alarm.action,
+        short="pose estimated",
+        evidence=f"localisation silent for {silence}: {metres:.0f} m by its wheels alone",
+        seen=pose.at,
     )
 
 

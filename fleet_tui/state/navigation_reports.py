@@ -7,6 +7,7 @@ from msgspec.structs import replace
 from fleet_tui.model import events, navigation_events
 from fleet_tui.model.navigation import Blocked, Progress
 from fleet_tui.model.robot import Reading, Robot
+from fleet_tui.rules.movement import strayed
 from fleet_tui.state.goal_reports import apply_goals, with_sign_of_life
 from fleet_tui.state.reports import SiteClock, apply_report, clocked, relocation
 from fleet_tui.text.limits import LONGEST_NAME, truncate
@@ -25,6 +26,8 @@ def apply_navigation(
             return _take_odometry(robot, event, site)
         case navigation_events.LocalisationReported():
             return _take_localisation(robot, event, site)
+        case navigation_events.OriginReported():
+            return _take_origin(robot, event)
         case navigation_events.BlockedReported():
             before = robot.blocked
             goes_on = before is not None and before.value.action == event.action
@@ -80,17 +83,35 @@ def _merged(robot: Robot, new: Progress) -> Progress:
 
 def _take_odometry(robot: Robot, event: navigation_events.OdometryReported, site: SiteClock | None) -> Robot:
     """Move a robot by its wheel odometry, from its last localised pose."""
-    robot = replace(robot, odometry=event.pose, odometry_at=event.at)
-    if robot.anchor is None and robot.located is not None:
-        robot = replace(robot, anchor=robot.located.after(event.pose.inverse))
-    if robot.anchor is None:
+    # Another odometry than that of the anchor drifts otherwise: it places nothing.
+    is_other = event.is_transform != (robot.located_by == "transforms")
+    if not is_other:
+        robot = replace(robot, odometry=event.pose, odometry_at=event.at)
+        if robot.anchor is None and robot.located is not None:
+            robot = replace(robot, anchor=robot.located.after(event.pose.inverse))
+    if robot.anchor is None or is_other:
         # It is alive, but its position is unknown.
         clock, _, spoke_at = clocked(robot, event.at, event.stamp, site)
         robot = replace(robot, clock=clock)
         return robot if spoke_at is None else with_sign_of_life(robot, spoke_at)
     placed = robot.anchor.after(event.pose)
+    is_adrift = robot.located is not None and strayed(robot.located, placed)
+    robot = replace(robot, adrift_at=(robot.adrift_at or event.at) if is_adrift else None)
     report = events.PoseReported(robot.name, event.at, placed, robot.frame_id, event.stamp)
     return apply_report(robot, report, site)
+
+
+def _take_origin(robot: Robot, event: navigation_events.OriginReported) -> Robot:
+    """Place the odometry of a robot on its map as its transforms have it, unless a topic of its localisation
+    does."""
+    if robot.located_by == "topic":
+        return robot
+    odometry = robot.odometry if robot.located_by == "transforms" else None
+    frame_id = truncate(event.frame_id, LONGEST_NAME)
+    robot = replace(robot, anchor=event.origin, odometry=odometry, located_by="transforms", frame_id=frame_id)
+    if odometry is None or event.is_fixed:
+        return robot
+    return replace(robot, located=event.origin.after(odometry), located_at=event.at)
 
 
 WHEELS_UNHEARD = 2.0
@@ -113,6 +134,11 @@ def _take_localisation(
 ) -> Robot:
     """Apply a localised pose. It is latched: no sign of life, and possibly old. With wheel odometry, that
     gives its time."""
+    if event.is_feedback and robot.located_by in ("topic", "transforms"):
+        return robot
+    if robot.located_by == "transforms":
+        robot = replace(robot, odometry=None, anchor=None)
+    robot = replace(robot, located_by="feedback" if event.is_feedback else "topic")
     if event.variance is not None:
         robot = replace(robot, variance=Reading(event.variance, event.at))
     frame_id = truncate(event.frame_id.lstrip("/"), LONGEST_NAME)

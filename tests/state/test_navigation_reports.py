@@ -11,6 +11,9 @@ from fleet_tui.model.navigation import Blocked, Progress
 from fleet_tui.model.navigation_events import (
     BlockedReported,
     ErrorReported,
+    LocalisationReported,
+    OdometryReported,
+    OriginReported,
     ProgressReported,
     Unmeasured,
 )
@@ -26,6 +29,16 @@ from tests.support.nav2_goals import (
     robot,
     unheard,
 )
+
+
+def origin(at: float, x: float) -> OriginReported:
+    """The transform from the map to the odometry."""
+    return OriginReported(R0, at, Pose(x, 0.0), "map")
+
+
+def fused_odometry(at: float, x: float) -> OdometryReported:
+    """The odometry of the transforms."""
+    return replace(odometry(at, x), is_transform=True)
 
 
 class TestPlacing:
@@ -53,6 +66,21 @@ class TestPlacing:
         facts = odometry(T0, 0.0), localised(T0, 0.0), odometry(T0 + 9, 10.3), localised(T0 + 9, 10.0)
         assert self.place(*facts) == Pose(10.0, 0.0)
         assert self.place(*facts, odometry(T0 + 10, 11.3)) == pytest.approx(Pose(11.0, 0.0))
+
+    def test_transforms_place_it_by_their_own_odometry_until_its_localisation_has_a_topic(self) -> None:
+        wheels = odometry(T0, 100.0), origin(T0, 10.0), odometry(T0 + 1, 101.0)
+        assert self.place(*wheels) is None  # another odometry: its own transform is yet to come
+        fused = *wheels, fused_odometry(T0 + 1, 5.0)
+        assert self.place(*fused) == self.place(*fused, odometry(T0 + 2, 102.0)) == Pose(15.0, 0.0)
+        localised_too = *fused, localised(T0 + 2, 7.0), odometry(T0 + 2.1, 110.0)
+        assert self.place(*localised_too) == Pose(7.0, 0.0)
+        assert self.place(*localised_too, origin(T0 + 3, 90.0), odometry(T0 + 3, 111.0)) == Pose(8.0, 0.0)
+
+    def test_feedback_places_it_only_while_nothing_else_does(self) -> None:
+        told = LocalisationReported(R0, T0 + 1, Pose(3.0, 0.0), "map", None, None, is_feedback=True)
+        assert self.place(told) == Pose(3.0, 0.0)
+        assert self.place(localised(T0, 7.0), told) == Pose(7.0, 0.0)
+        assert self.place(told, origin(T0 + 2, 10.0), fused_odometry(T0 + 2, 1.0)) == Pose(11.0, 0.0)
 
     def test_wheels_that_start_anew_take_it_nowhere(self) -> None:
         before = odometry(T0, 0.0), localised(T0, 0.0), odometry(T0 + 9, 20.0)

@@ -143,10 +143,14 @@ CLOSED = st.tuples(FLOORS, IDS, IDS)
 
 FACTS: dict[type, st.SearchStrategy[events.Event]] = {
     navigation_events.OdometryReported: st.builds(
-        navigation_events.OdometryReported, ROBOTS, AT, PLACES, FEW
+        navigation_events.OdometryReported, ROBOTS, AT, PLACES, FEW, st.booleans()
+    ),
+    navigation_events.OriginReported: st.builds(
+        navigation_events.OriginReported, ROBOTS, AT, PLACES, st.text(max_size=4), st.booleans()
     ),
     navigation_events.LocalisationReported: st.builds(
-        navigation_events.LocalisationReported, ROBOTS, AT, PLACES, st.text(max_size=4), FEW, FEW
+        navigation_events.LocalisationReported,
+        *(ROBOTS, AT, PLACES, st.text(max_size=4), FEW, FEW, st.booleans()),
     ),
     navigation_events.BlockedReported: st.builds(
         navigation_events.BlockedReported,

@@ -15,8 +15,10 @@ from websockets.asyncio.server import ServerConnection, serve
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.entries import FloorEntry, RobotEntry
 from fleet_tui.config.schema import Config, Link
+from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.nav2.faults import FAULTS
+from fleet_tui.simulator.navigating.faults import navigation_of
 from fleet_tui.simulator.ros_types import ServiceError, ServiceType
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.certificates import sign
@@ -316,6 +318,12 @@ def _with_fault(name: str) -> Plant:
     return on_the_server(lambda server: FAULTS[name][1](server, "robot_0"))
 
 
+def _unlocalised(server: RosbridgeServer) -> None:
+    """Only its wheels have transforms, and its localisation has no topic."""
+    play(server, [("tf-only", "robot_0")])
+    navigation_of(server, "robot_0").robot.is_unlocalised = True
+
+
 def _no_waypoints(server: RosbridgeServer) -> None:
     names = [
         name
@@ -361,6 +369,7 @@ NAV2_PLANTS: dict[str, Plant] = {
     "with Nav2 a robot that was never localised": on_the_server(
         lambda server: server.bridge.muted.add("/robot_0/amcl_pose")
     ),
+    "with Nav2 transforms without a localisation": on_the_server(_unlocalised),
     "with Nav2 a battery that reports 0 to 100": _with_fault("percent"),
     "with Nav2 a battery without measurement": _with_fault("unmeasured"),
     "with Nav2 no graph file": _without_graph,

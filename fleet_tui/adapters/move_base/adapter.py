@@ -1,6 +1,5 @@
 """The adapter of robots with move_base."""
 
-import math
 from collections.abc import Iterable, Sequence
 
 import msgspec
@@ -19,7 +18,6 @@ from fleet_tui.adapters.ros_navigation.base import GoalMessages, NavigationAdapt
 from fleet_tui.adapters.ros_navigation.kinds import kind_of_goals
 from fleet_tui.adapters.service_outcome import judge
 from fleet_tui.model import commands
-from fleet_tui.model.kind import Kind
 from fleet_tui.model.set_up.commands import StoreMap
 
 GOALS = GoalMessages(order, cancel, cancel_own, cancel_all)
@@ -36,17 +34,8 @@ class MoveBase(NavigationAdapter):
             "target": reading.read_target(self.names),
             "feedback": reading.read_feedback(self.names),
         }
-        self.kind = self._kind()
-
-    def _kind(self) -> Kind:
         kind = kind_of_goals("move_base", self.names, self.pauses, self.set_up, ("map", "queue"), {})
-        kind = msgspec.structs.replace(kind, gives_stops=True)
-        if "pose" in kind.reports or not self.names.topic("feedback", "robot"):
-            return kind
-        # While driving it reports its position.
-        return msgspec.structs.replace(
-            kind, reports=("pose", *kind.reports), silence={"pose": math.inf, **kind.silence}
-        )
+        self.kind = msgspec.structs.replace(kind, gives_stops=True)
 
     def feeds(self, robot: str, floors: Sequence[str]) -> Iterable[Feed]:
         """Return the topics to subscribe to, the most urgent first."""

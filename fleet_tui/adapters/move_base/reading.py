@@ -106,15 +106,16 @@ def read_target(names: Names) -> Read:
 
 
 def read_feedback(names: Names) -> Read:
-    """Read a move_base_msgs/MoveBaseActionFeedback. Its pose is ignored if the robot has a topic for that."""
+    """Read a move_base_msgs/MoveBaseActionFeedback."""
     read = ros.reader(messages.ActionFeedback, names.paths("feedback"))
 
     def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
         placed = read(msg).feedback.base_position
         pose = pose_of(placed.pose, "feedback.base_position.pose")
         yield Alive(robot, at)
-        if not names.topic("pose", robot):
-            stamp = placed.header.stamp.seconds
-            yield LocalisationReported(robot, at, pose, placed.header.frame_id, stamp, None)
+        header = placed.header
+        yield LocalisationReported(
+            robot, at, pose, header.frame_id, header.stamp.seconds, None, is_feedback=True
+        )
 
     return facts

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from fleet_tui.adapters.parts import read_all
 from fleet_tui.adapters.ros import messages as ros
 from fleet_tui.adapters.ros import navigation as nav
+from fleet_tui.adapters.ros.facts import pose_of
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros_navigation.reading import Read
 from fleet_tui.errors import WireError
@@ -87,6 +88,12 @@ def _goal(action: str, one: nav.GoalStatus) -> Goal:
     )
 
 
+def _is_placed(pose: ros.RosPose) -> bool:
+    """Tell whether a pose was ever set: one without a rotation is no bad data before the first plan."""
+    turn = pose.orientation
+    return any((turn.x, turn.y, turn.z, turn.w))
+
+
 def short_id(uuid: str) -> str:
     """The first eight digits of a goal's id, as people write it. Raises WireError."""
     try:
@@ -122,5 +129,10 @@ def read_feedback() -> Read:
             feedback.current_waypoint,
         )
         yield navigation_events.ProgressReported(robot, at, progress)
+        if (here := feedback.current_pose) is not None and _is_placed(here.pose):
+            pose, header = pose_of(here.pose, "current_pose"), here.header
+            yield navigation_events.LocalisationReported(
+                robot, at, pose, header.frame_id, header.stamp.seconds, None, is_feedback=True
+            )
 
     return facts

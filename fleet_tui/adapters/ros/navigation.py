@@ -4,7 +4,7 @@ from typing import Any
 
 import msgspec
 
-from fleet_tui.adapters.ros.messages import Header, RosPose, Stamp
+from fleet_tui.adapters.ros.messages import Header, PoseStamped, RosPose, Stamp
 
 
 class PoseWithCovariance(msgspec.Struct, frozen=True):
@@ -94,6 +94,7 @@ class Duration(msgspec.Struct, frozen=True):
 class Feedback(msgspec.Struct, frozen=True):
     """Feedback of NavigateToPose, NavigateThroughPoses and FollowWaypoints; each has some of the fields."""
 
+    current_pose: PoseStamped | None = None
     distance_remaining: float | None = None
     estimated_time_remaining: Duration | None = None
     navigation_time: Duration | None = None

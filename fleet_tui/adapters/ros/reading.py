@@ -1,5 +1,6 @@
 """Reads frames into events. Callable from any thread: only counters change here."""
 
+import math
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Protocol
@@ -13,6 +14,7 @@ from fleet_tui.adapters.ros.operations import topic_of
 from fleet_tui.errors import WireError
 from fleet_tui.model import events
 from fleet_tui.model.counters import LinkCounter, Raw, TopicCounter
+from fleet_tui.model.navigation_events import OdometryReported, OriginReported
 from fleet_tui.text.limits import truncate
 
 if TYPE_CHECKING:
@@ -77,6 +79,8 @@ class FrameReader:
         self.poses = {one.address: one.robot for one in self._feeds.values() if one.fast}
         """The robot by each topic of poses, of which a newer one replaces the older."""
         self._decode_apart, self._decode_pictures, self._warn = decode_apart, decode_pictures, warn
+        self._taken: dict[tuple[type, str], float] = {}
+        """When the last place of each robot was taken from a topic that several publishers share."""
         self.maps_received: set[str] = set()
         """Topics of maps of which one has come on this connection."""
         self.recount()
@@ -110,7 +114,8 @@ class FrameReader:
                 counter.count_frame(payload, is_binary, at)
                 found = self._translate(counter, msg, at)
                 feed = self._feeds.get(topic)
-                return StreamTaken() if feed and feed.wanted_for == "stream" and not found else found
+                is_stream = feed is not None and feed.wanted_for in ("place", "stream")
+                return StreamTaken() if is_stream and not found else found
             case operations.Status(level, text):
                 self._warn(f"bridge ({truncate(level)}): {truncate(text)}")
                 return (events.FrameRejected(self._link, f"bridge: {text}"),)
@@ -140,6 +145,8 @@ class FrameReader:
             found = tuple(
                 self._decode_pictures(msg, at) if feed.has_pictures else adapter.read(feed, msg, at)
             )
+            if feed.wanted_for == "place":
+                found = tuple(event for event in found if self._is_due(feed, event, at))
         except WireError as problem:
             counter.failed(str(problem))
             return _rejected(feed, str(problem)) if feed else ()
@@ -150,6 +157,17 @@ class FrameReader:
             self.counter.keep_one_map(counter)
             self.maps_received.add(feed.address)
         return _of_none(found) if feed.is_shared and feed.wanted_for == "map" else found
+
+    def _is_due(self, feed: Feed, event: events.Event, at: float) -> bool:
+        """Tell whether to take a value of a topic that several publishers share: each of them as often as the
+        console draws. All the others would fill recordings, too."""
+        if not isinstance(event, OdometryReported | OriginReported):
+            return True
+        value = type(event), event.robot
+        if 0.0 <= at - self._taken.get(value, -math.inf) < feed.rate_ms / 1000.0:
+            return False
+        self._taken[value] = at
+        return True
 
     def _stream(self, feed: Feed, msg: object, at: float) -> None:
         """Pass on the value of a watched stream. Raises WireError."""

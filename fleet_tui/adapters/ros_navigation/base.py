@@ -14,6 +14,7 @@ from fleet_tui.adapters.ros.set_up.requests import SetUpRequests
 from fleet_tui.adapters.ros_navigation.kinds import READERS
 from fleet_tui.adapters.ros_navigation.pauses import Pauses, PauseSettings
 from fleet_tui.adapters.ros_navigation.reading import Read
+from fleet_tui.adapters.ros_navigation.transforms import read_places
 from fleet_tui.model import commands, events
 from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Robot
@@ -55,10 +56,13 @@ class NavigationAdapter:
         self.readers: Mapping[str, Read] = {key: make(self.names) for key, make in READERS.items()}
         self._read_map = read_map(self.names)
         self._read_mode = read_mode(self.names)
+        self._read_places = read_places(self.names)
         self.set_up = SetUpRequests(self.names, site, frames_are_floors=False)
 
     def read(self, feed: Feed, msg: object, at: float) -> Iterable[events.Event]:
         """Return the events of a message, none of a stream. Raises WireError."""
+        if feed.key in ("tf", "tf_static"):
+            return self._read_places(feed.robots, msg, at, feed.key == "tf_static")
         if feed.wanted_for == "stream":
             return ()
         if feed.key == "map":

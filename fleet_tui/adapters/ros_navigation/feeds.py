@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from fleet_tui.adapters.adapter import Feed, Site
 from fleet_tui.adapters.ros.names import Names
+from fleet_tui.adapters.ros.set_up.requests import MOST_PUBLISHERS
 
 PLAN_MS = 1000
 """Milliseconds between two paths, each of which may be long: only its end counts."""
@@ -19,6 +20,9 @@ def places(names: Names, site: Site, robot: str) -> Iterator[Feed]:
     """Return the topics of a robot's position."""
     yield from feed(names, robot, Feed("", (robot,), "", "", "", site.pose_ms, fast=True), "odometry")
     yield from feed(names, robot, _latched(robot), "pose")
+    # The localisation and the wheels publish it, each at its own rate: the newest alone is not enough.
+    transforms = Feed("", (robot,), "", "", "", site.pose_ms, silent=True, wanted_for="place", is_shared=True)
+    yield from feed(names, robot, transforms._replace(queue_length=MOST_PUBLISHERS), "tf")
 
 
 def battery(names: Names, site: Site, robot: str) -> Iterator[Feed]:

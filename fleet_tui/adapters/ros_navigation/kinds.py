@@ -47,7 +47,7 @@ def kind_of_goals(
         changes_floors=False,
         loads_graphs=GRAPH in set_up.accepted,
         streams=set_up.streams,
-        pose_topic=names.topic("pose", "{robot}"),
+        pose_topic=names.topic("pose", "{robot}") or names.topic("tf", "{robot}"),
         odometry_topic=names.topic("odometry", "{robot}"),
     )
 
@@ -59,4 +59,6 @@ def _usual_silence(names: Names) -> Mapping[str, float]:
 
 
 def _has(names: Names, key: str) -> bool:
+    if key == "pose":
+        return True  # without a topic its transforms tell it, or the feedback on a goal
     return key not in names.vocabulary.topics or bool(names.topic(key, "robot", "floor"))

@@ -7,7 +7,7 @@ from functools import partial
 from fleet_tui.adapters.probes import Diagnosis, MessageProbe
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.model.events import BatteryReported, Event
-from fleet_tui.model.navigation_events import LocalisationReported
+from fleet_tui.model.navigation_events import LocalisationReported, OriginReported
 
 UNSURE = 0.5
 """Square metres, of x and y together."""
@@ -17,6 +17,8 @@ def message_probes(names: Names, robot: str) -> Iterator[MessageProbe]:
     """Return the checks of a robot's reports."""
     if names.topic("pose", robot):
         yield MessageProbe("localisation", "pose", judge_localisation)
+    if names.topic("tf", robot):
+        yield MessageProbe("localisation", "tf", judge_transforms)
     if names.topic("battery", robot):
         yield MessageProbe("charge", "battery", partial(judge_battery, f"[{names.table}.scales]"))
 
@@ -36,6 +38,17 @@ def judge_localisation(count: int, event: Event | None) -> Diagnosis:
             "warn", f"localisation uncertain: {around}", f"{remedy}, or drive to an area with features"
         )
     return Diagnosis("ok", around)
+
+
+def judge_transforms(count: int, event: Event | None) -> Diagnosis:
+    """Judge whether a localisation corrects a robot's odometry in its transforms."""
+    if isinstance(event, OriginReported):
+        return Diagnosis("ok", "by transforms")
+    return Diagnosis(
+        "fail",
+        "no transform from map to odom",
+        "check its localisation: its node (slam_toolbox), and the laser that it needs",
+    )
 
 
 def judge_battery(scales: str, count: int, event: Event | None) -> Diagnosis | None:

@@ -6,6 +6,7 @@ from fleet_tui.adapters.ros.set_up import names as set_up
 TOPICS = {
     "odometry": ("/{robot}/odom", "nav_msgs/Odometry"),
     "pose": ("/{robot}/amcl_pose", "geometry_msgs/PoseWithCovarianceStamped"),
+    "tf": ("/tf", "tf2_msgs/TFMessage"),
     "battery": ("/{robot}/battery_state", "sensor_msgs/BatteryState"),
     "floor": ("", "std_msgs/String"),
     "pause_navigation": ("", "std_msgs/Bool"),

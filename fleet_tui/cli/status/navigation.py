@@ -6,6 +6,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import route_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.local_queue import foreign, waiting_orders_of
+from fleet_tui.situation.robots import adrift
 
 
 def navigation(state: FleetState, robot: Robot) -> dict[str, Any]:
@@ -19,6 +20,8 @@ def navigation(state: FleetState, robot: Robot) -> dict[str, Any]:
         stopped = blocked is not None and blocked.is_stopped
         found["blocked_s"] = round(state.now - blocked.since, 1) if blocked and stopped else None
     if "odometry" in robot.kind.reports:
+        estimate = adrift(state, robot)
+        found["localisation_silent_s"] = round(state.now - estimate.since, 1) if estimate else None
         found["position_variance_m2"] = round(robot.variance.value, 3) if robot.variance else None
     if robot.kind.keeps_goals:
         found["kept_here"] = [

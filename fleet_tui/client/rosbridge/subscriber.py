@@ -182,7 +182,7 @@ class Subscriber:
             return
         self._reading.counter.topics[wanted.address].not_subscribed = ""
         self._latched.note(wanted)
-        topic, is_stream = wanted.address, wanted.wanted_for == "stream" and not wanted.latched
+        topic, is_stream = wanted.address, wanted.wanted_for in ("place", "stream") and not wanted.latched
         asked = operations.Subscription(
             topic,
             # ROS 2 writes the same type with a middle part: the bridge expects its own spelling.

@@ -34,7 +34,7 @@ from fleet_tui.model import events
 from fleet_tui.model.fleets.events import MemberReported, StatusReported
 from fleet_tui.model.kind import CAMERA
 from fleet_tui.model.link import Phase
-from fleet_tui.model.navigation_events import Live, LocalisationReported, OdometryReported
+from fleet_tui.model.navigation_events import Live, Place
 from fleet_tui.text.limits import truncate
 from fleet_tui.transports.loop import wait_for_turn
 from fleet_tui.transports.rosbridge.connection import Connection
@@ -48,7 +48,10 @@ TRIM_AFTER = 1.0
 # Bytes of frames that wait to be decoded: more are dropped.
 MOST_WAITING = 64 * 2**20
 _SIGNS = events.Telemetry | Live | MemberReported | StatusReported
-_PLACES = events.PoseReported | OdometryReported | LocalisationReported
+_PLACES = events.PoseReported | Place
+# Seconds within which the last localised pose of a robot arrives on a new connection, without a rosapi that
+# lists its topic.
+LOCALISED_WITHIN = 3.0
 # Seconds between checks for silent robots.
 CHECK_EVERY = 0.2
 
@@ -73,7 +76,12 @@ class Telemetry:
         self._subscriber = Subscriber(
             self.connection, self._calls, feeds, adapters, self._reading, pacing, self._take
         )
-        self._on_demand = [feed for feed in feeds if feed.wanted_for in ("target", "stream")]
+        self._on_demand = [feed for feed in feeds if feed.wanted_for in ("target", "place", "stream")]
+        self._adapters = adapters
+        self._own_topics: dict[str, set[str]] = {robot: set() for robot in adapters}
+        for feed in feeds:
+            if len(feed.robots) == 1:
+                self._own_topics[feed.robot].add(feed.address)
         self._pictures = CameraChannel(bridge, feeds, adapters, self._subscriber, self._reading, self._sink)
         has_actions = any(adapters[robot].names.vocabulary.actions for feed in feeds for robot in feed.robots)
         self.services = Services(self._calls, services_of(config, adapters, link), has_actions)
@@ -109,7 +117,10 @@ class Telemetry:
                 continue  # over a connection of their own
             if any(self._sink.wants(robot, feed.stream_key) for robot in feed.robots):
                 yield feed._replace(wanted_for="stream")
-            elif feed.wanted_for == "target" and self._wants_target(feed.robot):
+            elif feed.wanted_for == "target":
+                if self._wants_target(feed.robot):
+                    yield feed
+            elif feed.key in ("tf", "tf_static") and any(map(self._lacks_localisation, feed.robots)):
                 yield feed
 
     def _wants_target(self, robot: str) -> bool:
@@ -117,6 +128,18 @@ class Telemetry:
         known = self._writer.store.state.robots.get(robot)
         current = known.orders.current if known else None
         return current is not None and not current.stops and not current.label
+
+    def _lacks_localisation(self, robot: str) -> bool:
+        """Tell whether a robot is there, and no localisation tells where on its map: its transforms may. A
+        topic that rosapi lists may be waiting for a first pose."""
+        known, types = self._writer.store.state.robots.get(robot), self._subscriber.types
+        names = self._adapters[robot].names
+        if known is None or "tf" not in names.vocabulary.topics or known.located_by == "topic":
+            return False
+        topic = names.topic("pose", robot)
+        is_there = known.last_received is not None or not types.keys().isdisjoint(self._own_topics[robot])
+        is_late = time.monotonic() - self._opened_at > LOCALISED_WITHIN
+        return not topic or (is_there and topic not in types and (bool(types) or is_late))
 
     def silence(self) -> float:
         """Seconds since the last message on this connection, 0 before the first."""

@@ -10,12 +10,14 @@ from fleet_tui.rules.commands.failures import FAILED_FOR
 from fleet_tui.rules.commands.local_queue import HELD_BY_OTHERS, orders_to_save
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.localisation.misplaced import misplaced_for_long
-from fleet_tui.situation.robots import absence
+from fleet_tui.situation.robots import absence, adrift
 from fleet_tui.text.durations import age
 
 LOST_ABOVE, FOUND_BELOW = 0.5, 0.3
 """Variance of x and y in square metres above which localisation is lost, and below which it is back."""
 NO_ODOMETRY = "Check its wheel odometry: the node of its base, the topic's name"
+ADRIFT_AFTER = 10.0
+"""Seconds for which a robot may drive by its wheels alone."""
 NO_POSE_AFTER = 30.0
 """Seconds without a pose from a robot that reports and had one, until it counts as driving unseen."""
 
@@ -24,6 +26,11 @@ def not_sure_where(state: FleetState, robot: Robot, active: ActiveConditions) ->
     """Raise if its localisation is too uncertain to drive by, or its poses are none, or ceased."""
     if (lost := _pose_lost(state, robot, active)) is not None:
         return lost
+    if (fact := adrift(state, robot)) is not None:
+        due = fact.since + ADRIFT_AFTER
+        return Condition(
+            robot.name, fact.kind.name, fact.priority, fact.text, fact.kind.over, due, remedy=fact.remedy
+        )
     if robot.variance is None and robot.misplaced is None:
         return None
     was_lost = was_active(active, robot.name, robot.link, "localisation")

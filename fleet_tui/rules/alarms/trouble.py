@@ -17,7 +17,7 @@ from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
 from fleet_tui.situation.facts import BAD_DATA
 from fleet_tui.situation.motion import running_action, says_driving
-from fleet_tui.situation.robots import absence, bad_data, obstacle, silent
+from fleet_tui.situation.robots import absence, adrift, bad_data, obstacle, silent
 
 LONG_STILL = 30.0
 """Seconds of standing with an order that are worth a look: longer than loading takes."""
@@ -48,8 +48,9 @@ def may_need_person(state: FleetState, robot: Robot) -> bool:
 
 
 def is_lost(state: FleetState, robot: Robot) -> bool:
-    """Tell whether fresh poses of a robot are no positions."""
+    """Tell whether fresh poses of a robot are no positions, or only estimated."""
     is_wrong = is_jumping(robot, state.now) or misplaced_text(state, robot) != ""
+    is_wrong = is_wrong or adrift(state, robot) is not None
     return is_wrong and state.is_fresh(robot, "pose")
 
 

@@ -9,6 +9,7 @@ from fleet_tui.rules.causes import HELD_FAST
 from fleet_tui.rules.commands.local_queue import orders_to_save
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, mission
+from fleet_tui.situation.robots import adrift
 from fleet_tui.text.durations import age
 
 
@@ -40,6 +41,14 @@ def not_sure_where(state: FleetState, robot: Robot) -> Reason | None:
     return Reason(
         "localisation uncertain", evidence, Strength.LIKELY, seen=robot.variance.at, keys=("pose", "centre")
     )
+
+
+def estimated(state: FleetState, robot: Robot) -> Reason | None:
+    """Report that its localisation is silent while its wheels count on."""
+    if (fact := adrift(state, robot)) is None:
+        return None
+    keys = ("pause", *fact.kind.keys)
+    return Reason(fact.short, fact.evidence, Strength.LIKELY, seen=fact.seen, keys=keys, remedy=fact.remedy)
 
 
 def silent(state: FleetState, robot: Robot) -> Reason | None:

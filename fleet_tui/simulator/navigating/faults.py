@@ -106,7 +106,45 @@ def _percent(navigation: "Navigating") -> None:
     navigation.robot.percent = 1.0
 
 
+def unlocalised(server: "RosbridgeServer", robot: str) -> None:
+    """Kill the node of its localisation during the first goal."""
+
+    def change(navigation: "Navigating", age: float) -> float:
+        if age > AWHILE and not navigation.robot.is_unlocalised:
+            navigation.robot.is_unlocalised = True
+            if (topic := f"/{robot}/amcl_pose") in server.bridge.topics:
+                server.bridge.withdraw(topic)
+        return age
+
+    often(change)(server, robot)
+
+
+def shared_transforms(server: "RosbridgeServer", robot: str) -> None:
+    """Publish transforms on a topic of all robots, instead of a pose."""
+    _transforms(server, robot, "/tf", f"{robot}/")
+
+
+def own_transforms(server: "RosbridgeServer", robot: str) -> None:
+    """Publish transforms in its own namespace, instead of a pose."""
+    _transforms(server, robot, f"/{robot}/tf", "")
+
+
+def _transforms(server: "RosbridgeServer", robot: str, topic: str, prefix: str) -> None:
+    from fleet_tui.simulator.navigating import transforms
+
+    transforms.publish(server, navigation_of(server, robot).robot, topic, prefix)
+
+
 BODY: Faults = {
+    "tf-only": (
+        "no pose topic: the transforms on /tf tell its place, as with slam_toolbox",
+        shared_transforms,
+    ),
+    "own-tf": ("the same with transforms of its own, on /{robot}/tf", own_transforms),
+    "dead-localisation": (
+        f"its localisation dies {AWHILE:g} s after the first goal, its wheels count on",
+        unlocalised,
+    ),
     "stuck": ("wheels blocked: recoveries, then an abort", at_once(_stuck)),
     "foreign-goal": (f"another client sends a goal every {EVERY:g} s", often(_foreign_goal, idle=True)),
     "foreign-cancel": (f"another client cancels every goal after {AWHILE:g} s", often(_foreign_cancel)),

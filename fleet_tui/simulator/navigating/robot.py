@@ -34,6 +34,8 @@ class NavigatingRobot(Obstructed):
     moved, turned = 0.25, 0.2
     """Metres and radians after which its localisation publishes the pose."""
     docked = False
+    is_unlocalised = False
+    """True: the node of its localisation has died."""
     silence = 0.0
     """Seconds for which none of the robot's topics are published."""
     left_for = 0.0
@@ -127,6 +129,8 @@ class NavigatingRobot(Obstructed):
 
     def localise(self) -> bool:
         """Tell whether the localisation publishes a pose: only once the robot has moved far enough."""
+        if self.is_unlocalised:
+            return False
         at, last = self.belief.of(self.pose), self.estimate
         off = math.sqrt(self.variance) if self.variance >= LOST else 0.0
         turned = abs(math.remainder(at.yaw - last.yaw, math.tau))

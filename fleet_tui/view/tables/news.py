@@ -17,7 +17,7 @@ from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import BAD_DATA, SILENT
-from fleet_tui.situation.robots import absence, bad_data, last_contact, obstacle
+from fleet_tui.situation.robots import absence, adrift, bad_data, last_contact, obstacle
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
@@ -124,6 +124,8 @@ def _navigation(state: FleetState, robot: Robot) -> Iterator[Run]:
         yield tr("navigation silent"), StyleRole.ALARM
     if robot.variance is not None and robot.variance.value > LOST_ABOVE:
         yield tr("pose uncertain"), StyleRole.WARN
+    if (estimate := adrift(state, robot)) is not None:
+        yield tr(estimate.short), StyleRole.WARN
     if state.is_fresh(robot, "pose") and is_jumping(robot, state.now):
         yield tr("pose jumps"), StyleRole.WARN
     if misplaced_text(state, robot) and state.is_fresh(robot, "pose"):

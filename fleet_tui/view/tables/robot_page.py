@@ -13,6 +13,7 @@ from fleet_tui.rules.commands.order_ends import seen_end
 from fleet_tui.rules.why.place import place_text
 from fleet_tui.situation.facts import AGE_UNKNOWN
 from fleet_tui.situation.links import is_late
+from fleet_tui.situation.robots import adrift
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
@@ -94,6 +95,10 @@ def value_rows(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Ru
         since = _since(state.now - reading.at + (value != "pose") * late, is_narrow)
         if value == "pose" and robot.is_undated:
             since = tr(AGE_UNKNOWN.word)
+        if value == "pose" and (estimate := adrift(state, robot)) is not None:
+            # Its wheels renew it: what counts is when it was last localised.
+            since = _since(state.now - estimate.since, is_narrow)
+            is_old = True
         age_role = StyleRole.WARN if is_old or late else StyleRole.DIM
         yield named(
             value.capitalize(),

@@ -16,5 +16,5 @@ def test_its_localisation_and_its_battery_are_looked_at_where_it_has_them() -> N
     def received(**topics: str) -> list[str]:
         return [one.key for one in adapter(topics=topics).probes("r1") if isinstance(one, MessageProbe)]
 
-    assert received() == ["pose", "battery"]
-    assert received(battery="") == ["pose"]
+    assert received() == ["pose", "tf", "battery"]
+    assert received(battery="", tf="") == ["pose"]

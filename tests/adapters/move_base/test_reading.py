@@ -1,7 +1,5 @@
 """Messages of robots with move_base as facts."""
 
-import math
-
 import pytest
 
 from fleet_tui.errors import WireError
@@ -75,16 +73,13 @@ class TestHeard:
         message = {"header": {"frame_id": "map", "stamp": NEVER}, "pose": pose}
         assert read(adapter(), "target", message) == [TargetReported("r1", 5.0, Pose(2.0, 3.0))]
 
-    def test_feedback_places_only_robots_that_tell_it_nowhere_else(self) -> None:
+    def test_feedback_tells_where_a_robot_is_as_the_last_of_all(self) -> None:
         pose = {"position": {"x": 2.0, "y": 3.0, "z": 0.0}, "orientation": {"x": 0, "y": 0, "z": 0, "w": 1}}
         base = {"header": {"frame_id": "map", "stamp": NEVER}, "pose": pose}
         message = {"header": {"frame_id": ""}, "status": {}, "feedback": {"base_position": base}}
-        assert read(adapter(), "feedback", message) == [Alive("r1", 5.0)]
-        alone = adapter(topics={"pose": ""})
-        assert LocalisationReported("r1", 5.0, Pose(2.0, 3.0), "map", None, None) in read(
-            alone, "feedback", message
-        )
-        assert "pose" in alone.kind.reports and alone.kind.silence["pose"] == math.inf
+        placed = LocalisationReported("r1", 5.0, Pose(2.0, 3.0), "map", None, None, is_feedback=True)
+        assert read(adapter(), "feedback", message) == [Alive("r1", 5.0), placed]
+        assert "pose" in adapter(topics={"pose": ""}).kind.reports
 
     def test_what_is_no_message_of_its_type(self) -> None:
         for key in ("status", "target", "feedback"):

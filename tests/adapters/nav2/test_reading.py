@@ -97,7 +97,7 @@ class TestRecorded:
                     continue
                 mine = {feed.address: feed for feed in it.feeds(operation.topic.split("/")[1], ("hall",))}
                 feed = mine.get(operation.topic)
-                if feed is not None and not feed.large and feed.wanted_for != "stream":
+                if feed is not None and not feed.large and feed.wanted_for not in ("place", "stream"):
                     assert list(it.read(feed, operation.msg, 1.0))
                     count += 1
         assert count > 50

@@ -6,10 +6,11 @@ from typing import Any
 
 from fleet_tui.adapters.adapter import Feed, Limit
 from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.ros.reading import ROSOUT, FrameReader
+from fleet_tui.adapters.ros.reading import ROSOUT, FrameReader, StreamTaken
 from fleet_tui.errors import WireError
 from fleet_tui.model.events import BatteryReported, Event, FrameRejected, GridReceived, MessageRejected
-from fleet_tui.model.navigation_events import ErrorReported
+from fleet_tui.model.navigation_events import ErrorReported, OdometryReported, OriginReported
+from tests.support import nav2_adapter
 from tests.support.adapters import adapter_of
 from tests.support.fleets import R0
 
@@ -52,6 +53,26 @@ def test_bad_data_names_its_topic_and_a_bad_frame_its_link() -> None:
     assert isinstance(rejected, MessageRejected) and rejected.text.startswith(f"{BATTERY}: ")
     (broken,) = read(it, b"{")
     assert isinstance(broken, FrameRejected) and broken.link == "rosbridge"
+
+
+def test_of_transforms_each_value_is_taken_as_often_as_poses_and_no_other_message_is_recorded() -> None:
+    adapter = nav2_adapter.adapter()
+    feeds = list(adapter.feeds("robot_0", ["floor_0"]))
+    it = FrameReader("rosbridge", Limit(64.0, ""), {"robot_0": adapter}, feeds, never)
+    found = [it.read(transform(n), False, n / 50) for n in range(50)]
+    taken = [event for one in found if isinstance(one, tuple) for event in one]
+    assert 8 <= sum(isinstance(event, OriginReported) for event in taken) <= 10
+    assert 8 <= sum(isinstance(event, OdometryReported) for event in taken) <= 10
+    assert sum(isinstance(one, StreamTaken) for one in found) == 50 - len(taken)
+
+
+def transform(n: int) -> bytes:
+    """A message of one of two publishers in turn."""
+    parent, child = [("map", "odom"), ("odom", "base_link")][n % 2]
+    moved = {"translation": {"x": 1.0, "y": 0.0, "z": 0.0}, "rotation": {"x": 0, "y": 0, "z": 0, "w": 1}}
+    return said(
+        "/tf", transforms=[{"header": {"frame_id": parent}, "child_frame_id": child, "transform": moved}]
+    )
 
 
 def test_words_of_the_bridge_are_logged_and_shown() -> None:

@@ -14,7 +14,7 @@ def test_places_come_often_and_what_comes_on_change_may_be_silent() -> None:
 def test_maps_and_paths_come_only_while_they_are_wanted() -> None:
     found = feeds(adapter())
     assert {key for key, feed in found.items() if feed.on_demand} == {
-        *("map", "plan", "scan", "camera", "tf_static")
+        *("map", "plan", "scan", "camera", "tf", "tf_static")
     }
     assert found["map"].large and found["map"].is_shared
 

@@ -37,7 +37,8 @@ def site(kind: Kind = KIND) -> FleetState:
 
 def test_a_kind_without_such_values_has_no_keys_and_one_not_heard_has_null() -> None:
     assert values(site(Kind("other", ("pose",)))) == {}
-    none = dict.fromkeys(("progress", "blocked", "blocked_s", "position_variance_m2", "held"))
+    names = "progress", "blocked", "blocked_s", "localisation_silent_s", "position_variance_m2", "held"
+    none = dict.fromkeys(names)
     assert values(site()) == {**none, "kept_here": [], "not_ours": []}
 
 

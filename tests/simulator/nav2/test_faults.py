@@ -215,3 +215,48 @@ class TestHumble:
         await client.send('{"op":"call_service","id":"x","service":"/no/such"}')
         with pytest.raises(asyncio.TimeoutError):
             await asyncio.wait_for(client.recv(), 0.3)
+
+
+@pytest.mark.parametrize(
+    ("name", "topic", "prefix"), [("tf-only", "/tf", "robot_0/"), ("own-tf", "/robot_0/tf", "")]
+)
+async def test_transforms_have_two_publishers_of_which_a_throttle_drops_one(
+    server: RosbridgeServer, client: ClientConnection, name: str, topic: str, prefix: str
+) -> None:
+    plant(server, name)
+    listed = await call(client, "/rosapi/topics")
+    assert topic in listed["topics"] and "/robot_0/amcl_pose" not in listed["topics"]
+    frames = await heard(client, topic, 0)
+    assert set(frames) == {f"{prefix}odom", f"{prefix}base_footprint"}
+    assert frames.count(f"{prefix}base_footprint") == pytest.approx(
+        2.5 * frames.count(f"{prefix}odom"), abs=4
+    )
+    await client.send(json.dumps({"op": "unsubscribe", "topic": topic}))
+    assert len(set(await heard(client, topic, 1000, 3))) == 1
+
+
+async def heard(client: ClientConnection, topic: str, throttle_rate: int, most: int = 70) -> list[str]:
+    """The child frames of so many messages of transforms."""
+    await client.send(json.dumps({"op": "subscribe", "topic": topic, "throttle_rate": throttle_rate}))
+    frames = [await until(client, lambda frame: frame.get("topic") == topic) for _ in range(most)]
+    return [one["msg"]["transforms"][0]["child_frame_id"] for one in frames]
+
+
+@pytest.mark.parametrize("name", ["dead-localisation", "tf-only,dead-localisation"])
+async def test_a_dead_localisation_says_nothing_while_the_wheels_count_on(
+    server: RosbridgeServer, client: ClientConnection, name: str
+) -> None:
+    server.speed = 1.0
+    play(server, parse_faults(name, ["robot_0"], FAULTS))
+    fleet = server.fleets[0]
+    assert isinstance(fleet, Nav2Fleet)
+    await give(client, "a", TO_POSE, pose=FAR)
+    await settle(client)
+    fleet.step(10.0)
+    robot = fleet.robots["robot_0"]
+    assert robot.is_unlocalised
+    listed = await call(client, "/rosapi/topics")
+    assert "/robot_0/amcl_pose" not in listed["topics"]
+    before, estimate = robot.odom, robot.estimate
+    fleet.step(5.0)
+    assert robot.odom != before and robot.estimate == estimate

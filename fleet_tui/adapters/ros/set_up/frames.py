@@ -21,7 +21,7 @@ class _Moved(msgspec.Struct, frozen=True):
     rotation: ros.Quaternion
 
 
-class _TransformStamped(msgspec.Struct, frozen=True):
+class TransformStamped(msgspec.Struct, frozen=True):
     """geometry_msgs/TransformStamped."""
 
     header: ros.Header
@@ -35,20 +35,27 @@ class _TransformsMessage(msgspec.Struct, frozen=True):
     transforms: list[Any]
 
 
-_read, _read_one = ros.reader(_TransformsMessage), ros.reader(_TransformStamped)
+_read, _read_one = ros.reader(_TransformsMessage), ros.reader(TransformStamped)
+
+
+def read_transforms(msg: object) -> list[TransformStamped]:
+    """Read the transforms of a message. Raises WireError if none can be read."""
+    faults = list[str]()
+    parts: list[TransformStamped] = read_all(
+        _read_one, _read(msg).transforms, "transforms", MOST_FRAMES, faults
+    )
+    if faults and not parts:
+        raise WireError(faults[0])
+    return parts
 
 
 def read_frames(msg: object) -> Frames:
     """Read static transforms, each by the name of its frame. Raises WireError if none can be read."""
-    faults = list[str]()
-    parts = read_all(_read_one, _read(msg).transforms, "transforms", MOST_FRAMES, faults)
-    found = {_name(one.child_frame_id): moved for one in parts if (moved := _transform(one)) is not None}
-    if faults and not found:
-        raise WireError(faults[0])
-    return found
+    parts = read_transforms(msg)
+    return {_name(one.child_frame_id): moved for one in parts if (moved := _transform(one)) is not None}
 
 
-def _transform(one: _TransformStamped) -> Transform | None:
+def _transform(one: TransformStamped) -> Transform | None:
     at, turn = one.transform.translation, one.transform.rotation
     place, rotation = (at.x, at.y, at.z), (turn.x, turn.y, turn.z, turn.w)
     length = math.hypot(*rotation)
