@@ -5,8 +5,6 @@ from fleet_tui.adapters.move_base.vocabulary import VOCABULARY
 from fleet_tui.adapters.ros_navigation.discovery import found_at, namespaces, of_robots
 
 STATUS, STATUS_TYPE = "move_base/status", VOCABULARY.topics["status"][1]
-OF_MOVE_BASE = ("status", "goal", "cancel", "feedback", "target")
-"""Topics of every move_base."""
 CHOSEN = ("plan", "odometry", "pose", "battery")
 """Topics that differ from site to site."""
 
@@ -15,8 +13,4 @@ def discover(listed: Listed) -> Discovery:
     """Recognise these robots among the names that a bridge lists."""
     there = [name for name, type_ in listed.topics.items() if type_ == STATUS_TYPE]
     spaces = of_robots(namespaces(there, [STATUS]))
-    found = found_at(spaces, CHOSEN, VOCABULARY, listed)
-    if spaces == [""]:
-        usual = {key: VOCABULARY.topics[key][0] for key in OF_MOVE_BASE}
-        found.topics |= {key: name.removeprefix("/{robot}") for key, name in usual.items()}
-    return found
+    return found_at(spaces, CHOSEN, VOCABULARY, listed)

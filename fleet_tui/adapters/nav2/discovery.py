@@ -1,7 +1,7 @@
 """Robots with Nav2, recognised by their action servers, else by services or topics that only they have."""
 
 from fleet_tui.adapters.discovery import Discovery, Listed
-from fleet_tui.adapters.nav2.vocabulary import ACTIONS, VOCABULARY
+from fleet_tui.adapters.nav2.vocabulary import VOCABULARY
 from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.adapters.ros_navigation.discovery import found_at, namespaces, of_robots
 
@@ -14,11 +14,7 @@ ONE_BY_ONE = ("odometry", "pose", "battery", "blocked")
 def discover(listed: Listed) -> Discovery:
     """Recognise these robots among the names that a bridge lists."""
     spaces = _namespaces(listed)
-    found = found_at(spaces, ONE_BY_ONE, VOCABULARY, listed)
-    if spaces == [""]:
-        found.actions |= {key: f"/{key}" for key in ACTIONS}
-        found.services["is_active"] = IS_ACTIVE
-    return found
+    return found_at(spaces, ONE_BY_ONE, VOCABULARY, listed)
 
 
 def _namespaces(listed: Listed) -> list[str]:

@@ -4,7 +4,6 @@ from collections.abc import Iterable, Sequence
 
 from fleet_tui.adapters.discovery import Discovery, Listed
 from fleet_tui.adapters.ros.names import Vocabulary
-from fleet_tui.adapters.ros.set_up import names as set_up
 from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.model.order import natural
 
@@ -26,14 +25,30 @@ def of_robots(spaces: set[str]) -> list[str]:
 
 
 def found_at(spaces: Sequence[str], keys: Iterable[str], vocabulary: Vocabulary, listed: Listed) -> Discovery:
-    """Name the floors, the topics with these keys, and the set-up of robots in the namespaces."""
+    """Name the floors, the topics with these keys, and the set-up of robots in the namespaces; of a robot
+    without one everything else, too."""
     found = Discovery({space or ALONE: [] for space in spaces})
+    if spaces == [""]:
+        _name_without_space(found, vocabulary)
     if spaces:
         find_floors(found, spaces, listed)
         for key in keys:
             find_topic(found, key, vocabulary, spaces, listed)
-        name_set_up(found, vocabulary, spaces, listed)
+        _find_sensors(found, vocabulary, spaces, listed)
+        _find_services(found, vocabulary, spaces, listed)
     return found
+
+
+def _name_without_space(found: Discovery, vocabulary: Vocabulary) -> None:
+    """Name all topics, services and actions of a robot without a namespace."""
+    for usual, names in (
+        (vocabulary.topics, found.topics),
+        (vocabulary.services, found.services),
+        (vocabulary.actions, found.actions),
+    ):
+        for key, (name, _) in usual.items():
+            if "/{robot}" in name:
+                names[key] = name.replace("/{robot}", "")
 
 
 def _templates(spaces: Sequence[str], names: Iterable[str]) -> set[str]:
@@ -72,17 +87,24 @@ def find_topic(
         found.note("topics", f"{key}: no topic of type {type_}")
 
 
-def name_set_up(found: Discovery, vocabulary: Vocabulary, spaces: Sequence[str], listed: Listed) -> None:
-    """Name the topics and services of set-up of a robot without a namespace, and lasers with another name."""
-    if spaces == [""]:
-        for key in set_up.TOPICS:
-            if "/{robot}" in (name := vocabulary.topics[key][0]):
-                found.topics[key] = name.replace("/{robot}", "")
-        for key in set_up.SERVICES:
-            found.services[key] = vocabulary.services[key][0].replace("/{robot}", "")
+def _find_sensors(found: Discovery, vocabulary: Vocabulary, spaces: Sequence[str], listed: Listed) -> None:
+    """Name lasers with another name, and transforms that each robot has in its own namespace."""
+    for key in ("tf", "tf_static"):
+        name, type_ = vocabulary.topics[key]
+        if f"/{{robot}}{name}" in _templates(spaces, _of_type(listed, type_)):
+            found.topics[key] = f"/{{robot}}{name}"
     lasers = _templates(spaces, _of_type(listed, vocabulary.topics["scan"][1]))
     if lasers:
         find_topic(found, "scan", vocabulary, spaces, listed)
+
+
+def _find_services(found: Discovery, vocabulary: Vocabulary, spaces: Sequence[str], listed: Listed) -> None:
+    """Name services with another name than usual by their types, where a type tells what a service does."""
+    for key, (name, type_) in vocabulary.services.items():
+        alike = {one for one, other in listed.services.items() if other and same_type(other, type_)}
+        there = _templates(spaces, alike) if name and not type_.startswith("std_srvs/") else set()
+        if len(there) == 1 and found.services.get(key, name) not in there:
+            found.services[key] = there.pop()
 
 
 def find_floors(found: Discovery, spaces: Sequence[str], listed: Listed) -> None:

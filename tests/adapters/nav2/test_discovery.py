@@ -4,7 +4,12 @@ import pytest
 
 from fleet_tui.adapters.discovery import Listed
 from fleet_tui.adapters.nav2.discovery import discover as discover_nav2
+from fleet_tui.adapters.nav2.vocabulary import VOCABULARY
+from fleet_tui.adapters.profile import Profile
+from fleet_tui.adapters.ros.names import Names
+from tests.support.nav2_recordings import recorded_site
 
+TABLES = "topics", "services", "actions"
 ODOM, AMCL = "nav_msgs/msg/Odometry", "geometry_msgs/msg/PoseWithCovarianceStamped"
 
 
@@ -67,6 +72,35 @@ def test_a_robot_without_a_namespace_has_set_up_without_one() -> None:
     assert found.services["settle"] == "/request_nomotion_update"
     assert found.services["map_save"] == "/map_saver/save_map"
     assert not any("{robot}" in name for name in (*found.topics.values(), *found.services.values()))
+
+
+def test_a_robot_without_a_namespace_has_every_name_without_one() -> None:
+    found = discover_nav2(recorded_site())
+    assert list(found.robots) == ["robot_0"]
+    names = Names(VOCABULARY, Profile(kind="nav2", **{table: getattr(found, table) for table in TABLES}))
+    topics = [names.topic(key, "robot_0", "floor_0") for key in VOCABULARY.topics]
+    services = [names.service(key, "robot_0") for key in VOCABULARY.services]
+    actions = [names.action(key, "robot_0") for key in VOCABULARY.actions]
+    assert not [name for name in (*topics, *services, *actions) if "robot_0" in name]
+    assert names.topic("plan", "robot_0") == "/plan" and names.topic("tf_static", "robot_0") == "/tf_static"
+    assert names.service("graph_load", "robot_0") == "/route_server/set_route_graph"
+    assert {names.topic(key, "robot_0") for key in ("pose", "odometry")} <= recorded_site().topics.keys()
+
+
+def test_transforms_of_each_robot_in_its_namespace_are_found_there() -> None:
+    tf = "tf2_msgs/msg/TFMessage"
+    own = discover_nav2(Listed({**ONE, "/tb1/tf": tf, "/tb1/tf_static": tf}, {}, DRIVES))
+    assert (own.topics["tf"], own.topics["tf_static"]) == ("/{robot}/tf", "/{robot}/tf_static")
+    shared = discover_nav2(Listed({**ONE, "/tf": tf, "/tf_static": tf}, {}, DRIVES))
+    assert "tf" not in shared.topics and "tf_static" not in shared.topics
+
+
+def test_a_service_of_another_name_is_found_by_its_type_if_that_tells_what_it_does() -> None:
+    services = {"/tb1/saver/save": "nav2_msgs/srv/SaveMap", "/tb1/go": "std_srvs/srv/Trigger"}
+    found = discover_nav2(Listed(ONE, services, DRIVES))
+    assert found.services == {"map_save": "/{robot}/saver/save"}
+    several = {**services, "/tb1/other/save": "nav2_msgs/srv/SaveMap"}
+    assert discover_nav2(Listed(ONE, several, DRIVES)).services == {}
 
 
 def test_a_laser_of_another_name_is_found_by_its_type() -> None:

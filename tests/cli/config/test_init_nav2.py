@@ -115,6 +115,7 @@ def test_a_robot_without_a_namespace(tmp_path: Path) -> None:
         "pose": "/amcl_pose",
         "battery": "/battery_state",
         "blocked": "/collision_monitor_state",
+        "plan": "/plan",
         "initial_pose": "/initialpose",
         "scan": "/scan",
         "drive": "/cmd_vel",
