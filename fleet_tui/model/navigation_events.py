@@ -110,14 +110,15 @@ class Alive(Struct, frozen=True, tag=True):
 
 
 class ErrorReported(Struct, frozen=True, tag=True):
-    """An error that a robot reports about itself, in its diagnostics or in its log: no sign of life, for a
-    log is latched; `stamp` is that of its clock, if it gives one."""
+    """An error that a robot reports about itself, in its diagnostics or in its log, or a warning there: no
+    sign of life, for a log is latched; `stamp` is that of its clock, if it gives one."""
 
     robot: str
     at: float
     text: str
     is_diagnosed: bool = False
     stamp: float | None = None
+    is_warning: bool = False
 
 
 class FloorReported(Struct, frozen=True, tag=True):

@@ -28,6 +28,14 @@ class Reading(Struct, Generic[T], frozen=True):
     at: float
 
 
+class Logged(Struct, frozen=True):
+    """A line of a robot's log that may tell why it does not drive, of a monotonic second."""
+
+    text: str
+    at: float
+    is_warning: bool = False
+
+
 class StampClock(Struct, frozen=True):
     """A robot's clock relative to ours: `offset` is the freshest (arrival - stamp) seen, in seconds; until
     it is seen to run, that of its site. `is_compared`: one of the two tells the age of its messages. `site`
@@ -86,8 +94,8 @@ class Robot(Struct, frozen=True, eq=False):
     state, `acting` the action of its order that it carries out; `is_estimated`: it
     reports no pose, and this one is between nodes; `connection` is that to its broker, `factsheet` its
     properties by name, `features` what it takes by that, `master` the last sign of another master control
-    that commands it; `member` are the reports of its fleet adapter; `diagnosed` and `logged` are the last
-    errors in its diagnostics and in its log."""
+    that commands it; `member` are the reports of its fleet adapter; `diagnosed` is the last error
+    in its diagnostics, `logged` are lines of its log that may tell causes, newest last."""
 
     name: str
     number: int
@@ -155,7 +163,7 @@ class Robot(Struct, frozen=True, eq=False):
     master: Reading[str] | None = None
     member: Reading[Member] | None = None
     diagnosed: Reading[str] | None = None
-    logged: Reading[str] | None = None
+    logged: tuple[Logged, ...] = ()
 
     @property
     def has_cargo(self) -> bool:

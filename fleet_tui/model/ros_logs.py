@@ -70,6 +70,40 @@ def plain(text: str) -> str:
     return f"{coded['text']} (error {coded['code']})" if coded else text.strip().rstrip(".")
 
 
+_OF_BRIDGE = re.compile(r"(?:^|[/.])(?:rosbridge|rosapi)\w*$")
+_OF_NAVIGATION = re.compile(
+    r"(?:^|[/.])(?:bt_navigator|controller_server|planner_server|behavior_server|lifecycle_manager)\w*$"
+)
+_FOLLOWS = re.compile(
+    r"^Goal (?:failed|canceled)$|Aborting handle|Stopping the thread per request|in node halt"
+    r"|missed its desired rate|checker was specified"
+)
+_CODE, _FIGURES = re.compile(r" \(error \d+\)$"), re.compile(r"\d[\d.]*")
+
+
+def is_of_bridge(node: str) -> bool:
+    """Tell whether a node is one of the bridge: what it logs, also about this console, is of no robot."""
+    return _OF_BRIDGE.search(node) is not None
+
+
+def tells_causes(line: LogLine) -> bool:
+    """Tell whether a line may tell why a robot does not drive: an error of any node but the bridge's, of the
+    servers of Nav2 also a warning, which is all that some of them write about an abort."""
+    severity = line.severity or Severity.DEBUG
+    is_enough = severity >= (Severity.WARN if _OF_NAVIGATION.search(line.node) else Severity.ERROR)
+    return is_enough and not is_of_bridge(line.node) and not follows(line.text)
+
+
+def follows(text: str) -> bool:
+    """Tell whether a line only follows from others that tell the cause, or tells none."""
+    return _FOLLOWS.search(plain(text)) is not None
+
+
+def cause_of(text: str) -> str:
+    """Return what lines of one cause have in common: nodes repeat it with other figures, or with a code."""
+    return _FIGURES.sub("", _CODE.sub("", plain(text))).casefold()
+
+
 def named(robots: Iterable[str]) -> re.Pattern[str]:
     """Return the expression for the name of one of these robots in that of a node or of a part, with what
     divides it from the rest."""

@@ -7,12 +7,18 @@ from fleet_tui.model.robot import Robot
 DIAGNOSED_WITHIN, LOGGED_WITHIN = 10.0, 60.0
 """Seconds for which a diagnosis, which is repeated about once a second, and a line of the log count."""
 BESIDE_END = 3.0
-"""Seconds before and after the end of an order within which an error of the log is about it."""
+"""Seconds before and after the end of an order within which a line of the log is about it first of all."""
 
 
-def wants_causes(state: FleetState) -> bool:
-    """Tell whether the logs and diagnostics of robots may tell the cause of an alarm, or of one that is
-    nearly due: they are not subscribed otherwise."""
+def wants_causes(state: FleetState, selected: str = "") -> bool:
+    """Tell whether the logs and diagnostics of robots may tell the cause of an alarm, of one that is nearly
+    due, or of an end of the order that the selected robot, or one that this console has sent, drives: they
+    are not subscribed otherwise."""
+    own = {record.order_id for record in state.commands if record.order_id}
+    for robot in state.robots.values():
+        order = robot.orders.current if robot.kind.keeps_goals else None
+        if order is not None and (robot.name == selected or order.id in own):
+            return True
     late = state.limits.stuck_after / 2
     return any(
         kind == "order" or (kind == "stuck" and state.now - at >= late)
@@ -23,13 +29,20 @@ def wants_causes(state: FleetState) -> bool:
 def cause_of_standing(state: FleetState, robot: Robot) -> str:
     """Return the error that a robot reports about itself now, empty for none: one in its diagnostics, else
     one of its log since it stands."""
-    diagnosed, logged = robot.diagnosed, robot.logged
+    diagnosed = robot.diagnosed
     if diagnosed is not None and state.now - diagnosed.at < DIAGNOSED_WITHIN:
         return diagnosed.value
     since = robot.place.at - BESIDE_END if robot.place is not None else state.now
-    if logged is not None and state.now - logged.at < LOGGED_WITHIN and logged.at >= since:
-        return logged.value
-    return ""
+    return _told(robot, max(since, state.now - LOGGED_WITHIN), state.now, state.now)
+
+
+def _told(robot: Robot, since: float, until: float, at: float) -> str:
+    """Return the line of a robot's log between two seconds that tells best why something happened `at` a
+    third one, empty for none: one beside that, an error, the newest."""
+    lines = [one for one in robot.logged if since <= one.at <= until]
+    if not lines:
+        return ""
+    return max(lines, key=lambda one: (one.at >= at - BESIDE_END, not one.is_warning, one.at)).text
 
 
 HELD_FAST = "Look at the robot: its wheels or its way may be blocked"
@@ -49,9 +62,12 @@ def remedy_of(cause: str) -> str:
 
 
 def cause_of_end(robot: Robot, gone: GoneOrder) -> str:
-    """Return why an order ended: the reason that came with its end, else the error that the log of its robot
-    had just then; empty if nothing tells."""
+    """Return why an order ended: the reason that came with its end, else what the log of its robot told since
+    it began; empty if nothing tells."""
     if gone.reason != UNSAID:
         return gone.reason
-    logged = robot.logged
-    return logged.value if logged is not None and abs(logged.at - gone.at) <= BESIDE_END else ""
+    begun = {goal.id: goal.begun_at for listed in robot.goals.values() for goal in listed if goal.begun_at}
+    # One of another kind, or of long ago, has no goal.
+    since = max(begun.get(gone.order.id, gone.at - BESIDE_END), gone.at - LOGGED_WITHIN)
+    until = min([gone.at + BESIDE_END, *(at for at in begun.values() if at > gone.at)])
+    return _told(robot, since, until, gone.at)

@@ -215,7 +215,9 @@ class Rest:
     def show(self) -> None:
         """Show the newest state in the place of the map."""
         are_read = any(one.is_open for one in (self.diagnostics, self.why, self.robot_page))
-        self._screen.backend.subscribe_logs(are_read or wants_causes(self._screen.store.state))
+        selected = self._navigation.selection.robot
+        are_read = are_read or wants_causes(self._screen.store.state, selected)
+        self._screen.backend.subscribe_logs(are_read)
         self.simple.show()
         self.order_form.look()
         self.camera.look()

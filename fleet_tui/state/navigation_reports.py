@@ -6,11 +6,16 @@ from msgspec.structs import replace
 
 from fleet_tui.model import events, navigation_events
 from fleet_tui.model.navigation import Blocked, Progress
-from fleet_tui.model.robot import Reading, Robot
+from fleet_tui.model.robot import Logged, Reading, Robot
+from fleet_tui.model.ros_logs import cause_of
 from fleet_tui.rules.movement import strayed
 from fleet_tui.state.goal_reports import apply_goals, with_sign_of_life
 from fleet_tui.state.reports import SiteClock, apply_report, clocked, relocation
 from fleet_tui.text.limits import LONGEST_NAME, truncate
+
+LINES_KEPT, REPEATED_WITHIN = 100, 1.0
+"""Lines kept of a robot's log, and the seconds within which a cause is told once: a controller repeats one
+twenty times a second."""
 
 
 def apply_navigation(
@@ -64,8 +69,13 @@ def _take_error(robot: Robot, event: navigation_events.ErrorReported) -> Robot:
     if clock is not None and event.stamp is not None:
         # A bridge sends the last lines again to who begins to listen.
         at = min(at, event.stamp + clock.offset)
-    error = Reading(truncate(event.text), at)
-    return replace(robot, diagnosed=error) if event.is_diagnosed else replace(robot, logged=error)
+    if event.is_diagnosed:
+        return replace(robot, diagnosed=Reading(truncate(event.text), at))
+    line = Logged(truncate(event.text), at, event.is_warning)
+    cause = cause_of(line.text)
+    if any(at - one.at < REPEATED_WITHIN and cause_of(one.text) == cause for one in robot.logged):
+        return robot
+    return replace(robot, logged=(*robot.logged, line)[-LINES_KEPT:])
 
 
 def _merged(robot: Robot, new: Progress) -> Progress:

@@ -74,6 +74,17 @@ async def test_aborts_end_the_order_as_failed_with_the_code(site: Site) -> None:
         assert ended.detail == detail
 
 
+async def test_an_abort_without_a_reason_has_that_of_the_log(site: Site) -> None:
+    plant(site, f"silent-aborts:{R0}")
+    async with linked(site.config) as (link, store):
+        await store.until(nav2_ready)
+        link.subscribe_logs(True)
+        record = await finished(link, store, site.to("Receiving"))
+        await reached(store, record.id, Stage.FAILED)
+        said = "Timed out while waiting for action server to acknowledge goal request for follow_path"
+        await store.until(alarmed("command", f"failed: {said}"))
+
+
 async def test_a_goal_of_another_client_replaces_ours(site: Site) -> None:
     site.server.speed = 1.0
     async with linked(site.config) as (link, store):

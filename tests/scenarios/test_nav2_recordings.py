@@ -2,6 +2,10 @@
 
 import math
 
+import pytest
+
+from fleet_tui.model.commands import Stage
+from fleet_tui.rules.causes import cause_of_end
 from tests.support.fleets import R0
 from tests.support.nav2_recordings import replayed
 
@@ -27,3 +31,29 @@ def test_without_transforms_the_feedback_tells_where_a_robot_is() -> None:
         if frame.get("topic") == "/navigate_to_pose/_action/feedback"
     ]
     assert len(placed) > 5 and all(placed)
+
+
+@pytest.mark.parametrize(
+    ("name", "causes"),
+    [
+        ("order-wall", ["Controller patience exceeded", "GridBased plugin failed to plan from (0.40, 0.16)"]),
+        ("kill-controller2", ["CRITICAL FAILURE: SERVER controller_server IS DOWN after not receiving"]),
+        ("lifecycle-pause-mid", ["Requested to deactivate server but goal is still executing"]),
+        ("cancel-midway", ["Timed out while waiting for action server to acknowledge goal request"]),
+        ("robot-frozen", ["Failed to transform end pose to global frame"]),
+    ],
+)
+def test_the_log_tells_why_an_order_failed_whose_end_has_no_reason(name: str, causes: list[str]) -> None:
+    *_, (_, _, state) = replayed(name)
+    robot = state.robots[R0]
+    failed = [one for one in robot.gone if one.stage is Stage.FAILED][: len(causes)]
+    for gone, cause in zip(failed, causes, strict=True):
+        assert cause in cause_of_end(robot, gone)
+
+
+@pytest.mark.parametrize("name", ["lifecycle-pause-mid", "kill-controller2", "robot-frozen"])
+def test_what_the_bridge_logs_is_of_no_robot(name: str) -> None:
+    """Errors of the heartbeat of earlier consoles are in these recordings."""
+    *_, (_, _, state) = replayed(name)
+    logged = state.robots[R0].logged
+    assert logged and not [line for line in logged if "[Client" in line.text]

@@ -10,7 +10,16 @@ import msgspec
 from fleet_tui.adapters.ros.messages import Stamp, reader
 from fleet_tui.errors import WireError
 from fleet_tui.model.navigation_events import ErrorReported
-from fleet_tui.model.ros_logs import Health, LogLine, PartDiagnosis, Severity, named, part_of, plain
+from fleet_tui.model.ros_logs import (
+    Health,
+    LogLine,
+    PartDiagnosis,
+    Severity,
+    named,
+    part_of,
+    plain,
+    tells_causes,
+)
 from fleet_tui.text.limits import LONGEST_NAME, truncate
 
 LONGEST_TEXT = 2000
@@ -102,10 +111,11 @@ def complaint(line: LogLine) -> tuple[str, str] | None:
 
 
 def logged_errors(line: LogLine, robots: RobotNames) -> Iterator[ErrorReported]:
-    """Yield the error that a line of the log is about one of the robots."""
-    robot = robots.robot_of(line.node) if (line.severity or Severity.DEBUG) >= Severity.ERROR else ""
+    """Yield what a line of the log tells about why one of the robots does not drive."""
+    robot = robots.robot_of(line.node) if tells_causes(line) else ""
     if robot:
-        yield ErrorReported(robot, line.at, plain(line.text), stamp=line.stamp)
+        is_warning = line.severity is Severity.WARN
+        yield ErrorReported(robot, line.at, plain(line.text), stamp=line.stamp, is_warning=is_warning)
 
 
 def diagnosed_errors(parts: Iterable[PartDiagnosis], robots: RobotNames) -> Iterator[ErrorReported]:

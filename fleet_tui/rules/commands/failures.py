@@ -15,7 +15,7 @@ from fleet_tui.model.order import route_text
 from fleet_tui.model.order_life import UNSAID
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetUpCommand
-from fleet_tui.rules.causes import remedy_of
+from fleet_tui.rules.causes import cause_of_end, remedy_of
 from fleet_tui.rules.commands.batches import batches
 from fleet_tui.text.details import detail_text
 
@@ -86,12 +86,21 @@ def taken_back(state: FleetState) -> set[Key]:
     return {alarm.key for alarm in alarms if alarm.condition.parts and alarm.condition.parts <= corrected}
 
 
-def _texts(last: commands.CommandRecord, request: str) -> tuple[str, str]:
+def _cause(robot: Robot, last: commands.CommandRecord) -> str:
+    """Return why an order of this console failed, empty if nothing tells."""
+    detail = last.detail.removeprefix(f"order {last.order_id}: ")
+    gone = next((one for one in reversed(robot.gone) if one.order.id == last.order_id), None)
+    if gone is not None and detail in ("", UNSAID):
+        return cause_of_end(robot, gone)
+    return "" if detail == UNSAID else detail
+
+
+def _texts(robot: Robot, last: commands.CommandRecord, request: str) -> tuple[str, str]:
     """Return the text of a failure while it is news, and after."""
     detail = last.detail.removeprefix(f"order {last.order_id}: ")
     if last.stage is commands.Stage.FAILED and isinstance(last.command, commands.PlaceOrder):
         # In the form of an order of another client.
-        cause = "no reason reported" if detail in ("", UNSAID) else detail
+        cause = _cause(robot, last) or "no reason reported"
         return f"{request} failed: {cause}", f"{request} failed"
     told = f"{request}{detail_text(last.detail)}"
     if last.stage in _CAUSED and last.detail:
@@ -109,11 +118,12 @@ def _failed(state: FleetState, key: Key, records: Sequence[commands.CommandRecor
     # The only one of many is named first: the alarm is the link's.
     whose = f"{last.command.robot} " if len(robots) == 1 and key[0] not in robots else ""
     high = any(isinstance(record.command, commands.PauseRobot) for record in records)
-    told, over = _texts(last, request)
+    robot = state.robots[last.command.robot]
+    told, over = _texts(robot, last, request)
     drives_on = isinstance(last.command, commands.CancelOrder | commands.ClearOrders)
     drives_on = drives_on and state.robots[last.command.robot].orders.current is not None
     drives_on = drives_on and last.stage is not commands.Stage.LATE
-    remedy = remedy_of(last.detail) if last.stage is commands.Stage.FAILED else ""
+    remedy = remedy_of(_cause(robot, last)) if last.stage is commands.Stage.FAILED else ""
     if last.stage is commands.Stage.LATE:
         remedy = CARRIED_OUT
     if isinstance(last.command, commands.PlaceOrder) and last.stage in commands.ORDER_ENDS:

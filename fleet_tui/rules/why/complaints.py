@@ -8,7 +8,18 @@ from msgspec import Struct
 from fleet_tui.model.counters import LinkCounter, snapshot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.ros_logs import Health, LogLine, PartDiagnosis, Severity, named, part_of, plain
+from fleet_tui.model.ros_logs import (
+    Health,
+    LogLine,
+    PartDiagnosis,
+    Severity,
+    cause_of,
+    follows,
+    is_of_bridge,
+    named,
+    part_of,
+    plain,
+)
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.causes import DIAGNOSED_WITHIN, LOGGED_WITHIN
 from fleet_tui.rules.why.orders import LOOK
@@ -21,12 +32,14 @@ _LEVELS = {level.value: level.name for level in Health if level is not Health.OK
 
 
 class Complaint(Struct, frozen=True):
-    """A warning or an error of a robot, received at `at` (monotonic seconds) in its `source`."""
+    """A warning or an error of a robot, received at `at` (monotonic seconds) in its `source`; `cause` is the
+    same of all that tell of one."""
 
     text: str
     source: str
     is_error: bool
     at: float
+    cause: str = ""
 
     @property
     def reason(self) -> Reason:
@@ -55,18 +68,20 @@ def complaints(state: FleetState, robot: Robot, counter: LinkCounter | None) -> 
     fresh = [part for part in parts if state.now - part.at < DIAGNOSED_WITHIN]
     recent = [line for line in snapshot(counter.log) if state.now - line.at < LOGGED_WITHIN]
     logged, diagnosed = [*_logged(state, recent, name)], [*_diagnosed(fresh, name)]
-    found = {one.text: one for one in (*logged, *diagnosed)}
+    found = {one.cause: one for one in sorted((*logged, *diagnosed), key=lambda one: one.is_error)}
     # What is repeated must not change places each time.
-    began = {one.text: one.at for one in reversed(logged)}
-    return sorted(found.values(), key=lambda one: (not one.is_error, -began.get(one.text, 0.0)))[:SHOWN]
+    began = {one.cause: one.at for one in reversed(logged)}
+    return sorted(found.values(), key=lambda one: (not one.is_error, -began.get(one.cause, 0.0)))[:SHOWN]
 
 
 def _logged(state: FleetState, lines: Iterable[LogLine], name: re.Pattern[str]) -> Iterator[Complaint]:
     for line in lines:
         severity = line.severity or Severity.INFO
-        if severity >= Severity.WARN and name.search(line.node):
+        is_own = name.search(line.node) and not is_of_bridge(line.node)
+        if severity >= Severity.WARN and is_own and not follows(line.text):
             text = f"{part_of(name, line.node)}: {severity.name} {plain(line.text)}"
-            yield Complaint(text, "log", severity >= Severity.ERROR, _written(state, line))
+            is_error = severity >= Severity.ERROR
+            yield Complaint(text, "log", is_error, _written(state, line), cause_of(line.text))
 
 
 def _written(state: FleetState, line: LogLine) -> float:
@@ -80,4 +95,4 @@ def _diagnosed(parts: Iterable[PartDiagnosis], name: re.Pattern[str]) -> Iterato
     for part in parts:
         if part.level in _LEVELS and name.search(f"{part.name} {part.hardware}"):
             text = f"{part_of(name, part.name)}: {_LEVELS[part.level]} {part.message}"
-            yield Complaint(text, "diagnostics", part.level == Health.ERROR, part.at)
+            yield Complaint(text, "diagnostics", part.level == Health.ERROR, part.at, cause_of(text))

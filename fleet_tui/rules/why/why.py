@@ -112,8 +112,8 @@ def _has_alarm(state: FleetState, robot: Robot) -> bool:
 
 def _is_told(robot: Robot, complaint: Complaint, found: list[Reason]) -> bool:
     """Tell whether a complaint is the cause in another reason."""
-    cause = robot.logged.value if robot.logged is not None else ""
-    return cause != "" and complaint.text.endswith(cause) and any(cause in reason.name for reason in found)
+    told = (one.text for one in robot.logged if any(one.text in reason.name for reason in found))
+    return any(complaint.text.endswith(text) for text in told)
 
 
 def _unfit(state: FleetState, robot: Robot, match: "Match | None") -> list[Reason]:

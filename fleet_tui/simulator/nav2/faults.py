@@ -13,6 +13,10 @@ if TYPE_CHECKING:
     from fleet_tui.simulator.server import RosbridgeServer
 
 ABORTS = 105  # Nav2's code for no progress
+LATE_CONTROLLER = (
+    "bt_navigator_navigate_to_pose_rclcpp_node",
+    "Timed out while waiting for action server to acknowledge goal request for follow_path",
+)
 GENERIC = (
     *("late", "slow-answer", "twice", "wrong-id", "drop"),
     *("frozen-rosapi", "dead-rosapi", "half-dead", "overloaded", "unregistered"),
@@ -39,6 +43,15 @@ def _aborts(navigation: "SimNavigation", age: float) -> float:
     if age < AWHILE:
         return age
     navigation.abort(ABORTS)
+    return 0.0
+
+
+def _silent_aborts(navigation: "SimNavigation", age: float) -> float:
+    """Abort as a behaviour tree does whose controller is late: no code, no text, a warning in the log."""
+    if age < AWHILE:
+        return age
+    navigation.warnings.append(LATE_CONTROLLER)
+    navigation.abort(0, "")
     return 0.0
 
 
@@ -92,6 +105,10 @@ FAULTS: Faults = {
     "inactive": ("Nav2 not active: every goal is rejected, is_active is false", at_once(_inactive)),
     "reject": ("every goal is rejected though Nav2 is active", at_once(_reject)),
     "aborts": (f"every drive is aborted with code {ABORTS} after {AWHILE:g} s", often(_aborts)),
+    "silent-aborts": (
+        f"every drive is aborted after {AWHILE:g} s without a code, only the log tells why",
+        often(_silent_aborts),
+    ),
     "refuse-cancel": ("no goal can be cancelled", at_once(_refuse_cancel)),
     "dead-server": (f"its action servers crash {AWHILE:g} s after the first goal", _dead_server),
     "no-feedback": ("no action feedback while driving", at_once(_no_feedback)),

@@ -53,6 +53,8 @@ class SimNavigation:
         """The number of goals that are rejected from now on."""
         self.received: list[Message] = []
         """Every goal that reached a server, legs of tours too; the newest last."""
+        self.warnings: list[tuple[str, str]] = []
+        """Nodes and texts of warnings that are to be logged."""
         self.publishes = True
         """False: no feedback is sent."""
         self.distro = "jazzy"

@@ -138,7 +138,29 @@ def test_an_error_of_the_log_is_that_of_the_robot_whose_node_wrote_it(
     line = log_line(wire({**ROS1_LOG, "name": node, "level": level, "msg": msg}), T0)
     assert [(one.robot, one.text) for one in logged_errors(line, SEVERAL)] == found
     alone = [one.text for one in logged_errors(line, RobotNames(["agv"]))]
-    assert alone == ([] if level == 4 else alone[:1]) and len(alone) == (level != 4)
+    assert len(alone) == (level != 4 and node != "/rosbridge")
+
+
+@pytest.mark.parametrize(
+    ("node", "level", "msg", "is_told"),
+    [
+        ("planner_server", 30, "GridBased plugin failed to plan", True),
+        ("bt_navigator_navigate_to_pose_rclcpp_node", 30, "Timed out while waiting", True),
+        ("robot_1.controller_server", 30, "Control loop missed its desired rate of 20.0000 Hz", False),
+        ("bt_navigator", 40, "Goal failed", False),
+        ("bt_navigator", 30, "[navigate_to_pose] [ActionServer] Aborting handle.", False),
+        ("slam_toolbox", 30, "New subscription discovered", False),
+        ("rosbridge_websocket", 40, "[Client 44] call_service: /rosapi/x does not exist", False),
+        ("rosapi", 40, "Timeout exceeded", False),
+        ("/rosapi_params", 40, "Timeout exceeded", False),
+    ],
+)
+def test_of_navigation_warnings_count_too_and_of_the_bridge_and_of_what_follows_nothing(
+    node: str, level: int, msg: str, is_told: bool
+) -> None:
+    line = log_line(wire({**ROS2_LOG, "name": node, "level": level, "msg": msg}), T0)
+    found = [*logged_errors(line, RobotNames(["robot_1"]))]
+    assert [one.is_warning for one in found] == ([level == 30] if is_told else [])
 
 
 def test_only_errors_of_the_diagnostics_are_told_with_their_part() -> None:

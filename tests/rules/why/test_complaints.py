@@ -49,6 +49,25 @@ def test_all_of_a_link_is_about_its_only_robot() -> None:
     assert texts(counter) == []
 
 
+def test_lines_of_one_cause_count_once_and_those_of_the_bridge_are_no_robots() -> None:
+    at = now()
+    counter = counter_of(
+        log=(
+            LogLine(at, 40, "controller_server", "Failed to make progress"),
+            LogLine(at, 30, "controller_server", "[follow_path] [ActionServer] Aborting handle."),
+            LogLine(at, 40, "bt_navigator", "Goal failed error_code:105 error_msg:Failed to make progress."),
+            LogLine(at, 30, "collision_monitor", "[scan]: timestamps differ on 1.09 seconds"),
+            LogLine(at, 30, "collision_monitor", "[scan]: timestamps differ on 1.15 seconds"),
+            LogLine(at, 40, "rosbridge_websocket", "[Client 44] /rosapi/fleet_tui_heartbeat does not exist"),
+            LogLine(at, 40, "rosapi", "Timeout exceeded"),
+        )
+    )
+    assert texts(counter, robots=1) == [
+        "bt_navigator: ERROR Failed to make progress (error 105)",
+        "collision_monitor: WARN [scan]: timestamps differ on 1.15 seconds",
+    ]
+
+
 def test_old_ones_do_not_count() -> None:
     at = now()
     counter = counter_of(
