@@ -17,7 +17,8 @@ from fleet_tui.errors import LinkError
 T = TypeVar("T")
 
 ANSWER_WITHIN = 2.0
-AT_ONCE = 8  # calls open at once: the bridge has a thread for each
+# Calls open at once: a bridge has a thread for each. On ROS 2 four of them have killed rosapi.
+AT_ONCE, AT_ONCE_ROS2 = 8, 2
 
 
 def _nothing() -> None:
@@ -28,12 +29,8 @@ async def look_around(wire: BridgeConnection, asks_node: bool = False) -> Rosapi
     """List the topics, services and nodes of a bridge, and detect its ROS version. `asks_node`: if rosapi
     does not answer, the bridge's own node is asked."""
     try:
-        topics, services, nodes, version = await asyncio.gather(
-            *(
-                wire.call(f"/rosapi/{name}", {}, ANSWER_WITHIN)
-                for name in ("topics", "services", "nodes", "get_ros_version")
-            )
-        )
+        topics, version = await _both(wire, "topics", "get_ros_version")
+        services, nodes = await _both(wire, "services", "nodes")
     except LinkError:
         problem = wire.lost or f"no reply from rosapi within {ANSWER_WITHIN:g} s"
         return RosapiFacts(
@@ -51,6 +48,12 @@ async def look_around(wire: BridgeConnection, asks_node: bool = False) -> Rosapi
         ros=ros,
         distro=str(version.get("distro", "")) if isinstance(version, dict) else "",
     )
+
+
+async def _both(wire: BridgeConnection, one: str, other: str) -> tuple[object, object]:
+    """Ask rosapi two questions at once. Raises LinkError."""
+    first, second = (wire.call(f"/rosapi/{name}", {}, ANSWER_WITHIN) for name in (one, other))
+    return await asyncio.gather(first, second)
 
 
 async def _actions(wire: BridgeConnection) -> tuple[str, ...]:
@@ -101,7 +104,7 @@ async def ask_publishers(
         return tuple(map(str, nodes)) if isinstance(nodes, list) else None
 
     there = [topic for topic in topics if topic in rosapi.topics]
-    found = await _each(publishers_of, there, until, asked)
+    found = await _each(rosapi, publishers_of, there, until, asked)
     return replace(rosapi, publishers={**rosapi.publishers, **found})
 
 
@@ -122,7 +125,7 @@ async def ask_subscribers(
 
     topics = list(topics)
     absent = {topic: () for topic in topics if topic not in rosapi.topics}
-    found = await _each(subscribers_of, [topic for topic in topics if topic not in absent], until)
+    found = await _each(rosapi, subscribers_of, [topic for topic in topics if topic not in absent], until)
     return replace(rosapi, subscribers={**rosapi.subscribers, **absent, **found})
 
 
@@ -136,7 +139,7 @@ async def ask_services(
         return str(await _ask(wire, "service_node", {"service": service}, "node", until) or "")
 
     rosapi = await ask_service_types(wire, rosapi, there, until)
-    return replace(rosapi, owners=await _each(node_of, there, until))
+    return replace(rosapi, owners=await _each(rosapi, node_of, there, until))
 
 
 async def ask_service_types(
@@ -151,7 +154,7 @@ async def ask_service_types(
     async def type_of(service: str) -> str:
         return str(await _ask(wire, "service_type", {"service": service}, "type", until) or "")
 
-    types = await _each(type_of, [one for one in services if one in rosapi.services], until, asked)
+    types = await _each(rosapi, type_of, [one for one in services if one in rosapi.services], until, asked)
     return replace(rosapi, services={**rosapi.services, **types})
 
 
@@ -161,13 +164,14 @@ def _names(answer: object, key: str) -> list[str]:
 
 
 async def _each(
+    rosapi: RosapiFacts,
     ask: Callable[[str], Awaitable[T | None]],
     names: list[str],
     until: float,
     asked: Callable[[], object] = _nothing,
 ) -> dict[str, T]:
     """Yield the answers that arrive in time, a few queried at once."""
-    free = asyncio.Semaphore(AT_ONCE)
+    free = asyncio.Semaphore(AT_ONCE if rosapi.ros == 1 else AT_ONCE_ROS2)
     answers: dict[str, T] = {}
 
     async def one(name: str) -> None:

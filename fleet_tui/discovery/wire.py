@@ -15,8 +15,8 @@ from fleet_tui.adapters.ros import operations
 from fleet_tui.adapters.ros.logs import complaint, log_line
 from fleet_tui.adapters.ros.operations import Subscription
 from fleet_tui.adapters.ros.reading import ROSOUT
-from fleet_tui.client.rosbridge.calls import Calls
-from fleet_tui.client.rosbridge.pulse import OWN_WORD, TIME, Pulse
+from fleet_tui.client.rosbridge.calls import OWN_WORD, TIME, Calls
+from fleet_tui.client.rosbridge.pulse import Pulse
 from fleet_tui.config.schema import Link
 from fleet_tui.discovery.facts import TopicFacts, key_of
 from fleet_tui.errors import LinkError, WireError
@@ -31,6 +31,7 @@ if TYPE_CHECKING:  # with numpy
     from fleet_tui.model.set_up.streams import StreamValue
 
 LARGE_FRAME = 100_000
+LOOKUPS = 100  # more than are asked at once: rosapi.py limits them by the version of ROS
 QUEUE = 100  # log lines that the bridge queues for us
 NAMED = re.compile(r'"topic":\s*"(?P<topic>[^"]+)"')
 FROZEN = "accepts connections but does not respond: restart it"
@@ -129,7 +130,7 @@ class BridgeConnection:
         self.arrived = asyncio.Event()
         """Set whenever a message has arrived, and when no more will."""
         self._settled = asyncio.Event()
-        self._calls = Calls(self.connection)
+        self._calls = Calls(self.connection, LOOKUPS)
         self._decoder = ThreadPoolExecutor(1, thread_name_prefix="fleet-tui-decode")
 
     async def connect(self, within: float) -> str:

@@ -3,6 +3,7 @@
 import asyncio
 import itertools
 from collections.abc import Mapping
+from contextlib import nullcontext
 from dataclasses import dataclass
 
 from fleet_tui.adapters.ros import operations
@@ -17,6 +18,17 @@ end of our waiting, in which only time counts that this process ran, and read as
 
 class LinkLostError(LinkError):
     """The link went down during the call: it may or may not have run."""
+
+
+TIME = "/rosapi/get_time"
+OWN_WORD = "/rosapi/fleet_tui_heartbeat"
+"""A service that no node offers: the bridge itself reports the error, in 1-2 ms, also without ROS."""
+
+
+def is_lookup(service: str) -> bool:
+    """Tell whether a service looks something up in the graph of ROS: four such questions at once have killed
+    a rosapi of ROS 2."""
+    return service.startswith("/rosapi/") and service not in (TIME, OWN_WORD)
 
 
 class NoAnswerError(LinkError):
@@ -35,8 +47,9 @@ class PendingCall:
 class Calls:
     """The open calls on one connection. Everything here runs on the network loop."""
 
-    def __init__(self, connection: Connection) -> None:
+    def __init__(self, connection: Connection, lookups_at_once: int = 2) -> None:
         self._connection = connection
+        self._lookups = asyncio.Semaphore(lookups_at_once)
         self._pending: dict[str, asyncio.Future[operations.ServiceResponse]] = {}
         self._ids = itertools.count(1)
 
@@ -72,12 +85,14 @@ class Calls:
     async def call(
         self, service: str, args: Mapping[str, object], within: float
     ) -> operations.ServiceResponse:
-        """Send a call and wait for its answer. Raises the errors of `start` and `wait`."""
-        call = self.start(service, args, within)
-        try:
-            return await self.wait(call, within)
-        finally:
-            self.forget(call)
+        """Send a call and wait for its answer; a look-up in rosapi waits for its turn. Raises the errors of
+        `start` and `wait`."""
+        async with self._lookups if is_lookup(service) else nullcontext():
+            call = self.start(service, args, within)
+            try:
+                return await self.wait(call, within)
+            finally:
+                self.forget(call)
 
     def on_response(self, response: operations.ServiceResponse) -> bool:
         """Take an answer; False if no caller waits for it (any more)."""

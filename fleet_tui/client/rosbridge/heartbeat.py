@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 from fleet_tui.adapters.ros.operations import ServiceResponse
 from fleet_tui.client.patience import timed
-from fleet_tui.client.rosbridge.calls import Calls, NoAnswerError
-from fleet_tui.client.rosbridge.pulse import OWN_WORD, Pulse
+from fleet_tui.client.rosbridge.calls import OWN_WORD, Calls, NoAnswerError
+from fleet_tui.client.rosbridge.pulse import Pulse
 from fleet_tui.client.rosbridge.services import Services
 from fleet_tui.errors import LinkError
 from fleet_tui.model.counters import RoundTrips

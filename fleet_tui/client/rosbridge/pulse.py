@@ -5,16 +5,13 @@ from collections.abc import Mapping
 
 from fleet_tui.adapters.ros.operations import ServiceResponse
 from fleet_tui.client.patience import timed
-from fleet_tui.client.rosbridge.calls import Calls, NoAnswerError
+from fleet_tui.client.rosbridge.calls import OWN_WORD, TIME, Calls, NoAnswerError
 
-TIME = "/rosapi/get_time"
 OF_NODE: Mapping[str, Mapping[str, object]] = {
     "/rosbridge_websocket/get_parameters": {"names": []},
     "/rosbridge_websocket/get_loggers": {},
 }
 """Services that every node has, of ROS 2 and ROS 1, asked of the bridge's own: for bridges without rosapi."""
-OWN_WORD = "/rosapi/fleet_tui_heartbeat"
-"""A service that no node offers: the bridge itself reports the error, in 1-2 ms, also without ROS."""
 EVERY_QUESTION = (TIME, *OF_NODE, OWN_WORD)
 
 

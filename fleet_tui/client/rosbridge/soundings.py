@@ -9,8 +9,8 @@ import msgspec
 from fleet_tui.adapters.ros.messages import TimeAnswer
 from fleet_tui.adapters.ros.operations import ServiceResponse
 from fleet_tui.client.patience import timed
-from fleet_tui.client.rosbridge.calls import Calls, NoAnswerError
-from fleet_tui.client.rosbridge.pulse import OWN_WORD, TIME, Pulse
+from fleet_tui.client.rosbridge.calls import OWN_WORD, TIME, Calls, NoAnswerError
+from fleet_tui.client.rosbridge.pulse import Pulse
 from fleet_tui.errors import LinkError
 from fleet_tui.model.events import BridgeAnswered
 

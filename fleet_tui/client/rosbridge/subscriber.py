@@ -12,11 +12,10 @@ from fleet_tui.adapters.ros import operations
 from fleet_tui.adapters.ros.names import is_hidden
 from fleet_tui.adapters.ros.reading import FrameReader
 from fleet_tui.adapters.ros.type_names import type_problem
-from fleet_tui.client.rosbridge.calls import Calls
+from fleet_tui.client.rosbridge.calls import OWN_WORD, Calls
 from fleet_tui.client.rosbridge.latched import Latched
 from fleet_tui.client.rosbridge.log_subscription import LogSubscription
 from fleet_tui.client.rosbridge.pacing import Pacing
-from fleet_tui.client.rosbridge.pulse import OWN_WORD
 from fleet_tui.client.rosbridge.renewals import PER_TOPIC, Renewals
 from fleet_tui.client.rosbridge.rosapi import ROSAPI_TIMEOUT, topic_types
 from fleet_tui.errors import LinkError

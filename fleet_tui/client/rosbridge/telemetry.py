@@ -66,7 +66,8 @@ class Telemetry:
         self._decoder = ThreadPoolExecutor(1, thread_name_prefix="fleet-tui-decode")
         bridge, feeds = config.bridge(link), feeds_of(config, adapters, link)
         self.connection = Connection(bridge, self)
-        self._calls = Calls(self.connection)
+        # Beside those that precede a command, on its own connection.
+        self._calls = Calls(self.connection, lookups_at_once=1)
         self._streams, limit = writer.store.streams, limit_of(config, link)
         self._sink = StreamWriter(writer.store)
         self._reading = FrameReader(

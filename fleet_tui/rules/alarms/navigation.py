@@ -10,11 +10,10 @@ from fleet_tui.rules.commands.failures import FAILED_FOR
 from fleet_tui.rules.commands.local_queue import HELD_BY_OTHERS, orders_to_save
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.localisation.misplaced import misplaced_for_long
+from fleet_tui.rules.localisation.uncertainty import FOUND_BELOW, LOST_ABOVE, uncertainty
 from fleet_tui.situation.robots import absence, adrift
 from fleet_tui.text.durations import age
 
-LOST_ABOVE, FOUND_BELOW = 0.5, 0.3
-"""Variance of x and y in square metres above which localisation is lost, and below which it is back."""
 NO_ODOMETRY = "Check its wheel odometry: the node of its base, the topic's name"
 ADRIFT_AFTER = 10.0
 """Seconds for which a robot may drive by its wheels alone."""
@@ -35,8 +34,8 @@ def not_sure_where(state: FleetState, robot: Robot, active: ActiveConditions) ->
         return None
     was_lost = was_active(active, robot.name, robot.link, "localisation")
     limit = FOUND_BELOW if was_lost else LOST_ABOVE
-    if robot.variance is not None and robot.variance.value > limit:
-        text = f"localisation uncertain: within {2 * robot.variance.value**0.5:.1f} m"
+    if (metres := uncertainty(state, robot, limit)) is not None:
+        text = f"localisation uncertain: within {metres:.1f} m"
     elif (since := misplaced_for_long(state, robot)) is not None and robot.misplaced is not None:
         text = f"localisation wrong for {age(state.now - since)}: {robot.misplaced.value}"
     else:

@@ -4,10 +4,10 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.classes import CLASSES
-from fleet_tui.rules.alarms.navigation import LOST_ABOVE
 from fleet_tui.rules.causes import HELD_FAST
 from fleet_tui.rules.commands.local_queue import orders_to_save
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
+from fleet_tui.rules.localisation.uncertainty import uncertainty
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, mission
 from fleet_tui.situation.robots import adrift
 from fleet_tui.text.durations import age
@@ -35,9 +35,9 @@ def blocked(state: FleetState, robot: Robot) -> Reason | None:
 
 def not_sure_where(state: FleetState, robot: Robot) -> Reason | None:
     """Report that its localisation is uncertain."""
-    if robot.variance is None or robot.variance.value <= LOST_ABOVE:
+    if (metres := uncertainty(state, robot)) is None or robot.variance is None:
         return None
-    evidence = f"localisation uncertainty {2 * robot.variance.value**0.5:.1f} m: set the robot's pose"
+    evidence = f"localisation uncertainty {metres:.1f} m: set the robot's pose"
     return Reason(
         "localisation uncertain", evidence, Strength.LIKELY, seen=robot.variance.at, keys=("pose", "centre")
     )

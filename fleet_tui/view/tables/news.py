@@ -6,7 +6,6 @@ from fleet_tui.model.alarm import Alarm, AlarmStage, Priority
 from fleet_tui.model.fleet import FleetState, is_missing, missing_text
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.members import issue_text
-from fleet_tui.rules.alarms.navigation import LOST_ABOVE
 from fleet_tui.rules.alarms.trouble import AGING, in_trouble, shelved, unexplained_end
 from fleet_tui.rules.alarms.vehicles import priority_of, sorted_errors
 from fleet_tui.rules.commands.newest import own_pause
@@ -15,6 +14,7 @@ from fleet_tui.rules.commands.rivals import rivals
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
+from fleet_tui.rules.localisation.uncertainty import uncertainty
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import BAD_DATA, SILENT
 from fleet_tui.situation.robots import absence, adrift, bad_data, last_contact, obstacle
@@ -122,7 +122,7 @@ def _ended(state: FleetState, robot: Robot) -> Iterator[Run]:
 def _navigation(state: FleetState, robot: Robot) -> Iterator[Run]:
     if feedback_ceased_at(state, robot) is not None or is_unsteady(state, robot):
         yield tr("navigation silent"), StyleRole.ALARM
-    if robot.variance is not None and robot.variance.value > LOST_ABOVE:
+    if uncertainty(state, robot) is not None:
         yield tr("pose uncertain"), StyleRole.WARN
     if (estimate := adrift(state, robot)) is not None:
         yield tr(estimate.short), StyleRole.WARN

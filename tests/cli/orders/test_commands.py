@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.client.rosbridge import pulse
+from fleet_tui.client.rosbridge import calls, pulse
 from fleet_tui.simulator.calls import Call
 from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.frames import Frame, Payload
@@ -256,7 +256,7 @@ async def test_ended_from_outside_it_says_what_is_not_known(
 
 async def test_ctrl_c_before_anything_was_sent(server: RosbridgeServer, folder: Path) -> None:
     server.bridge.muted.add("/robot_0/queue")
-    connected = carried_out(server, pulse.TIME, answers=True)
+    connected = carried_out(server, calls.TIME, answers=True)
     process = await started(folder, *ORDER)
     await asyncio.wait_for(connected.wait(), HANGS)
     process.send_signal(signal.SIGINT)

@@ -53,6 +53,22 @@ async def test_answers_find_their_calls_in_any_order_and_once(calls: Calls, sent
     assert not calls.on_response(answer(one.id)) and not calls.on_response(answer("call:99"))
 
 
+async def test_what_is_looked_up_in_rosapi_waits_for_its_turn_and_no_other_call_does(
+    sent: Sent,
+) -> None:
+    calls = Calls(cast("Connection", sent), lookups_at_once=1)
+    asked = ["/rosapi/topics", "/rosapi/services", "/rosapi/get_time", "/robot_0/pause"]
+    open_calls = [asyncio.ensure_future(calls.call(service, {}, 5.0)) for service in asked]
+    await asyncio.sleep(0)
+    assert [frame["service"] for frame in sent.frames] == [asked[0], *asked[2:]]
+    calls.on_response(answer(sent.frames[0]["id"]))
+    await open_calls[0]
+    assert sent.frames[-1]["service"] == asked[1]
+    for frame in sent.frames[1:]:
+        calls.on_response(answer(frame["id"]))
+    await asyncio.gather(*open_calls)
+
+
 async def test_a_call_without_an_answer_may_be_waited_for_again(calls: Calls) -> None:
     call = calls.start("/s", {}, 1.0)
     with pytest.raises(NoAnswerError, match="from /s in 0 s: may still be carried out"):

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.cli.status.report import attention
-from fleet_tui.client.rosbridge import heartbeat, pulse, soundings
+from fleet_tui.client.rosbridge import calls, heartbeat, pulse, soundings
 from fleet_tui.config.schema import Config
 from fleet_tui.demo import demo_config
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
@@ -102,7 +102,7 @@ async def test_a_bridge_whose_nodes_answer_is_asked_nothing_that_is_an_error_in_
         await more_beats(store, beats)
         asked = [one["service"] for one in ros_2.bridge.received if one["op"] == "call_service"]
     assert store.state.links["rosbridge"].command_path is CommandPath.ALIVE
-    assert pulse.OWN_WORD not in asked and pulse.TIME in asked and not {*asked}.isdisjoint(pulse.OF_NODE)
+    assert calls.OWN_WORD not in asked and calls.TIME in asked and not {*asked}.isdisjoint(pulse.OF_NODE)
 
 
 async def more_beats(store: WatchedStore, beats: RoundTrips) -> None:

@@ -8,8 +8,8 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.navigation import Blocked, Progress
 from fleet_tui.model.robot import Reading, Robot
-from fleet_tui.rules.alarms.navigation import LOST_ABOVE
 from fleet_tui.rules.causes import HELD_FAST
+from fleet_tui.rules.localisation.uncertainty import LOST_ABOVE
 from fleet_tui.rules.why.navigation import blocked, held, not_sure_where, recovering, silent
 from fleet_tui.rules.why.reason import Strength
 from tests.support.fleets import (
