@@ -104,6 +104,19 @@ STOP = FactKind(
     ),
     keys=OBSTACLE.keys,
 )
+DRIVES_ON = FactKind(
+    "order",
+    "order failed, still driving",
+    "order failed",
+    AlarmClass(
+        "medium",
+        "an order failed, and a server of its navigation goes on driving",
+        "it drives without an order, and stops where nobody expects it",
+        "Pause it: that ends what still drives it",
+        1,
+    ),
+    keys=("pause", "centre"),
+)
 
 FACTS = (
     LATE_LINK,
@@ -117,4 +130,5 @@ FACTS = (
     BAD_DATA,
     OBSTACLE,
     STOP,
+    DRIVES_ON,
 )

@@ -3,6 +3,7 @@
 import math
 
 from fleet_tui.model.alarm import Priority
+from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import CONTACT, FleetState, obstacle_text
 from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.navigation import blocked_text
@@ -12,6 +13,7 @@ from fleet_tui.situation.facts import (
     ADRIFT,
     AGE_UNKNOWN,
     BAD_DATA,
+    DRIVES_ON,
     NEVER_SEEN,
     OBSTACLE,
     OLD_STAMPS,
@@ -214,6 +216,34 @@ def adrift(state: FleetState, robot: Robot) -> Fact | None:
         short="pose estimated",
         evidence=f"localisation silent for {silence}: {metres:.0f} m by its wheels alone",
         seen=pose.at,
+    )
+
+
+BRAKES_FOR, DRIVES_FOR, STANDS_AFTER = 3.0, 60.0, 2.0
+"""Seconds after the end of an order within which its robot brakes, and after which its movement is another
+one's; seconds without movement from which it stands."""
+
+
+def drives_on(state: FleetState, robot: Robot) -> Fact | None:
+    """Find that a robot drives on after its order failed: bt_navigator aborts if its controller is late with
+    a word, and that drives to the end of the path."""
+    last, standing = robot.gone[-1] if robot.gone else None, robot.standing
+    if last is None or standing is None or last.stage is not Stage.FAILED or robot.orders.open:
+        return None
+    since_end = state.now - last.at
+    is_moving = standing.at - last.at > BRAKES_FOR and state.now - standing.at < STANDS_AFTER
+    if not robot.kind.keeps_goals or since_end > DRIVES_FOR or not is_moving:
+        return None
+    mission = robot.order_text(last.order)
+    return Fact(
+        DRIVES_ON,
+        robot.name,
+        DRIVES_ON.word,
+        Priority.MEDIUM,
+        last.at,
+        remedy=DRIVES_ON.alarm.action,
+        evidence=f"{mission} failed {age(since_end)} ago, and its pose still changes",
+        seen=standing.at,
     )
 
 

@@ -11,7 +11,7 @@ from fleet_tui.rules.commands.local_queue import HELD_BY_OTHERS, orders_to_save
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.localisation.misplaced import misplaced_for_long
 from fleet_tui.rules.localisation.uncertainty import FOUND_BELOW, LOST_ABOVE, uncertainty
-from fleet_tui.situation.robots import absence, adrift
+from fleet_tui.situation.robots import absence, adrift, drives_on
 from fleet_tui.text.durations import age
 
 NO_ODOMETRY = "Check its wheel odometry: the node of its base, the topic's name"
@@ -105,7 +105,9 @@ def failed_order(state: FleetState, robot: Robot, _active: ActiveConditions) -> 
     text = f"{robot.order_text(last.order)} failed"
     cause, parts = cause_of_end(robot, last), frozenset({last.order.id})
     found = f"{text}: {cause or 'no reason reported'}"
-    return Condition(robot.name, "order", Priority.MEDIUM, found, text, parts=parts, remedy=remedy_of(cause))
+    fact = drives_on(state, robot)
+    remedy = fact.remedy if fact is not None else remedy_of(cause)
+    return Condition(robot.name, "order", Priority.MEDIUM, found, text, parts=parts, remedy=remedy)
 
 
 NAVIGATION_RULES = (not_sure_where, silent, held_orders, failed_order)

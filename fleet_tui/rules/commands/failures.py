@@ -17,6 +17,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetUpCommand
 from fleet_tui.rules.causes import cause_of_end, remedy_of
 from fleet_tui.rules.commands.batches import batches
+from fleet_tui.situation.robots import drives_on as find_drives_on
 from fleet_tui.text.details import detail_text
 
 FAILED_FOR = 30.0
@@ -124,6 +125,8 @@ def _failed(state: FleetState, key: Key, records: Sequence[commands.CommandRecor
     drives_on = drives_on and state.robots[last.command.robot].orders.current is not None
     drives_on = drives_on and last.stage is not commands.Stage.LATE
     remedy = remedy_of(_cause(robot, last)) if last.stage is commands.Stage.FAILED else ""
+    if isinstance(last.command, commands.PlaceOrder) and (fact := find_drives_on(state, robot)) is not None:
+        remedy = fact.remedy
     if last.stage is commands.Stage.LATE:
         remedy = CARRIED_OUT
     if isinstance(last.command, commands.PlaceOrder) and last.stage in commands.ORDER_ENDS:

@@ -9,7 +9,7 @@ from fleet_tui.rules.commands.local_queue import orders_to_save
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.localisation.uncertainty import uncertainty
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, mission
-from fleet_tui.situation.robots import adrift
+from fleet_tui.situation.robots import adrift, drives_on
 from fleet_tui.text.durations import age
 
 
@@ -49,6 +49,14 @@ def estimated(state: FleetState, robot: Robot) -> Reason | None:
         return None
     keys = ("pause", *fact.kind.keys)
     return Reason(fact.short, fact.evidence, Strength.LIKELY, seen=fact.seen, keys=keys, remedy=fact.remedy)
+
+
+def still_driving(state: FleetState, robot: Robot) -> Reason | None:
+    """Report that it drives on without the order that failed."""
+    if (fact := drives_on(state, robot)) is None:
+        return None
+    name, keys = fact.kind.word, fact.kind.keys
+    return Reason(name, fact.evidence, since=fact.since, seen=fact.seen, keys=keys, remedy=fact.remedy)
 
 
 def silent(state: FleetState, robot: Robot) -> Reason | None:

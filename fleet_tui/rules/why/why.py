@@ -25,7 +25,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.why.complaints import Complaint
 from fleet_tui.rules.why.members import MEMBER_REASONS
-from fleet_tui.rules.why.navigation import NAVIGATION_REASONS, estimated
+from fleet_tui.rules.why.navigation import NAVIGATION_REASONS, estimated, still_driving
 from fleet_tui.rules.why.orders import (
     at_stop,
     cargo,
@@ -64,7 +64,7 @@ DEAF: tuple[Rule, ...] = (no_link, silent_robot, late_link)
 """If one of these holds, everything else is an earlier report. Silence for longer than the bridge is late
 is the robot's."""
 
-ASTRAY: tuple[Rule, ...] = (misplaced, jumps, estimated, off_graph, despite_pause)
+ASTRAY: tuple[Rule, ...] = (misplaced, jumps, estimated, off_graph, despite_pause, still_driving)
 """Of a robot that moves, too."""
 
 FOLLOWING: tuple[Rule, ...] = (none_current, no_orders)
@@ -75,6 +75,7 @@ RULES: tuple[Rule, ...] = (
     off_graph,
     estimated,
     despite_pause,
+    still_driving,
     paused,
     *VEHICLE_REASONS,
     obstacle,

@@ -17,7 +17,7 @@ from fleet_tui.rules.localisation.misplaced import misplaced_text
 from fleet_tui.rules.localisation.uncertainty import uncertainty
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import BAD_DATA, SILENT
-from fleet_tui.situation.robots import absence, adrift, bad_data, last_contact, obstacle
+from fleet_tui.situation.robots import absence, adrift, bad_data, drives_on, last_contact, obstacle
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
@@ -61,6 +61,9 @@ def failed_command(state: FleetState, robot: Robot, short: bool = False) -> Iter
     for alarm in state.alarms:
         if alarm.key in keys and alarm.holds and alarm.stage is not AlarmStage.SHELVED:
             is_of_order = alarm.key == keys[1] or without_cause(alarm, alarm.text) != alarm.text
+            if is_of_order and (fact := drives_on(state, robot)) is not None:
+                yield tr(fact.text), StyleRole.ALARM
+                continue
             yield tr("order failed" if short and is_of_order else sanitize(alarm.text)), StyleRole.ALARM
 
 
