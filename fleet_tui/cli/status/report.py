@@ -218,7 +218,10 @@ def changes(before: Values, after: Values) -> Values:
 
 
 def _ageless(entry: Values) -> Values:
-    ages = ("since_s", "last_message_s", "heard_s", "late_s", "blocked_s", "state_s", "action_s", "localisation_silent_s")
+    ages = (
+        *("since_s", "last_message_s", "heard_s", "late_s", "blocked_s", "state_s", "action_s"),
+        "localisation_silent_s",
+    )
     kept = {name: value for name, value in entry.items() if name not in ages}
     for part, age in (("pose", "age_s"), ("progress", "elapsed_s")):
         if kept.get(part):
