@@ -21,7 +21,7 @@ from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.commands.queue_moves import moves
 from fleet_tui.rules.commands.subject import subject_of
 from fleet_tui.rules.language.lookup import Place
-from fleet_tui.rules.routes.charging import order_to_charger, way_to_charger
+from fleet_tui.rules.routes.charging import order_to_charger, way_to_charger, why_no_order_to_charger
 from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.tables.missions import mission, way
@@ -69,7 +69,7 @@ class OrderRequests:
             return
         request = order_to_charger(self._robot)
         if request is None:
-            self._notices.say(f"{self._robot.name} is at a charger, or no way on the graph leads to one")
+            self._notices.say(sanitize(why_no_order_to_charger(self._robot)))
         else:
             self._dispatch.do(request, asks=True)
 

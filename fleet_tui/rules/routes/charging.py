@@ -46,3 +46,13 @@ def order_to_charger(robot: Robot) -> Request | None:
         return None
     stops = at_vertices(*(place.vertex for place in way))
     return Request((PlaceOrder(robot.name, stops),), tuple((one.vertex, one.floor) for one in way))
+
+
+def why_no_order_to_charger(robot: Robot) -> str:
+    """Return why there is no order to a charger."""
+    if robot.pose is None or robot.floor is None:
+        return f"the place of {robot.name} is not known"
+    graph = robot.maps.get(robot.floor, RobotMap()).graph
+    if graph is None or not graph.chargers:
+        return f"no graph shows a charger on {robot.floor}"
+    return f"{robot.name} is at a charger, or no way on the graph leads to one"

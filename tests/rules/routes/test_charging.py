@@ -6,7 +6,7 @@ from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.model.order import at_vertices
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.lookup import Place
-from fleet_tui.rules.routes.charging import order_to_charger, way_to_charger
+from fleet_tui.rules.routes.charging import order_to_charger, way_to_charger, why_no_order_to_charger
 from tests.support.fleets import F0, R0, T0, fleet, pose, reduced
 
 CHARGER = Vertex("1", 0.0, 0.0, Role.DOCKING)
@@ -46,3 +46,10 @@ def test_the_order_leads_from_the_robot_to_the_charger() -> None:
     request = order_to_charger(robot)
     assert request is not None and request.commands == (PlaceOrder(R0, at_vertices("2", "1")),)
     assert request.floors == (("2", F0), ("1", F0))
+
+
+def test_why_there_is_none_is_said_as_far_as_it_is_known() -> None:
+    graph = graph_of({"1": CHARGER, "2": Vertex("2", 5.0, 0.0)})
+    assert why_no_order_to_charger(reduced(fleet(), graph).robots[R0]) == f"the place of {R0} is not known"
+    assert why_no_order_to_charger(at(4.0, graph_of({}))) == f"no graph shows a charger on {F0}"
+    assert why_no_order_to_charger(at(0.5, graph)).startswith(f"{R0} is at a charger")
