@@ -66,7 +66,7 @@ def test_a_robot_on_its_way_to_a_charger_needs_no_order() -> None:
         for state in (ordered, elsewhere)
     )
     assert (told.remedy, told.keys) == ("Wait: it is on its way to a charger", ())
-    assert beside.keys == ("order",)
+    assert beside.keys == ("charge",)
 
 
 def test_the_row_of_a_charging_robot_is_calm() -> None:
