@@ -296,6 +296,8 @@ class VehicleCommands:
 
     def on_lost(self) -> None:
         """End every open command: its answer may have been missed."""
+        for robot in self._freed:
+            self._end_freeing(robot, "link lost before it charged no more")
         for id_ in list(self._asked):
             self._end(id_, Stage.UNKNOWN, "link lost before the reply: may still be carried out")
 

@@ -294,3 +294,18 @@ async def test_an_order_that_waits_for_the_end_of_a_charge_is_not_sent_after_a_p
             vehicle.say(paused=True)
             await store.until(lambda state: state.commands[-1].stage is Stage.CONFIRMED)
             assert vehicle.peer.told_on(f"{BASE}/order") == []
+
+
+async def test_an_order_that_waits_for_the_end_of_a_charge_ends_with_the_link(tmp_path: Path) -> None:
+    with broker_in(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            await charging(store, vehicle)
+            waiting = asyncio.ensure_future(finished(link, store, ORDER))
+            await vehicle.next("instantActions")
+            broker.kill()
+            record = await waiting
+            assert (record.stage, record.detail) == (
+                Stage.NOT_SENT,
+                "link lost before it charged no more",
+            )
