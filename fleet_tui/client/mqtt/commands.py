@@ -249,7 +249,7 @@ class VehicleCommands:
 
     def on_state(self, robot: str, vehicle: Vehicle) -> None:
         """Take a state: it may answer commands to its vehicle."""
-        if not vehicle.charging:
+        if vehicle.charging is False:  # not told is not ended
             self._end_freeing(robot)
         for id_, asked in list(self._asked.items()):
             if asked.command.robot != robot:

@@ -309,3 +309,19 @@ async def test_an_order_that_waits_for_the_end_of_a_charge_ends_with_the_link(tm
                 Stage.NOT_SENT,
                 "link lost before it charged no more",
             )
+
+
+async def test_a_state_that_says_nothing_of_charging_frees_no_vehicle(tmp_path: Path) -> None:
+    with broker_in(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            await charging(store, vehicle)
+            waiting = asyncio.ensure_future(finished(link, store, ORDER))
+            await vehicle.next("instantActions")
+            vehicle.say(batteryState={"batteryCharge": 51.0})
+            record = await waiting
+            assert (record.stage, record.detail) == (
+                Stage.NOT_SENT,
+                "agv goes on charging: it did not stop within 5 s",
+            )
+            assert vehicle.peer.told_on(f"{BASE}/order") == []
