@@ -15,7 +15,7 @@ from fleet_tui.model.commands import ClearOrders, PauseRobot, ResumeRobot
 from fleet_tui.model.problem import Right
 from fleet_tui.model.request import Request
 from fleet_tui.rules.alarms.trouble import needs_a_look
-from fleet_tui.rules.routes.charging import order_to_charger
+from fleet_tui.rules.routes.charging import way_to_charger
 from fleet_tui.state.store import Store
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
@@ -91,7 +91,7 @@ class RobotRequests:
         yield "Show on the map", partial(self._navigation.find_robot, robot)
         yield self._explain, partial(self._for, robot, self._why)
         may_order = known.kind.can(kind.ORDER) and not self._dispatch.permissions.refusal(Right.DISPATCH)
-        if may_order and order_to_charger(known) is not None:  # below what all robots have
+        if may_order and way_to_charger(known):  # below what all robots have
             charge = partial(self._for, robot, self._orders.charge_now)
             yield self._with_key(tr("Send to the nearest charger"), "charge"), charge
         yield from self._alarms(robot)

@@ -132,13 +132,13 @@ class VehicleAdapter:
             return ()
         return [self._addressed(one, robot) for one in self._to_unseen(robot, REQUEST, unique)]
 
-    def stop_charging(self, robot: Robot, unique: str) -> Sequence[Publication]:
-        """Return the message that ends the charging of a vehicle before an order, nothing if it does not
-        charge or its factsheet offers no such action. Raises CommandError."""
+    def stop_charging(self, robot: Robot, unique: str) -> Publication | None:
+        """Return the message that ends the charging of a vehicle before an order, None if it does not charge
+        or its factsheet offers no such action. Raises CommandError."""
         is_charging = robot.vehicle is not None and robot.vehicle.value.charging is True
         if not is_charging or robot.features is None or STOP_CHARGING not in robot.features.instant:
-            return ()
-        return [self._addressed(instant_action(self.settings, robot, STOP_CHARGING, unique), robot)]
+            return None
+        return self._addressed(instant_action(self.settings, robot, STOP_CHARGING, unique), robot)
 
     def _to_unseen(self, robot: Robot, type_: str, unique: str) -> Sequence[Publication]:
         """Return an instant action, in both ways to write it where nothing of the vehicle has arrived."""

@@ -13,7 +13,7 @@ from fleet_tui.model.commands import (
     Stage,
 )
 from fleet_tui.model.set_up.commands import SetUpCommand
-from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleAction, VehicleError
+from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleError
 
 NO_ORDER = "noOrderToCancel"
 """Type of an error that some vehicles report without a reference, and without a failed action."""
@@ -29,7 +29,7 @@ def answer(command: Command, id_: str, number: int, vehicle: Vehicle) -> tuple[S
     if isinstance(command, PlaceOrder) and vehicle.order_id == id_:
         return Stage.ACCEPTED, ""  # errors that name it are of its way
     status = next((one for one in vehicle.actions if one.id == id_), None)
-    if rejection := _rejection(command, id_, number, vehicle, status):
+    if rejection := _rejection(command, id_, number, vehicle):
         return Stage.REFUSED, rejection
     is_done = status is not None and status.status == FINISHED
     match command:
@@ -49,15 +49,21 @@ def answer(command: Command, id_: str, number: int, vehicle: Vehicle) -> tuple[S
     return (Stage.SENT, "") if status is not None else None
 
 
-def _rejection(
-    command: Command, id_: str, number: int, vehicle: Vehicle, status: VehicleAction | None
-) -> str:
+def failure_of(id_: str, vehicle: Vehicle) -> str:
+    """Return the vehicle's text with which it rejects or fails an action, empty if it does not."""
+    named = (error_text(error) for error in vehicle.errors if error.concerns(id_))
+    failed = (
+        one.text or "action failed" for one in vehicle.actions if one.id == id_ and one.status == FAILED
+    )
+    return next(named, "") or next(failed, "")
+
+
+def _rejection(command: Command, id_: str, number: int, vehicle: Vehicle) -> str:
     """Return the vehicle's text with which it rejects a command, empty if it does not."""
     for error in vehicle.errors:
         if _concerns(error, command, id_, number, vehicle):
             return error_text(error)
-    failed = status is not None and status.status == FAILED
-    return (status.text or "action failed") if status is not None and failed else ""
+    return failure_of(id_, vehicle)
 
 
 def _concerns(error: VehicleError, command: Command, id_: str, number: int, vehicle: Vehicle) -> bool:

@@ -93,8 +93,9 @@ def order(
     _add_actions(settings, nodes, places, stops, id_)
     if known and known.graph and robot.features and START_CHARGING in robot.features.at_nodes:
         chargers = {charger.id for charger in known.graph.chargers}
-        if stops[-1].vertex in chargers:
-            nodes[-1]["actions"] = [*nodes[-1]["actions"], _hard(f"{id_}-charge", START_CHARGING)]
+        given = nodes[-1]["actions"]
+        if stops[-1].vertex in chargers and all(one["actionType"] != START_CHARGING for one in given):
+            nodes[-1]["actions"] = [*given, _hard(f"{id_}-charge", START_CHARGING)]
     message = {"orderId": id_, "orderUpdateId": 0, "nodes": nodes, "edges": edges}
     return Publication(topic, version, message, id_)
 

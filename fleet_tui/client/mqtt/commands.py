@@ -11,13 +11,12 @@ from contextlib import suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from functools import partial
-from typing import cast
 
 import msgspec
 
 from fleet_tui.adapters.adapter import Adapter, Publication
 from fleet_tui.adapters.vda5050.adapter import VehicleAdapter
-from fleet_tui.adapters.vda5050.answers import INSTANT_ACTIONS, ORDER, answer, error_text
+from fleet_tui.adapters.vda5050.answers import INSTANT_ACTIONS, ORDER, answer, error_text, failure_of
 from fleet_tui.adapters.vda5050.orders import NeverSeenError
 from fleet_tui.client.patience import call_awake
 from fleet_tui.client.writer import Writer
@@ -63,6 +62,18 @@ class AwaitedAnswer:
     is_late: bool = False
 
 
+@dataclass
+class WaitingOrder:
+    """An order that waits until its vehicle charges no more: `late` are the seconds by which it was delayed
+    before, `stop` is the id of the action that ends the charging."""
+
+    command_id: int
+    command: PlaceOrder
+    late: float
+    stop: str
+    timer: "asyncio.Task[None]"
+
+
 class VehicleCommands:
     """Sends commands, and reports their progress. Runs on the network loop."""
 
@@ -70,7 +81,8 @@ class VehicleCommands:
         self, connection: BrokerConnection, adapters: Mapping[str, Adapter], writer: Writer, timeout: float
     ) -> None:
         """`timeout` of an answer in seconds."""
-        self._connection, self._adapters, self._writer = connection, adapters, writer
+        self._connection, self._writer = connection, writer
+        self._adapters = {name: one for name, one in adapters.items() if isinstance(one, VehicleAdapter)}
         self._timeout = timeout
         self._asked: dict[str, AwaitedAnswer] = {}
         """By the id of an order or action."""
@@ -81,63 +93,54 @@ class VehicleCommands:
         """Robots and names of their topics that the broker returns to this console."""
         self._unseen: dict[str, asyncio.Event] = {}
         """By robot: set once a message of it has arrived for which a pause waits."""
-        self._freed: dict[str, asyncio.Future[str]] = {}
-        """By robot whose order waits for the end of its charging: empty then, or why it is not sent."""
+        self._waiting: dict[str, WaitingOrder] = {}
+        """By robot."""
         self._under_way: set[asyncio.Task[None]] = set()
 
     def submit(self, command_id: int, command: Command, given_at: float) -> None:
         """Send a command that was given at `given_at` (monotonic)."""
         LOG.info("command %d: %s", command_id, truncate(str(command)))
         if not isinstance(command, ResumeRobot):
-            self._end_freeing(command.robot, "another command was given before it charged no more")
+            self._give_up(command.robot, "another command came after it was told to stop charging")
         if isinstance(command, PauseRobot) and not self._is_seen(command.robot):
             self._start(self._pause_unseen(command_id, command, given_at))
             return
         try:
-            if isinstance(command, PlaceOrder) and (freeing := self._freeing(command_id, command, given_at)):
-                self._start(self._order_freed(command_id, command, given_at, freeing))
-            else:
+            if not (isinstance(command, PlaceOrder) and self._frees(command_id, command, given_at)):
                 self._send(command_id, command, given_at)
         except (LinkError, CommandError) as problem:
             self._advance(command_id, Stage.NOT_SENT, str(problem))
 
-    def _freeing(self, command_id: int, command: PlaceOrder, given_at: float) -> Sequence[Publication]:
-        """Return what must free a vehicle from its charger before an order that may be sent. Raises
-        CommandError or LinkError for another one."""
+    def _frees(self, command_id: int, command: PlaceOrder, given_at: float) -> bool:
+        """End the charging of a vehicle before its order, if need be; tell whether the order waits for that.
+        Raises CommandError or LinkError if it must not be sent."""
         robot = self._writer.store.state.robots[command.robot]
-        adapter = cast("VehicleAdapter", self._adapters[robot.name])
-        freeing = adapter.stop_charging(robot, uuid.uuid4().hex)
-        if freeing:
-            self._messages(command, command_id, time.monotonic() - given_at)
-        return freeing
-
-    async def _order_freed(
-        self, command_id: int, command: PlaceOrder, given_at: float, freeing: Sequence[Publication]
-    ) -> None:
-        """End the charging of a vehicle, then send its order."""
+        freeing = self._adapters[robot.name].stop_charging(robot, uuid.uuid4().hex)
+        if freeing is None:
+            return False
         late = time.monotonic() - given_at
-        freed = self._freed[command.robot] = asyncio.get_running_loop().create_future()
-        try:
-            for message in freeing:
-                self._publish(message)
-            if reason := await asyncio.wait_for(freed, self._timeout):
-                raise CommandError(reason)
-            # It waits by intent: only what delayed it before counts.
-            self._send(command_id, command, time.monotonic() - late)
-        except TimeoutError:
-            reason = f"{command.robot} goes on charging: it did not stop within {self._timeout:g} s"
-            self._advance(command_id, Stage.NOT_SENT, reason)
-        except (LinkError, CommandError) as problem:
-            self._advance(command_id, Stage.NOT_SENT, str(problem))
-        finally:
-            if self._freed.get(command.robot) is freed:
-                del self._freed[command.robot]
+        self._messages(command, command_id, late)
+        self._publish(freeing)
+        reason = f"{command.robot} goes on charging: it did not stop within {self._timeout:g} s"
+        timer = call_awake(self._timeout, partial(self._give_up, robot.name, reason))
+        self._waiting[robot.name] = WaitingOrder(command_id, command, late, freeing.name, timer)
+        return True
 
-    def _end_freeing(self, robot: str, reason: str = "") -> None:
-        """Let the order go on that waits for the end of a vehicle's charging, or end it with a reason."""
-        freed = self._freed.get(robot)
-        if freed is not None and not freed.done():
-            freed.set_result(reason)
+    def _give_up(self, robot: str, reason: str) -> None:
+        """Do not send the order that waits for the end of a vehicle's charging, if there is one."""
+        if (waiting := self._waiting.pop(robot, None)) is not None:
+            waiting.timer.cancel()
+            self._advance(waiting.command_id, Stage.NOT_SENT, reason)
+
+    def _send_freed(self, robot: str, waiting: WaitingOrder) -> None:
+        """Send the order of a vehicle that charges no more."""
+        del self._waiting[robot]
+        waiting.timer.cancel()
+        try:
+            # It waited by intent: only what delayed it before counts.
+            self._send(waiting.command_id, waiting.command, time.monotonic() - waiting.late)
+        except (LinkError, CommandError) as problem:
+            self._advance(waiting.command_id, Stage.NOT_SENT, str(problem))
 
     def _is_seen(self, name: str) -> bool:
         robot = self._writer.store.state.robots[name]
@@ -157,9 +160,8 @@ class VehicleCommands:
         robot = self._writer.store.state.robots[name]
         if robot.vehicle is not None:
             return
-        adapter = cast("VehicleAdapter", self._adapters[name])
         try:
-            for message in adapter.state_request(robot, uuid.uuid4().hex):
+            for message in self._adapters[name].state_request(robot, uuid.uuid4().hex):
                 self._publish(message)
         except (LinkError, CommandError) as problem:
             LOG.info("state of %s not requested: %s", name, problem)
@@ -249,8 +251,6 @@ class VehicleCommands:
 
     def on_state(self, robot: str, vehicle: Vehicle) -> None:
         """Take a state: it may answer commands to its vehicle."""
-        if vehicle.charging is False:  # not told is not ended
-            self._end_freeing(robot)
         for id_, asked in list(self._asked.items()):
             if asked.command.robot != robot:
                 continue
@@ -263,6 +263,12 @@ class VehicleCommands:
                 self._wait_again(id_, asked)
             else:
                 self._end(id_, *found)
+        if (waiting := self._waiting.get(robot)) is None:
+            return
+        if vehicle.charging is False:  # not told is not ended
+            self._send_freed(robot, waiting)
+        elif failure := failure_of(waiting.stop, vehicle):
+            self._give_up(robot, f"{robot} goes on charging: {failure}")
 
     def _wait_again(self, id_: str, asked: AwaitedAnswer) -> None:
         """Wait for the end of an action that is being carried out: that is no missing answer."""
@@ -296,8 +302,8 @@ class VehicleCommands:
 
     def on_lost(self) -> None:
         """End every open command: its answer may have been missed."""
-        for robot in self._freed:
-            self._end_freeing(robot, "link lost before it charged no more")
+        for robot in list(self._waiting):
+            self._give_up(robot, "link lost after it was told to stop charging")
         for id_ in list(self._asked):
             self._end(id_, Stage.UNKNOWN, "link lost before the reply: may still be carried out")
 

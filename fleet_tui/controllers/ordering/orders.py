@@ -9,6 +9,7 @@ from fleet_tui.controllers.navigation import Navigation
 from fleet_tui.controllers.notices import Notices
 from fleet_tui.controllers.tables.marked import MarkedCommands
 from fleet_tui.controllers.typed import Entry, OpenMenu
+from fleet_tui.errors import CommandError
 from fleet_tui.model import kind
 from fleet_tui.model.commands import CancelOrder, ClearOrders, PlaceOrder
 from fleet_tui.model.navigation_events import OrderMoved
@@ -21,7 +22,7 @@ from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.commands.queue_moves import moves
 from fleet_tui.rules.commands.subject import subject_of
 from fleet_tui.rules.language.lookup import Place
-from fleet_tui.rules.routes.charging import order_to_charger, way_to_charger, why_no_order_to_charger
+from fleet_tui.rules.routes.charging import order_to_charger, way_to_charger
 from fleet_tui.state.store import Store
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.tables.missions import mission, way
@@ -67,9 +68,10 @@ class OrderRequests:
         """Send the selected robot to the nearest charger, after asking."""
         if not self.may_order():
             return
-        request = order_to_charger(self._robot)
-        if request is None:
-            self._notices.say(sanitize(why_no_order_to_charger(self._robot)))
+        try:
+            request = order_to_charger(self._robot)
+        except CommandError as problem:
+            self._notices.say(sanitize(str(problem)))
         else:
             self._dispatch.do(request, asks=True)
 

@@ -2,6 +2,7 @@
 
 import math
 
+from fleet_tui.errors import CommandError
 from fleet_tui.model.commands import PlaceOrder
 from fleet_tui.model.graph import RouteGraph, Vertex
 from fleet_tui.model.kind import ORDER_TO
@@ -14,11 +15,29 @@ from fleet_tui.rules.language.lookup import Place
 def way_to_charger(robot: Robot) -> tuple[Place, ...]:
     """Return the vertex nearest to a robot and the nearest charger on its floor that it can reach from there;
     empty without one, or if it is there."""
-    floor = robot.floor or ""
-    here = robot.maps.get(floor, RobotMap())
-    if here.graph is None or robot.pose is None or not here.graph.chargers:
+    try:
+        return _way(robot)
+    except CommandError:
         return ()
-    pose = robot.pose.value
+
+
+def order_to_charger(robot: Robot) -> Request:
+    """Return the order to the nearest charger. A robot that brings cargo has orders from somewhere. Raises
+    CommandError if there is no way to one."""
+    way: tuple[Place, ...] = _way(robot)
+    if ORDER_TO in robot.kind.accepts and not robot.kind.brings_cargo:
+        way = way[-1:]
+    stops = at_vertices(*(place.vertex for place in way))
+    return Request((PlaceOrder(robot.name, stops),), tuple((one.vertex, one.floor) for one in way))
+
+
+def _way(robot: Robot) -> tuple[Place, Place]:
+    """Return where the way to a charger begins and ends. Raises CommandError if there is none."""
+    if robot.pose is None or robot.floor is None:
+        raise CommandError(f"the place of {robot.name} is not known")
+    here, pose = robot.maps.get(robot.floor, RobotMap()), robot.pose.value
+    if here.graph is None or not here.graph.chargers:
+        raise CommandError(f"no graph shows a charger on {robot.floor}")
 
     def metres(vertex: Vertex) -> float:
         return math.dist((vertex.x, vertex.y), (pose.x, pose.y))
@@ -26,33 +45,14 @@ def way_to_charger(robot: Robot) -> tuple[Place, ...]:
     start = min(here.graph.vertices.values(), key=metres)
     ways = {one.id: _metres(here.graph, start, one, metres(one)) for one in here.graph.chargers}
     nearest = min(ways, key=lambda id_: ways[id_])
-    if nearest == start.id or not math.isfinite(ways[nearest]):
-        return ()
-    return tuple(Place(id_, here.name_of(id_) or id_, floor) for id_ in (start.id, nearest))
+    if nearest == start.id:
+        raise CommandError(f"{robot.name} is at a charger")
+    if not math.isfinite(ways[nearest]):
+        raise CommandError(f"no way on the graph leads {robot.name} to a charger")
+    begin, end = (Place(id_, here.name_of(id_) or id_, robot.floor) for id_ in (start.id, nearest))
+    return begin, end
 
 
 def _metres(graph: RouteGraph, start: Vertex, charger: Vertex, straight: float) -> float:
     """Return the metres of the way to a charger, infinite without one; without edges those to it."""
     return graph.metres_to([charger.id]).get(start.id, math.inf) if graph.edges else straight
-
-
-def order_to_charger(robot: Robot) -> Request | None:
-    """Return the order to the nearest charger, None if there is no way to one. A robot that brings cargo has
-    orders from somewhere."""
-    way = way_to_charger(robot)
-    if ORDER_TO in robot.kind.accepts and not robot.kind.brings_cargo:
-        way = way[-1:]
-    if not way:
-        return None
-    stops = at_vertices(*(place.vertex for place in way))
-    return Request((PlaceOrder(robot.name, stops),), tuple((one.vertex, one.floor) for one in way))
-
-
-def why_no_order_to_charger(robot: Robot) -> str:
-    """Return why there is no order to a charger."""
-    if robot.pose is None or robot.floor is None:
-        return f"the place of {robot.name} is not known"
-    graph = robot.maps.get(robot.floor, RobotMap()).graph
-    if graph is None or not graph.chargers:
-        return f"no graph shows a charger on {robot.floor}"
-    return f"{robot.name} is at a charger, or no way on the graph leads to one"

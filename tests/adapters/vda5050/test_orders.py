@@ -233,3 +233,11 @@ def test_a_vehicle_whose_factsheet_lists_no_request_of_its_state_is_not_asked() 
     assert action["actionType"] == "stateRequest"
     found.read("factsheet", charging("INSTANT"))
     assert found.adapter.state_request(found.agv, UNIQUE) == ()
+
+
+def test_an_order_whose_last_action_is_the_charging_begins_that_once() -> None:
+    found = site('actions.drop = { actionType = "startCharging" }')
+    found.apply(events.FloorGraphLoaded("hall", CHARGERS))
+    found.read("factsheet", charging("NODE"))
+    last = nodes(sent(found, PlaceOrder("agv", at_vertices("n1", "n2"))))[-1]
+    assert [action["actionType"] for action in last["actions"]] == ["startCharging"]

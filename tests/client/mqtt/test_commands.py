@@ -290,7 +290,7 @@ async def test_an_order_that_waits_for_the_end_of_a_charge_is_not_sent_after_a_p
             )
             record = next(one for one in found.commands if one.id == order)
             assert record.stage is Stage.NOT_SENT
-            assert record.detail == "another command was given before it charged no more"
+            assert record.detail == "another command came after it was told to stop charging"
             vehicle.say(paused=True)
             await store.until(lambda state: state.commands[-1].stage is Stage.CONFIRMED)
             assert vehicle.peer.told_on(f"{BASE}/order") == []
@@ -307,7 +307,7 @@ async def test_an_order_that_waits_for_the_end_of_a_charge_ends_with_the_link(tm
             record = await waiting
             assert (record.stage, record.detail) == (
                 Stage.NOT_SENT,
-                "link lost before it charged no more",
+                "link lost after it was told to stop charging",
             )
 
 
@@ -316,12 +316,28 @@ async def test_a_state_that_says_nothing_of_charging_frees_no_vehicle(tmp_path: 
         vehicle = SpokenFor(broker)
         async with console_on(broker) as (link, store):
             await charging(store, vehicle)
-            waiting = asyncio.ensure_future(finished(link, store, ORDER))
+            link.submit(ORDER)
             await vehicle.next("instantActions")
             vehicle.say(batteryState={"batteryCharge": 51.0})
+            await store.until(lambda state: (charge := state.robots["agv"].battery) and charge.value == 51.0)
+            vehicle.say(batteryState={"batteryCharge": 52.0, "charging": True})
+            await store.until(lambda state: (charge := state.robots["agv"].battery) and charge.value == 52.0)
+            assert vehicle.peer.told_on(f"{BASE}/order") == []
+            vehicle.say()
+            await vehicle.next("order")
+
+
+async def test_why_a_vehicle_goes_on_charging_is_told(tmp_path: Path) -> None:
+    with broker_in(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            await charging(store, vehicle)
+            waiting = asyncio.ensure_future(finished(link, store, ORDER))
+            action = (await vehicle.next("instantActions"))["actions"][0]
+            failed = {**action, "actionStatus": "FAILED", "resultDescription": "contact welded"}
+            vehicle.say(batteryState={"batteryCharge": 50.0, "charging": True}, actionStates=[failed])
             record = await waiting
             assert (record.stage, record.detail) == (
                 Stage.NOT_SENT,
-                "agv goes on charging: it did not stop within 5 s",
+                "agv goes on charging: contact welded",
             )
-            assert vehicle.peer.told_on(f"{BASE}/order") == []

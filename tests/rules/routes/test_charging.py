@@ -1,15 +1,22 @@
 """The nearest charger, and where the way to it begins."""
 
+import pytest
+
+from fleet_tui.errors import CommandError
 from fleet_tui.model.commands import PlaceOrder
 from fleet_tui.model.events import GraphReceived
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.model.order import at_vertices
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.lookup import Place
-from fleet_tui.rules.routes.charging import order_to_charger, way_to_charger, why_no_order_to_charger
+from fleet_tui.rules.routes.charging import order_to_charger, way_to_charger
 from tests.support.fleets import F0, R0, T0, fleet, pose, reduced
 
-CHARGER = Vertex("1", 0.0, 0.0, Role.DOCKING)
+CHARGER, FAR = Vertex("1", 0.0, 0.0, Role.DOCKING), Vertex("3", 40.0, 0.0, Role.DOCKING)
+AWAY = GraphReceived(
+    R0, F0, RouteGraph({"1": CHARGER, "2": Vertex("2", 5.0, 0.0), "3": FAR}, (Edge("b", "1", "2"),), True)
+)
+"""The only edge leads from the charger."""
 
 
 def graph_of(vertices: dict[str, Vertex]) -> GraphReceived:
@@ -21,8 +28,7 @@ def at(x: float, graph: GraphReceived) -> Robot:
 
 
 def test_the_way_to_the_nearest_charger_begins_at_the_vertex_nearest_to_the_robot() -> None:
-    far = Vertex("3", 40.0, 0.0, Role.DOCKING)
-    graph = graph_of({"1": CHARGER, "2": Vertex("2", 5.0, 0.0), "3": far})
+    graph = graph_of({"1": CHARGER, "2": Vertex("2", 5.0, 0.0), "3": FAR})
     robot = at(4.0, graph)
     assert way_to_charger(robot) == (Place("2", "2", F0), Place("1", "1", F0))
     assert way_to_charger(at(22.0, graph)) == (Place("2", "2", F0), Place("3", "3", F0))
@@ -33,12 +39,10 @@ def test_the_way_to_the_nearest_charger_begins_at_the_vertex_nearest_to_the_robo
 
 
 def test_a_charger_that_can_not_be_reached_is_none() -> None:
-    far = Vertex("3", 40.0, 0.0, Role.DOCKING)
-    vertices = {"1": CHARGER, "2": Vertex("2", 5.0, 0.0), "3": far}
+    vertices = {"1": CHARGER, "2": Vertex("2", 5.0, 0.0), "3": FAR}
     there = GraphReceived(R0, F0, RouteGraph(vertices, (Edge("a", "2", "3"), Edge("b", "1", "2")), True))
     assert way_to_charger(at(4.0, there)) == (Place("2", "2", F0), Place("3", "3", F0))
-    away = GraphReceived(R0, F0, RouteGraph(vertices, (Edge("b", "1", "2"),), True))
-    assert way_to_charger(at(4.0, away)) == () and order_to_charger(at(4.0, away)) is None
+    assert way_to_charger(at(4.0, AWAY)) == ()
 
 
 def test_the_order_leads_from_the_robot_to_the_charger() -> None:
@@ -48,8 +52,15 @@ def test_the_order_leads_from_the_robot_to_the_charger() -> None:
     assert request.floors == (("2", F0), ("1", F0))
 
 
-def test_why_there_is_none_is_said_as_far_as_it_is_known() -> None:
-    graph = graph_of({"1": CHARGER, "2": Vertex("2", 5.0, 0.0)})
-    assert why_no_order_to_charger(reduced(fleet(), graph).robots[R0]) == f"the place of {R0} is not known"
-    assert why_no_order_to_charger(at(4.0, graph_of({}))) == f"no graph shows a charger on {F0}"
-    assert why_no_order_to_charger(at(0.5, graph)).startswith(f"{R0} is at a charger")
+@pytest.mark.parametrize(
+    ("robot", "reason"),
+    [
+        (reduced(fleet(), graph_of({"1": CHARGER})).robots[R0], f"the place of {R0} is not known"),
+        (at(4.0, graph_of({})), f"no graph shows a charger on {F0}"),
+        (at(0.5, graph_of({"1": CHARGER, "2": Vertex("2", 5.0, 0.0)})), f"{R0} is at a charger"),
+        (at(4.0, AWAY), f"no way on the graph leads {R0} to a charger"),
+    ],
+)
+def test_why_there_is_none_is_said(robot: Robot, reason: str) -> None:
+    with pytest.raises(CommandError, match=reason):
+        order_to_charger(robot)
