@@ -76,26 +76,25 @@ class Robot(Struct, frozen=True, eq=False):
     its newest pose at which it cannot be is none, `misplaced_since` when such poses began; `pace` its usual
     speed in m/s while it drives; `fault_at` is the time of its last bad data, `kept_at` that of a message of
     unknown age that its broker had kept; `says_paused`: it has a topic for that, received or not; `traces`
-    are the orders in its queue by id, `gone` those that left it, newest last;
-    `pause_lost_at` is when a restart ended our own pause; `goals` are those that its action servers list, by
-    action; `odometry` is its newest pose by its wheels, of `odometry_at`, `located` its last localised pose
-    on the map, `anchor` the origin of its wheel frame on the map, `located_by` what told that: a `topic` of
-    its localisation, else its `transforms`, else the `feedback` on a goal; `adrift_at` is since when its
-    wheels have carried it farther from `located` than its localisation lets pass; `variance` that of its
-    position in square metres; `own_floor` the floor it reports; `held` is the reason that this console sends
-    it no waiting order, empty while it does, and `released_at` when the operator last released them; `named`
-    is a goal that this console named and that is not listed yet; `target` the last reported target of a goal
-    it had just begun; `unmeasured` are values that it reports as not measured;
-    `located_at`: the time of `located`;
-    `mode` is the mode that it reports, `mapping_by_us` that this console switched mapping on;
-    `counts_percent`: its battery was seen to count to 100; `size` is its length and width in metres, None if
-    not configured; `laser` is the pose of its laser on it, None if unknown, `laser_flipped` that it hangs
-    upside down, `base_frame` the frame of the robot itself, empty for a usual one; `vehicle` is its last
-    state, `acting` the action of its order that it carries out; `is_estimated`: it
-    reports no pose, and this one is between nodes; `connection` is that to its broker, `factsheet` its
-    properties by name, `features` what it takes by that, `master` the last sign of another master control
-    that commands it; `member` are the reports of its fleet adapter; `diagnosed` is the last error
-    in its diagnostics, `logged` are lines of its log that may tell causes, newest last."""
+    are the orders in its queue by id, `gone` those that left it, newest last; `pause_lost_at` is when a
+    restart ended our own pause; `goals` are those that its action servers list, by action; `odometry` is its
+    newest pose by its wheels, of `odometry_at`, `located` its last localised pose on the map, `anchor` the
+    origin of its wheel frame on the map, `located_by` what told that: a `topic` of its localisation, else its
+    `transforms`, else the `feedback` on a goal; `adrift_at` is since when its wheels have carried it farther
+    from `located` than its localisation lets pass; `variance` that of its position in square metres;
+    `own_floor` the floor it reports; `held` is the reason that this console sends it no waiting order, empty
+    while it does, and `released_at` when the operator last released them; `named` is a goal that this console
+    named and that is not listed yet; `target` the last reported target of a goal it had just begun;
+    `unmeasured` are values that it reports as not measured; `located_at`: the time of `located`; `mode` is
+    the mode that it reports, `mapping_by_us` that this console switched mapping on; `counts_percent`: its
+    battery was seen to count to 100; `size` is its length and width in metres, None if not configured;
+    `laser` is the pose of its laser on it, None if unknown, `laser_flipped` that it hangs upside down,
+    `base_frame` the frame of the robot itself, empty for a usual one; `vehicle` is its last state, `acting`
+    the action of its order that it carries out; `is_estimated`: it reports no pose, and this one is between
+    nodes; `connection` is that to its broker, `factsheet` its properties by name, `features` what it takes by
+    that, `master` the last sign of another master control that commands it; `member` are the reports of its
+    fleet adapter; `diagnosed` is the last error in its diagnostics, `logged` are lines of its log that may
+    tell causes, newest last."""
 
     name: str
     number: int
