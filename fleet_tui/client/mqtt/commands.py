@@ -63,7 +63,7 @@ class AwaitedAnswer:
 
 
 @dataclass
-class WaitingOrder:
+class OrderAfterCharge:
     """An order that waits until its vehicle charges no more: `late` are the seconds by which it was delayed
     before, `stop` is the id of the action that ends the charging."""
 
@@ -93,7 +93,7 @@ class VehicleCommands:
         """Robots and names of their topics that the broker returns to this console."""
         self._unseen: dict[str, asyncio.Event] = {}
         """By robot: set once a message of it has arrived for which a pause waits."""
-        self._waiting: dict[str, WaitingOrder] = {}
+        self._waiting: dict[str, OrderAfterCharge] = {}
         """By robot."""
         self._under_way: set[asyncio.Task[None]] = set()
 
@@ -123,7 +123,7 @@ class VehicleCommands:
         self._publish(freeing)
         reason = f"{command.robot} goes on charging: it did not stop within {self._timeout:g} s"
         timer = call_awake(self._timeout, partial(self._give_up, robot.name, reason))
-        self._waiting[robot.name] = WaitingOrder(command_id, command, late, freeing.name, timer)
+        self._waiting[robot.name] = OrderAfterCharge(command_id, command, late, freeing.name, timer)
         return True
 
     def _give_up(self, robot: str, reason: str) -> None:
@@ -132,7 +132,7 @@ class VehicleCommands:
             waiting.timer.cancel()
             self._advance(waiting.command_id, Stage.NOT_SENT, reason)
 
-    def _send_freed(self, robot: str, waiting: WaitingOrder) -> None:
+    def _send_freed(self, robot: str, waiting: OrderAfterCharge) -> None:
         """Send the order of a vehicle that charges no more."""
         del self._waiting[robot]
         waiting.timer.cancel()
