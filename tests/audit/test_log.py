@@ -95,6 +95,11 @@ def disk(tmp_path: Path) -> BadDisk:
     return BadDisk(tmp_path / FILE_NAME)
 
 
+def lines(disk: BadDisk) -> list[bytes]:
+    """The whole lines so far: the last one may be half written while this looks."""
+    return disk.path.read_bytes().split(b"\n")[:-1] if disk.path.exists() else []
+
+
 def becomes(holds: Callable[[], object]) -> None:
     """Wait for the log's own thread."""
     end = time.monotonic() + 10
@@ -179,14 +184,13 @@ def test_a_disk_that_does_not_answer_holds_nobody(tmp_path: Path, disk: BadDisk)
     store.watchers.append(audit.watch)
     give(store, 1, ORDER, Stage.SENT)
     disk.answers.clear()
-    began = time.monotonic()
     for n in range(2, 102):
         give(store, n, ORDER, Stage.SENT)
-    assert time.monotonic() - began < 100 * module.PATIENCE
+    assert len(lines(disk)) == 2  # the next line is still with the disk
     assert store.state.commands[-1].stage is Stage.SENT
     assert audit.notes == ["audit: not written: disk not responding"]
     disk.answers.set()
-    becomes(lambda: audit.notes == [] and len(read(tmp_path)) == 202)
+    becomes(lambda: audit.notes == [] and len(lines(disk)) == 202)
     assert [one.id for one in read(tmp_path)] == [n for n in range(1, 102) for _ in range(2)]
 
 
@@ -201,12 +205,11 @@ def test_a_slow_disk_holds_nobody_for_long(
 
     monkeypatch.setattr(disk, "append", append)
     audit, quiet = Audit(disk, ANA), known_fleet()
-    began = time.monotonic()
     for n in range(100):
         condition = Condition(R0, f"kind {n}", Priority.LOW, "text", "over")
         audit.watch(quiet, replace(quiet, alarms=(Alarm(condition, WALL, WALL, T0),)))
-    assert time.monotonic() - began < 100 * 0.03
-    becomes(lambda: disk.path.exists() and len(read(tmp_path)) == 100)
+    assert len(lines(disk)) < 100  # else it would have waited for each
+    becomes(lambda: len(lines(disk)) == 100)
 
 
 def test_a_command_waits_for_a_slow_disk(tmp_path: Path, disk: BadDisk) -> None:
@@ -283,8 +286,6 @@ def test_what_is_lost_for_good_is_said_at_the_end(
         if hangs:
             disk.answers.clear()
         give(store, 1, ORDER, Stage.NOT_SENT)
-        began = time.monotonic()
-    assert time.monotonic() - began < 10.0
     disk.answers.set()
     lost = 3 if hangs else 4  # who opened it was written before it hung
     assert capsys.readouterr().err == f"audit: {lost} records not written: {says}\n"

@@ -227,9 +227,8 @@ def test_a_folder_that_does_not_respond_stops_nothing(
     with at_desk(tmp_path, "ana") as (ana,):
         hangs = os.open(tmp_path / "facts.lock", os.O_RDWR | os.O_CREAT)
         fcntl.flock(hangs, fcntl.LOCK_EX)
-        began = time.monotonic()
-        ana.post(EdgeClosed(EDGE, 1.0))
-        assert time.monotonic() - began < 0.1 and len(ana.state.desk.closed) == 1
+        ana.post(EdgeClosed(EDGE, 1.0))  # returns, although the lock stays
+        assert len(ana.state.desk.closed) == 1
         eventually(lambda: ana.desk.notes == ["desk: not responding, nothing is shared"])
         os.close(hangs)
         eventually(lambda: ana.desk.notes == [])
