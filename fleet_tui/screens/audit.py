@@ -88,9 +88,10 @@ class AuditLog(Overlay):
         return AuditReader(audit.file.path), search
 
     def _search(self) -> None:
+        self.workers.cancel_group(self, "audit")  # also for a text that is no search
         wanted = self._wanted()
         if wanted is not None:
-            self.run_worker(partial(self._read, *wanted), thread=True, exclusive=True, group="audit")
+            self.run_worker(partial(self._read, *wanted), thread=True, group="audit")
 
     def _read(self, reading: "AuditReader", search: "Search") -> None:
         """Read the newest matching records, in a thread."""
@@ -110,8 +111,12 @@ class AuditLog(Overlay):
         note = tr(f"newest {SHOWN}") if len(found) > SHOWN else str(len(found))
         if reading.note:
             note += f", {reading.note}"
-        if not worker.is_cancelled:
-            self.app.call_from_thread(self._list, found[:SHOWN], note, problem)
+
+        def show() -> None:
+            if not worker.is_cancelled:  # on the screen's thread, which may have begun another search
+                self._list(found[:SHOWN], note, problem)
+
+        self.app.call_from_thread(show)
 
     def _list(self, records: list[AuditRecord], note: str = "", empty: str = "") -> None:
         self._records = records
