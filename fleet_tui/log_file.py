@@ -9,17 +9,19 @@ from collections import deque
 from contextlib import suppress
 from copy import copy
 from pathlib import Path
-from typing import IO, Any
+from typing import Any
 
 import platformdirs
 
 from fleet_tui.config.access import hidden
 from fleet_tui.config.trust import doubt
+from fleet_tui.storage.line_file import LineFile
 from fleet_tui.text.limits import truncate
 from fleet_tui.text.sanitize import sanitize
 
-MAX_BYTES, KEPT = 2 * 2**20, 3
-"""A file's maximum size, and the number of older ones."""
+MAX_BYTES = 2 * 2**20
+KEPT = 4
+"""The number of files including the current one."""
 TAIL_LINES = 500
 """Number of lines that are kept in memory, too."""
 LONGEST_LINE = 4000
@@ -63,35 +65,17 @@ class Tail(logging.Handler):
 TAIL = Tail()
 
 
-def _is_named(stream: IO[str], path: Path) -> bool:
-    """Tell whether the open file is the one of this name."""
-    try:
-        return os.path.samestat(os.fstat(stream.fileno()), path.stat())
-    except FileNotFoundError:
-        return False
+class _LogFile(logging.Handler):
+    """Appends each message to a file that other consoles write to as well."""
 
-
-class _Private(logging.handlers.RotatingFileHandler):
-    """A rotating log of mode 600."""
-
-    def _open(self):  # type: ignore[no-untyped-def]  # the base's own type is not public
-        path = Path(self.baseFilename)
-        if not path.exists():
-            path.touch(0o600)  # at no moment readable by others
-        stream = super()._open()
-        path.chmod(0o600)
-        return stream
+    def __init__(self, file: LineFile) -> None:
+        super().__init__()
+        self._file = file
 
     def emit(self, record: logging.LogRecord) -> None:
-        """Write it to the file that has the name now: the folder may have been cleared, or another console
-        may have rotated the file."""
-        path = Path(self.baseFilename)
-        with suppress(OSError):  # else this line is lost, and the next one recovers
-            if self.stream is not None and not _is_named(self.stream, path):
-                self.stream.close()
-                self.stream = None
-                path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
-        super().emit(record)
+        """Write it; a full disk costs the line, and the next one recovers."""
+        with suppress(OSError):
+            self._file.append(f"{self.format(record)}\n".encode(errors="backslashreplace"))
 
 
 class _LogQueue(logging.handlers.QueueHandler):
@@ -143,11 +127,9 @@ def log_to_file(debug: bool) -> Path | None:
     root.setLevel(logging.DEBUG if debug else logging.INFO)
     path = state_folder() / "fleet-tui.log"
     TAIL.setFormatter(_Visible("%(asctime)s %(levelname)s %(name)s: %(message)s", "%H:%M:%S"))
+    file = LineFile(path, MAX_BYTES, KEPT)
     try:
-        path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
-        if path.exists() and not path.is_file():
-            raise FileExistsError(path)  # opening a pipe would block until it has a reader
-        file = _Private(path, maxBytes=MAX_BYTES, backupCount=KEPT, encoding="utf-8")
+        file.append(b"")
     except OSError:
         root.handlers = [TAIL]
         return None
@@ -156,7 +138,7 @@ def log_to_file(debug: bool) -> Path | None:
     handler = _LogQueue(lines)
     handler.setFormatter(_Visible(f"%(asctime)s {os.getpid()} %(levelname)s %(name)s: %(message)s"))
     root.handlers = [handler, TAIL]
-    listener = _Writing(lines, file)
+    listener = _Writing(lines, _LogFile(file))
     listener.start()
     atexit.register(listener.stop)
     for chatty in ("asyncio", "roslibpy", "autobahn", "markdown_it", "PIL"):

@@ -21,7 +21,7 @@ from fleet_tui import log_file
 from fleet_tui.terminal.ending import end_within
 
 hangs, answers = threading.Event(), threading.Event()
-emit = log_file._Private.emit
+emit = log_file._LogFile.emit
 
 def slowly(self, record):
     hangs.set()
@@ -29,7 +29,7 @@ def slowly(self, record):
     emit(self, record)
 
 log_file.WAITING = 10
-log_file._Private.emit = slowly
+log_file._LogFile.emit = slowly
 log_file.log_to_file(False)
 log = logging.getLogger("x")
 log.warning("n0")
@@ -85,26 +85,6 @@ def test_the_log_goes_on_where_its_folder_was_removed(tmp_path: Path) -> None:
     log = tmp_path / "fleet-tui" / "fleet-tui.log"
     assert (done.returncode, done.stdout, done.stderr) == (0, b"", b"")
     assert log.read_text().endswith("WARNING x: after\n") and log.stat().st_mode & 0o777 == 0o600
-
-
-TWO = """
-import logging, sys
-from fleet_tui.log_file import _Private
-
-path = sys.argv[1]
-one, other = _Private(path), _Private(path)
-for number in range(3):
-    other.emit(logging.makeLogRecord({"msg": f"before {number}"}))
-one.doRollover()
-for file, name in ((other, "other"), (one, "one"), (other, "other again")):
-    file.emit(logging.makeLogRecord({"msg": name}))
-"""
-
-
-def test_consoles_write_to_one_file_also_after_one_of_them_began_a_new_one(tmp_path: Path) -> None:
-    log = tmp_path / "fleet-tui.log"
-    subprocess.run([sys.executable, "-c", TWO, str(log)], timeout=20, check=True)
-    assert log.read_text().splitlines()[3:] == ["other", "one", "other again"]
 
 
 @two_users

@@ -1,7 +1,6 @@
 """What other consoles of this machine send to robots, as their audit log tells it while this console runs."""
 
 import logging
-import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -17,6 +16,7 @@ from fleet_tui.model.desk.desk import REMOVES, CommandElsewhere
 from fleet_tui.model.desk.events import CommandedElsewhere
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.state.store import Store
+from fleet_tui.storage.worker import Worker
 
 LOG = logging.getLogger(__name__)
 
@@ -49,37 +49,41 @@ def watched_commands(
 ) -> Iterator[None]:
     """Post what the log in the state folder tells about other consoles than `console` (empty: this process),
     while this lasts. It reads in a thread of its own, since a disk may hang."""
-    console, closing = console or console_name(), threading.Event()
-    reading = threading.Thread(
-        target=_read, args=(folder, store, post, console, closing), name="fleet-tui-elsewhere", daemon=True
-    )
-    reading.start()
+    reader = _CommandsElsewhere(folder / FILE_NAME, store, post, console or console_name())
+    worker = Worker("elsewhere", reader.read, EVERY, reader.close)
+    worker.start()
     try:
         yield
     finally:
-        closing.set()
+        worker.close(0.0)
 
 
-def _read(
-    folder: Path,
-    store: Store,
-    post: Callable[[CommandedElsewhere], object],
-    console: str,
-    closing: threading.Event,
-) -> None:
-    problem, log = "", None
-    while not closing.is_set():
+class _CommandsElsewhere:
+    def __init__(
+        self, path: Path, store: Store, post: Callable[[CommandedElsewhere], object], console: str
+    ) -> None:
+        self._path = path
+        self._store = store
+        self._post = post
+        self._console = console
+        self._log: AuditTail | None = None
+        self._problem = ""
+
+    def read(self) -> None:
+        """Post the commands since the last time."""
         try:
-            log = log or AuditTail(folder / FILE_NAME)
-            for record in log.new():
+            self._log = self._log or AuditTail(self._path)
+            for record in self._log.new():
                 at = time.monotonic() - (time.time() - datetime.fromisoformat(record.time).timestamp())
-                if (command := command_of(record, store.state, console, at)) is not None:
-                    post(CommandedElsewhere(command))
-            problem = ""
+                if (command := command_of(record, self._store.state, self._console, at)) is not None:
+                    self._post(CommandedElsewhere(command))
+            self._problem = ""
         except (OSError, ValueError) as error:
-            if str(error) != problem:
+            if str(error) != self._problem:
                 LOG.warning("audit log of other consoles: %s", error)
-            problem = str(error)
-        closing.wait(EVERY)
-    if log is not None:
-        log.close()
+            self._problem = str(error)
+
+    def close(self) -> None:
+        """Close the log."""
+        if self._log is not None:
+            self._log.close()

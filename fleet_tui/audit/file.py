@@ -1,99 +1,15 @@
-"""An append-only file of lines that several consoles may write to, rotated by size, mode 600."""
+"""The file of the audit log: its name and its sizes."""
 
-import errno
-import fcntl
-import os
-import stat
 from pathlib import Path
 
+from fleet_tui.storage.line_file import LineFile
+
 FILE_NAME = "audit.jsonl"
-MAX_BYTES, KEPT = 10 * 2**20, 5
-"""A file's maximum size, and the number of files including the current one."""
+MAX_BYTES = 10 * 2**20
+KEPT = 5
+"""The number of files including the current one."""
 
 
-def part(path: Path, number: int) -> Path:
-    """Return the file itself (0), or an older one: the higher the number, the older."""
-    return path.with_name(f"{path.name}.{number}") if number else path
-
-
-class AuditFile:
-    """Appends each line in one write, so that lines of several consoles never mix and a kill leaves at most
-    one torn line: the last. The next writer ends that line first.
-
-    Nothing is synced to the disk: a killed process loses nothing by that, and a command must not wait for a
-    disk. Only a power cut may cost the last seconds.
-    """
-
-    def __init__(self, path: Path, max_bytes: int = MAX_BYTES, kept: int = KEPT) -> None:
-        self.path = path
-        self.warning = ""
-        self._max_bytes, self._kept = max_bytes, kept
-        self._fd: int | None = None
-
-    def append(self, line: bytes) -> None:
-        """Write a line, which ends with a newline. Raises OSError if it could not be written whole."""
-        fd = self._current()
-        size = os.fstat(fd).st_size
-        if size and size + len(line) > self._max_bytes:
-            fd = self._rotated(fd)
-            size = os.fstat(fd).st_size
-        if size and os.pread(fd, 1, size - 1) != b"\n":
-            line = b"\n" + line
-        if os.write(fd, line) < len(line):
-            raise OSError(errno.EIO, "last record only partly written")
-
-    def close(self) -> None:
-        """Close the file; the next line opens it again."""
-        fd, self._fd = self._fd, None
-        if fd is not None:
-            os.close(fd)
-
-    def _current(self) -> int:
-        """Return the file that has the name now: another console may have rotated it, a person removed it."""
-        if self._fd is None or not self._has_the_name(self._fd):
-            self.close()
-            self.path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
-            # Must not block for a reader, if the name is a pipe.
-            flags = os.O_RDWR | os.O_APPEND | os.O_CREAT | os.O_CLOEXEC | os.O_NONBLOCK | os.O_NOCTTY
-            self._fd = os.open(self.path, flags, 0o600)
-            self._take_over(self._fd)
-        return self._fd
-
-    def _has_the_name(self, fd: int) -> bool:
-        try:
-            return os.path.samestat(os.fstat(fd), os.stat(self.path))  # noqa: PTH116  # a fifth of Path.stat's time
-        except FileNotFoundError:
-            return False
-
-    def _take_over(self, fd: int) -> None:
-        mode = os.fstat(fd).st_mode
-        self.warning = ""
-        if not stat.S_ISREG(mode):
-            self.close()  # an unread pipe accepts lines, and loses them
-            raise OSError(errno.EINVAL, "not a regular file")
-        if stat.S_IMODE(mode) != 0o600:
-            try:
-                os.fchmod(fd, 0o600)
-            except OSError:
-                self.warning = f"{self.path.name} has mode {stat.S_IMODE(mode):03o} instead of 600"
-
-    def _rotated(self, fd: int) -> int:
-        """Return the file to write to after this one was full. It keeps growing if it can't be renamed: a
-        record matters more than the size."""
-        try:
-            # The lock is on the full file itself, and never waited for: its holder may be stopped.
-            fcntl.flock(fd, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            if self._has_the_name(fd):
-                self._shift()
-        except OSError:
-            return fd
-        self.close()
-        return self._current()
-
-    def _shift(self) -> None:
-        """Each file takes the next number, up to the first that is free: a kill in the middle of this
-        leaves a gap, and costs no file."""
-        last = self._kept - 1
-        free = next((n for n in range(1, last) if not part(self.path, n).exists()), last)
-        for number in range(free, 0, -1):
-            part(self.path, number - 1).replace(part(self.path, number))
+def audit_file(path: Path, max_bytes: int = MAX_BYTES) -> LineFile:
+    """Return the log of this name, to be written."""
+    return LineFile(path, max_bytes, KEPT)

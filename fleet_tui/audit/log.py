@@ -14,7 +14,6 @@ import secrets
 import sys
 import threading
 import time
-from collections import deque
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -23,11 +22,14 @@ import msgspec
 
 from fleet_tui import __version__
 from fleet_tui.audit.entries import Origin, alarm_records, closing_records, command_records
-from fleet_tui.audit.file import FILE_NAME, AuditFile
+from fleet_tui.audit.file import FILE_NAME, audit_file
 from fleet_tui.config.schema import Config
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.state.store import Store
+from fleet_tui.storage.line_file import LineFile
+from fleet_tui.storage.worker import Worker
+from fleet_tui.storage.write_queue import WriteQueue
 from fleet_tui.text.sanitize import sanitize
 
 LOG = logging.getLogger(__name__)
@@ -74,21 +76,25 @@ def new_origin(config: Config, demo: bool = False) -> Origin:
 class Audit:
     """Writes the log: callable from any thread, writing in its own, since a disk may hang."""
 
-    def __init__(self, file: AuditFile, origin: Origin) -> None:
-        self.file, self.origin = file, origin
-        self._waiting: deque[bytes] = deque()
-        self._taken = self._done = self._lost = 0
-        """Numbers of records: taken; of these written or dropped; lost without being counted as taken."""
+    def __init__(self, file: LineFile, origin: Origin) -> None:
+        self.file = file
+        self.origin = origin
+        self._waiting = WriteQueue[bytes](WAITING)
+        self._unread = 0
+        """Changes of which no line could be made."""
+        self._written = 0
         self._problem = ""
-        self._is_writing = self._hangs = False
-        """Whether a line has been handed to the disk, and whether that does not respond."""
-        self._slow, self._slow_since = 0.0, 0.0
+        self._is_writing = False
+        """Whether a line has been handed to the disk."""
+        self._hangs = False
         self._closed = False
+        self._slow = 0.0
+        self._slow_since = 0.0
         self._watched: FleetState | None = None
         """The newest state whose changes are in the log."""
         self._changed = threading.Condition()
-        self._thread = threading.Thread(target=self._work, name="fleet-tui-audit", daemon=True)
-        self._thread.start()
+        self._worker = Worker("audit", self._write, RETRY, self._end)
+        self._worker.start()
 
     @property
     def problem(self) -> str:
@@ -133,11 +139,19 @@ class Audit:
             self._add(closing_records(self.origin, self._watched or state, time.time()))
             self._add([self._of_console("closed", "")])
             self._closed = True
-        done = -1
-        while self._thread.is_alive() and done < self._done:
-            done = self._done
-            self._thread.join(LAST_CHANCE)
-        return self._taken - self._done + self._lost
+        written = -1
+        while not self._worker.close(LAST_CHANCE) and written < self._written:
+            written = self._written
+        return self._lost + len(self._waiting) + self._is_writing
+
+    @property
+    def is_written(self) -> bool:
+        """Tell whether no line is on its way."""
+        return not self._waiting and not self._is_writing
+
+    @property
+    def _lost(self) -> int:
+        return self._waiting.lost + self._unread
 
     def _of_console(self, change: str, words: str) -> AuditRecord:
         return self.origin.record(time.time(), kind="console", what="console", change=change, words=words)
@@ -147,20 +161,12 @@ class Audit:
             return
         try:
             for record in records:
-                self._append(encode(record))
+                self._waiting.append(encode(record))
         except Exception:
             # Whatever fails here, dispatch continues.
             LOG.exception("audit")
-            self._lost += 1
-        self._changed.notify_all()
-
-    def _append(self, line: bytes) -> None:
-        if len(self._waiting) >= WAITING:
-            self._waiting.popleft()
-            self._lost += 1
-            self._done += 1
-        self._waiting.append(line)
-        self._taken += 1
+            self._unread += 1
+        self._worker.wake()
 
     def _wait(self, is_urgent: bool) -> None:
         """Wait until everything is written, or the disk does not respond: a command is sent after this."""
@@ -169,47 +175,43 @@ class Audit:
             self._slow, self._slow_since = 0.0, began
         if self.problem or (not is_urgent and self._slow > SLOW_TOGETHER):
             return
-        done, idle, longest = self._done, 0.0, 0.0
-        while self._done != self._taken and not self._problem and self._thread.is_alive():
+        written = self._written
+        idle = longest = 0.0
+        while not self.is_written and not self._problem and self._worker.is_running:
             look = time.monotonic()
             self._changed.wait(LOOK)
             took = time.monotonic() - look
-            if self._done != done:
-                done, idle = self._done, 0.0
+            if self._written != written:
+                written = self._written
+                idle = 0.0
             # A late look tells of a busy machine; so does a line that is not handed to the disk yet.
             elif self._is_writing and took < LOOK + ON_TIME:
                 idle += took
             longest += took if took < LOOK + ON_TIME else 0.0
-            if (idle > PATIENCE or longest > LONGEST) and self._is_writing and not self._wants_to_run():
+            is_late = idle > PATIENCE or longest > LONGEST
+            if is_late and self._is_writing and not self._worker.waits_for_processor:
                 self._hangs = True
                 LOG.error("audit: not written: %s: %s", self.file.path, HANGS)
                 break
         self._slow += time.monotonic() - began
 
-    def _wants_to_run(self) -> bool:
-        """Tell whether the writing thread waits for a processor, not for the disk."""
-        try:
-            status = Path(f"/proc/self/task/{self._thread.native_id}/stat").read_text()
-        except OSError:
-            return False
-        return status.rpartition(")")[2].split()[0] == "R"
-
-    def _work(self) -> None:
-        """Write line after line; on the log's own thread."""
+    def _write(self) -> None:
+        """Write line after line, up to one that can't be written; on the log's own thread."""
         while (line := self._next()) is not None:
             try:
                 self.file.append(line)
-            except Exception as problem:  # noqa: BLE001  # whatever it is, the thread must not end by it
-                if not self._failed(line, getattr(problem, "strerror", None) or repr(problem)):
-                    break
-            else:
-                self._succeeded()
+            except Exception as problem:  # noqa: BLE001  # whatever it is, the line must be kept
+                self._failed(line, getattr(problem, "strerror", None) or repr(problem))
+                break
+            self._succeeded()
+
+    def _end(self) -> None:
+        self._write()
         self.file.close()
 
     def _next(self) -> bytes | None:
-        """Return the next line, None after the last."""
+        """Return the next line, None if there is none."""
         with self._changed:
-            self._changed.wait_for(lambda: self._waiting or self._closed)
             if not self._waiting:
                 return None
             self._is_writing = True
@@ -218,35 +220,31 @@ class Audit:
     def _succeeded(self) -> None:
         with self._changed:
             self._is_writing = self._hangs = False
-            self._done += 1
+            self._written += 1
             if not self._waiting:
                 self._problem = ""
                 if self._lost:
                     words = f"{self._lost} records before this one were not written"
-                    self._append(encode(self._of_console("lost", words)))
-                    self._lost = 0
+                    self._waiting.append(encode(self._of_console("lost", words)))
+                    self._waiting.lost = self._unread = 0
             self._changed.notify_all()
 
-    def _failed(self, line: bytes, problem: str) -> bool:
-        """Keep the line, and wait for the next attempt; False if there will be none."""
+    def _failed(self, line: bytes, problem: str) -> None:
+        """Keep the line for the next attempt."""
         with self._changed:
             self._is_writing = self._hangs = False
-            self._waiting.appendleft(line)
+            self._waiting.put_back(line)
             if problem != self._problem:
                 LOG.error("audit: not written: %s: %s", self.file.path, problem)
             self._problem = problem
             self._changed.notify_all()
-            if self._closed:
-                return False
-            self._changed.wait_for(lambda: self._closed, RETRY)
-            return True
 
 
 @contextmanager
 def auditing(folder: Path, config: Config, store: Store, demo: bool = False) -> Iterator[Audit]:
     """Keep the log of a console in the state folder while it runs. Lines missing at the end are reported on
     stderr, which must not be in use by a screen by then."""
-    audit = Audit(AuditFile(folder / FILE_NAME), new_origin(config, demo))
+    audit = Audit(audit_file(folder / FILE_NAME), new_origin(config, demo))
     audit.log_console(
         "opened", f"fleet-tui {__version__}" + (", read-only" if config.operator.read_only else "")
     )

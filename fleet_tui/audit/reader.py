@@ -9,10 +9,11 @@ from typing import BinaryIO
 
 import msgspec
 
-from fleet_tui.audit.file import KEPT, part
+from fleet_tui.audit.file import KEPT
 from fleet_tui.audit.upgrade import upgrade_audit
-from fleet_tui.config.small_file import open_file
 from fleet_tui.model.audit_record import AuditRecord
+from fleet_tui.storage.line_file import part
+from fleet_tui.storage.opening import open_file
 
 BLOCK = 2**16
 LONGEST = 2**20

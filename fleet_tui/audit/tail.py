@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import BinaryIO
 
 from fleet_tui.audit.reader import decoded
-from fleet_tui.config.small_file import open_file
 from fleet_tui.model.audit_record import AuditRecord
+from fleet_tui.storage.opening import open_file
 
 
 class AuditTail:

@@ -1,14 +1,14 @@
 """The file of orders that this console keeps, which survives the process: one console of a user owns it at a
 time."""
 
-import fcntl
-import os
 import socket
 from pathlib import Path
 
 import msgspec
 
 from fleet_tui.model.order import Stop
+from fleet_tui.storage.lock import LockFile, owner_of
+from fleet_tui.storage.whole_file import replacing
 
 FILE, LOCK = "queue.json", "queue.lock"
 LARGEST = 2**24
@@ -29,8 +29,9 @@ class QueueFile:
     """The file in a folder; without a folder no order outlives this process."""
 
     def __init__(self, folder: Path | None, operator: str) -> None:
-        self._folder, self._me = folder, f"{operator}@{socket.gethostname()}"
-        self._lock: int | None = None
+        self._path = folder / FILE if folder is not None else None
+        self._lock = LockFile(folder / LOCK) if folder is not None else None
+        self._me = f"{operator}@{socket.gethostname()}"
         self.owner = self._me
         """The console that keeps orders, as name@host."""
         self.problem = ""
@@ -38,30 +39,20 @@ class QueueFile:
 
     def claim(self) -> bool:
         """Become the console that keeps orders, unless another one is."""
-        if self._folder is None or self._lock is not None:
+        if self._lock is None:
             return True
         try:
-            self._folder.mkdir(parents=True, exist_ok=True, mode=0o700)
-            handle = os.open(self._folder / LOCK, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
+            is_mine = self._lock.take(self._me)
         except OSError as problem:
-            self.problem = f"{self._folder / LOCK}: {problem.strerror}"
+            self.problem = f"{self._lock.path}: {problem.strerror}"
             return True
-        try:
-            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
-            self.owner = os.read(handle, 200).decode(errors="replace") or "another console"
-            os.close(handle)
-            return False
-        self._lock, self.owner = handle, self._me
-        os.ftruncate(handle, 0)
-        os.pwrite(handle, self._me.encode(), 0)
-        return True
+        self.owner = self._me if is_mine else owner_of(self._lock.path) or "another console"
+        return is_mine
 
     def load(self) -> list[WaitingOrder]:
         """Return the kept orders; an unreadable file is reported as a problem and kept under another name."""
-        if self._folder is None or self._lock is None:
+        if (path := self._kept_at()) is None:
             return []
-        path = self._folder / FILE
         try:
             with path.open("rb") as file:
                 return msgspec.json.decode(file.read(LARGEST), type=list[WaitingOrder])
@@ -78,21 +69,19 @@ class QueueFile:
 
     def save(self, kept: list[WaitingOrder]) -> None:
         """Save the kept orders atomically."""
-        if self._folder is None or self._lock is None:
+        if (path := self._kept_at()) is None:
             return
-        path = self._folder / FILE
-        beside = path.with_suffix(".new")
         try:
-            handle = os.open(beside, os.O_WRONLY | os.O_CREAT | os.O_TRUNC | os.O_CLOEXEC, 0o600)
-            with os.fdopen(handle, "wb") as file:
+            with replacing(path, is_synced=False) as file:
                 file.write(msgspec.json.encode(kept))
-            beside.replace(path)
             self.problem = ""
         except OSError as problem:
             self.problem = f"{path} not writable: {problem.strerror}"
 
+    def _kept_at(self) -> Path | None:
+        return self._path if self._lock is not None and self._lock.is_held else None
+
     def close(self) -> None:
         """Let other consoles keep orders."""
         if self._lock is not None:
-            os.close(self._lock)
-            self._lock = None
+            self._lock.release()

@@ -6,8 +6,8 @@ from typing import Protocol
 from fleet_tui.config.as_toml import as_toml
 from fleet_tui.config.schema import Config, expanded
 from fleet_tui.config.trust import written_file
-from fleet_tui.config.whole_file import write_whole
 from fleet_tui.errors import FleetError
+from fleet_tui.storage.whole_file import write_whole
 
 USUAL = "config.toml"
 

@@ -1,32 +1,17 @@
 """Reads files that people write: limited in size, whatever the name refers to."""
 
-import errno
-import os
 import re
-import stat
 import tomllib
-from io import BufferedReader, FileIO
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import Any
+
+from fleet_tui.storage.opening import open_file
 
 LARGEST = 500_000
 """Maximum bytes of a configuration or a theme."""
 
 _MANY_PARTS = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){30}""")
 """Matches a deeply nested key: tomllib takes memory with the square of its parts."""
-
-
-def _without_waiting(path: str, flags: int) -> int:
-    return os.open(path, flags | os.O_NONBLOCK | os.O_NOCTTY)
-
-
-def open_file(path: Path) -> BinaryIO:
-    """Open a regular file to be read. Raises OSError: a pipe or a device could block forever."""
-    file = FileIO(path, opener=_without_waiting)
-    if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
-        file.close()
-        raise OSError(errno.EINVAL, "not a regular file")
-    return BufferedReader(file)
 
 
 def read_text(path: Path, largest: int) -> str:

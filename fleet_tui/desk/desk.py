@@ -1,8 +1,6 @@
 """The desk of one console: its thread writes what is new here, and posts what is new elsewhere as events."""
 
 import logging
-import math
-import threading
 import time
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
@@ -33,6 +31,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Note
 from fleet_tui.model.problem import Right
 from fleet_tui.state.store import Store
+from fleet_tui.storage.worker import Worker
 from fleet_tui.text.sanitize import sanitize
 
 LOG = logging.getLogger(__name__)
@@ -72,15 +71,13 @@ class SharedDesk:
         self._outbox = FactOutbox(self._facts, self._presence.id, name)
         self._others: tuple[Colleague, ...] | None = None
         self._problems: tuple[str, ...] = ()
-        self._begun = math.inf
         self._untaken = deque[tuple[Fact, bool]]()
-        self._is_closing, self._wake = False, threading.Event()
-        self._thread = threading.Thread(target=self._work, name="fleet-tui-desk", daemon=True)
+        self._worker = Worker("desk", self._step, EVERY, self._end)
 
     @property
     def notes(self) -> list[str]:
         """Return notes for the operator; empty while all is shared."""
-        if time.monotonic() - self._begun > SLOW:
+        if self._worker.busy_for > SLOW:
             return ["desk: not responding, nothing is shared"]
         ignored = self._facts.ignored + self._reader.ignored
         told = [f"desk: {ignored} entries ignored: not of a console"] if ignored else []
@@ -94,16 +91,13 @@ class SharedDesk:
         self._post = self._replies.send = post
         post(DeskJoined(self._name))
         self._store.watchers.append(self.watch)
-        self._thread.start()
+        self._worker.start()
 
     def close(self) -> None:
         """Leave the desk: this console's claims end."""
         with suppress(ValueError):
             self._store.watchers.remove(self.watch)
-        self._is_closing = True
-        self._wake.set()
-        if self._thread.is_alive():
-            self._thread.join(LAST_CHANCE)
+        self._worker.close(LAST_CHANCE)
 
     def watch(self, before: FleetState, after: FleetState) -> None:
         """Share what this console's operator did; written later."""
@@ -142,38 +136,31 @@ class SharedDesk:
 
     def _share(self, kind: type[Fact], /, **fields: object) -> None:
         self._outbox.tell(kind, **fields)
-        self._wake.set()
+        self._worker.wake()
 
-    def _work(self) -> None:
-        while not self._is_closing:
-            self._wake.clear()
-            self._begun = time.monotonic()
-            self._problems = tuple(self._step())
-            self._begun = math.inf
-            if not self._is_closing:
-                self._wake.wait(EVERY)
-        list(self._tried(self._write))
+    def _step(self) -> None:
+        self._problems = self._tried(self._keep_presence, self._write, self._read, self._look)
+
+    def _tried(self, *works: Callable[[], None]) -> tuple[str, ...]:
+        """Return what could not be done: whatever fails, the rest goes on."""
+        problems = dict[str, None]()
+        for work in works:
+            try:
+                work()
+            except OSError as problem:
+                problems[f"{self._folder}: {problem.strerror or problem}"] = None
+            except Exception:
+                LOG.exception("desk")  # a mistake of ours must not end the desk
+                problems["internal error: see the log file"] = None
+        return tuple(problems)
+
+    def _end(self) -> None:
+        self._tried(self._write)
         self._presence.close()
         self._facts.close()
 
-    def _step(self) -> Iterator[str]:
-        """Write and read; yield what could not be done: whatever fails, the rest goes on."""
-        found = [
-            *self._tried(lambda: self._presence.keep(self._own())),
-            *self._tried(self._write),
-            *self._tried(self._read),
-            *self._tried(self._look),
-        ]
-        yield from dict.fromkeys(found)
-
-    def _tried(self, work: Callable[[], None]) -> Iterator[str]:
-        try:
-            work()
-        except OSError as problem:
-            yield f"{self._folder}: {problem.strerror or problem}"
-        except Exception:
-            LOG.exception("desk")  # a mistake of ours must not end the desk
-            yield "internal error: see the log file"
+    def _keep_presence(self) -> None:
+        self._presence.keep(self._own())
 
     def _own(self) -> Presence:
         """Return this console as the others see it."""

@@ -10,11 +10,16 @@ from pathlib import Path
 import msgspec
 
 from fleet_tui.desk.facts import Fact, SharedClosure, SharedNote
-from fleet_tui.desk.folder import locked, open_shared, replace_shared
+from fleet_tui.storage.line_file import append_line
+from fleet_tui.storage.lock import lock
+from fleet_tui.storage.opening import open_shared
+from fleet_tui.storage.whole_file import replace_shared
 
 FILE, LOCK = "facts.jsonl", "facts.lock"
 LARGEST = 1_000_000
 """Bytes of the file above which it is written again without what is over."""
+LOCK_WITHIN = 1.0
+"""Seconds to wait for the lock, which another console holds for a moment."""
 RECENT = 200
 """Facts that stay then, whatever they are: a console that has just come reads them."""
 NOTES_KEPT = 200
@@ -46,12 +51,22 @@ class FactFile:
     @contextmanager
     def appending(self) -> Iterator[Callable[[Fact], None]]:
         """Provide what appends one fact after the other, while no other console writes. Raises OSError."""
-        with locked(self._lock):
+        with self._locked():
             handle = open_shared(self._path, os.O_RDWR | os.O_APPEND | os.O_CREAT)
             try:
                 yield lambda fact: _append(handle, msgspec.json.encode(fact) + b"\n")
             finally:
                 os.close(handle)
+
+    @contextmanager
+    def _locked(self) -> Iterator[None]:
+        handle = open_shared(self._lock, os.O_RDWR | os.O_CREAT)
+        try:
+            if not lock(handle, LOCK_WITHIN):
+                raise OSError(errno.EAGAIN, f"{self._lock.name} is locked by another console")
+            yield
+        finally:
+            os.close(handle)
 
     def shorten(self, now: float) -> None:
         """Write a large file again without what is over, from time to time; `now` is monotonic. If that fails
@@ -62,7 +77,7 @@ class FactFile:
             if self._size() <= LARGEST:
                 return
             self._shortens_at = now + SHORTEN_EVERY
-            with locked(self._lock):
+            with self._locked():
                 if (size := self._size()) > LARGEST:
                     self._shorten(size)
             self.grows = ""
@@ -142,14 +157,10 @@ class FactFile:
 
 
 def _append(handle: int, line: bytes) -> None:
-    """Append a line with one write; one that a killed console left open ends first. Raises OSError, and
-    leaves nothing then."""
+    """Append a line. Raises OSError, and leaves nothing of it then."""
     size = os.fstat(handle).st_size
-    if size and os.pread(handle, 1, size - 1) != b"\n":
-        line = b"\n" + line
     try:
-        if os.write(handle, line) != len(line):
-            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        append_line(handle, line)
     except OSError:
         os.ftruncate(handle, size)
         raise

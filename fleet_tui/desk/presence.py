@@ -5,7 +5,7 @@ network file system. Of other machines a console has gone when its file no longe
 compared, but at the first look.
 """
 
-import fcntl
+import errno
 import os
 import secrets
 import time
@@ -18,7 +18,9 @@ import msgspec
 from msgspec import Meta, Struct
 
 from fleet_tui.desk.facts import Name, ShelvedFor
-from fleet_tui.desk.folder import is_held, open_shared, read_small, replace_shared
+from fleet_tui.storage.lock import LockFile, owner_of
+from fleet_tui.storage.opening import open_shared
+from fleet_tui.storage.whole_file import replace_shared
 
 PREFIX, SUFFIX, LOCK = "console-", ".json", ".lock"
 BEAT = 2.0
@@ -68,45 +70,27 @@ class PresenceFile:
     def __init__(self, folder: Path) -> None:
         self.id = new_console_id()
         self._path = folder / f"{PREFIX}{self.id}{SUFFIX}"
-        self._lock_path = self._path.with_suffix(LOCK)
-        self._lock: int | None = None
+        self._lock = LockFile(self._path.with_suffix(LOCK), open_shared)
         self._last: Presence | None = None
         self._last_at = 0.0
 
     def keep(self, presence: Presence) -> None:
         """Write the file if it has changed or is due. Raises OSError."""
         now = time.monotonic()
-        is_there = self._hold()
+        is_there = self._lock.is_held
         if is_there and self._last == presence and now - self._last_at < BEAT:
             return
+        if not self._lock.take():
+            raise BlockingIOError(errno.EAGAIN, f"{self._lock.path.name} is locked by another console")
         replace_shared(self._path, msgspec.json.encode(presence))
-        self._last, self._last_at = presence, now
-
-    def _hold(self) -> bool:
-        """Hold the lock; tell whether it was held: somebody may have removed the file."""
-        if self._lock is not None:
-            with suppress(FileNotFoundError):
-                if self._lock_path.stat().st_ino == os.fstat(self._lock).st_ino:
-                    return True
-            os.close(self._lock)
-            self._lock = None
-        handle = open_shared(self._lock_path, os.O_RDWR | os.O_CREAT)
-        try:
-            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
-            os.close(handle)
-            raise
-        self._lock = handle
-        return False
+        self._last = presence
+        self._last_at = now
 
     def close(self) -> None:
         """Leave the desk."""
-        for path in (self._path, self._lock_path) if self._lock is not None else ():
-            with suppress(OSError):
-                path.unlink()
-        if self._lock is not None:
-            os.close(self._lock)
-            self._lock = None
+        if self._lock.is_held:
+            _remove(self._path)
+        self._lock.release()
 
 
 class _FileSeen(Struct):
@@ -164,7 +148,7 @@ class PresenceReader:
     def _is_there(self, path: Path, seen: _FileSeen, now: float) -> bool:
         assert seen.presence is not None
         is_here = seen.presence.boot == self._boot != ""
-        if is_here and not is_held(path.with_suffix(LOCK)):
+        if is_here and owner_of(path.with_suffix(LOCK), open_shared) is None:
             _remove(path)
             return False
         if not is_here and now - seen.since > FORGOTTEN_AFTER:
@@ -179,10 +163,18 @@ def _remove(path: Path) -> None:
             one.unlink()
 
 
+def _read(path: Path, largest: int = LARGEST) -> bytes:
+    with os.fdopen(open_shared(path, os.O_RDONLY), "rb") as file:
+        content = file.read(largest + 1)
+    if len(content) > largest:
+        raise OSError(errno.EFBIG, f"{path.name} is over {largest:,} bytes")
+    return content
+
+
 def _presence(path: Path) -> Presence | None:
     """Return the content of a file, None if it is no presence, or another's."""
     try:
-        found = _DECODER.decode(read_small(path, LARGEST))
+        found = _DECODER.decode(_read(path))
     except (OSError, msgspec.MsgspecError, UnicodeDecodeError, RecursionError):
         return None
     return found if path.name == f"{PREFIX}{found.id}{SUFFIX}" else None

@@ -17,6 +17,7 @@ from fleet_tui.model.desk.events import ColleaguesSeen
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.state.store import Store
+from fleet_tui.storage.worker import Worker
 from fleet_tui.text.sanitize import sanitize
 
 FIRST_WITHIN = 1.0
@@ -31,13 +32,13 @@ class DeskVisit:
         self._post, self._own = post, new_console_id()
         self._reader, self._facts = PresenceReader(folder), FactFile(folder)
         self._outbox = FactOutbox(self._facts, self._own, name)
-        self._has_looked, self._closing = threading.Event(), threading.Event()
-        self._thread = threading.Thread(target=self._work, name="fleet-tui-desk", daemon=True)
+        self._has_looked = threading.Event()
+        self._worker = Worker("desk", self._look, EVERY, self._end)
         self._problem = ""
 
     def start(self) -> str:
         """Look for the first time; return the reason that claims are not known, empty if they are."""
-        self._thread.start()
+        self._worker.start()
         return self._problem if self._has_looked.wait(FIRST_WITHIN) else "not responding"
 
     def watch(self, before: FleetState, after: FleetState) -> None:
@@ -47,23 +48,22 @@ class DeskVisit:
 
     def close(self) -> None:
         """Share what is left."""
-        self._closing.set()
-        self._thread.join(LAST_CHANCE)
+        self._worker.close(LAST_CHANCE)
 
-    def _work(self) -> None:
-        is_last = False
-        while not is_last:
-            is_last = self._closing.is_set()
-            try:
-                self._look()
-            except OSError as problem:
-                self._problem = problem.strerror or str(problem)
-            self._has_looked.set()
-            self._closing.wait(0.0 if is_last else EVERY)
+    def _end(self) -> None:
+        self._look()
         self._facts.shorten(time.monotonic())
         self._facts.close()
 
     def _look(self) -> None:
+        try:
+            self._exchange()
+        except OSError as problem:
+            self._problem = problem.strerror or str(problem)
+        finally:
+            self._has_looked.set()
+
+    def _exchange(self) -> None:
         self._outbox.send()
         self._post(ColleaguesSeen(colleagues(self._reader.look())))
         is_new = not self._facts.is_past

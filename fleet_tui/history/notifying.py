@@ -1,10 +1,11 @@
 """The one process of a site that notifies, of several consoles and collectors."""
 
 from collections.abc import Callable
+from functools import partial
 from zlib import crc32
 
 from fleet_tui.config.schema import Config
-from fleet_tui.history.turn import Turn
+from fleet_tui.history.writer import takes, turn_at
 from fleet_tui.log_file import state_folder
 from fleet_tui.programs.notify import AlarmProgram
 
@@ -15,5 +16,5 @@ def alarm_program(config: Config, say: Callable[[str], None]) -> AlarmProgram | 
     if not config.notify.command:
         return None
     path = config.path.absolute()
-    turn = Turn(state_folder() / f"notify-{crc32(bytes(path)):08x}")
-    return AlarmProgram(config.notify, path.parent, say, turn.take)
+    turn = turn_at(state_folder() / f"notify-{crc32(bytes(path)):08x}")
+    return AlarmProgram(config.notify, path.parent, say, partial(takes, turn))

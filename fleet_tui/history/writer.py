@@ -2,7 +2,6 @@
 
 import logging
 import sqlite3
-import threading
 import time
 from collections import deque
 from collections.abc import Iterator
@@ -25,7 +24,6 @@ from fleet_tui.history.database import (
 )
 from fleet_tui.history.pruning import DAY, shrink
 from fleet_tui.history.rebuilding import catch_up, rebuild
-from fleet_tui.history.turn import Turn
 from fleet_tui.history.writing import end_unseen, end_unseen_alarms, write_all
 from fleet_tui.model.alarm import AlarmStep
 from fleet_tui.model.audit_record import AuditRecord
@@ -33,6 +31,9 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Note
 from fleet_tui.rules.history.observing import Fact, Observer
 from fleet_tui.state.store import Store
+from fleet_tui.storage.lock import LockFile
+from fleet_tui.storage.worker import Worker
+from fleet_tui.storage.write_queue import WriteQueue
 
 LOG = logging.getLogger(__name__)
 
@@ -54,22 +55,25 @@ class HistoryWriter:
     one of those that observe the same site, the first."""
 
     def __init__(self, path: Path, audit: Path, config: HistoryConfig, store: Store, origin: Origin) -> None:
-        self.path, self.problem, self.note = path, "", ""
-        self._audit, self._config, self._store, self._origin = audit, config, store, origin
-        self._facts: deque[Fact | Note | AuditRecord] = deque()
-        self._lost = 0
+        self.path = path
+        self.problem = ""
+        self.note = ""
+        self._audit = audit
+        self._config = config
+        self._store = store
+        self._origin = origin
+        self._facts = WriteQueue[Fact | Note | AuditRecord](WAITING)
         self._changes: deque[tuple[FleetState, FleetState, float, float]] = deque(maxlen=WAITING)
         self._database: sqlite3.Connection | None = None
         self._file: tuple[int, int] | None = None
-        self._turn = Turn(path)
+        self._turn = turn_at(path)
         self._is_observing = False
         self._observer = Observer()
         self._seen: set[str] = set()
         self._has_ended_alarms = False
         self._pruned = -PRUNE_EVERY
         self._clock = time.time() - time.monotonic()
-        self._closing = threading.Event()
-        self._thread = threading.Thread(target=self._work, name="fleet-tui-history", daemon=True)
+        self._worker = Worker("history", self._step, EVERY, self._end)
 
     @property
     def notes(self) -> list[str]:
@@ -80,7 +84,7 @@ class HistoryWriter:
     def start(self) -> None:
         """Begin to observe."""
         self._store.watchers.append(self.watch)
-        self._thread.start()
+        self._worker.start()
 
     def watch(self, before: FleetState, after: FleetState) -> None:
         """Keep a change of commands or alarms; written later."""
@@ -95,53 +99,43 @@ class HistoryWriter:
         """Write what is left."""
         with suppress(ValueError):
             self._store.watchers.remove(self.watch)
-        self._closing.set()
-        if self._thread.is_alive():
-            self._thread.join(LAST_CHANCE)
+        self._worker.close(LAST_CHANCE)
 
-    def _work(self) -> None:
-        while not self._closing.wait(EVERY):
-            self._step()
+    def _step(self) -> None:
+        try:
+            self._collect()
+        finally:  # a mistake of ours in one state must not keep the others
+            self._write()
+
+    def _end(self) -> None:
         self._collect()
-        self._facts.extend(self._observer.finish() if self._is_observing else ())
+        for fact in self._observer.finish() if self._is_observing else ():
+            self._facts.append(fact)
         self._write()
         if self._database is not None:
             self._database.close()
-        self._turn.close()
-
-    def _step(self) -> None:
-        for work in (self._collect, self._write):
-            try:
-                work()
-            except Exception:
-                LOG.exception("history")  # a mistake of ours in one state must not end the history
+        self._turn.release()
 
     def _collect(self) -> None:
         """Take what happened since the last time."""
-        observed, self._is_observing = self._is_observing, self._turn.take()
+        observed, self._is_observing = self._is_observing, takes(self._turn)
         if self._is_observing and not observed:  # what another console raised goes on here
             self._raise_held()
         while self._changes:
             before, after, at, wall = self._changes.popleft()
             for record in command_records(self._origin, before, after, partial(_wall, at, wall)):
-                self._add(record)
+                self._facts.append(record)
             for record in alarm_records(self._origin, before, after, wall):
                 # An operator acknowledges here, also if another console observes.
                 if self._is_observing or record.change.startswith(AlarmStep.ACKNOWLEDGE.value):
-                    self._add(record)
+                    self._facts.append(record)
         if self._is_observing:
             for fact in self._observer.observe(self._store.state):
-                self._add(fact)
+                self._facts.append(fact)
 
     def _raise_held(self) -> None:
         for record in held_records(self._origin, self._store.state, time.time()):
-            self._add(record)
-
-    def _add(self, fact: Fact | AuditRecord) -> None:
-        if len(self._facts) >= WAITING:
-            self._facts.popleft()
-            self._lost += 1
-        self._facts.append(fact)
+            self._facts.append(record)
 
     def _write(self) -> None:
         """Write all that waits, in one transaction; what could not be written waits on."""
@@ -158,9 +152,9 @@ class HistoryWriter:
             self._failed(problem)
         else:
             self.problem = ""
-            if self._lost:
-                LOG.error("history: %d facts not written", self._lost)
-                self._lost = 0
+            if self._facts.lost:
+                LOG.error("history: %d facts not written", self._facts.lost)
+                self._facts.lost = 0
 
     def _opened(self) -> sqlite3.Connection:
         if self._database is not None and self._file != identity(self.path):
@@ -227,6 +221,19 @@ class HistoryWriter:
         if abs(wall - now - self._clock) > MOVES_CLOCK:
             return
         shrink(database, wall, self._config)
+
+
+def turn_at(path: Path) -> LockFile:
+    """Return the turn to do what one of several consoles does: beside this file."""
+    return LockFile(Path(f"{path}.lock"))
+
+
+def takes(turn: LockFile) -> bool:
+    """Tell whether it is this process's turn; also where there can be no lock: the database will say why."""
+    try:
+        return turn.take()
+    except OSError:
+        return True
 
 
 def _wall(now: float, wall: float, at: float) -> float:

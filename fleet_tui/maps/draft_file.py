@@ -1,6 +1,5 @@
 """Drafts of graphs on disk: each step is written as it is taken, so that a draft survives a crash."""
 
-import fcntl
 import os
 from errno import EBUSY, EROFS
 from hashlib import sha256
@@ -14,6 +13,8 @@ from msgspec import Struct
 from fleet_tui.config.schema import Config
 from fleet_tui.model.graphs.document import DocumentFloor
 from fleet_tui.model.graphs.draft import Change, GraphDraft
+from fleet_tui.storage.lock import lock
+from fleet_tui.storage.opening import open_private
 
 SUFFIX = ".draft.jsonl"
 LARGEST = 256 * 2**20
@@ -108,13 +109,12 @@ class DraftFile:
         self.write(Begun(draft.base), *map(Done, draft.done))
 
     def _begin(self) -> None:
-        self.path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
         if self.path.exists():
             with self.path.open("r+b") as before:
                 _lock(before)
                 if before.read().count(b"\n") > 1:
                     self.path.replace(self.path.with_suffix(".bak"))
-        handle = os.open(self.path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
+        handle = open_private(self.path, os.O_RDWR | os.O_CREAT)
         self._own(os.fdopen(handle, "r+b"), 0)
 
     def _own(self, file: BinaryIO, kept: int) -> None:
@@ -147,7 +147,5 @@ class DraftFile:
 
 def _lock(file: BinaryIO) -> None:
     """Lock a draft, until it is closed. Raises OSError if another console writes to it."""
-    try:
-        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        raise OSError(EBUSY, "another console edits this floor") from None
+    if not lock(file.fileno()):
+        raise OSError(EBUSY, "another console edits this floor")

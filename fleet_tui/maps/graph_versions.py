@@ -4,7 +4,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from urllib.parse import quote
 
-from fleet_tui.config.whole_file import write_whole
+from fleet_tui.storage.whole_file import write_whole
 
 KEPT = 20
 """Versions of one floor of one robot."""

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from PIL import Image, UnidentifiedImageError
 from yaml.reader import ReaderError
 
-from fleet_tui.config.small_file import open_file, read_text
+from fleet_tui.config.small_file import read_text
 from fleet_tui.errors import MapError
 from fleet_tui.model.events import FloorMapLoaded
 from fleet_tui.model.geometry import MapFrame, Pose
@@ -25,6 +25,7 @@ from fleet_tui.model.occupancy import (
     Classes,
     build_grid,
 )
+from fleet_tui.storage.opening import open_file
 
 MODES = ("trinary", "scale", "raw")
 # Not all formats of Pillow: TIFF's library writes on stderr, EPS starts a program.

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import numpy as np
 
-from fleet_tui.config.whole_file import write_whole
 from fleet_tui.errors import MapError
 from fleet_tui.maps.images import load_floor_map
 from fleet_tui.model.grid import FREE, OCCUPIED, OccupancyGrid
+from fleet_tui.storage.whole_file import write_whole
 
 SHADES = {OCCUPIED: 0, FREE: 254}
 """Brightness of the classes; unknown ground is UNKNOWN_SHADE."""

@@ -4,7 +4,6 @@ import asyncio
 import json
 import logging
 import threading
-from collections import deque
 from collections.abc import Callable
 from datetime import UTC, datetime
 from pathlib import Path
@@ -14,6 +13,7 @@ from fleet_tui.config.withholding import doubt_of_command
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key, class_of
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.programs.process import EndedProcess, run
+from fleet_tui.storage.write_queue import WriteQueue
 from fleet_tui.text.sanitize import sanitize
 
 LOG = logging.getLogger(__name__)
@@ -43,8 +43,7 @@ class AlarmProgram:
         self._command, self._classes = list(notify.command), frozenset(notify.classes)
         self._folder, self._say, self._is_ours = folder, say, is_ours
         self._known: dict[Key, int] = {}
-        self._waiting: deque[str] = deque(maxlen=MOST)
-        self._left_out = 0
+        self._waiting = WriteQueue[str](MOST)
         self._started_at = float("-inf")
         self._running: threading.Thread | None = None
         self._failed = self._said = ""
@@ -70,7 +69,6 @@ class AlarmProgram:
         for alarm in state.alarms if self._is_ours() else ():
             is_new = alarm.holds and alarm.count > self._known.get(alarm.key, 0)
             if is_new and alarm.stage is AlarmStage.UNACKNOWLEDGED and self._is_wanted(alarm):
-                self._left_out += len(self._waiting) == MOST
                 self._waiting.append(line_of(alarm, state))
         self._known = counts
 
@@ -80,10 +78,10 @@ class AlarmProgram:
 
     def _lines(self) -> str:
         lines = [*self._waiting]
-        if self._left_out:
-            lines.append(json.dumps({"left_out": self._left_out}))
+        if self._waiting.lost:
+            lines.append(json.dumps({"left_out": self._waiting.lost}))
         self._waiting.clear()
-        self._left_out = 0
+        self._waiting.lost = 0
         return "".join(f"{line}\n" for line in lines)
 
     def _run(self, given: str) -> None:

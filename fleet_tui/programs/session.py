@@ -4,7 +4,6 @@ Run as a module. It ends once the command has begun, and leaves a process that w
 log, passes on SIGTERM, and keeps the outcome in a locked file: as long as the lock is held, the command runs.
 """
 
-import fcntl
 import json
 import os
 import signal
@@ -16,6 +15,9 @@ from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import IO
+
+from fleet_tui.storage.lock import lock
+from fleet_tui.storage.opening import open_private
 
 FILE_SUFFIX, LOG_SUFFIX = ".session", ".log"
 LARGEST_LOG = 5 * 2**20
@@ -30,9 +32,8 @@ LOCK_WITHIN = 0.5
 
 def start(folder: Path, name: str, command: Sequence[str]) -> str:
     """Start a command, and return the reason if that failed."""
-    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-    file = os.open(folder / f"{name}{FILE_SUFFIX}", os.O_RDWR | os.O_CREAT, 0o600)
-    if not _locked(file):
+    file = open_private(folder / f"{name}{FILE_SUFFIX}", os.O_RDWR | os.O_CREAT)
+    if not lock(file, LOCK_WITHIN):
         return "is already running"
     reader, writer = os.pipe()
     if os.fork():
@@ -46,19 +47,6 @@ def start(folder: Path, name: str, command: Sequence[str]) -> str:
         os.dup2(nothing, stream)
     _keep(file, writer, folder / f"{name}{LOG_SUFFIX}", command)
     os._exit(0)
-
-
-def _locked(file: int) -> bool:
-    until = time.monotonic() + LOCK_WITHIN
-    while True:
-        try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            if time.monotonic() > until:
-                return False
-            time.sleep(0.02)
-        else:
-            return True
 
 
 def _keep(file: int, writer: int, log: Path, command: Sequence[str]) -> None:

@@ -1,6 +1,5 @@
 """The state of a command in a session of its own, and how it is stopped."""
 
-import fcntl
 import os
 import signal
 from pathlib import Path
@@ -9,6 +8,8 @@ import msgspec
 
 from fleet_tui.model.programs.program import ProgramState, ProgramStatus
 from fleet_tui.programs.session import FILE_SUFFIX, RECORD
+from fleet_tui.storage.lock import is_locked
+from fleet_tui.storage.opening import open_private
 
 
 class SessionRecord(msgspec.Struct, frozen=True):
@@ -56,14 +57,10 @@ def stop_session(folder: Path, name: str) -> str:
 def _read(folder: Path, name: str) -> tuple[SessionRecord | None, bool]:
     """Return the record of a session, and whether its command runs."""
     try:
-        file = os.open(folder / f"{name}{FILE_SUFFIX}", os.O_RDONLY | os.O_NONBLOCK)
+        file = open_private(folder / f"{name}{FILE_SUFFIX}", os.O_RDONLY)
     except OSError:
         return None, False
-    try:
-        fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
-        is_running = False
-    except OSError:
-        is_running = True
+    is_running = is_locked(file)
     try:
         return msgspec.json.decode(os.pread(file, RECORD, 0), type=SessionRecord), is_running
     except (msgspec.MsgspecError, UnicodeError, OSError):

@@ -15,6 +15,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.recording.part_files import USUAL, PartLimits
 from fleet_tui.recording.part_writer import PartWriter
 from fleet_tui.state.store import Store
+from fleet_tui.storage.worker import Worker
 
 LOG = logging.getLogger(__name__)
 
@@ -43,15 +44,17 @@ class Recorder:
         self._writer = PartWriter(first, config, origin, limits)
         self._store = store
         self._queue: deque[tuple[Any, ...]] = deque()
-        self._in = self._out = 0
+        self._in = 0
+        self._out = 0
         self._dropped = 0
-        self._next_keyframe, self._since = 0.0, 0
-        self._begun = self._closing = False
-        self._wake = threading.Event()
+        self._next_keyframe = 0.0
+        self._since = 0
+        self._begun = False
+        self._flush_at = time.monotonic() + FLUSH_EVERY
         self.path = first
         self.began = time.monotonic()
-        self._thread = threading.Thread(target=self._run, name="fleet-tui-record", daemon=True)
-        self._thread.start()
+        self._worker = Worker("record", self._write, DRAIN_EVERY, self._end)
+        self._worker.start()
         store.watchers = [*store.watchers, self.watch]
 
     @property
@@ -125,7 +128,7 @@ class Recorder:
         Tell whether that was in time."""
         done = threading.Event()
         self._queue.append((0, self._flush, done))
-        self._wake.set()
+        self._worker.wake()
         return done.wait(within)
 
     def _flush(self, done: threading.Event) -> None:
@@ -135,22 +138,18 @@ class Recorder:
     def close(self) -> None:
         """Stop, and end the file."""
         self._store.watchers = [one for one in self._store.watchers if one != self.watch]
-        self._closing = True
-        self._wake.set()
-        self._thread.join(LAST_WORDS)
+        self._worker.close(LAST_WORDS)
 
-    def _run(self) -> None:
-        flush_at = 0.0
-        while not self._closing:
-            self._wake.wait(DRAIN_EVERY)
-            self._wake.clear()
-            self._drain()
-            now = time.monotonic()
-            if now >= flush_at:
-                flush_at = now + FLUSH_EVERY
-                self._guarded(self._writer.flush)
+    def _write(self) -> None:
         self._drain()
-        self._guarded(self._writer.close)
+        now = time.monotonic()
+        if now >= self._flush_at:
+            self._flush_at = now + FLUSH_EVERY
+            self._guarded(self._writer.flush)
+
+    def _end(self) -> None:
+        self._drain()
+        self._writer.close()
 
     def _drain(self) -> None:
         self._writer.note_time()

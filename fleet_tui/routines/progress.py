@@ -6,10 +6,10 @@ from pathlib import Path
 import msgspec
 
 from fleet_tui.config.small_file import read_text
-from fleet_tui.config.whole_file import write_whole
 from fleet_tui.errors import RoutineError
 from fleet_tui.model.routines.lane import Gate, Lane, LanePhase
 from fleet_tui.routines.files import RoutineFile
+from fleet_tui.storage.whole_file import write_whole
 
 LARGEST = 10_000_000
 

@@ -6,10 +6,10 @@ from pathlib import Path
 
 import platformdirs
 
-from fleet_tui.config.whole_file import write_whole
 from fleet_tui.errors import RoutineError
 from fleet_tui.model.routines.blocks import DAYS, Schedule
 from fleet_tui.routines.files import RoutineFile
+from fleet_tui.storage.whole_file import write_whole
 
 SERVICE = """\
 [Unit]

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.audit.entries import alarm_records, command_records
-from fleet_tui.audit.file import FILE_NAME, AuditFile
+from fleet_tui.audit.file import FILE_NAME, audit_file
 from fleet_tui.audit.log import Audit
 from fleet_tui.config.start import initial_state
 from fleet_tui.model.audit_record import VERSION
@@ -133,7 +133,7 @@ def test_an_alarm_of_a_link_names_its_address(tmp_path: Path) -> None:
 )
 def test_no_secret_of_an_address_is_kept(tmp_path: Path, url: str, kept: str) -> None:
     store = Store(initial_state(config_of(url), T0))
-    store.watchers.append(Audit(AuditFile(tmp_path / FILE_NAME), ANA).watch)
+    store.watchers.append(Audit(audit_file(tmp_path / FILE_NAME), ANA).watch)
     give(store, 1, ORDER, Stage.SENT)
     assert {one.url for one in read(tmp_path)} == {kept}
 

@@ -13,7 +13,7 @@ from msgspec.structs import replace
 
 from fleet_tui.audit import log as module
 from fleet_tui.audit.entries import TEXT_KEPT, Origin
-from fleet_tui.audit.file import FILE_NAME, AuditFile
+from fleet_tui.audit.file import FILE_NAME, KEPT, MAX_BYTES, audit_file
 from fleet_tui.audit.log import Audit, auditing, encode, operator_name
 from fleet_tui.config.schema import Config, Operator
 from fleet_tui.model.alarm import Alarm, Condition, Priority
@@ -21,6 +21,7 @@ from fleet_tui.model.commands import Stage
 from fleet_tui.model.events import CommandAdvanced, CommandIssued
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.state.store import Store
+from fleet_tui.storage.line_file import LineFile
 from tests.support.fleets import (
     F0,
     R0,
@@ -70,7 +71,7 @@ def test_the_console_itself_and_what_it_leaves_open(tmp_path: Path) -> None:
     assert len({one.run for one in found}) == 1
 
 
-class BadDisk(AuditFile):
+class BadDisk(LineFile):
     """Refuses as long as it is `full`, keeps who writes while it `answers` not, and takes its time for each
     line."""
 
@@ -78,7 +79,7 @@ class BadDisk(AuditFile):
     seconds = 0.0
 
     def __init__(self, path: Path) -> None:
-        super().__init__(path)
+        super().__init__(path, MAX_BYTES, KEPT)
         self.answers = threading.Event()
         self.answers.set()
 
@@ -154,7 +155,7 @@ def test_a_slow_disk_has_the_end_of_every_command(
 
 def test_a_stage_that_only_the_state_has_at_the_end_is_written(tmp_path: Path) -> None:
     """Who waits for a stage sees it before the log's watcher does, and may end the console by it."""
-    store, audit = Store(known_fleet()), Audit(AuditFile(tmp_path / FILE_NAME), ANA)
+    store, audit = Store(known_fleet()), Audit(audit_file(tmp_path / FILE_NAME), ANA)
     store.watchers.append(audit.watch)
     give(store, 1, ORDER, Stage.SENT)
     store.watchers.clear()
@@ -201,7 +202,7 @@ def test_a_slow_disk_holds_nobody_for_long(
 
     def append(line: bytes) -> None:
         time.sleep(0.03)  # the slowness itself
-        AuditFile.append(disk, line)
+        LineFile.append(disk, line)
 
     monkeypatch.setattr(disk, "append", append)
     audit, quiet = Audit(disk, ANA), known_fleet()
@@ -259,7 +260,7 @@ def test_one_slow_line_leaves_no_command_before_its_own(
 
     def slowly(line: bytes) -> None:
         time.sleep(0.03)  # the slowness itself
-        AuditFile.append(disk, line)
+        LineFile.append(disk, line)
 
     audit = Audit(disk, ANA)
     with monkeypatch.context() as patched:
@@ -280,7 +281,7 @@ def test_what_is_lost_for_good_is_said_at_the_end(
 ) -> None:
     disk = BadDisk(tmp_path / FILE_NAME)
     disk.full = not hangs
-    monkeypatch.setattr(module, "AuditFile", lambda _path: disk)
+    monkeypatch.setattr(module, "audit_file", lambda _path: disk)
     store = Store(known_fleet())
     with auditing(tmp_path, config_of("ws://site:9090"), store):
         if hangs:

@@ -10,9 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.audit import reader
-from fleet_tui.audit.file import part
 from fleet_tui.audit.log import encode
 from fleet_tui.audit.reader import AuditReader
+from fleet_tui.storage.line_file import part
 from tests.support.records import record
 
 WHOLE = encode(record("r"))

@@ -3,14 +3,15 @@
 from contextlib import closing
 from pathlib import Path
 
-from fleet_tui.audit.file import FILE_NAME, AuditFile
+from fleet_tui.audit.file import FILE_NAME, audit_file
 from fleet_tui.audit.log import encode
 from fleet_tui.audit.tail import AuditTail
+from fleet_tui.storage.line_file import LineFile
 from tests.support.records import record
 
 
 def test_only_what_is_new_and_each_record_once(tmp_path: Path) -> None:
-    file = AuditFile(tmp_path / FILE_NAME)
+    file = audit_file(tmp_path / FILE_NAME)
     file.append(encode(record("old")))
     with closing(AuditTail(file.path)) as tail:
         assert list(tail.new()) == []
@@ -33,7 +34,7 @@ def test_half_a_line_waits_for_its_end(tmp_path: Path) -> None:
 
 def test_nothing_is_missed_when_it_is_rotated(tmp_path: Path) -> None:
     lines = [encode(record(str(number))) for number in range(9)]
-    file = AuditFile(tmp_path / FILE_NAME, max_bytes=3 * len(lines[0]), kept=9)
+    file = LineFile(tmp_path / FILE_NAME, max_bytes=3 * len(lines[0]), kept=9)
     with closing(AuditTail(file.path)) as tail:
         found = []
         for line in lines:
@@ -46,5 +47,5 @@ def test_a_log_that_begins_later(tmp_path: Path) -> None:
     path = tmp_path / FILE_NAME
     with closing(AuditTail(path)) as tail:
         assert list(tail.new()) == []
-        AuditFile(path).append(encode(record("first")))
+        audit_file(path).append(encode(record("first")))
         assert [one.words for one in tail.new()] == ["first"]

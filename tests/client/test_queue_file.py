@@ -67,11 +67,11 @@ def test_a_disk_that_is_full_is_said_until_it_takes_the_orders(
 ) -> None:
     ours.save(KEPT[:1])
 
-    def full(*_: object) -> int:
+    def full(**_: object) -> int:
         raise OSError(28, "No space left on device")
 
     with monkeypatch.context() as patched:
-        patched.setattr("fleet_tui.client.queue_file.os.open", full)
+        patched.setattr("fleet_tui.storage.whole_file.tempfile.mkstemp", full)
         ours.save(KEPT)
     assert "not writable: No space left" in ours.problem and ours.load() == KEPT[:1]
     ours.save(KEPT)

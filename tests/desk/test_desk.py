@@ -234,12 +234,16 @@ def test_a_folder_that_does_not_respond_stops_nothing(
         eventually(lambda: ana.desk.notes == [])
 
 
+def full(_path: Path, _content: bytes) -> None:
+    raise OSError(28, "No space left on device")
+
+
 def test_a_file_that_can_not_be_shortened_grows_by_each_fact_once(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(fact_file, "LARGEST", 1)
     monkeypatch.setattr(desk_module, "EVERY", 0.001)
-    (tmp_path / f".{FILE}.new").mkdir()
+    monkeypatch.setattr(fact_file, "replace_shared", full)
     with at_desk(tmp_path, "ana", "ben") as (ana, ben):
         ana.desk.share_note(Note(time.time(), "ana", "one"))
         ben.desk.share_note(Note(time.time(), "ben", "two"))
@@ -249,7 +253,7 @@ def test_a_file_that_can_not_be_shortened_grows_by_each_fact_once(
             ana.becomes(lambda state, at=number: state.desk.others[0].robot == f"robot_{at % 5}")  # type: ignore[misc]  # as above
         assert count_lines(tmp_path) == 2
         (note,) = ana.desk.notes
-        assert note == "desk: facts.jsonl grows, it can't be shortened: Is a directory"
+        assert note == "desk: facts.jsonl grows, it can't be shortened: No space left on device"
 
 
 def test_answers_that_waited_for_the_folder_are_shared_while_they_are_so(tmp_path: Path) -> None:

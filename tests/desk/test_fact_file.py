@@ -87,6 +87,10 @@ def test_a_console_that_reads_on_misses_nothing_of_a_file_that_was_written_again
     reader.close()
 
 
+def full(_path: Path, _content: bytes) -> None:
+    raise OSError(28, "No space left on device")
+
+
 def test_a_file_that_can_not_be_shortened_is_tried_again_later(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -94,11 +98,11 @@ def test_a_file_that_can_not_be_shortened_is_tried_again_later(
     monkeypatch.setattr(fact_file, "RECENT", 1)
     file = FactFile(tmp_path)
     append(file, [closure("a:1"), closure("a:2")])
-    (tmp_path / f".{FILE}.new").mkdir()
-    file.shorten(0.0)
-    assert file.grows
-    file.shorten(SHORTEN_EVERY - 1.0)  # reads all of it: not four times a second
-    (tmp_path / f".{FILE}.new").rmdir()
+    with monkeypatch.context() as patched:
+        patched.setattr(fact_file, "replace_shared", full)
+        file.shorten(0.0)
+        assert file.grows
+        file.shorten(SHORTEN_EVERY - 1.0)  # reads all of it: not four times a second
     file.shorten(SHORTEN_EVERY - 1.0)
     assert len((tmp_path / FILE).read_bytes().splitlines()) == 2
     file.shorten(SHORTEN_EVERY)

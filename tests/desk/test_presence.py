@@ -30,8 +30,7 @@ def test_a_console_is_there_until_it_leaves(tmp_path: Path) -> None:
 
 def test_a_console_of_this_machine_has_gone_with_its_lock(tmp_path: Path) -> None:
     file, _ = there(tmp_path)
-    assert file._lock is not None
-    os.close(file._lock)  # as the kernel does for a killed process
+    file._lock.release()  # as the kernel does for a killed process
     assert PresenceReader(tmp_path).look() == [] and list(tmp_path.iterdir()) == []
 
 

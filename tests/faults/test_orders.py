@@ -6,7 +6,7 @@ import pytest
 
 from fleet_tui.audit.elsewhere import watched_commands
 from fleet_tui.audit.entries import Origin
-from fleet_tui.audit.file import FILE_NAME, AuditFile
+from fleet_tui.audit.file import FILE_NAME, audit_file
 from fleet_tui.audit.log import Audit
 from fleet_tui.model.commands import ClearOrders, Stage
 from fleet_tui.model.fleet import FleetState
@@ -136,7 +136,7 @@ async def test_another_console_of_this_machine_clears(server: RosbridgeServer, t
     async with linked(config) as (link, store), plainly_linked(config) as (other, other_store):
         await store.until(ready)
         await other_store.until(ready)
-        audit = Audit(AuditFile(tmp_path / FILE_NAME), Origin("ben", "host:2", "run2"))
+        audit = Audit(audit_file(tmp_path / FILE_NAME), Origin("ben", "host:2", "run2"))
         other_store.watchers.append(audit.watch)
         with watched_commands(tmp_path, store, link.post, "host:1"):
             assert (await finished(link, store, ORDER)).stage is Stage.CONFIRMED

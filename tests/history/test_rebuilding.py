@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.audit.file import FILE_NAME, AuditFile
+from fleet_tui.audit.file import FILE_NAME, audit_file
 from fleet_tui.audit.log import encode
 from fleet_tui.history.database import open_to_write
 from fleet_tui.history.reading import History
@@ -33,7 +33,7 @@ LIFE = [
 
 
 def rebuilt(folder: Path, *records: AuditRecord, since: float = 0.0) -> History:
-    file = AuditFile(folder / FILE_NAME)
+    file = audit_file(folder / FILE_NAME)
     for record in records:
         file.append(encode(record))
     file.close()
@@ -62,7 +62,7 @@ def test_what_is_not_ours_stays_away(tmp_path: Path) -> None:
 def test_commands_that_a_console_could_not_write_are_caught_up_once(tmp_path: Path) -> None:
     found = rebuilt(tmp_path, *LIFE)
     with closing(found.database):
-        file = AuditFile(tmp_path / FILE_NAME)
+        file = audit_file(tmp_path / FILE_NAME)
         late = [step(200.0, "sent", id=4), step(201.0, "refused", id=4), step(202.0, "console closed", id=4)]
         for record in (*late, step(203.0, "sent", id=5, robot="robot_9")):
             file.append(encode(record))

@@ -11,14 +11,13 @@ import msgspec
 import pytest
 
 from fleet_tui.audit.entries import Origin
-from fleet_tui.audit.file import FILE_NAME, AuditFile
+from fleet_tui.audit.file import FILE_NAME, audit_file
 from fleet_tui.audit.log import encode
 from fleet_tui.config.schema import HistoryConfig
 from fleet_tui.history import writer
 from fleet_tui.history.database import opened_to_read
 from fleet_tui.history.reading import History
-from fleet_tui.history.turn import Turn
-from fleet_tui.history.writer import HistoryWriter, history_of
+from fleet_tui.history.writer import HistoryWriter, history_of, turn_at
 from fleet_tui.history.writing import write as usual
 from fleet_tui.model.commands import Stage
 from fleet_tui.rules.history.observing import Fact
@@ -159,7 +158,7 @@ def test_a_full_disk_loses_nothing(store: Store, running: Running, monkeypatch: 
 
 def one_command(folder: Path) -> Path:
     """An audit log of a pause."""
-    log = AuditFile(folder / FILE_NAME)
+    log = audit_file(folder / FILE_NAME)
     log.append(encode(ANA.record(time.time(), kind="command", what="pause", change="sent", id=1, robot=R0)))
     log.close()
     return log.path
@@ -264,7 +263,7 @@ def test_an_order_that_ended_before_the_second_console_observes_has_its_end(
     other_store.apply(queue(T0 + 3))
     other_store.apply(tick(T0 + 3))
     second = HistoryWriter(path, path, LONG, other_store, Origin("bob", "host:2", "run2"))
-    second._turn = Turn(path.with_name("other"))
+    second._turn = turn_at(path.with_name("other"))
     second.start()
     eventually(lambda: ended(path))
     second.close()

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.audit.entries import Origin
-from fleet_tui.audit.file import FILE_NAME, AuditFile
+from fleet_tui.audit.file import FILE_NAME, audit_file
 from fleet_tui.audit.log import Audit, encode
 from fleet_tui.config.entries import FloorEntry, RobotEntry
 from fleet_tui.config.schema import Config, Link
@@ -25,7 +25,7 @@ def opened(path: Path) -> dict[str, str]:
 
 
 def test_everything_of_the_last_minutes_is_in_it(tmp_path: Path) -> None:
-    audit = Audit(AuditFile(tmp_path / FILE_NAME), Origin("ana", "host:1", "run"))
+    audit = Audit(audit_file(tmp_path / FILE_NAME), Origin("ana", "host:1", "run"))
     old = audit.origin.record(1000.0, kind="console", what="console", change="opened", words="long ago")
     audit.file.append(b'{"torn')
     audit.file.append(encode(old))

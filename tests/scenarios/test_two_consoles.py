@@ -9,7 +9,7 @@ import pytest
 
 from fleet_tui.audit.elsewhere import watched_commands
 from fleet_tui.audit.entries import Origin
-from fleet_tui.audit.file import FILE_NAME, AuditFile
+from fleet_tui.audit.file import FILE_NAME, audit_file
 from fleet_tui.audit.log import Audit
 from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.start import initial_state
@@ -85,7 +85,7 @@ async def test_an_order_that_another_console_of_this_machine_removed_is_told_wit
 ) -> None:
     """Its audit log is the evidence; the robot only shows that the order is gone."""
     async with other_console(server.url) as ana, other_console(server.url) as ben:
-        audit = Audit(AuditFile(tmp_path / FILE_NAME), Origin("ben", "host:2", "run2"))
+        audit = Audit(audit_file(tmp_path / FILE_NAME), Origin("ben", "host:2", "run2"))
         ben.store.watchers.append(audit.watch)
         with watched_commands(tmp_path, ana.store, ana.link.post, "host:1"):
             ana.link.submit(place_order(R0, BASE, CONSUMIDORES))
@@ -111,7 +111,7 @@ async def test_two_who_command_a_robot_at_once_see_who_else_did_without_a_desk(
         audits = []
         with ExitStack() as watched:
             for one, name, console in ((ana, "ana", "host:1"), (ben, "ben", "host:2")):
-                audit = Audit(AuditFile(tmp_path / FILE_NAME), Origin(name, console, f"run of {name}"))
+                audit = Audit(audit_file(tmp_path / FILE_NAME), Origin(name, console, f"run of {name}"))
                 one.store.watchers.append(audit.watch)
                 audits.append((audit, one))
                 watched.enter_context(watched_commands(tmp_path, one.store, one.link.post, console))

@@ -11,11 +11,12 @@ from pathlib import Path
 import pytest
 from textual.widgets import Input
 
-from fleet_tui.audit.file import FILE_NAME, AuditFile
+from fleet_tui.audit.file import FILE_NAME
 from fleet_tui.audit.log import auditing, encode
 from fleet_tui.audit.reader import AuditReader
 from fleet_tui.controllers.files import READ_ONLY
 from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.storage.line_file import LineFile
 from tests.support.console_pilot import Console, console
 from tests.support.records import record
 from tests.support.watched_store import config_of
@@ -151,16 +152,16 @@ async def test_a_full_disk_stands_on_the_screen_and_dispatch_goes_on(
 ) -> None:
     log = tmp_path / FILE_NAME
 
-    def full(_file: AuditFile, _line: bytes) -> None:
+    def full(_file: LineFile, _line: bytes) -> None:
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    append = AuditFile.append
-    monkeypatch.setattr(AuditFile, "append", full)
+    append = LineFile.append
+    monkeypatch.setattr(LineFile, "append", full)
     async with audited(server, tmp_path) as it:
         await it.press("p")
         await it.shows("robot_0 pause: confirmed")
         await it.shows("audit: not written: No space left on device")
-        monkeypatch.setattr(AuditFile, "append", append)
+        monkeypatch.setattr(LineFile, "append", append)
         await it.hides("audit: not written")
     found = [one.change for one in AuditReader(log).newest_first()][::-1]
     assert found == ["opened", "checked", "sent", "accepted", "confirmed", "closed"]

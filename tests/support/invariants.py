@@ -8,7 +8,7 @@ from contextlib import asynccontextmanager
 from pathlib import Path
 
 from fleet_tui.audit.entries import Origin
-from fleet_tui.audit.file import FILE_NAME, AuditFile
+from fleet_tui.audit.file import FILE_NAME, audit_file
 from fleet_tui.audit.log import Audit
 from fleet_tui.audit.reader import AuditReader
 from fleet_tui.client.fleet_link import FleetLink
@@ -54,7 +54,7 @@ async def linked(config: Config) -> AsyncIterator[tuple[FleetLink, WatchedStore]
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / FILE_NAME
         async with plainly_linked(config, wire) as (link, store):
-            audit = Audit(AuditFile(path), Origin("ana", "host:1", "run"))
+            audit = Audit(audit_file(path), Origin("ana", "host:1", "run"))
             store.watchers += [audit.watch, see]
             yield link, store
             store.watchers.clear()

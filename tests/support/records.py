@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from fleet_tui.audit.entries import Origin
-from fleet_tui.audit.file import FILE_NAME, AuditFile
+from fleet_tui.audit.file import FILE_NAME, audit_file
 from fleet_tui.audit.log import Audit
 from fleet_tui.audit.reader import AuditReader
 from fleet_tui.model.audit_record import AuditRecord
@@ -42,7 +42,7 @@ def known_fleet() -> FleetState:
 
 def watched(folder: Path, origin: Origin = ANA) -> tuple[Store, Audit]:
     """A store whose changes go to the log of a folder."""
-    store, audit = Store(known_fleet()), Audit(AuditFile(folder / FILE_NAME), origin)
+    store, audit = Store(known_fleet()), Audit(audit_file(folder / FILE_NAME), origin)
     store.watchers.append(audit.watch)
     store.watchers.append(lambda _before, _after: _written(audit))
     return store, audit
@@ -51,7 +51,7 @@ def watched(folder: Path, origin: Origin = ANA) -> tuple[Store, Audit]:
 def _written(audit: Audit) -> None:
     """Wait for all lines: a busy machine may write them later than the console waits."""
     with audit._changed:
-        assert audit._changed.wait_for(lambda: audit._done == audit._taken or audit._problem, 30)
+        assert audit._changed.wait_for(lambda: audit.is_written or audit._problem, 30)
 
 
 def read(folder: Path) -> list[AuditRecord]:

@@ -9,7 +9,6 @@ from pathlib import Path
 from fleet_tui import __version__
 from fleet_tui.cli.history.printing import unwatched
 from fleet_tui.config.schema import Config
-from fleet_tui.config.whole_file import write_whole
 from fleet_tui.desk.desk import shown
 from fleet_tui.desk.presence import PresenceReader
 from fleet_tui.errors import FleetError
@@ -23,6 +22,7 @@ from fleet_tui.model.order import natural
 from fleet_tui.rules.history.division import divided
 from fleet_tui.rules.history.shift import NOT_DRIVEN, causes_of, counted, outages_of, robots_of
 from fleet_tui.rules.history.timeline import main_activities, shares
+from fleet_tui.storage.whole_file import write_whole
 from fleet_tui.view.report.axis import LocalTime
 from fleet_tui.view.report.content import Claim, Handover, ReportContent
 from fleet_tui.view.report.heat import FloorHeat, around

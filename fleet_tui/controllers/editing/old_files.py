@@ -2,9 +2,9 @@
 
 from pathlib import Path
 
-from fleet_tui.config.whole_file import BACKUP
 from fleet_tui.errors import GraphError
 from fleet_tui.maps.graph_storage import graph_text, save_graph_file
+from fleet_tui.storage.whole_file import BACKUP
 
 
 class OldFiles:

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from fleet_tui.audit.entries import Origin
-from fleet_tui.audit.file import FILE_NAME, AuditFile
+from fleet_tui.audit.file import FILE_NAME, audit_file
 from fleet_tui.audit.log import Audit
 from fleet_tui.controllers.ordering import past_orders
 from fleet_tui.controllers.ordering.past_orders import PastOrders
@@ -28,7 +28,7 @@ def known() -> FleetState:
 
 @contextmanager
 def log(folder: Path, run: str = "now", demo: bool = False) -> Iterator[Audit]:
-    audit = Audit(AuditFile(folder / FILE_NAME), Origin("ana", "host:1", run, demo))
+    audit = Audit(audit_file(folder / FILE_NAME), Origin("ana", "host:1", run, demo))
     yield audit
     audit.close(known())
 

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from fleet_tui.audit.entries import Origin
-from fleet_tui.audit.file import FILE_NAME, AuditFile
+from fleet_tui.audit.file import FILE_NAME, audit_file
 from fleet_tui.audit.log import Audit, encode
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.model.commands import Stage
@@ -20,7 +20,7 @@ async def test_orders_of_earlier_sessions_are_offered(server: RosbridgeServer, t
         for n in range(14)
     ]
     (tmp_path / FILE_NAME).write_bytes(b"".join(map(encode, records)))
-    audit = Audit(AuditFile(tmp_path / FILE_NAME), Origin("ana", "host:1", "now"))
+    audit = Audit(audit_file(tmp_path / FILE_NAME), Origin("ana", "host:1", "now"))
     files = ConsoleFiles()
     files.audit = audit
     async with console(config_of(server.url, 1), files=files) as it:

@@ -11,18 +11,19 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.audit.file import KEPT, AuditFile, part
+from fleet_tui.audit.file import KEPT, audit_file
 from fleet_tui.audit.log import encode
 from fleet_tui.audit.reader import AuditReader
+from fleet_tui.storage.line_file import part
 from tests.support.records import record
 
 # Appends numbered records, and says each number once the record is written.
 WRITER = """
 import sys
 from pathlib import Path
-from fleet_tui.audit.file import AuditFile
+from fleet_tui.audit.file import audit_file
 path, name, first, count, size, limit = sys.argv[1:]
-file = AuditFile(Path(path), int(limit))
+file = audit_file(Path(path), int(limit))
 for n in range(int(first), int(first) + int(count)):
     line = '{"version":1,"time":"","operator":"%s","console":"","run":"","kind":"","what":"","change":"%d"'
     file.append((line % (name, n) + ',"words":"' + "x" * int(size) + '"}\\n').encode())
@@ -82,7 +83,7 @@ def test_a_torn_last_line_never_eats_the_next_record(tmp_path: Path, left: int) 
     reading = AuditReader(path)
     assert [one.words for one in reading.newest_first()] == ["before"]
     assert reading.unreadable == 1
-    AuditFile(path).append(encode(record("after")))
+    audit_file(path).append(encode(record("after")))
     assert path.read_bytes().startswith(whole + whole[:left] + b"\n")
     again = AuditReader(path)
     found = [one.words for one in again.newest_first()]
@@ -93,7 +94,7 @@ def test_a_torn_last_line_never_eats_the_next_record(tmp_path: Path, left: int) 
 
 def test_a_line_torn_by_another_console_is_closed_by_this_one(tmp_path: Path) -> None:
     path = tmp_path / "audit.jsonl"
-    file = AuditFile(path)
+    file = audit_file(path)
     file.append(encode(record("one")))
     with path.open("ab") as other:
         other.write(b'{"version":1,"ti')
@@ -105,7 +106,7 @@ def test_a_line_torn_by_another_console_is_closed_by_this_one(tmp_path: Path) ->
 
 def test_old_files_are_kept_up_to_a_number(tmp_path: Path) -> None:
     path = tmp_path / "audit.jsonl"
-    file, line = AuditFile(path, max_bytes=1000), encode(record("x" * 200))
+    file, line = audit_file(path, max_bytes=1000), encode(record("x" * 200))
     for _ in range(100):
         file.append(line)
     files = sorted(tmp_path.iterdir())
@@ -118,7 +119,7 @@ def test_a_gap_left_by_a_kill_while_rotating_is_filled_first(tmp_path: Path) -> 
     path = tmp_path / "audit.jsonl"
     for name in (path, part(path, 1), part(path, 3), part(path, 4)):
         name.write_bytes(encode(record(name.name)))
-    AuditFile(path, max_bytes=10).append(encode(record("new")))
+    audit_file(path, max_bytes=10).append(encode(record("new")))
     found = [one.words for one in AuditReader(path).newest_first()]
     assert found == ["new", "audit.jsonl", "audit.jsonl.1", "audit.jsonl.3", "audit.jsonl.4"]
 
@@ -129,18 +130,18 @@ def test_a_file_that_another_console_rotates_just_now_is_written_all_the_same(tm
     path.write_bytes(encode(record("old")))
     with path.open("rb") as other:
         fcntl.flock(other, fcntl.LOCK_EX)
-        AuditFile(path, max_bytes=10).append(encode(record("new")))
+        audit_file(path, max_bytes=10).append(encode(record("new")))
     assert [one.words for one in AuditReader(path).newest_first()] == ["new", "old"]
     assert not part(path, 1).exists()
 
 
 def test_only_its_owner_reads_it_even_where_it_was_open_to_all(tmp_path: Path) -> None:
     path = tmp_path / "state" / "fleet-tui" / "audit.jsonl"
-    AuditFile(path).append(b"1\n")
+    audit_file(path).append(b"1\n")
     assert stat.S_IMODE(path.stat().st_mode) == 0o600
     assert stat.S_IMODE(path.parent.stat().st_mode) == 0o700
     path.chmod(0o644)
-    file = AuditFile(path)
+    file = audit_file(path)
     file.append(b"2\n")
     assert stat.S_IMODE(path.stat().st_mode) == 0o600 and file.warning == ""
 
@@ -153,14 +154,14 @@ def test_a_mode_that_can_not_be_mended_is_reported(tmp_path: Path, monkeypatch: 
     path = tmp_path / "audit.jsonl"
     path.write_bytes(b"")
     path.chmod(0o666)
-    file = AuditFile(path)
+    file = audit_file(path)
     file.append(b"1\n")
     assert file.warning == "audit.jsonl has mode 666 instead of 600"
 
 
 def test_a_file_or_folder_that_was_removed_is_made_again(tmp_path: Path) -> None:
     path = tmp_path / "state" / "audit.jsonl"
-    file = AuditFile(path)
+    file = audit_file(path)
     file.append(b"1\n")
     path.unlink()
     path.parent.rmdir()
@@ -172,7 +173,7 @@ def test_a_pipe_of_that_name_blocks_nobody(tmp_path: Path) -> None:
     path = tmp_path / "audit.jsonl"
     os.mkfifo(path)
     reader = os.open(path, os.O_RDONLY | os.O_NONBLOCK)
-    file = AuditFile(path)
+    file = audit_file(path)
     with pytest.raises(OSError):
         for _ in range(1000):
             file.append(b"x" * 1000 + b"\n")
@@ -183,8 +184,8 @@ def test_a_pipe_of_that_name_blocks_nobody(tmp_path: Path) -> None:
 FULL = """
 import resource, sys
 from pathlib import Path
-from fleet_tui.audit.file import AuditFile
-file = AuditFile(Path(sys.argv[1]))
+from fleet_tui.audit.file import audit_file
+file = audit_file(Path(sys.argv[1]))
 resource.setrlimit(resource.RLIMIT_FSIZE, (250, resource.RLIM_INFINITY))
 line, failed = sys.stdin.buffer.read(), 0
 for _ in range(4):
@@ -213,14 +214,14 @@ def test_a_file_that_another_console_has_just_rotated_is_not_rotated_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path, lock = tmp_path / "audit.jsonl", fcntl.flock
-    AuditFile(path).append(encode(record("one")))
+    audit_file(path).append(encode(record("one")))
 
     def overtaken(fd: int, how: int) -> None:
         monkeypatch.setattr(fcntl, "flock", lock)
-        AuditFile(path, max_bytes=10).append(encode(record("two")))
+        audit_file(path, max_bytes=10).append(encode(record("two")))
         lock(fd, how)
 
     monkeypatch.setattr(fcntl, "flock", overtaken)
-    AuditFile(path, max_bytes=10).append(encode(record("three")))
+    audit_file(path, max_bytes=10).append(encode(record("three")))
     assert [one.words for one in AuditReader(path).newest_first()] == ["three", "two", "one"]
     assert not part(path, 2).exists()

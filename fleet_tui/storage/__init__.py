@@ -1,0 +1,1 @@
+"""What all files of the console are made of: opening, locks, lines, whole files, and work beside a disk."""
