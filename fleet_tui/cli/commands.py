@@ -173,9 +173,9 @@ def record(
     config = chosen(config_file, url)
     usual = config.recording
     limits = PartLimits(
-        (usual.rotate_mb if rotate_mb is None else rotate_mb) * 1e6,
-        usual.rotate_minutes * 60 if rotate_every is None else rotate_every,
-        usual.keep if keep is None else keep,
+        part_bytes=(usual.rotate_mb if rotate_mb is None else rotate_mb) * 1e6,
+        part_seconds=usual.rotate_minutes * 60 if rotate_every is None else rotate_every,
+        kept=usual.keep if keep is None else keep,
     )
     is_live = sys.stderr.isatty()
     sys.exit(run(config, file, limits, seconds, timeout or math.inf, click.echo, is_live))

@@ -21,7 +21,7 @@ MANY, CROWD = 50, 300
 rows are made less often, too."""
 
 
-class Limits(Struct, frozen=True):
+class Limits(Struct, frozen=True, kw_only=True):
     """Alarm limits: seconds and per cent.
 
     A battery alarm ends `battery_band` above its limit, any alarm when its condition has been absent for

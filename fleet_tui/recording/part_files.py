@@ -17,7 +17,7 @@ RETRY = 1.0
 """Seconds between two attempts after a disk error."""
 
 
-class PartLimits(Struct, frozen=True):
+class PartLimits(Struct, frozen=True, kw_only=True):
     """Limits of a new file (its bytes, its seconds), number of files kept (0: all), and their total bytes."""
 
     part_bytes: float = 256e6

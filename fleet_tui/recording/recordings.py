@@ -51,7 +51,9 @@ class Recordings:
         size = usual.recent_mb * 1e6
         kept = math.ceil(usual.recent_minutes * 60 / RECENT_PART) + 1
         # One file is being written, not counted with the others.
-        limits = PartLimits(size / PARTS, RECENT_PART, kept, size - size / PARTS)
+        limits = PartLimits(
+            part_bytes=size / PARTS, part_seconds=RECENT_PART, kept=kept, total_bytes=size - size / PARTS
+        )
         try:
             remove_stale(folder)
             self._recent = self._record(folder / f"{_of_this_process()}-{_now()}.jsonl.gz", limits)
@@ -62,7 +64,9 @@ class Recordings:
     def start(self) -> Path:
         """Start a recording; return its path. Raises RecordingError."""
         usual = self._config.recording
-        limits = PartLimits(usual.rotate_mb * 1e6, usual.rotate_minutes * 60, usual.keep)
+        limits = PartLimits(
+            part_bytes=usual.rotate_mb * 1e6, part_seconds=usual.rotate_minutes * 60, kept=usual.keep
+        )
         self._recorder = self._record(self._folder / RECORDINGS / f"{_now()}.jsonl.gz", limits)
         return self._recorder.path
 

@@ -41,14 +41,16 @@ def test_a_new_file_begins_when_one_is_full_or_old_else_a_new_member(hourly: Par
     assert hourly.size == sum(path.stat().st_size for path in hourly.paths)
 
 
-@pytest.mark.parametrize("limits", [PartLimits(1, kept=2), PartLimits(1, total_bytes=70)])
+@pytest.mark.parametrize(
+    "limits", [PartLimits(part_bytes=1, kept=2), PartLimits(part_bytes=1, total_bytes=70)]
+)
 def test_old_files_go_but_never_the_current_one(first: Path, limits: PartLimits) -> None:
     with closing(PartFiles(first, limits, head)) as files:
         for n in range(4):
             assert files.turn(float(n))
         assert [path.name for path in files.paths] == ["night.0003.jsonl.gz", "night.0004.jsonl.gz"]
         assert sorted(first.parent.iterdir()) == files.paths
-    alone = PartFiles(first.with_name("other"), PartLimits(1, total_bytes=0), head)
+    alone = PartFiles(first.with_name("other"), PartLimits(part_bytes=1, total_bytes=0), head)
     alone.turn(1.0)
     assert len(alone.paths) == 1 and alone.paths[0].exists()
     alone.close()
