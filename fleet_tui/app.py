@@ -68,7 +68,9 @@ class FleetApp(LeanApp, inherit_bindings=False):
         super().__init__(ansi_color=not colour)
         theme = Theme(**themes[config.ui.theme].textual())
         self._start = self.startup = FirstPaint(self, theme, colour, self._mount_rest)
-        self._config, self._themes, self._colour = config, themes, colour
+        self._config = config
+        self._themes = themes
+        self._colour = colour
         self.backend = backend or LiveBackend(config, store)
         self._restore = terminal_restorer()
         keys, _ = keymap(config.keys)

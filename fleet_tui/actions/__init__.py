@@ -74,16 +74,12 @@ class TableActions(Struct, frozen=True):
 
 
 class AlarmActions(Struct, frozen=True):
-    """Actions on alarms."""
-
     acknowledge: Act
     acknowledge_all: Act
     alarm_menu: Act
 
 
 class FileActions(Struct, frozen=True):
-    """Actions that write files."""
-
     record: Act
     bundle: Act
     save: Act

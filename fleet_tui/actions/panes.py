@@ -4,13 +4,9 @@ from typing import Protocol
 
 
 class MapActions(Protocol):
-    """Actions on the map."""
+    def zoom_in(self) -> None: ...
 
-    def zoom_in(self) -> None:
-        """Zoom in."""
-
-    def zoom_out(self) -> None:
-        """Zoom out."""
+    def zoom_out(self) -> None: ...
 
     def fit(self) -> None:
         """Show the whole floor."""
@@ -63,10 +59,7 @@ class RowActions(Protocol):
 
 
 class DiagnosticsActions(Protocol):
-    """Actions of the diagnostics screen."""
-
-    def page(self, number: int) -> None:
-        """Show a page."""
+    def page(self, number: int) -> None: ...
 
     def step_page(self, step: int) -> None:
         """Show the next (1) or previous (-1) page."""
@@ -91,10 +84,7 @@ class DiagnosticsActions(Protocol):
 
 
 class HistoryActions(Protocol):
-    """Actions in the history."""
-
-    def page(self, number: int) -> None:
-        """Show a page."""
+    def page(self, number: int) -> None: ...
 
     def step_page(self, step: int) -> None:
         """Show the next (1) or previous (-1) page."""

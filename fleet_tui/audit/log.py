@@ -35,12 +35,15 @@ from fleet_tui.text.sanitize import sanitize
 LOG = logging.getLogger(__name__)
 
 # Records that wait for a writable disk, and seconds between two attempts.
-WAITING, RETRY = 10_000, 1.0
+WAITING = 10_000
+RETRY = 1.0
 # Seconds in which the disk writes no line until it hangs, and in which it has not written all; only those
 # count in which this process and the writing thread could run.
-PATIENCE, LONGEST = 0.05, 0.5
+PATIENCE = 0.05
+LONGEST = 0.5
 # Seconds of a look, and those by which it may be late in a process that can run.
-LOOK, ON_TIME = 0.005, 0.005
+LOOK = 0.005
+ON_TIME = 0.005
 # Seconds that alarms, which nothing is sent after, wait for a slow disk in each RETRY.
 SLOW_TOGETHER = 0.1
 # Seconds without a written line after which an unresponsive disk is given up at the end.
@@ -172,7 +175,8 @@ class Audit:
         """Wait until everything is written, or the disk does not respond: a command is sent after this."""
         began = time.monotonic()
         if began > self._slow_since + RETRY:
-            self._slow, self._slow_since = 0.0, began
+            self._slow = 0.0
+            self._slow_since = began
         if self.problem or (not is_urgent and self._slow > SLOW_TOGETHER):
             return
         written = self._written

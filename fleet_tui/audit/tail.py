@@ -14,7 +14,8 @@ class AuditTail:
     """Begins at the end of the log, and goes on in the next file when it was rotated."""
 
     def __init__(self, path: Path) -> None:
-        self._path, self._rest = path, b""
+        self._path = path
+        self._rest = b""
         self._file = self._opened()
         if self._file is not None:
             self._file.seek(0, os.SEEK_END)
@@ -30,7 +31,8 @@ class AuditTail:
             return
         yield from self._read()  # what was written before the other one began
         self.close()
-        self._file, self._rest = newest, b""
+        self._file = newest
+        self._rest = b""
         yield from self._read()
 
     def close(self) -> None:

@@ -74,14 +74,16 @@ class _Conversion:
     """Reads a bag from its first message to its last."""
 
     def __init__(self, bag: Bag, config: Config, chosen: Chosen, file: PartFile) -> None:
-        self._bag, self._config, self._chosen, self._file = bag, config, chosen, file
+        self._bag = bag
+        self._config = config
+        self._chosen = chosen
+        self._file = file
         self._report = Report(notes=list(chosen.notes))
         self._framers: dict[int, Framer | None] = {}
         self._track: Track | None = None
         self._first = 0
 
     def run(self, progress: Progress) -> Report:
-        """Convert all of it."""
         connections = self._chosen.connections
         total = max(1, sum(connection.msgcount for connection in connections))
         done = 0

@@ -12,7 +12,8 @@ from fleet_tui.text.limits import LONGEST_NAME, truncate
 
 LONGEST = 500_000
 """Maximum characters of a definition with all referenced ones."""
-MOST_VALUES, DEEPEST = 100_000, 50
+MOST_VALUES = 100_000
+DEEPEST = 50
 """Maximum values of a message, those in lists of variable size counted once, and maximum nesting."""
 LONGEST_LIST = 2**27
 """Maximum values of one list of a message."""
@@ -123,7 +124,8 @@ class _Check:
     """Raises BagError for a definition from which rosbags would generate invalid or too much code."""
 
     def __init__(self, types: Types, wanted: str) -> None:
-        self._types, self._about = types, f"the definition of {truncate(wanted, LONGEST_NAME)}"
+        self._types = types
+        self._about = f"the definition of {truncate(wanted, LONGEST_NAME)}"
         self._values: dict[str, int] = {}
         self._message(wanted, 0)
 

@@ -22,7 +22,8 @@ class Framer:
     there, bytes base64."""
 
     def __init__(self, store: Any, kind: str, topic: str, is_ros1: bool, as_cbor: bool) -> None:
-        self.topic, self.is_binary = topic, as_cbor
+        self.topic = topic
+        self.is_binary = as_cbor
         self._kind = kind
         self._deserialize = store.deserialize_ros1 if is_ros1 else store.deserialize_cdr
         self._spell = _message(store, kind, is_ros1, as_cbor)

@@ -47,7 +47,8 @@ class Bag:
     """An open bag. Connections are those of rosbags, one for each topic and publisher or file."""
 
     def __init__(self, path: Path, reader: Any) -> None:
-        self.path, self._reader = path, reader
+        self.path = path
+        self._reader = reader
         self.is_ros1 = path.suffix == ".bag"
         self.connections: list[Any] = list(reader.connections)
 

@@ -27,9 +27,13 @@ class Track:
         self, file: PartFile, config: Config, state: FleetState, origin: Origin, wall: float
     ) -> None:
         """Continue after the header, at a Unix time, with a state whose `now` is FIRST_AT."""
-        self.at, self.state = FIRST_AT, state
-        self._file, self._origin, self._begun_wall = file, origin, wall
-        self._frames, self._packer = Frames(config), Packer()
+        self.at = FIRST_AT
+        self.state = state
+        self._file = file
+        self._origin = origin
+        self._begun_wall = wall
+        self._frames = Frames(config)
+        self._packer = Packer()
         self._ticks = 0
         self._received: dict[str, float] = {}
         self._keyframe()

@@ -60,14 +60,19 @@ class SharedDesk:
 
     def __init__(self, folder: Path, store: Store, name: str, shares: bool = True) -> None:
         """A console that does not `share` is there, and keeps its own acts to itself."""
-        self._folder, self._store, self._name = folder, store, name
+        self._folder = folder
+        self._store = store
+        self._name = name
         self._post: Callable[[Event], object] = lambda _event: None
         self.selected: Callable[[], str] = lambda: ""
         self.on_note: Callable[[Note, bool], None] = lambda _note, _is_new: None
         """Called in the desk's thread with a note of another console, and whether it was made just now."""
-        self._boot, self._shares = boot_id(), shares
-        self._presence, self._facts = PresenceFile(folder), FactFile(folder)
-        self._reader, self._replies = PresenceReader(folder, self._presence.id), Replies(store)
+        self._boot = boot_id()
+        self._shares = shares
+        self._presence = PresenceFile(folder)
+        self._facts = FactFile(folder)
+        self._reader = PresenceReader(folder, self._presence.id)
+        self._replies = Replies(store)
         self._outbox = FactOutbox(self._facts, self._presence.id, name)
         self._others: tuple[Colleague, ...] | None = None
         self._problems: tuple[str, ...] = ()

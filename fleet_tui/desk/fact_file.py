@@ -15,7 +15,8 @@ from fleet_tui.storage.lock import lock
 from fleet_tui.storage.opening import open_shared
 from fleet_tui.storage.whole_file import replace_shared
 
-FILE, LOCK = "facts.jsonl", "facts.lock"
+FILE = "facts.jsonl"
+LOCK = "facts.lock"
 LARGEST = 1_000_000
 """Bytes of the file above which it is written again without what is over."""
 LOCK_WITHIN = 1.0
@@ -36,7 +37,8 @@ class FactFile:
     """One console's place in the file. Not for several threads."""
 
     def __init__(self, folder: Path) -> None:
-        self._path, self._lock = folder / FILE, folder / LOCK
+        self._path = folder / FILE
+        self._lock = folder / LOCK
         self._handle: int | None = None
         self._at = 0
         self._known: dict[str, None] = {}
@@ -122,7 +124,8 @@ class FactFile:
 
     def _reopen(self) -> None:
         self.close()
-        self._handle, self._at = open_shared(self._path, os.O_RDONLY), 0
+        self._handle = open_shared(self._path, os.O_RDONLY)
+        self._at = 0
 
     def _read_on(self) -> list[Fact]:
         """Return the new facts of the open file, whole lines only."""
@@ -150,7 +153,6 @@ class FactFile:
         return fact
 
     def close(self) -> None:
-        """Close the file."""
         if self._handle is not None:
             os.close(self._handle)
             self._handle = None

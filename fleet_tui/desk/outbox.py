@@ -30,7 +30,6 @@ class FactOutbox:
         return self._waiting.lost
 
     def tell(self, kind: type[Fact], /, **fields: object) -> None:
-        """Add a fact."""
         usual = {"id": f"{self._console}:{next(self._numbers)}", "by": self._name, "wall": time.time()}
         self._waiting.append(msgspec.convert({**usual, **fields}, kind))
 

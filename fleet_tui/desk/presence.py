@@ -22,7 +22,9 @@ from fleet_tui.storage.lock import LockFile, owner_of
 from fleet_tui.storage.opening import open_shared
 from fleet_tui.storage.whole_file import replace_shared
 
-PREFIX, SUFFIX, LOCK = "console-", ".json", ".lock"
+PREFIX = "console-"
+SUFFIX = ".json"
+LOCK = ".lock"
 BEAT = 2.0
 """Seconds after which a console that did nothing renews its file."""
 GONE_AFTER = 8.0
@@ -105,7 +107,9 @@ class PresenceReader:
     """The other consoles at the desk."""
 
     def __init__(self, folder: Path, own: str = "") -> None:
-        self._folder, self._own, self._boot = folder, own, boot_id()
+        self._folder = folder
+        self._own = own
+        self._boot = boot_id()
         self._seen: dict[str, _FileSeen] = {}
         self.ignored = 0
         """Files at the last look that are no presence of a console."""

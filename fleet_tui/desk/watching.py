@@ -29,8 +29,10 @@ class DeskVisit:
     remove, and shares the cancels and clears of `name`."""
 
     def __init__(self, folder: Path, name: str, post: Callable[[Event], object]) -> None:
-        self._post, self._own = post, new_console_id()
-        self._reader, self._facts = PresenceReader(folder), FactFile(folder)
+        self._post = post
+        self._own = new_console_id()
+        self._reader = PresenceReader(folder)
+        self._facts = FactFile(folder)
         self._outbox = FactOutbox(self._facts, self._own, name)
         self._has_looked = threading.Event()
         self._worker = Worker("desk", self._look, EVERY, self._end)

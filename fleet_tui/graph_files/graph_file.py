@@ -46,4 +46,5 @@ class MissingChoiceError(GraphError):
 
     def __init__(self, text: str, option: str, choices: tuple[str, ...] = ()) -> None:
         super().__init__(text)
-        self.option, self.choices = option, choices
+        self.option = option
+        self.choices = choices

@@ -23,7 +23,8 @@ from fleet_tui.model.graphs.document import (
 from fleet_tui.model.graphs.ids import distinct
 
 OWN = GraphFormat.LIF.value
-ON_NODES, ON_EDGES = "vehicleTypeNodeProperties", "vehicleTypeEdgeProperties"
+ON_NODES = "vehicleTypeNodeProperties"
+ON_EDGES = "vehicleTypeEdgeProperties"
 CHARGING = "startCharging"
 ORIENTATIONS = {0.0: Motion.FORWARD, 180.0: Motion.BACKWARD}
 """Motions by a tangential orientation in degrees."""

@@ -18,7 +18,6 @@ _EMPTY: tuple[object, ...] = ("", None, (), {})
 
 
 def write(document: GraphDocument, choices: WriteChoices) -> str:
-    """Return the text of a document."""
     return "\n".join([*_lines(document), ""])
 
 

@@ -114,7 +114,6 @@ class _Builder:
             self._open.add(anchor)
 
     def leave(self) -> None:
-        """End it."""
         value, anchor, before = self._stack.pop()
         if anchor is not None:
             self._open.discard(anchor)

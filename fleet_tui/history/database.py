@@ -13,7 +13,8 @@ from fleet_tui.config.schema import Config
 VERSION = 1
 BUSY_MS = 2000
 """Milliseconds for which a writer waits for another one."""
-FOLDER, SUFFIX = "history", ".sqlite"
+FOLDER = "history"
+SUFFIX = ".sqlite"
 
 SCHEMA = """
 CREATE TABLE orders (

@@ -30,7 +30,8 @@ class History:
 
     def __init__(self, database: sqlite3.Connection, most: int = MOST) -> None:
         """`most` are the rows of one answer, the newest."""
-        self.database, self._most = database, most
+        self.database = database
+        self._most = most
 
     def orders(
         self, since: float, until: float, robot: str = "", stages: Collection[str] = ()

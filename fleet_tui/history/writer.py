@@ -176,7 +176,8 @@ class HistoryWriter:
 
     def _begin_anew(self) -> None:
         """Tell again what goes on: a new database knows none of it."""
-        self._observer, self._has_ended_alarms = Observer(), False
+        self._observer = Observer()
+        self._has_ended_alarms = False
         self._seen.clear()
         if self._is_observing:
             self._raise_held()

@@ -9,7 +9,8 @@ from fleet_tui.model.geometry import MapFrame, Pose
 
 Pixel = tuple[float, float]
 """Column and row, from the picture's upper left corner."""
-FINEST, COARSEST = 1e-4, 100.0
+FINEST = 1e-4
+COARSEST = 100.0
 """Metres per pixel of a map."""
 FARTHEST = 1e6
 """Metres from the origin."""

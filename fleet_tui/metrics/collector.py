@@ -27,7 +27,8 @@ class FleetCollector(Collector):
     told as new."""
 
     def __init__(self, state: Callable[[], FleetState], counters: Counters) -> None:
-        self._state, self._counters = state, counters
+        self._state = state
+        self._counters = counters
 
     def describe(self) -> list[Metric]:
         """Return nothing: at its registration nothing is connected yet."""

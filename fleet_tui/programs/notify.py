@@ -40,8 +40,11 @@ class AlarmProgram:
         say: Callable[[str], None],
         is_ours: Callable[[], bool] = lambda: True,
     ) -> None:
-        self._command, self._classes = list(notify.command), frozenset(notify.classes)
-        self._folder, self._say, self._is_ours = folder, say, is_ours
+        self._command = list(notify.command)
+        self._classes = frozenset(notify.classes)
+        self._folder = folder
+        self._say = say
+        self._is_ours = is_ours
         self._known: dict[Key, int] = {}
         self._waiting = WriteQueue[str](MOST)
         self._started_at = float("-inf")

@@ -8,7 +8,8 @@ from fleet_tui.programs.session_state import exit_text
 from fleet_tui.text.limits import truncate
 from fleet_tui.text.sanitize import sanitize
 
-SSH_FAILED, NOT_FOUND = 255, 127
+SSH_FAILED = 255
+NOT_FOUND = 127
 NO_SYSTEMD = ("not been booted with systemd", "Failed to connect to", "systemctl: not found")
 _OF_SSH = {
     "Permission denied (": "{host} does not accept this user's key: try ssh-copy-id {host}",

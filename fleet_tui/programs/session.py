@@ -19,7 +19,8 @@ from typing import IO
 from fleet_tui.storage.lock import lock
 from fleet_tui.storage.opening import open_private
 
-FILE_SUFFIX, LOG_SUFFIX = ".session", ".log"
+FILE_SUFFIX = ".session"
+LOG_SUFFIX = ".log"
 LARGEST_LOG = 5 * 2**20
 """Bytes after which the log becomes NAME.log.1."""
 GRACE = 15

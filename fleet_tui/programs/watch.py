@@ -13,7 +13,8 @@ from fleet_tui.model.programs.program import ProgramRow, ProgramState, ProgramSt
 from fleet_tui.programs.look import look
 
 LOG = logging.getLogger(__name__)
-EVERY, EVERY_REMOTE = 2.0, 5.0
+EVERY = 2.0
+EVERY_REMOTE = 5.0
 """Seconds between two looks at a program of this machine, and of another host."""
 PER_PROGRAM = 0.1
 """Seconds between looks at two programs, on average: a hundred of them must not load the machine."""
@@ -53,7 +54,6 @@ class ProgramWatch:
         self.rows[name] = replace(self.rows[name], status=status, last_known=known)
 
     async def look(self, name: str) -> None:
-        """Look at one program now."""
         self.put(name, await look(self.programs[name], self.folder))
 
     async def _watch(self, group: Sequence[ProgramEntry]) -> None:

@@ -10,7 +10,8 @@ from typing import BinaryIO
 
 from fleet_tui.recording.records import RecordingError
 
-READ, UNPACKED = 2**16, 2**20
+READ = 2**16
+UNPACKED = 2**20
 """Bytes to read, and to unpack, at a time: packed, a thousand bytes may be one."""
 LONGEST_LINE = 2**28
 """Maximum bytes of a record."""

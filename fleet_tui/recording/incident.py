@@ -40,7 +40,8 @@ FOLDER = "incidents"
 """Of the state folder."""
 DOCTOR = 10.0
 """Maximum seconds for a doctor."""
-POLL, GRACE = 0.1, 5.0
+POLL = 0.1
+GRACE = 5.0
 """Seconds between checks of the doctor, and the extra time for its end."""
 
 README = """\

@@ -39,7 +39,9 @@ class PartFiles:
             raise RecordingError(f"{first}: exists: choose another name, or remove it")
         self.problem = ""
         self.paths: list[Path] = []
-        self._first, self._limits, self._head = first, limits, head
+        self._first = first
+        self._limits = limits
+        self._head = head
         self._number = self._before = 0
         self._began = self._retry_at = 0.0
         self._file: PartFile | None = None
@@ -51,7 +53,6 @@ class PartFiles:
 
     @property
     def is_open(self) -> bool:
-        """Tell whether a file is open."""
         return self._file is not None
 
     @property
@@ -113,7 +114,8 @@ class PartFiles:
     def _open(self, at: float) -> None:
         path = part_path(self._first, self._number)
         self._file = PartFile(path, self._head(self._number, at))
-        self._number, self._began = self._number + 1, at
+        self._number = self._number + 1
+        self._began = at
         self.paths.append(path)
         self._drop_old()
 

@@ -48,7 +48,8 @@ class PartWriter:
         """Begin. Raises RecordingError as PartFiles does."""
         self.wants_keyframe = False
         self.records = 0
-        self._config, self._origin = public(config), origin
+        self._config = public(config)
+        self._origin = origin
         self._id = secrets.token_hex(8)
         self._packer = Packer()
         self._records: list[Any] = []
@@ -73,7 +74,6 @@ class PartWriter:
         self._add(SentFrame(*self._times(at), link, channel, *_as_text(payload)), len(payload))
 
     def event(self, at: float, event: Event) -> None:
-        """Record an event."""
         self._add(EventRecord(*self._times(at), event))
 
     def changed(self, at: float, before: FleetState, after: FleetState) -> None:

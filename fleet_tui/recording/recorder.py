@@ -24,7 +24,8 @@ KEYFRAME_EVERY = 60.0
 KEYFRAME_AFTER = 20_000
 """Maximum records between keyframes: fewer seconds for a large fleet, so that a replay seeks within a
 second."""
-DRAIN_EVERY, FLUSH_EVERY = 0.5, 0.9
+DRAIN_EVERY = 0.5
+FLUSH_EVERY = 0.9
 """Seconds between two reads of the queue, and the maximum loss by a kill."""
 MOST_WAITING = 32 * 2**20
 """Maximum bytes that wait to be written; one frame may exceed it."""
@@ -117,8 +118,10 @@ class Recorder:
         if self._in - self._out > MOST_WAITING // 2:
             return
         dropped, self._dropped = self._dropped, 0
-        self._begun, self._writer.wants_keyframe = True, False
-        self._next_keyframe, self._since = at + KEYFRAME_EVERY, 0
+        self._begun = True
+        self._writer.wants_keyframe = False
+        self._next_keyframe = at + KEYFRAME_EVERY
+        self._since = 0
         if dropped:
             self._take(0, self._writer.missed, at, dropped, "received faster than written")
         self._take(0, self._writer.keyframe, at, self._store.state)

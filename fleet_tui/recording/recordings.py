@@ -20,7 +20,8 @@ from fleet_tui.text.durations import age
 
 LOG = logging.getLogger(__name__)
 
-RECENT, RECORDINGS = "recent", "recordings"
+RECENT = "recent"
+RECORDINGS = "recordings"
 RECENT_PART = 60.0
 """Seconds of a file of the last minutes."""
 PARTS = 8
@@ -32,7 +33,10 @@ class Recordings:
 
     def __init__(self, config: Config, store: Store, folder: Path, demo: bool = False) -> None:
         self.taps = Taps()
-        self._config, self._store, self._folder, self._demo = config, store, folder, demo
+        self._config = config
+        self._store = store
+        self._folder = folder
+        self._demo = demo
         self._recent: Recorder | None = None
         self._recorder: Recorder | None = None
         self._problem = ""

@@ -57,7 +57,6 @@ class Keyframe(Struct, frozen=True, tag="keyframe", tag_field="kind"):
 
     @classmethod
     def of(cls, at: float, wall: float, state: FleetState, hook: "Packer") -> "Keyframe":
-        """Return the keyframe of a state."""
         return cls(at, wall, msgspec.msgpack.encode(state, enc_hook=hook))
 
     def fleet_state(self, version: int = VERSION) -> FleetState:
@@ -86,7 +85,6 @@ class ReceivedFrame(LinkFrame, frozen=True, omit_defaults=True, tag="heard", tag
 
     @property
     def payload(self) -> bytes:
-        """Return the frame as received."""
         return self.data or self.text.encode()
 
 

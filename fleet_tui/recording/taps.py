@@ -20,7 +20,6 @@ class Taps:
         return recorder
 
     def detach(self, recorder: "Recorder") -> None:
-        """Detach a recorder."""
         self._recorders = tuple(one for one in self._recorders if one is not recorder)
         recorder.close()
 
@@ -35,6 +34,5 @@ class Taps:
             recorder.on_sent(link, channel, payload)
 
     def on_event(self, event: Event) -> None:
-        """Take an event."""
         for recorder in self._recorders:
             recorder.on_event(event)

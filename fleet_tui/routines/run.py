@@ -63,7 +63,9 @@ class RoutineRun:
         self, file: RoutineFile, parts: RunParts, operator: str, before: RoutineProgress | None = None
     ) -> None:
         """`before` is the progress to go on from. Raises RoutineError if it does not fit the file."""
-        self.file, self._parts, self._operator = file, parts, operator
+        self.file = file
+        self._parts = parts
+        self._operator = operator
         state = parts.store.state
         lanes = {find_robot(lane.robot, state).name: lane for lane in file.parsed.routine.lanes}
         self.plans: Mapping[str, LanePlan] = lanes

@@ -39,7 +39,6 @@ class Consoles:
         self._open: set[web.WebSocketResponse] = set()
 
     def application(self, host: str) -> web.Application:
-        """Return the web application."""
         app = web.Application(middlewares=[guard(host)])
         files = resources.files(textual_serve) / "static"
         app.add_routes([web.get("/", _page), web.get("/ws", self._tab), web.static("/static", str(files))])

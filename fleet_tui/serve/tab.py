@@ -13,7 +13,8 @@ from textual_serve.download_manager import DownloadManager
 
 PATIENCE = 1.5
 """Seconds for a console to end by itself once its tab is closed."""
-WIDEST, HIGHEST = 1000, 500
+WIDEST = 1000
+HIGHEST = 500
 """Maximum cells; a page may send any number."""
 
 SETTINGS = {
@@ -37,7 +38,8 @@ class Tab(AppService):
             close=self._close,
             download_manager=DownloadManager(),
         )
-        self._arguments, self._websocket = command, websocket
+        self._arguments = command
+        self._websocket = websocket
 
     async def _close(self) -> None:
         """Close the page's end, with the reason."""

@@ -25,7 +25,8 @@ class Annunciator:
     """Calls once for each alarm that newly needs a person. `send` returns whether the bytes were sent."""
 
     def __init__(self, alarms: Alarms, send: Callable[[str], bool]) -> None:
-        self._bell, self._notify = alarms.bell, alarms.notify
+        self._bell = alarms.bell
+        self._notify = alarms.notify
         # The Linux console would print it on the screen.
         if os.environ.get("TERM") == "linux":
             self._notify = []

@@ -18,7 +18,6 @@ class Durations:
         self._seconds: deque[float] = deque(maxlen=KEPT)
 
     def take(self, seconds: float) -> None:
-        """Add a duration."""
         self._seconds.append(seconds)
 
     def timed(self, work: Callable[[], None]) -> None:
@@ -42,7 +41,8 @@ class Budget:
         self.began = time.monotonic()
         self.every = 0.1
         """Seconds from one tick to the next."""
-        self.ticks, self.paints = Durations(), Durations()
+        self.ticks = Durations()
+        self.paints = Durations()
         self.sent = Flow()
         self.held = 0
 

@@ -20,7 +20,8 @@ class CellStrip(RowStrip):
 
     def __init__(self, cells: Cells, y: int, styles: Sequence[Style]) -> None:
         # The base is initialised by __getattr__: its seven caches cost more than the rest.
-        self._cells, self._y = cells, y
+        self._cells = cells
+        self._y = y
         self._cell_length = cells.codes.shape[1]
         self.codes: Codes = cells.codes[y]
         self.roles: Roles = cells.roles[y]

@@ -30,7 +30,8 @@ if TYPE_CHECKING:
     from fleet_tui.terminal.screen_buffer import ScreenBuffer
 
 MADE_FOR = "8.2.8"
-RETRY, RETRY_LONGEST = 0.001, 0.016
+RETRY = 0.001
+RETRY_LONGEST = 0.016
 """Seconds until the next check whether the terminal reads again, doubled each time."""
 
 Part = tuple[int, int, int, Strip]
@@ -68,7 +69,8 @@ class DisplayDriver:
 
     def __init__(self, app: App[None], wanted: bool) -> None:
         """`wanted`: if False, Textual paints by itself."""
-        self._app, self._wanted = app, wanted
+        self._app = app
+        self._wanted = wanted
         self.ready = True
         """False lets the first picture go Textual's way: the imports here take as long as to paint it."""
         self.buffer: ScreenBuffer | None = None

@@ -31,7 +31,8 @@ class FirstPaint:
         app.set_class(not theme.dark, "-light-mode")
         # Textual has no way to suppress colours in a picture.
         app.output.ready = not colour
-        self._app, self._mount_rest = app, mount_rest
+        self._app = app
+        self._mount_rest = mount_rest
         self.painted = asyncio.Event()
         """Set once a picture has been written."""
         self._finished = False

@@ -23,7 +23,8 @@ from fleet_tui.terminal.typing import GAP, STANDSTILL, Fate, Typing
 ROUNDS = 2
 """Trips through the widgets until a key is done: with the first one its binding has run, with the second one
 the messages that it posted have arrived."""
-PATIENCE, TRIES = 1.0, 5
+PATIENCE = 1.0
+TRIES = 5
 """Seconds after which the next key is delivered all the same if the widget of the last one was removed, and
 how many times as many if it is still there."""
 BEAT = 0.5
@@ -43,16 +44,19 @@ class KeyQueue:
     command."""
 
     def __init__(self, app: App[Any], deliver: Callable[[events.Event], Awaitable[None]]) -> None:
-        self._app, self._deliver = app, deliver
+        self._app = app
+        self._deliver = deliver
         self.clock: Callable[[], float] = time.monotonic
         """That by which keys say when they arrived."""
         self.unread_for: Callable[[], float] = lambda: 0.0
         """Returns the seconds for which the terminal has not read what is sent."""
-        self._typing, self._guards = Typing(), False
+        self._typing = Typing()
+        self._guards = False
         self._dropped: Callable[[int, bool], None] = lambda count, is_blind: None
         self._pauses_all: Callable[[str], bool] = lambda key: False
         self._waiting: deque[events.Event | Callable[[], object]] = deque()
-        self._serial, self._rounds = 0, 0
+        self._serial = 0
+        self._rounds = 0
         self._target: MessagePump = app
         self._timer: Timer | None = None
         self._tries = TRIES
@@ -62,7 +66,9 @@ class KeyQueue:
     def guard(self, dropped: Callable[[int, bool], None], pauses_all: Callable[[str], bool]) -> None:
         """Judge keys from now on. `dropped` is called with the number of keys that were dropped in a row, and
         whether because of a standstill; `pauses_all` tells of a key whether it pauses all robots."""
-        self._guards, self._dropped, self._pauses_all = True, dropped, pauses_all
+        self._guards = True
+        self._dropped = dropped
+        self._pauses_all = pauses_all
 
     def watch(self) -> None:
         """Watch for standstills of the console from now on."""

@@ -17,7 +17,8 @@ from textual.message import Message
 
 from fleet_tui.terminal.display_driver import MADE_FOR
 
-ALWAYS, WITH_RELEASES = 25, 27
+ALWAYS = 25
+WITH_RELEASES = 27
 """Flags of the protocol: those that Textual asks for, and with event types."""
 _WITH_TYPE = re.compile(r"(\x1b\[[\d:]*;\d*):(\d+)(.*)", re.DOTALL)
 RELEASE = "3"

@@ -134,5 +134,4 @@ class LeanApp(App[None]):
         self.output.repaint()
 
     def action_repaint(self) -> None:
-        """Repaint."""
         self.output.repaint()

@@ -20,8 +20,6 @@ STANDSTILL = 2.0
 
 
 class Fate(Enum):
-    """The fate of a key."""
-
     ACTS = "acts"
     DROPPED = "dropped"
     WAITS = "waits"
@@ -49,7 +47,8 @@ class Typing:
         """Drop the keys that waited while nothing could be shown."""
         if self._is_blind and until - self._typed_at < GAP:
             return
-        self._typed_at, self._is_blind = until, True
+        self._typed_at = until
+        self._is_blind = True
         self.dropped = 0
         self.is_alone = False
 
@@ -64,7 +63,8 @@ class Typing:
         if at - self._typed_at >= GAP:
             self._end()
         if self._is_blind and pauses_all and not in_field and (self.is_alone or not self.dropped):
-            self._typed_at, self.is_alone = max(at, self._typed_at), True
+            self._typed_at = max(at, self._typed_at)
+            self.is_alone = True
             return Fate.WAITS
         if self._is_blind or (not in_field and at - self._typed_at < GAP):
             # A key that waited came before the end of the standstill, and ends nothing.
@@ -77,6 +77,7 @@ class Typing:
         return Fate.ACTS
 
     def _end(self) -> None:
-        self._typed_at, self._is_blind = -math.inf, False
+        self._typed_at = -math.inf
+        self._is_blind = False
         self.dropped = 0
         self.is_alone = False

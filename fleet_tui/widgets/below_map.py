@@ -19,7 +19,9 @@ class ActivityPane:
     def __init__(self, is_ascii: bool) -> None:
         self.rows = RowsPane(id="activity")
         self.rows.can_focus = False
-        self._recent, self._pace, self._is_ascii = RecentActivity(), Pace(1.0), is_ascii
+        self._recent = RecentActivity()
+        self._pace = Pace(1.0)
+        self._is_ascii = is_ascii
 
     def look(self, state: FleetState, robots: Sequence[Hashable]) -> None:
         """Record the newest state, and show as many of the robots as there are lines."""
@@ -35,7 +37,8 @@ class BelowMap(Container):
     def __init__(self, is_ascii: bool) -> None:
         self.recent = RowsPane(id="recent")
         self.recent.can_focus = False
-        self.activity, self.maps = ActivityPane(is_ascii), Container(id="maps-below")
+        self.activity = ActivityPane(is_ascii)
+        self.maps = Container(id="maps-below")
         super().__init__(self.recent, self.activity.rows, self.maps, id="below")
         self._lines = 0
 

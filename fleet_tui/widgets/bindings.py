@@ -10,7 +10,6 @@ from fleet_tui.keys import KEYS, Key, Pane
 
 
 def bindings(pane: Pane) -> list[BindingType]:
-    """Return the bindings of a pane."""
     return [
         Binding(
             ",".join(map(textual_key, key.keys)) or f"no_key_for_{key.id}",

@@ -72,7 +72,8 @@ class MapView(CellsView, can_focus=True):
     def on_mouse_down(self, event: events.MouseDown) -> None:
         """Start a drag or a click."""
         self.capture_mouse()
-        self._drag, self._dragged = (event.x, event.y), False
+        self._drag = (event.x, event.y)
+        self._dragged = False
         self._pressed, picture = None, self.picture
         if picture.scene is not None and event.y >= CAPTION_ROWS:
             at = picture.place_of(event.x, event.y)
@@ -88,7 +89,8 @@ class MapView(CellsView, can_focus=True):
             self.picture.point()
         else:
             self.picture.viewport.pan(scene, self._drag[0] - event.x, self._drag[1] - event.y)
-        self._drag, self._dragged = (event.x, event.y), True
+        self._drag = (event.x, event.y)
+        self._dragged = True
         self.draw()
 
     def on_mouse_up(self, event: events.MouseUp) -> None:

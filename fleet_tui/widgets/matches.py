@@ -40,7 +40,6 @@ class Matches(OptionList, Generic[Item], can_focus=False):
 
     @property
     def marked(self) -> Item | None:
-        """Return the marked item."""
         return self.at(self.highlighted) if self.highlighted is not None else None
 
     def at(self, index: int) -> Item | None:

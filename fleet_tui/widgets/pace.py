@@ -8,7 +8,8 @@ class Pace:
     """Lets a view be made again every so many seconds, and at once for another `key`."""
 
     def __init__(self, every: float) -> None:
-        self._every, self._at = every, -math.inf
+        self._every = every
+        self._at = -math.inf
         self.key: object = None
         """What it was made for last."""
 
@@ -17,5 +18,6 @@ class Pace:
         now = monotonic()
         if key == self.key and now < self._at + self._every:
             return False
-        self.key, self._at = key, now
+        self.key = key
+        self._at = now
         return True

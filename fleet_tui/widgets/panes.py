@@ -51,20 +51,30 @@ class Panes(Container):
     BLANK = True
 
     def __init__(self, is_ascii: bool = False) -> None:
-        self.fleet, self.alarms = RowsPane(id="fleet"), RowsPane(id="alarms")
-        self.queue, self.page = RowsPane(id="queue"), RowsPane(id="page")
+        self.fleet = RowsPane(id="fleet")
+        self.alarms = RowsPane(id="alarms")
+        self.queue = RowsPane(id="queue")
+        self.page = RowsPane(id="page")
         self.page.can_focus = False
-        self.below, self.small_maps = BelowMap(is_ascii), Container(id="small-maps")
-        self.recent, self.activity = self.below.recent, self.below.activity
+        self.below = BelowMap(is_ascii)
+        self.small_maps = Container(id="small-maps")
+        self.recent = self.below.recent
+        self.activity = self.below.activity
         self.floor = Container(Container(id="map"), self.below, id="floor")
         aside = Container(self.page, self.small_maps, id="aside")
         super().__init__(self.floor, self.fleet, self.alarms, self.queue, aside, id="panes")
-        self._alone, self._small_lines, self._left, self._queue_lines = "", 0, 0, 0
-        self._page_pace, self._recent_pace = Pace(0.5), Pace(1.0)
+        self._alone = ""
+        self._small_lines = 0
+        self._left = 0
+        self._queue_lines = 0
+        self._page_pace = Pace(0.5)
+        self._recent_pace = Pace(1.0)
         self._fleet: Table | None = None
-        self._shape, self._wanted = USUAL_SHAPE, (Wanted(0, 0, 0), 0)
+        self._shape = USUAL_SHAPE
+        self._wanted = (Wanted(0, 0, 0), 0)
         self._shared_out: object = None
-        self._dialogs, self._large = DialogPlace(), DialogPlace()
+        self._dialogs = DialogPlace()
+        self._large = DialogPlace()
 
     async def mount_small_maps(self, aside: Widget, below: Widget) -> None:
         """Mount the maps of other floors, for the place beside the map and that below it."""
@@ -73,7 +83,8 @@ class Panes(Container):
 
     def place_dialogs(self, large: Widget, *dialogs: Widget) -> None:
         """Keep dialogs about the map in one place that covers none of it, a `large` one in a larger one."""
-        self._dialogs, self._large = DialogPlace(*dialogs), DialogPlace(large)
+        self._dialogs = DialogPlace(*dialogs)
+        self._large = DialogPlace(large)
 
     @property
     def tables(self) -> tuple[RowsPane, ...]:
@@ -95,7 +106,6 @@ class Panes(Container):
 
     @property
     def views(self) -> list[RowsPane]:
-        """Return the panes of rows."""
         return [*self.tables, self.page, self.recent, self.activity.rows]
 
     def show(

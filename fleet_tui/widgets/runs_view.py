@@ -27,7 +27,8 @@ class RunsView(Widget):
 
     def __init__(self, styles: Mapping[StyleRole, Style] | None = None, *, id: str | None = None) -> None:
         super().__init__(id=id)
-        self._styles, self._cursor_styles = _by_number(styles or {}), _by_number({})
+        self._styles = _by_number(styles or {})
+        self._cursor_styles = _by_number({})
         self._rows: Sequence[Sequence[Run]] = []
         self._strips: list[Strip] = []
 

@@ -21,7 +21,8 @@ class SmallMapsView(CellsView):
 
     def __init__(self, id: str) -> None:
         super().__init__(id=id)
-        self._maps, self._pace = SmallMaps(), Pace(1.0)
+        self._maps = SmallMaps()
+        self._pace = Pace(1.0)
 
     def show(self, state: FleetState, selection: Selection, options: MapOptions) -> None:
         """Show the newest state where there is space. Cheap between the seconds: call it at every tick."""

@@ -21,7 +21,8 @@ class TextView(RunsView):
 
     def show(self, lines: Callable[[int], Sequence[Sequence[Run]]]) -> None:
         """Show the first of these lines."""
-        self._lines, self._top = lines, 0
+        self._lines = lines
+        self._top = 0
         self.draw()
 
     def scroll_lines(self, step: int) -> None:

@@ -15,7 +15,6 @@ class TimeLine(RunsView):
     DEFAULT_CSS = "TimeLine { height: 2; width: 1fr; }"
 
     def show(self, moment: ReplayPosition, clock: Callable[[float], str]) -> None:
-        """Show the current position."""
         if self.size.width > 0:
             self.paint_rows(time_line(moment, clock, self.size.width))
 

@@ -13,7 +13,9 @@ class ClearanceAhead:
     """Keeps the newest clearance in metres."""
 
     def __init__(self) -> None:
-        self._at, self._ways, self._metres = 0.0, (0.0, 0.0), 0.0
+        self._at = 0.0
+        self._ways = (0.0, 0.0)
+        self._metres = 0.0
         self._known = False
 
     def of(self, state: FleetState, robot: Robot, speeds: Speeds, now: float) -> float | None:
@@ -28,6 +30,8 @@ class ClearanceAhead:
             return None
         if not self._known or ways != self._ways or now - self._at >= EVERY:
             found = clearance(grid, robot.pose.value, robot.size or USUAL_SIZE, speeds)
-            self._known, self._metres = found is not None, found or 0.0
-            self._at, self._ways = now, ways
+            self._known = found is not None
+            self._metres = found or 0.0
+            self._at = now
+            self._ways = ways
         return self._metres if self._known else None

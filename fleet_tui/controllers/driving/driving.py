@@ -49,13 +49,25 @@ class DriveControls:
         tell_releases: Callable[[bool], None],
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
-        self._parts, self._backend, self._by_robot = parts, backend, limits
-        self._controls, self._picture, self._journal, self._ask = controls, picture, journal, ask
-        self._focus, self._is_shown, self._passes, self._clock = focus, is_shown, passes, clock
+        self._parts = parts
+        self._backend = backend
+        self._by_robot = limits
+        self._controls = controls
+        self._picture = picture
+        self._journal = journal
+        self._ask = ask
+        self._focus = focus
+        self._is_shown = is_shown
+        self._passes = passes
+        self._clock = clock
         self._tell_releases = tell_releases
         self._drive: HandDrive | None = None
-        self._hand, self._share, self._steered = Hand(), FIRST, False
-        self._looked, self._pressed, self._followed = 0.0, 0.0, False
+        self._hand = Hand()
+        self._share = FIRST
+        self._steered = False
+        self._looked = 0.0
+        self._pressed = 0.0
+        self._followed = False
         self._clearance = ClearanceAhead()
 
     @property
@@ -108,7 +120,8 @@ class DriveControls:
         self._journal.begin(name, self._clock())
         self._parts.navigation.find_robot(name)
         floor, view = self._parts.navigation.floor, self._picture.viewport
-        self._followed, view.follow = view.follow, True
+        self._followed = view.follow
+        view.follow = True
         mode = DriveMode(
             name, floor, self._caps, self._passes, self.stop, lambda: self.end("the map lost the focus")
         )
@@ -150,7 +163,6 @@ class DriveControls:
         self._steer()
 
     def leave(self) -> None:
-        """Stop and leave."""
         self.end("left by key")
 
     def end(self, reason: str) -> None:

@@ -10,11 +10,17 @@ class DriveJournal:
 
     def __init__(self, files: ConsoleFiles) -> None:
         self._files = files
-        self._robot, self._began, self._linear, self._angular = "", 0.0, 0.0, 0.0
+        self._robot = ""
+        self._began = 0.0
+        self._linear = 0.0
+        self._angular = 0.0
 
     def begin(self, robot: str, at: float) -> None:
         """Note that a drive begins at a monotonic second."""
-        self._robot, self._began, self._linear, self._angular = robot, at, 0.0, 0.0
+        self._robot = robot
+        self._began = at
+        self._linear = 0.0
+        self._angular = 0.0
         self._files.log("drive begun", robot)
 
     def sent(self, speeds: Speeds) -> None:

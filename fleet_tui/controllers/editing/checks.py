@@ -37,7 +37,9 @@ class DraftChecks:
     banner."""
 
     def __init__(self, parts: SetUpParts, editor: GraphEditor, in_background: InBackground) -> None:
-        self._parts, self._editor, self._in_background = parts, editor, in_background
+        self._parts = parts
+        self._editor = editor
+        self._in_background = in_background
         self._newest: DocumentFloor | None = None
         self._last: Checked | None = None
         self._is_busy = False
@@ -129,7 +131,8 @@ class DraftChecks:
         if at is None:
             self._parts.notices.say("it is not in the draft any more")
             return
-        mode.selected, mode.cursor = "" if mode.edge else start, (at.x, at.y)
+        mode.selected = "" if mode.edge else start
+        mode.cursor = (at.x, at.y)
         self._parts.navigation.find_vertex(draft.floor.name, at.x, at.y)
         self._editor.refresh()
 

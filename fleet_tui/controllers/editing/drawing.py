@@ -28,8 +28,11 @@ class GraphDrawing:
     def __init__(
         self, parts: SetUpParts, editor: GraphEditor, values: VertexValues, edge_values: EdgeValues
     ) -> None:
-        self._parts, self._notices, self._editor = parts, parts.notices, editor
-        self._values, self._edge_values = values, edge_values
+        self._parts = parts
+        self._notices = parts.notices
+        self._editor = editor
+        self._values = values
+        self._edge_values = edge_values
 
     def _at_cursor(self, mode: EditMode, scene: Scene) -> str:
         return mode.vertex_at(self._editor.picture.viewport, scene, mode.cursor)
@@ -49,7 +52,8 @@ class GraphDrawing:
         if opened := self._editor.opened:
             draft, mode, scene = opened
             if taken := self._taken(draft, mode, scene):
-                mode.selected, mode.edge = taken, ""
+                mode.selected = taken
+                mode.edge = ""
                 self._editor.refresh()
                 self._notices.say(f"selected vertex {sanitize(taken)}: zoom in to place another here")
                 return
@@ -73,7 +77,9 @@ class GraphDrawing:
     def _add(self, draft: GraphDraft, mode: EditMode, at: Point, heading: float | None = None) -> None:
         vertex = DocumentVertex(next(draft.free_ids()), *at, heading=heading)
         self._editor.do(edits.added(vertex))
-        mode.cursor, mode.selected, mode.edge = at, vertex.id, ""
+        mode.cursor = at
+        mode.selected = vertex.id
+        mode.edge = ""
         self._editor.refresh()
 
     def connect(self) -> None:
@@ -118,7 +124,8 @@ class GraphDrawing:
         if (vertex or edge) and (vertex, edge) == (mode.selected, mode.edge):
             self._menu(draft, mode)
             return
-        mode.selected, mode.edge = vertex, edge
+        mode.selected = vertex
+        mode.edge = edge
         if not (vertex or edge):
             self._notices.say("nothing here: i adds a vertex")
         self._editor.refresh()
@@ -174,7 +181,9 @@ class GraphDrawing:
         """Pick up the selected vertex, or the one at the cursor."""
         if (opened := self._editor.opened) and (vertex := self._values.chosen()):
             _, mode, _ = opened
-            mode.selected, mode.edge, mode.held = vertex.id, "", True
+            mode.selected = vertex.id
+            mode.edge = ""
+            mode.held = True
             self._notices.say("move the cursor, then Enter puts it down; Esc puts it back")
             self._editor.refresh()
 

@@ -11,7 +11,8 @@ from fleet_tui.controllers.typed import Typed
 from fleet_tui.model.graphs.document import DocumentEdge
 from fleet_tui.rules.graphs import edits
 
-SPEED, COST = "speed", "cost"
+SPEED = "speed"
+COST = "cost"
 """First words of typed lines on the selected edge, and names of its values."""
 _EXPECTED = {SPEED: "speed in m/s, above 0, or: any", COST: "cost, 0 or more, or: any"}
 
@@ -20,7 +21,8 @@ class EdgeValues:
     """Typed into the palette."""
 
     def __init__(self, parts: SetUpParts, editor: GraphEditor) -> None:
-        self._notices, self._editor = parts.notices, editor
+        self._notices = parts.notices
+        self._editor = editor
 
     def chosen(self) -> DocumentEdge | None:
         """Return the selected edge, else select and return the one at the cursor; say so if there is none."""
@@ -32,7 +34,8 @@ class EdgeValues:
         if not id_:
             self._notices.say("no edge is selected: cursor on it, Enter")
             return None
-        mode.edge, mode.selected = id_, ""
+        mode.edge = id_
+        mode.selected = ""
         return draft.floor.edges[id_]
 
     def typed(self, line: str) -> Typed | None:

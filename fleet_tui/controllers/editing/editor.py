@@ -33,7 +33,9 @@ class GraphEditor:
         file_of: Callable[[str], DraftFile | None],
     ) -> None:
         self._store, self._dispatch, self._navigation, self._notices, self._open_menu, _ = parts
-        self._controls, self.picture, self._file_of = controls, picture, file_of
+        self._controls = controls
+        self.picture = picture
+        self._file_of = file_of
         self._file: DraftFile | None = None
         self._edges: bool | None = None
         self.draft: GraphDraft | None = None
@@ -89,7 +91,8 @@ class GraphEditor:
         if scene is None or scene.floor != draft.floor.name:
             self._notices.say(f"not edited: another floor than {sanitize(draft.floor.name)} is shown")
             return False
-        self.draft, self._file = draft, file
+        self.draft = draft
+        self._file = file
         self.mode = EditMode(draft.floor, view.middle(scene), roles_of(self.live_graph()))
         self._edges = self.picture.options.edges
         self.picture.options = replace(self.picture.options, edges=True)

@@ -45,7 +45,11 @@ class DraftFiles:
         ask: Ask,
         old_files: OldFiles,
     ) -> None:
-        self._parts, self._editor, self._checks, self._files, self._ask = parts, editor, checks, files, ask
+        self._parts = parts
+        self._editor = editor
+        self._checks = checks
+        self._files = files
+        self._ask = ask
         self._old_files = old_files
 
     def write(self) -> None:

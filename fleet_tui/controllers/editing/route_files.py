@@ -64,7 +64,10 @@ class RouteFiles:
     ) -> None:
         """`post` applies an event, from any thread."""
         self._old_files = old_files
-        self._notices, self._editor, self._files, self._post = parts.notices, editor, files, post
+        self._notices = parts.notices
+        self._editor = editor
+        self._files = files
+        self._post = post
         self._sent: dict[SendGraph, SentFile] = {}
         parts.store.watchers.append(self._watch)
 

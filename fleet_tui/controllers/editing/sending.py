@@ -36,8 +36,12 @@ class DraftSending:
         doubt: str = "",
     ) -> None:
         """`doubt` is that of the configuration."""
-        self._parts, self._editor, self._checks, self._files = parts, editor, checks, files
-        self._route_files, self._doubt = route_files, doubt
+        self._parts = parts
+        self._editor = editor
+        self._checks = checks
+        self._files = files
+        self._route_files = route_files
+        self._doubt = doubt
 
     def start(self) -> None:
         """Offer to send, with the number of warnings and differences."""

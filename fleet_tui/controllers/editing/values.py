@@ -12,7 +12,9 @@ from fleet_tui.model.graphs.document import DocumentVertex
 from fleet_tui.rules.graphs import edits
 from fleet_tui.text.sanitize import sanitize
 
-NAME, TYPE, HEADING = "name", "type", "heading"
+NAME = "name"
+TYPE = "type"
+HEADING = "heading"
 """First words of typed lines on the selected vertex."""
 USUAL_TYPES = ("docking_station", "elevator")
 """Types offered where no vertex has one."""
@@ -22,7 +24,8 @@ class VertexValues:
     """Chosen from a menu, or typed into the palette."""
 
     def __init__(self, parts: SetUpParts, editor: GraphEditor) -> None:
-        self._parts, self._editor = parts, editor
+        self._parts = parts
+        self._editor = editor
 
     def chosen(self) -> DocumentVertex | None:
         """Return the selected vertex, else select and return the one at the cursor; say so if there is
@@ -35,7 +38,8 @@ class VertexValues:
         if not id_:
             self._parts.notices.say("no vertex is selected: cursor on it, Enter")
             return None
-        mode.selected, mode.edge = id_, ""
+        mode.selected = id_
+        mode.edge = ""
         return draft.floor.vertices[id_]
 
     def choose_type(self) -> None:

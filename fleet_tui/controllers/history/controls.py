@@ -70,12 +70,19 @@ class HistoryControls:
         in_background: InBackground,
         battery_low: Callable[[], float],
     ) -> None:
-        self._view, self._files, self._replaying = view, files, replaying
-        self._in_background, self._battery_low = in_background, battery_low
-        self.page_number, self.until, self.chart = 1, 0.0, ""
+        self._view = view
+        self._files = files
+        self._replaying = replaying
+        self._in_background = in_background
+        self._battery_low = battery_low
+        self.page_number = 1
+        self.until = 0.0
+        self.chart = ""
         self.span = ""  # until the first look: as long as the history, at most the usual one
         self.shown = ShownShift(divided(0.0, HOUR, 1))
-        self.floor, self.notice, self.is_reading = 0, "", False
+        self.floor = 0
+        self.notice = ""
+        self.is_reading = False
         self._wanted = 0
 
     @property
@@ -99,7 +106,8 @@ class HistoryControls:
     def _take(self, wanted: int, shown: ShownShift) -> None:
         if wanted != self._wanted:
             return
-        self.shown, self.is_reading = shown, False
+        self.shown = shown
+        self.is_reading = False
         if not self.span:
             age = shown.time.until - (shown.begun or 0.0)
             self.span = next((name for name, seconds in SPANS.items() if seconds >= age), USUAL)
@@ -110,8 +118,9 @@ class HistoryControls:
         self._view.look()
 
     def page(self, number: int) -> None:
-        """Show a page."""
-        self.page_number, self.notice, self.chart = number, "", ""
+        self.page_number = number
+        self.notice = ""
+        self.chart = ""
         self.shown = ShownShift(self.shown.time, problem="reading ...")
         self._read_and_look()
 

@@ -15,7 +15,8 @@ class NoteCommand:
     """Writes into the history of the console."""
 
     def __init__(self, files: ConsoleFiles, say: Callable[[str], None]) -> None:
-        self._files, self._say = files, say
+        self._files = files
+        self._say = say
 
     def typed(self, line: str) -> Typed | None:
         """Parse a typed line as a note, None if it is not one."""

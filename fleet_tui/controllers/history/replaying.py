@@ -27,7 +27,10 @@ class PastReplay:
         loss: Callable[[], str],
         run: Callable[[Sequence[str]], str],
     ) -> None:
-        self._files, self._folder, self._loss, self._run = files, folder, loss, run
+        self._files = files
+        self._folder = folder
+        self._loss = loss
+        self._run = run
 
     def find(self, at: float) -> tuple[Path, float] | None:
         """Return the recording that covers a Unix second, and when it begins; in a thread, a disk may be

@@ -49,8 +49,12 @@ class LedRoutines:
         in_background: InBackground,
     ) -> None:
         self.runs: dict[str, RoutineRun] = {}
-        self._place, self._store, self._dispatch = place, store, dispatch
-        self._notices, self._files, self._in_background = notices, files, in_background
+        self._place = place
+        self._store = store
+        self._dispatch = dispatch
+        self._notices = notices
+        self._files = files
+        self._in_background = in_background
         self._locks: dict[str, RobotLocks] = {}
         self._saving = threading.Lock()
         self._newest: dict[Path, RoutineProgress] = {}

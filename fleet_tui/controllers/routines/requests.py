@@ -49,8 +49,14 @@ class RoutineRequests:
         open_menu: OpenMenu,
         in_background: InBackground,
     ) -> None:
-        self._place, self._store, self._dispatch, self._notices = place, store, dispatch, notices
-        self._led, self._ask, self._open_menu, self._in_background = led, ask, open_menu, in_background
+        self._place = place
+        self._store = store
+        self._dispatch = dispatch
+        self._notices = notices
+        self._led = led
+        self._ask = ask
+        self._open_menu = open_menu
+        self._in_background = in_background
         self._seen: list[RoutineRow] = []
         self._is_looking = False
 

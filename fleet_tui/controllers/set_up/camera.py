@@ -48,8 +48,12 @@ class CameraControls:
         terminal: PictureTerminal,
     ) -> None:
         """`selected` returns the name of the selected robot."""
-        self._store, self._backend, self._selected = store, backend, selected
-        self._view, self._in_background, self._terminal = view, in_background, terminal
+        self._store = store
+        self._backend = backend
+        self._selected = selected
+        self._view = view
+        self._in_background = in_background
+        self._terminal = terminal
         self._rate = PictureRate(terminal.limit)
         self.is_open = False
         self._robot = ""
@@ -102,8 +106,10 @@ class CameraControls:
             self._backend.unwatch(self._robot, CAMERA)
         if robot:
             self._backend.watch(robot, CAMERA)
-        self._robot, self._made = robot, None
-        self._decoded, self._picture = Decoded(None), None
+        self._robot = robot
+        self._made = None
+        self._decoded = Decoded(None)
+        self._picture = None
         self._rate.restart()
 
     def _decode(self, wanted: PictureRequest) -> None:
@@ -127,7 +133,9 @@ class CameraControls:
         """Take a picture that was decoded; the robot may have been left meanwhile."""
         self._is_decoding = False
         if robot == self._robot:
-            self._made, self._decoded, self._picture = wanted, decoded, picture
+            self._made = wanted
+            self._decoded = decoded
+            self._picture = picture
             self._rate.take(self._store.state.now, self._terminal.sent())
             self.look()
 

@@ -20,16 +20,21 @@ class ScanComparison:
     """Compares the scans of one robot around the newest pose that was set."""
 
     def __init__(self, store: Store, backend: Backend, notices: Notices) -> None:
-        self._store, self._backend, self._notices = store, backend, notices
+        self._store = store
+        self._backend = backend
+        self._notices = notices
         self.robot = ""
         """The robot whose scan is wanted, empty if none is."""
-        self._floor, self._began = "", 0.0
+        self._floor = ""
+        self._began = 0.0
         self._before: Match | None = None
 
     def begin(self, robot: str, floor: str) -> None:
         """Remember how the scan fits at the present pose. Called when a pose is sent."""
         state = self._store.state
-        self.robot, self._floor, self._began = robot, floor, state.now
+        self.robot = robot
+        self._floor = floor
+        self._began = state.now
         self._before = scan_match(state, state.robots[robot], floor, self._backend.streams)
 
     def doubt(self, robot: str, floor: str, pose: Pose) -> str:

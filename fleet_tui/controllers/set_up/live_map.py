@@ -33,7 +33,8 @@ class LiveMap:
         without a map is asked once for each selected robot, after the shown one has come: what is kept of the
         others is dropped when more robots have been looked at."""
         if self._asked_for != selection.robot:
-            self._asked, self._asked_for = {}, selection.robot
+            self._asked = {}
+            self._asked_for = selection.robot
         wanted = self._of(state, selection)
         if wanted is None:
             return

@@ -42,8 +42,12 @@ class MappingControls:
         in_background: InBackground,
         say_from_thread: Callable[[str], None],
     ) -> None:
-        self._parts, self._picture, self._files, self._ask = parts, picture, files, ask
-        self._in_background, self._say_from_thread = in_background, say_from_thread
+        self._parts = parts
+        self._picture = picture
+        self._files = files
+        self._ask = ask
+        self._in_background = in_background
+        self._say_from_thread = say_from_thread
         self._grid: OccupancyGrid | None = None
         self._text = ""
 
@@ -62,7 +66,8 @@ class MappingControls:
     def map_text(self, grid: OccupancyGrid) -> str:
         """Return the known area of a map, and its age."""
         if grid is not self._grid:
-            self._grid, self._text = grid, f"{survey(grid).known:.0f} m2 known"
+            self._grid = grid
+            self._text = f"{survey(grid).known:.0f} m2 known"
         state, floor = self._parts.store.state, self._parts.navigation.floor
         robot_map = self._robot.maps.get(floor)
         at = (robot_map.grid_at if robot_map is not None else None) or state.floors[floor].live_at

@@ -19,7 +19,8 @@ from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.map_picture import MapPicture
 from fleet_tui.view.map.modes.place import PlaceMode
 
-SET_POSE, GO_TO = "POSE", "GOAL"
+SET_POSE = "POSE"
+GO_TO = "GOAL"
 
 
 class PoseRequests:
@@ -36,8 +37,13 @@ class PoseRequests:
         picture: MapPicture,
         comparison: ScanComparison,
     ) -> None:
-        self._store, self._dispatch, self._navigation, self._notices = store, dispatch, navigation, notices
-        self._ask, self._controls, self._picture = ask, controls, picture
+        self._store = store
+        self._dispatch = dispatch
+        self._navigation = navigation
+        self._notices = notices
+        self._ask = ask
+        self._controls = controls
+        self._picture = picture
         self._comparison = comparison
 
     @property

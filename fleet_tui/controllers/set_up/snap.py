@@ -31,8 +31,12 @@ class PoseSnap:
         picture: MapPicture,
         in_background: InBackground,
     ) -> None:
-        self._store, self._notices, self._streams = parts.store, parts.notices, streams
-        self._controls, self._picture, self._in_background = controls, picture, in_background
+        self._store = parts.store
+        self._notices = parts.notices
+        self._streams = streams
+        self._controls = controls
+        self._picture = picture
+        self._in_background = in_background
         self._searched: tuple[PlaceMode, Pose] | None = None
 
     @property

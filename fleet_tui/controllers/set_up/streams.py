@@ -30,8 +30,11 @@ class ShownStreams:
     def __init__(
         self, store: Store, backend: Backend, navigation: Navigation, notices: Notices, picture: MapPicture
     ) -> None:
-        self._store, self._backend, self._navigation = store, backend, navigation
-        self._notices, self._picture = notices, picture
+        self._store = store
+        self._backend = backend
+        self._navigation = navigation
+        self._notices = notices
+        self._picture = picture
         self.explains: Callable[[], bool] = lambda: False
         self._shown = set[str]()
         self._watched = set[tuple[str, str]]()

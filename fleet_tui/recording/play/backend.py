@@ -17,7 +17,8 @@ class ReplayBackend:
     refusal = "not sent: this is a recording"
 
     def __init__(self, player: Player, store: Store) -> None:
-        self._player, self._store = player, store
+        self._player = player
+        self._store = store
         self.streams = store.streams
 
     def watch(self, _robot: str, _key: str) -> None:
@@ -27,7 +28,6 @@ class ReplayBackend:
         """Do nothing."""
 
     def open(self) -> None:
-        """Start to play."""
         self._player.start(self._store)
 
     def submit(self, *_commands: Command) -> str:
@@ -54,5 +54,4 @@ class ReplayBackend:
         """Do nothing: logs are there if they were subscribed to while recording."""
 
     def close(self) -> None:
-        """Stop playing."""
         self._player.close()

@@ -41,7 +41,8 @@ class RecordingCursor:
     recording can't be read."""
 
     def __init__(self, recording: Recording) -> None:
-        self._recording, self.frames = recording, Frames(recording.config)
+        self._recording = recording
+        self.frames = Frames(recording.config)
         self._behind: deque[Record] = deque(maxlen=BEHIND)
         self._again: deque[Record] = deque()
         self._enter(0)
@@ -63,8 +64,10 @@ class RecordingCursor:
 
     def _begin(self, keyframe: Keyframe) -> None:
         """Load the whole state of a keyframe: records may be missing before it."""
-        self.state, self.at = self._recording.state(keyframe), keyframe.at
-        self._keyframe, self._count = self._keyframe + 1, 0
+        self.state = self._recording.state(keyframe)
+        self.at = keyframe.at
+        self._keyframe = self._keyframe + 1
+        self._count = 0
         self._tick_at: float | None = None
         self._kept = [self._here()]
 
@@ -86,7 +89,8 @@ class RecordingCursor:
         if isinstance(record, Keyframe):
             self._begin(record)
         elif record is not None:
-            self.state, self.at = self.frames.after(self.state, record), record.at
+            self.state = self.frames.after(self.state, record)
+            self.at = record.at
             self._tick_at = self.at if _is_tick(record) else self._tick_at
             self._count += 1
             self._behind.append(record)

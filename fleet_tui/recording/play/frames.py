@@ -17,7 +17,6 @@ from fleet_tui.state.reducer import apply
 
 
 def _reader(config: Config, link: str) -> FrameReader | MessageReader:
-    """Return the reader of a link's frames."""
     adapters = adapters_of(config)
     limit, feeds = limit_of(config, link), feeds_of(config, adapters, link)
     if config.bridges[link].is_broker:

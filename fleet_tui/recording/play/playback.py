@@ -24,12 +24,15 @@ class Playback:
     """Moves a cursor. Long operations call `goes_on` regularly for permission to continue."""
 
     def __init__(self, recording: Recording, speed: float) -> None:
-        self.head, self.marks = RecordingCursor(recording), time_marks(recording)
+        self.head = RecordingCursor(recording)
+        self.marks = time_marks(recording)
         self.paused = False
-        self._recording, self._speed = recording, speed
+        self._recording = recording
+        self._speed = speed
         self._reached: float | None = None
         self._busy: float | None = None
-        self._jumps, self._failure = 0, ""
+        self._jumps = 0
+        self._failure = ""
         self._shown = self.head.state, self._moment()
         self.go_on()
 
@@ -62,7 +65,8 @@ class Playback:
 
     def go_on(self) -> None:
         """Start the recorded clock from here and now."""
-        self._since, self._begun_at = time.monotonic(), self.head.at
+        self._since = time.monotonic()
+        self._begun_at = self.head.at
 
     def play(self, goes_on: Callable[[], bool]) -> None:
         """Play up to our clock. It stops at the end."""
@@ -71,7 +75,8 @@ class Playback:
             self.paused = True
             return
         if following - self.head.at > NOTHING_FOR:
-            self._since, self._begun_at = now, following
+            self._since = now
+            self._begun_at = following
             self._mark_gap(following)
         wanted = self._begun_at + (now - self._since) * self._speed
         before = self.head.at
@@ -128,4 +133,5 @@ class Playback:
 
     def fail(self, note: str) -> None:
         """Stop, and report the reason."""
-        self.paused, self._failure = True, note
+        self.paused = True
+        self._failure = note

@@ -58,7 +58,6 @@ class Player:
 
     @property
     def state(self) -> FleetState:
-        """Return the current state."""
         return self._playback.shown[0]
 
     @property

@@ -34,7 +34,8 @@ class BatteryHistory:
 
     def __init__(self) -> None:
         self.samples: deque[BatterySample] = deque(maxlen=KEPT)
-        self._seen_at, self._level = -math.inf, 0.0
+        self._seen_at = -math.inf
+        self._level = 0.0
 
     def look(self, at: float, percent: float | None) -> None:
         """Take the level at a monotonic second, None while it is unknown. A recording may go back in time:
@@ -51,7 +52,8 @@ class BatteryHistory:
         if percent is None:
             self._seen_at = -math.inf
             return
-        self._seen_at, self._level = at, percent
+        self._seen_at = at
+        self._level = percent
         if not follows or self._is_news(at, percent):
             self.samples.append(BatterySample(at, percent, follows))
 

@@ -13,7 +13,6 @@ GRIDS = (0.01, 0.05, 0.1, 0.25, 0.5, 1.0)
 
 
 def added(vertex: DocumentVertex) -> Change:
-    """Add a vertex."""
     return Change(f"add vertex {vertex.id}", ((None, vertex),))
 
 
@@ -29,7 +28,6 @@ def removed(floor: DocumentFloor, id_: str) -> Change:
 
 
 def edge_removed(edge: DocumentEdge) -> Change:
-    """Remove an edge."""
     return Change(f"remove edge {edge.id}", edges=((edge, None),))
 
 

@@ -35,7 +35,8 @@ class _Shape:
         self.edges = [edge.id for edge in edges]
         ends = [(rows[edge.start], rows[edge.end]) for edge in edges]
         self.ends = np.array(ends, np.intp).reshape(-1, 2)
-        self.starts, self.stops = self.places[self.ends[:, 0]], self.places[self.ends[:, 1]]
+        self.starts = self.places[self.ends[:, 0]]
+        self.stops = self.places[self.ends[:, 1]]
 
 
 def neighbours(floor: DocumentFloor) -> list[list[GraphFinding]]:

@@ -26,7 +26,8 @@ SLEPT = 60.0
 slept, or its clock was set."""
 PERCENT = 1.0
 """A change of a battery that is told at once."""
-QUEUED, BEGUN = "queued", "begun"
+QUEUED = "queued"
+BEGUN = "begun"
 
 _Gone = tuple[str, float]
 """The id of an order, and when it left the queue."""

@@ -35,7 +35,6 @@ class OrderCounts(Struct):
     longest: float = 0.0
 
     def add(self, total: OrderTotal) -> None:
-        """Count the orders of one end."""
         match TALLIES.get(total.stage):
             case Tally.DONE:
                 self.done += total.count

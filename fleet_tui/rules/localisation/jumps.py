@@ -7,11 +7,14 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.movement import JUMPS_WITHIN
 
-JUMP, JUMP_TURN = 0.5, math.radians(30.0)
+JUMP = 0.5
+JUMP_TURN = math.radians(30.0)
 """Metres and radians beyond what speed explains."""
-FASTEST, FASTEST_TURN = 3.0, math.radians(180.0)
+FASTEST = 3.0
+FASTEST_TURN = math.radians(180.0)
 """Metres and radians a second that no robot here exceeds."""
-APART, STEPS = 0.35, 4
+APART = 0.35
+STEPS = 4
 """Seconds from which two jumps are apart, and jumps in a row, each for itself, from which they are steps."""
 JUMPS = 2
 """This many jumps within JUMPS_WITHIN seconds are more than corrections."""

@@ -13,7 +13,8 @@ from fleet_tui.rules.localisation.match import NEAR, Match, match
 
 REACH = 5.0
 """Metres from the pose to the farthest one of the first round."""
-STEP, TURN = 0.4, math.tau / 36
+STEP = 0.4
+TURN = math.tau / 36
 """Metres and radians between the poses of the first round; each round halves them."""
 ROUNDS = 5
 KEPT = 150

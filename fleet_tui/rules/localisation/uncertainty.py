@@ -7,9 +7,11 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetPose
 
-LOST_ABOVE, FOUND_BELOW = 0.5, 0.3
+LOST_ABOVE = 0.5
+FOUND_BELOW = 0.3
 """Variance of x and y in square metres above which localisation is lost, and below which it is back."""
-USUAL, SETTLES_IN = 0.75, 10.0
+USUAL = 0.75
+SETTLES_IN = 10.0
 """Variance that a localisation may report in so many seconds after a pose was set by hand: about the 0.5 that
 come with it. One that stands then reports no other until it drives."""
 

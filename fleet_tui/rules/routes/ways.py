@@ -31,10 +31,12 @@ class Routes:
     """The routes of one graph, cached: each way is searched once."""
 
     def __init__(self, graph: RouteGraph) -> None:
-        self._graph, self._places = graph, graph.vertices
+        self._graph = graph
+        self._places = graph.vertices
         self.elevators = tuple((v.id, 0.0) for v in graph.vertices.values() if v.role is Role.ELEVATOR)
         ends = np.array([self._line(edge.start, edge.end) for edge in graph.edges]).reshape(-1, 4)
-        self._starts, self._along = ends[:, :2], ends[:, 2:] - ends[:, :2]
+        self._starts = ends[:, :2]
+        self._along = ends[:, 2:] - ends[:, :2]
         self._squares = np.maximum((self._along**2).sum(axis=1), 1e-12)
         self._way = lru_cache(maxsize=512)(self._search)
 

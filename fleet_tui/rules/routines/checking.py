@@ -70,7 +70,9 @@ class _LaneCheck:
     """Follows the places of one robot through its blocks."""
 
     def __init__(self, state: FleetState, robot: Robot, program: FindProgram) -> None:
-        self._state, self._robot, self._program = state, robot, program
+        self._state = state
+        self._robot = robot
+        self._program = program
         self._at: str | None = None
         """The vertex at which it is then, None if unknown."""
 

@@ -40,7 +40,10 @@ from fleet_tui.model.routines.blocks import (
 from fleet_tui.rules.language.words import said
 from fleet_tui.rules.routines.instructions import USAGE, condition, instruction, schedule
 
-MOST_LINES, DEEPEST, MOST_TIMES, MOST_LANES = 2000, 20, 10_000, 100
+MOST_LINES = 2000
+DEEPEST = 20
+MOST_TIMES = 10_000
+MOST_LANES = 100
 """Lines of a file, blocks within each other, rounds of a `repeat`, robots."""
 _KEYWORDS = (*USAGE, "every", "for", "repeat", "if", "else", "on failure", "end")
 _FAILURE = ["on", "failure"]

@@ -60,8 +60,11 @@ class _Drawing:
 
     def __init__(self, robot: Robot, wall: float, next_time: NextTime) -> None:
         self.entries: list[TimelineEntry] = []
-        self._robot, self._wall, self._next_time = robot, wall, next_time
-        self._now, self._is_least = 0.0, False
+        self._robot = robot
+        self._wall = wall
+        self._next_time = next_time
+        self._now = 0.0
+        self._is_least = False
         self._at: Place | None = None
 
     def blocks(self, blocks: Iterable[Block], note: str = "") -> bool:
@@ -109,7 +112,8 @@ class _Drawing:
         goes_on = self.blocks(block.body, block.text)
         ended, end, self._now, self._at = self._now, self._at, began, at
         goes_on = self.blocks(block.otherwise, f"unless {block.text.removeprefix('if ')}") and goes_on
-        self._now, self._at = max(ended, self._now), self._at if self._at == end else None
+        self._now = max(ended, self._now)
+        self._at = self._at if self._at == end else None
         self._is_least = True
         return goes_on
 

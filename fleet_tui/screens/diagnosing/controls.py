@@ -16,7 +16,8 @@ class DiagnosticsControls:
     """`current` is the open page, `notice` the response to the last key."""
 
     def __init__(self, view: "Diagnostics", pages: Pages) -> None:
-        self._view, self._pages = view, pages
+        self._view = view
+        self._pages = pages
         self.current = Page.LINK
         self.notice = ""
         self._cursors: dict[Page, Hashable] = {}
@@ -29,7 +30,8 @@ class DiagnosticsControls:
         self._pages.robot = robot
         if robot != self._robot or page is Page.TOPICS:
             first = self._pages.worst_topic if page is Page.TOPICS else self._pages.first_topic
-            self._robot, self._pages.topic = robot, first(robot)
+            self._robot = robot
+            self._pages.topic = first(robot)
             self._cursors[Page.TOPICS] = self._pages.topic
             if self.current is Page.TOPICS:
                 self._view.rows.listing.cursor = self._pages.topic
@@ -42,7 +44,9 @@ class DiagnosticsControls:
     def page(self, number: int) -> None:
         """Show a page, with its last cursor position."""
         self._cursors[self.current] = self._view.rows.listing.cursor
-        self.current, self.notice, self._came_from_topics = Page(number), "", False
+        self.current = Page(number)
+        self.notice = ""
+        self._came_from_topics = False
         self._view.rows.listing.cursor = self._cursors.get(self.current)
         self._view.put_filter(self._pages.wanted.get(self.current, ""))
         self._view.look()

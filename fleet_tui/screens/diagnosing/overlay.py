@@ -34,7 +34,8 @@ class Diagnostics(PagedOverlay):
     ]
 
     def __init__(self, pages: Pages, keys: Mapping[str, tuple[str, ...]]) -> None:
-        self._pages, self._keys = pages, keys
+        self._pages = pages
+        self._keys = keys
         self._controls = DiagnosticsControls(self, pages)
         self._end: Hashable = None
         self._timer: Timer | None = None
@@ -95,7 +96,6 @@ class Diagnostics(PagedOverlay):
         self.beside.show(self._pages.table(page, self.output.budget))
 
     def action_key(self, id_: str) -> None:
-        """Run the action of a key of this screen."""
         KEYS[id_].action(self._controls)
 
     def put_filter(self, text: str) -> None:

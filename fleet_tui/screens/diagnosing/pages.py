@@ -58,7 +58,9 @@ class Pages:
         backend: Backend,
         clock: Callable[[float], str],
     ) -> None:
-        self._state, self._backend, self._clock = state, backend, clock
+        self._state = state
+        self._backend = backend
+        self._clock = clock
         self.topic: tuple[str, str] | None = None
         self.robot = ""
         self.shows_bad = False
@@ -79,7 +81,6 @@ class Pages:
         return [(state.links[name], counter) for name, counter in counters.items() if name in state.links]
 
     def first_topic(self, robot: str) -> tuple[str, str] | None:
-        """Return a robot's first topic."""
         return next(iter(self._topics(robot)), None)
 
     def worst_topic(self, robot: str) -> tuple[str, str] | None:
@@ -160,7 +161,8 @@ class Pages:
 
     def choose(self, link: str, topic: str) -> None:
         """Show the messages of this topic, live."""
-        self.topic, self.shows_bad = (link, topic), False
+        self.topic = (link, topic)
+        self.shows_bad = False
         self._frozen.pop(Page.RAW, None)
 
     def turn_bad(self) -> None:

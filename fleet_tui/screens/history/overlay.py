@@ -67,7 +67,9 @@ class HistoryOverlay(PagedOverlay):
     ]
 
     def __init__(self, screen: "MainScreen", pages: HistoryPages, replaying: PastReplay) -> None:
-        self._pages, self._store, self._keys = pages, screen.store, screen.settings.keys
+        self._pages = pages
+        self._store = screen.store
+        self._keys = screen.settings.keys
         low = lambda: screen.store.state.limits.battery_low  # noqa: E731  # of the newest state
         in_background = partial(run_in_background, self)
         self._controls = HistoryControls(self, screen.files, replaying, in_background, low)
@@ -111,7 +113,6 @@ class HistoryOverlay(PagedOverlay):
         self._foot.show(*foot_runs(self._keys, controls.name, controls.notice))
 
     def action_key(self, id_: str) -> None:
-        """Run the action of a key of this screen."""
         KEYS[id_].action(self._controls)
 
     def open_filter(self) -> None:

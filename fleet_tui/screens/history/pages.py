@@ -38,7 +38,10 @@ class HistoryPages:
         navigation: Navigation,
         options: Callable[[], MapOptions],
     ) -> None:
-        self._store, self._clock, self._navigation, self._options = store, clock, navigation, options
+        self._store = store
+        self._clock = clock
+        self._navigation = navigation
+        self._options = options
 
     def table(self, controls: HistoryControls, words: Sequence[str], size: tuple[int, int]) -> Table:
         """Return the open page with rows that have every word, for `size` cells and lines."""

@@ -44,7 +44,8 @@ class PageScrolling:
     """The actions of the keys of tables, on the text of the page; `menu` opens that of the robot."""
 
     def __init__(self, text: TextView, menu: Callable[[], None]) -> None:
-        self._text, self._menu = text, menu
+        self._text = text
+        self._menu = menu
 
     def move(self, step: int) -> None:
         """Scroll up or down."""
@@ -54,7 +55,6 @@ class PageScrolling:
         """Do nothing: lines have the width of the screen."""
 
     def open_menu(self) -> None:
-        """Open the menu of the robot."""
         self._menu()
 
 
@@ -78,9 +78,11 @@ class RobotPage(ReturningOverlay, RobotOverlay, can_focus=True):
         """`menu` opens that of a robot; `beside` returns the cells of the tables if the page has space there,
         else 0: then it covers the map, too; and the lines above small maps, 0 without them."""
         super().__init__(id="robot-page")
-        self._source, self._beside = source, beside
+        self._source = source
+        self._beside = beside
         self._pace = Pace(READ_EVERY)
-        self._name, self._second = "", 0
+        self._name = ""
+        self._second = 0
         self._title = LineView(id="robot-page-title", keep_right=True)
         self._text = TextView(id="robot-page-text", moved=self._show_title)
         self._scrolling = PageScrolling(self._text, lambda: menu(source.looked_at()[1]))

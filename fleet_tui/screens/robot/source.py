@@ -35,7 +35,10 @@ class PageSource:
         backend: Backend,
     ) -> None:
         self._backend = backend
-        self.looked_at, self._audit, self._clock, self._drawing = looked_at, audit, clock, drawing
+        self.looked_at = looked_at
+        self._audit = audit
+        self._clock = clock
+        self._drawing = drawing
         self._batteries = BatteryHistories()
         self._past: tuple[str, Sequence[PastAlarm], str] = "", (), ""
         """Of a robot: its past alarms, and a note on them."""
@@ -85,4 +88,5 @@ class PageSource:
                 past = past_alarms(records, audit.origin.run, name, LAST)
             except OSError as failed:
                 note = tr(f"past ones: log not readable: {failed.strerror}")
-        self._past, self._can_draw = (name, past, note), True
+        self._past = (name, past, note)
+        self._can_draw = True

@@ -16,7 +16,8 @@ from fleet_tui.widgets.field import Field
 from fleet_tui.widgets.pace import Pace
 from fleet_tui.widgets.rows_pane import RowsPane
 
-PAUSE, ALL_EVERY = 0.3, 0.5
+PAUSE = 0.3
+ALL_EVERY = 0.5
 """Seconds after a letter in which the panes wait, and after which they are shown all the same."""
 
 
@@ -63,7 +64,8 @@ class FilterLine(Overlay):
 
     def _apply(self, typed: str) -> None:
         if self._pane is not None and typed != self._pane.arrangement.typed:
-            self._pane.arrangement.typed, self._typed_at = typed, time.monotonic()
+            self._pane.arrangement.typed = typed
+            self._typed_at = time.monotonic()
             self._show(self._pane, typed)
 
     @property

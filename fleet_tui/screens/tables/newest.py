@@ -22,7 +22,8 @@ class NewestRows:
 
     def __init__(self, screen: "MainScreen") -> None:
         self._screen = screen
-        self._fleet_pace, self._crowd_pace = Pace(0.2), Pace(0.5)
+        self._fleet_pace = Pace(0.2)
+        self._crowd_pace = Pace(0.5)
         self._floor_pace = Pace(0.2)
         self._fleet: Table | None = None
         self._has_floor = False

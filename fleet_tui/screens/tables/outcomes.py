@@ -24,16 +24,20 @@ class Outcomes(Static):
 
     def __init__(self, state: Callable[[], FleetState]) -> None:
         super().__init__(id="outcomes", markup=False)
-        self.border_title, self.border_subtitle = tr("Outcomes"), tr("marks cleared, Esc closes")
+        self.border_title = tr("Outcomes")
+        self.border_subtitle = tr("marks cleared, Esc closes")
         self._state = state
         self._told: Sequence[tuple[Command, str]] = ()
-        self._since, self._ends = 0.0, math.inf
+        self._since = 0.0
+        self._ends = math.inf
         self.display = False
 
     def show(self, told: Sequence[tuple[Command, str]], since: float) -> None:
         """Show the outcome of each of these commands, sent from `since` (monotonic) on, or the reason that it
         was not sent."""
-        self._told, self._since, self._ends = told, since, math.inf
+        self._told = told
+        self._since = since
+        self._ends = math.inf
         self.display = True
         self.look()
 

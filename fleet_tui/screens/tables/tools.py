@@ -18,7 +18,8 @@ from fleet_tui.widgets.rows_pane import RowsPane
 if TYPE_CHECKING:
     from fleet_tui.screens.main import MainScreen
 
-TRIES, AGAIN_AFTER = 5, 0.1
+TRIES = 5
+AGAIN_AFTER = 0.1
 """Copies while the terminal is still reading the last picture, and seconds between them."""
 
 

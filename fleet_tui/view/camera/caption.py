@@ -6,7 +6,8 @@ from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
 
-OLD, GONE = 2.0, 10.0
+OLD = 2.0
+GONE = 10.0
 """Seconds after which a picture is marked as old, and is not shown any more."""
 
 

@@ -4,7 +4,8 @@ import math
 
 from fleet_tui.text.language import tr
 
-EVERY, SLOWEST = 0.5, 8.0
+EVERY = 0.5
+SLOWEST = 8.0
 """Seconds between two pictures, and at the most."""
 EARLY = 0.2
 """Part of that time by which a picture may come sooner: networks jitter."""
@@ -21,7 +22,8 @@ class PictureRate:
     def restart(self) -> None:
         """Forget earlier pictures, and their costs."""
         self.every = EVERY
-        self._at, self._sent = -math.inf, 0
+        self._at = -math.inf
+        self._sent = 0
 
     @property
     def text(self) -> str:
@@ -42,4 +44,5 @@ class PictureRate:
                 self.every = min(2 * self.every, SLOWEST)
             elif self.every > EVERY and 2 * cost < 0.8 * self._limit:
                 self.every /= 2
-        self._at, self._sent = at, sent
+        self._at = at
+        self._sent = sent

@@ -8,7 +8,8 @@ from fleet_tui.view.help.section import HelpRow, HelpSection
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, cut, width_of
 
-TWO_FROM, THREE_FROM = 94, 170
+TWO_FROM = 94
+THREE_FROM = 170
 """Cells from which there are two columns, those of an overlay on a terminal of 100, and three."""
 _BETWEEN = 2
 _LONGEST_MARK = 28

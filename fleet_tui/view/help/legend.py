@@ -32,7 +32,8 @@ from fleet_tui.view.tables.table import Run
 
 CELLS = 10
 """Width of a sign drawn by the map."""
-_WIDTH, _HEIGHT = CELLS * DOTS_X, DOTS_Y
+_WIDTH = CELLS * DOTS_X
+_HEIGHT = DOTS_Y
 _FRAME = MapFrame(1.0, _WIDTH, _HEIGHT)
 _CAMERA = Camera(_WIDTH / 2, _HEIGHT / 2, 1.0, CELLS, 1, (_WIDTH, _HEIGHT))
 _AT = (1.0, 2.0)  # in the first cell

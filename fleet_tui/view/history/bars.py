@@ -20,7 +20,8 @@ BARS: Mapping[Activity, tuple[str, str, StyleRole]] = {
 }
 """Glyph, letter where there are no such glyphs, and role of each activity: no two are the same without
 colours."""
-LEVELS, DIGITS = "▁▂▃▄▅▆▇█", "01234567"
+LEVELS = "▁▂▃▄▅▆▇█"
+DIGITS = "01234567"
 """Heights of a curve; the second in ASCII."""
 
 

@@ -15,13 +15,15 @@ from fleet_tui.view.history.bars import BARS, bars_of, legend_of
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Row, Table, column
 
-FIRST, LAST = 1.25, 10.0
+FIRST = 1.25
+LAST = 10.0
 """Seconds of a cell, at first and after a while: the bars have something to show from the start."""
 CELLS = 180
 """Cells that are kept."""
 WIDTHS = (8, 4, 2)
 """Cells of a part while there are few."""
-NAMES, HEADS = 14, 2
+NAMES = 14
+HEADS = 2
 """Cells of a name at most, and lines of title and head."""
 
 

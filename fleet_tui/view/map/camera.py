@@ -11,11 +11,13 @@ from typing import NamedTuple
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.rules.rates.attention import SeenArea
 
-DOTS_X, DOTS_Y = 2, 4
+DOTS_X = 2
+DOTS_Y = 4
 MIN_SCALE = 0.125
 SMALL = 1200
 """Cells of a view below which a fitted area is stretched: a few more cells are worth more than its shape."""
-MOST_TALL, FILLED = 1.2, 1.3
+MOST_TALL = 1.2
+FILLED = 1.3
 """By how much it is drawn longer down or across at most, and if it then takes all cells of the view."""
 ZOOM_STEP = math.sqrt(2.0)
 BEYOND = 0.25

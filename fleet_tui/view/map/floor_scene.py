@@ -35,7 +35,8 @@ from fleet_tui.view.map.mission import blocked_edges, edge_lines, way_of
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.view.selection import Selection
 
-MARGIN, BLOCK = 2.0, 10.0
+MARGIN = 2.0
+BLOCK = 10.0
 EMPTY_RESOLUTION = 0.05
 PATIENCE = 5.0
 """Seconds after a change of the link for which a note is no problem: everything is still arriving."""
@@ -180,7 +181,6 @@ def _robot(
 
 
 def _robots(state: FleetState, selection: Selection, picture: MapFrame, tied: bool) -> tuple[SceneRobot, ...]:
-    """Return the robots on the floor."""
     seen = acknowledged(state)
     alarmed = in_trouble(state).union(blocked_robots(state)) - seen - shelved(state)
     robots = (

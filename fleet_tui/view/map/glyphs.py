@@ -24,7 +24,6 @@ def robot_glyph(robot: SceneRobot, turned: float, plain: bool) -> str:
 
 
 def robot_number(robot: SceneRobot) -> str:
-    """Return the number of a robot on the map."""
     return robot.mark or str(robot.number)
 
 

@@ -66,14 +66,16 @@ class MapPicture:
         if scene is None or width < 1 or height <= CAPTION_ROWS:
             return None
         scene = self.mode.adjusted(scene)
-        view.width, view.height = width, height - CAPTION_ROWS
+        view.width = width
+        view.height = height - CAPTION_ROWS
         camera = view.camera(scene)
         if self.options.trails:
             scene = replace(scene, trail=self._trails.of(scene))
         head = caption_row(self._caption(scene, camera, focused))
         shown = scene.floor, camera, self.look
         if self._arrangement_of != shown:
-            self._arrangement, self._arrangement_of = Arrangement(), shown
+            self._arrangement = Arrangement()
+            self._arrangement_of = shown
         behind = self._still(scene, camera)
         body = picture(behind, scene, camera, self.look, self._arrangement, self.mode.layers)
         return Cells(np.vstack((head.codes, body.codes)), np.vstack((head.roles, body.roles)))

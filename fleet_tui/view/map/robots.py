@@ -22,10 +22,12 @@ from fleet_tui.view.roles import StyleRole
 
 LARGE = 90
 """Cells of the view's width from which an alarm is told beside its robot, and the age of each offline one."""
-FEW, DENSE = 10, 50
+FEW = 10
+DENSE = 50
 """Robots of a floor up to which all have space for an arrow, and cells of the floor for each one below which
 numbers are placed first."""
-TOGETHER, PILED = 3, 6
+TOGETHER = 3
+PILED = 6
 """Robots without anything special in one cell from which they have a count if not all numbers find a place
 near them, and from which they always have."""
 Chips = list[tuple[int, int, str, StyleRole]]

@@ -18,7 +18,9 @@ class LocalTime(Struct, frozen=True):
     moment: Callable[[float, bool], str]
 
 
-MINUTE, HOUR, DAY = 60.0, 3600.0, 86_400.0
+MINUTE = 60.0
+HOUR = 3600.0
+DAY = 86_400.0
 STEPS = (
     *(MINUTE * n for n in (1, 2, 5, 10, 15, 30)),
     *(HOUR * n for n in (1, 2, 3, 6, 12)),

@@ -6,7 +6,8 @@ from xml.etree.ElementTree import Element
 from fleet_tui.model.history.totals import ChargeTotal
 from fleet_tui.view.report.html import element
 
-WIDTH, HEIGHT = 150.0, 50.0
+WIDTH = 150.0
+HEIGHT = 50.0
 
 
 def batteries(charges: Mapping[str, Sequence[ChargeTotal]], parts: int, low: float) -> Element:

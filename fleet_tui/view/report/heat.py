@@ -15,7 +15,8 @@ LARGEST = 0.03
 """Radius of the worst place as a part of the picture's size."""
 MARGIN = 3.0
 """Metres around the places on a floor without a map."""
-NAMED, APART = 6, 0.12
+NAMED = 6
+APART = 0.12
 """Places whose seconds are written, and how far apart these are, as a part of the picture's size."""
 
 

@@ -11,7 +11,10 @@ from fleet_tui.rules.history.timeline import Shares, Timeline
 from fleet_tui.view.report.axis import LocalTime, axis
 from fleet_tui.view.report.html import element
 
-WIDTH, LEFT, ROW, FOOT = 960.0, 96.0, 18.0, 18.0
+WIDTH = 960.0
+LEFT = 96.0
+ROW = 18.0
+FOOT = 18.0
 HIGH = 15.0
 """Of the highest bar, and of a column of the whole time."""
 HEIGHTS: Mapping[Activity, float] = {

@@ -180,7 +180,8 @@ def _summed(shares: Classes) -> Classes:
     return tall[:, 0::2] + tall[:, 1::2]
 
 
-_HATCH, _SOLID = ord("·"), ord("█")
+_HATCH = ord("·")
+_SOLID = ord("█")
 _WALLS = np.array([StyleRole.UNKNOWN, StyleRole.FLOOR, StyleRole.WALL_BEYOND, StyleRole.WALL], np.uint8)
 
 

@@ -36,8 +36,12 @@ class DriveMode(PlainMode):
         stop: Callable[[], None],
         left: Callable[[], None],
     ) -> None:
-        self.robot, self.floor, self.caps = robot, floor, caps
-        self.passes, self.stop, self.left = passes, stop, left
+        self.robot = robot
+        self.floor = floor
+        self.caps = caps
+        self.passes = passes
+        self.stop = stop
+        self.left = left
         self.state = DriveState()
         self.share = 0.0
         self.layers: tuple[Layer, ...] = (self._draw,)

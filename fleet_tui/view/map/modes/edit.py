@@ -32,7 +32,9 @@ class EditMode:
     points = False
 
     def __init__(self, floor: DocumentFloor, cursor: Point, roles: Callable[[str], Role] = role_of) -> None:
-        self.cursor, self.note, self._roles = cursor, "", roles
+        self.cursor = cursor
+        self.note = ""
+        self._roles = roles
         self._made = dict[str, SceneVertex]()
         self._lines = dict[str, Line]()
         self._arrows = dict[str, Line]()
@@ -53,7 +55,8 @@ class EditMode:
         self.held = self.held and bool(self.selected)
         if change is None:
             self._made = {id_: self._shown(vertex) for id_, vertex in floor.vertices.items()}
-            self._lines, self._arrows = {}, {}
+            self._lines = {}
+            self._arrows = {}
             for id_ in floor.edges:
                 self._renew_edge(id_)
         else:
@@ -143,7 +146,10 @@ class EditMode:
     def drag(self, at: Point) -> None:
         """Move the grasped vertex along."""
         if self._grasped in self.floor.vertices:
-            self.cursor, self.selected, self.edge, self.held = at, self._grasped, "", True
+            self.cursor = at
+            self.selected = self._grasped
+            self.edge = ""
+            self.held = True
 
     def vertex_at(self, view: Viewport, scene: Scene, at: Point) -> str:
         """Return the id of the vertex in the cell of a place, the nearest one; empty without one."""

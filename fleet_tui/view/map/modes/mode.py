@@ -8,7 +8,9 @@ from fleet_tui.view.map.picture import Layer
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.view.map.viewport import Viewport, pick
 
-COLUMNS, ROWS = 4, 2  # cells of one press: about as far in both directions
+# cells of one press: about as far in both directions
+COLUMNS = 4
+ROWS = 2
 Point = tuple[float, float]
 """x, y in metres."""
 

@@ -28,7 +28,10 @@ class PlaceMode(PlainMode):
     points = False
 
     def __init__(self, title: str, robot: str, floor: str, pose: Pose, moves_scan: bool = False) -> None:
-        self.title, self.robot, self.floor, self.note = title, robot, floor, ""
+        self.title = title
+        self.robot = robot
+        self.floor = floor
+        self.note = ""
         self.moves_scan = moves_scan
         self.put(pose)
         self.layers: tuple[Layer, ...] = (self._draw,)

@@ -10,7 +10,8 @@ from fleet_tui.view.map.placing.occupancy import CellOccupancy
 from fleet_tui.view.map.scene import SceneRobot
 from fleet_tui.view.roles import StyleRole
 
-CROWD, LEAST = 25, 30
+CROWD = 25
+LEAST = 30
 """Cells of the view for each robot in it below which robots are a crowd, and robots from which they are."""
 BLOCK = 6, 2
 """Cells and lines of a block of the view, whose robots are one chip: few chips are wider."""

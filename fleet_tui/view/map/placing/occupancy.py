@@ -16,7 +16,11 @@ _HELD = np.zeros(len(StyleRole), np.bool_)
 _HELD[StyleRole.VERTEX : StyleRole.TARGET + 1] = True  # vertices and labels
 
 
-_WALL, _AMONG, _FAR, _ASTRAY, _NOWHERE = 255, 70, 60, 60, 10_000
+_WALL = 255
+_AMONG = 70
+_FAR = 60
+_ASTRAY = 60
+_NOWHERE = 10_000
 """Costs of a label: for each wall's cell if it is to cover none, beside a wall in another row than its
 vertex, where it reads as the name of what the wall encloses, two rows off its vertex, and there on the
 floor, or behind a wall."""
@@ -33,8 +37,11 @@ def _weights(wall: int, unknown: int = 0) -> bytes:
     )
 
 
-_BESIDE_WALLS, _OVER_WALLS, _OVER_OUTER_WALLS = _weights(_WALL), _weights(10), _weights(3, unknown=6)
-_STAYS, _TOUCHES = 3, 2
+_BESIDE_WALLS = _weights(_WALL)
+_OVER_WALLS = _weights(10)
+_OVER_OUTER_WALLS = _weights(3, unknown=6)
+_STAYS = 3
+_TOUCHES = 2
 """Costs of a chip: by how much another place must be better, and at a label."""
 _END = 16
 """The cost of a cell that is to be kept clear."""
@@ -59,7 +66,8 @@ class CellOccupancy:
     """
 
     def __init__(self, width: int, height: int, below: Roles | None = None) -> None:
-        self.width, self._height = width, height
+        self.width = width
+        self._height = height
         self._taken = [0] * height
         self._texts = [0] * height if below is None else _bits(_HELD[below])
         self._hidden = bytearray() if below is None else bytearray(_hidden(below).tobytes())
