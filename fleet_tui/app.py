@@ -67,7 +67,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
         # Without colour Textual must use the terminal's own, or it sends greys.
         super().__init__(ansi_color=not colour)
         theme = Theme(**themes[config.ui.theme].textual())
-        self._start = self.startup = FirstPaint(self, theme, colour, self._mount_rest)
+        self._start = self.startup = FirstPaint(self, self.output, theme, colour, self._mount_rest)
         self._config = config
         self._themes = themes
         self._colour = colour

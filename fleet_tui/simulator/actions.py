@@ -5,7 +5,7 @@ import time
 import uuid
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from fleet_tui.simulator.channels import resolve
 from fleet_tui.simulator.fleets import Fleet
@@ -15,10 +15,8 @@ from fleet_tui.simulator.ros.dialect import Dialect, Message
 from fleet_tui.simulator.ros.errors import BridgeError, ServiceError
 from fleet_tui.simulator.ros.filling import fill
 from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
-
-if TYPE_CHECKING:
-    from fleet_tui.simulator.sessions.operations import Operation
-    from fleet_tui.simulator.sessions.session import Session
+from fleet_tui.simulator.sessions.client import Client
+from fleet_tui.simulator.sessions.operations import Operation
 
 REMEMBERED = 1000  # goals whose clients wait for the result
 SOUGHT = 1.0  # seconds for which the bridge waits for an action server to appear
@@ -31,8 +29,8 @@ Ended = asyncio.Future[None]
 class _Given:
     """A goal that a client sent."""
 
-    session: "Session"
-    operation: "Operation"
+    client: Client
+    operation: Operation
     fleet: Fleet
     server: ActionServer
     goal: ServedGoal
@@ -54,7 +52,7 @@ class ActionDesk:
         """The action servers that are there."""
         return [name for name, (_, server) in self._servers.items() if server.alive]
 
-    def send(self, session: "Session", operation: "Operation") -> Ended:
+    def send(self, client: Client, operation: Operation) -> Ended:
         """Pass a client's goal to its action server."""
         name = resolve(operation["action"])
         fleet, server = self._servers.get(name, (None, None))
@@ -62,23 +60,23 @@ class ActionDesk:
             type_ = self._type(operation["action_type"])
             request = self._request(type_, operation.get("args"))
         except ServiceError as error:
-            return self._fail(session, operation, str(error))
+            return self._fail(client, operation, str(error))
         if fleet is None or server is None or server.type != type_ or not server.alive:
-            return self._fail(session, operation, "No action server available", SOUGHT)
+            return self._fail(client, operation, "No action server available", SOUGHT)
         goal = server.take(uuid.uuid4().bytes, time.time_ns(), request)
         if goal is None:
             if not self.reports_failure:
                 return asyncio.Future()
-            return self._fail(session, operation, "Action goal was rejected")
-        given = _Given(session, operation, fleet, server, goal)
+            return self._fail(client, operation, "Action goal was rejected")
+        given = _Given(client, operation, fleet, server, goal)
         self._given.append(given)
         del self._given[:-REMEMBERED]
         return given.ended
 
-    def cancel(self, session: "Session", operation: "Operation") -> None:
+    def cancel(self, client: Client, operation: Operation) -> None:
         """Cancel the newest goal of this id that the same client sent. Raises BridgeError."""
         for given in reversed(self._given):
-            if given.session is session and given.operation.get("id") == operation.get("id"):
+            if given.client is client and given.operation.get("id") == operation.get("id"):
                 given.server.cancel(given.goal.id, 0)
                 return
         raise BridgeError(f"No goal with id {operation.get('id')} to cancel")
@@ -89,7 +87,7 @@ class ActionDesk:
             if given.operation.get("feedback") and given.server.alive and not given.goal.over:
                 values = given.fleet.feedback(given.server, given.goal, self._dialect)
                 if values is not None:
-                    self._send(given.session, given.operation, "action_feedback", {"values": values})
+                    self._send(given.client, given.operation, "action_feedback", {"values": values})
 
     def send_results(self) -> None:
         """Send the results of ended goals; a dead server never sends any."""
@@ -98,12 +96,12 @@ class ActionDesk:
                 self._given.remove(given)
             elif given.goal.over and (values := given.fleet.result(given.server, given.goal)) is not None:
                 self._given.remove(given)
-                self._send_result(given.session, given.operation, values, given.goal.status, True)
+                self._send_result(given.client, given.operation, values, given.goal.status, True)
                 given.ended.set_result(None)
 
-    def gone(self, session: "Session") -> None:
+    def gone(self, client: Client) -> None:
         """Forget a client; its goals continue."""
-        self._given = [given for given in self._given if given.session is not session]
+        self._given = [given for given in self._given if given.client is not client]
 
     def _type(self, asked: str) -> str:
         type_ = self._dialect.short(asked)
@@ -121,11 +119,11 @@ class ActionDesk:
     def _request(self, type_: str, args: object) -> Message:
         return fill(self._dialect, f"{type_}_Goal", ACTIONS[type_][0], args, time.time())
 
-    def _fail(self, session: "Session", operation: "Operation", message: str, delay: float = 0.0) -> Ended:
+    def _fail(self, client: Client, operation: Operation, message: str, delay: float = 0.0) -> Ended:
         ended = Ended()
 
         def fail() -> None:
-            self._send_result(session, operation, message, 0, False)
+            self._send_result(client, operation, message, 0, False)
             ended.set_result(None)
 
         if delay == 0.0:
@@ -135,11 +133,11 @@ class ActionDesk:
         return ended
 
     def _send_result(
-        self, session: "Session", operation: "Operation", values: Any, status: int, result: bool
+        self, client: Client, operation: Operation, values: Any, status: int, result: bool
     ) -> None:
         content = {"values": values, "status": status, "result": result}
-        self._send(session, operation, "action_result", content)
+        self._send(client, operation, "action_result", content)
 
-    def _send(self, session: "Session", operation: "Operation", op: str, content: Message) -> None:
+    def _send(self, client: Client, operation: Operation, op: str, content: Message) -> None:
         id_ = {"id": operation["id"]} if operation.get("id") is not None else {}
-        session.reply(to_json({"op": op, "action": operation["action"], **content, **id_}))
+        client.reply(to_json({"op": op, "action": operation["action"], **content, **id_}))

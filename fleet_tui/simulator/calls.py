@@ -1,18 +1,16 @@
 """Service calls in progress."""
 
 import asyncio
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from fleet_tui.simulator.frames import Frame, to_json
-
-if TYPE_CHECKING:
-    from fleet_tui.simulator.sessions.operations import Operation
-    from fleet_tui.simulator.sessions.session import Session
+from fleet_tui.simulator.sessions.client import Client
+from fleet_tui.simulator.sessions.operations import Operation
 
 GIVEN_UP = "Timeout exceeded while waiting for service response"
 
 
-def response(operation: "Operation", values: Any, result: bool) -> Frame:
+def response(operation: Operation, values: Any, result: bool) -> Frame:
     """The frame that answers a call."""
     answer = {"op": "service_response", "service": operation["service"], "values": values, "result": result}
     if operation.get("id") is not None:
@@ -23,12 +21,12 @@ def response(operation: "Operation", values: Any, result: bool) -> Frame:
 class Call:
     """A client's call: answers are sent until the bridge abandons it after `limit` seconds (None: never)."""
 
-    def __init__(self, session: "Session", operation: "Operation", limit: float | None) -> None:
+    def __init__(self, client: Client, operation: Operation, limit: float | None) -> None:
         self.operation = operation
         self.given_up = False
         self.over: asyncio.Future[None] = asyncio.get_running_loop().create_future()
         """Done once the answer has been sent, or none will be."""
-        self._session = session
+        self._client = client
         self._timer: asyncio.TimerHandle | None = None
         if limit is not None:
             self._timer = asyncio.get_running_loop().call_later(limit, self._give_up)
@@ -38,7 +36,7 @@ class Call:
         if self._timer is not None:
             self._timer.cancel()
         if not self.given_up:
-            self._session.reply(frame)
+            self._client.reply(frame)
             self._end()
 
     def reply_in(self, seconds: float, frame: Frame) -> None:
@@ -50,7 +48,7 @@ class Call:
         self.reply(response(self.operation, values, result))
 
     def _give_up(self) -> None:
-        self._session.reply(response(self.operation, GIVEN_UP, False))
+        self._client.reply(response(self.operation, GIVEN_UP, False))
         self.given_up = True
         self._end()
 

@@ -3,16 +3,13 @@
 import zlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.errors import BridgeError
 from fleet_tui.simulator.rosapi import OF_THE_BRIDGE
-
-if TYPE_CHECKING:
-    from fleet_tui.simulator.sessions.operations import Operation
-    from fleet_tui.simulator.sessions.session import Session
+from fleet_tui.simulator.sessions.client import Client
+from fleet_tui.simulator.sessions.operations import Operation
 
 FIRST, LAST = 0.3, 0.95  # seconds after the bridge's start between which it discovers publishers on ROS 2
 
@@ -33,7 +30,7 @@ class Channel:
     type: str
     durable: bool
     demanding: bool = False
-    sessions: set["Session"] = field(default_factory=set)
+    clients: set[Client] = field(default_factory=set)
 
     def receives(self, topic: Topic, dialect: Dialect) -> bool:
         """Tell whether this subscription receives the messages of a topic."""
@@ -55,17 +52,17 @@ class Channels:
     def __iter__(self) -> Iterator[str]:
         return iter(self._channels)
 
-    def sessions(self, name: str) -> set["Session"]:
+    def clients(self, name: str) -> set[Client]:
         """The clients that hold a topic under this name."""
         channel = self._channels.get(name)
-        return channel.sessions if channel else set()
+        return channel.clients if channel else set()
 
     def types(self) -> Mapping[str, str]:
         """The subscribed topics, with the requested types."""
         message = self._dialect.message_type
         return {resolve(name): message(channel.type) for name, channel in self._channels.items()}
 
-    def join(self, session: "Session", operation: "Operation", age: float) -> None:
+    def join(self, client: Client, operation: Operation, age: float) -> None:
         """Subscribe a client, `age` seconds after the bridge's start. Raises BridgeError."""
         name = operation["topic"]
         wanted = operation.get("type")
@@ -81,17 +78,17 @@ class Channels:
             else:
                 channel = self._open(type_, topic, operation.get("qos"))
             self._channels[name] = channel
-        channel.sessions.add(session)
+        channel.clients.add(client)
 
-    def leave(self, session: "Session", name: str, age: float) -> bool:
+    def leave(self, client: Client, name: str, age: float) -> bool:
         """Unsubscribe a client; return whether it was the last."""
         channel = self._channels[name]
-        channel.sessions.discard(session)
-        if not channel.sessions:
+        channel.clients.discard(client)
+        if not channel.clients:
             del self._channels[name]
             if self._dialect.lingers:
                 self._released[name] = channel, age
-        return not channel.sessions
+        return not channel.clients
 
     def delay(self, topic: Topic) -> float:
         """Seconds after the bridge's start at which it discovers the topic's publisher."""

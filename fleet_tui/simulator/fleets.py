@@ -1,37 +1,23 @@
 """A simulated fleet of any kind, as the bridge in front of it sees it."""
 
 from collections.abc import Callable, Iterable, Mapping
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any, Protocol
 
 from fleet_tui.simulator.frames import Payload
-from fleet_tui.simulator.messages import Message, Topic
+from fleet_tui.simulator.messages import Body, Message, Topic
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
 from fleet_tui.simulator.ros_types import ServiceType
-from fleet_tui.simulator.senses.wheels import Wheels
-
-if TYPE_CHECKING:
-    from fleet_tui.simulator.faults.wire import Play
 
 Line = tuple[int, str, str]
 """A line of the log: level in ROS 1's numbers, node and text."""
 
 
-class Body(Protocol):
-    """A robot of any kind."""
-
-    name: str
-    index: int
-    silence: float
-    """Seconds for which none of the robot's topics are published."""
-    wheels: Wheels
-
-
 class Fleet(Protocol):
     """Robots of one kind: the topics they publish, and the messages, services and goals they accept."""
 
-    faults: "Mapping[str, tuple[str, Play]]"
-    """The faults of such robots, by name: the help text, and the function that applies it to a robot."""
+    kind: str
+    """The name of the kind."""
     troubles: list[Callable[[float], None]]
     """Called at every step with the seconds that pass."""
 

@@ -1,6 +1,6 @@
 """The kinds of simulated robots: one line each."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -14,8 +14,9 @@ from fleet_tui.simulator.rmf.naming import full_name
 from fleet_tui.simulator.rmf.profile import profile as rmf
 
 if TYPE_CHECKING:
-    # The command line lists kinds and faults: it must not wait for the fleets to be imported.
+    # The command line lists kinds and faults: it must not wait for those to be imported.
     from fleet_tui.simulator.fleets import Fleet
+    from fleet_tui.simulator.server import RosbridgeServer
 
 
 class Build(Protocol):
@@ -76,3 +77,9 @@ KINDS: Mapping[str, SimKind] = {
     "nav2": SimKind(_nav2, ("2",), NAV2_FAULTS, navigating, graph_files=True),
     "rmf": SimKind(_rmf, ("2",), RMF_FAULTS, rmf, named=full_name, is_apart=True),
 }
+
+
+def play(server: "RosbridgeServer", wanted: Iterable[tuple[str, str]]) -> None:
+    """Apply these faults to these robots from now on."""
+    for name, robot in wanted:
+        KINDS[server.bridge.services.fleet_of(robot).kind].faults[name][1](server, robot)

@@ -11,7 +11,8 @@ from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.ros1 import ROS1
 
 if TYPE_CHECKING:
-    from fleet_tui.simulator.fleets import Body, Fleet, Line
+    from fleet_tui.simulator.fleets import Fleet, Line
+    from fleet_tui.simulator.messages import Body
 
 Message = dict[str, Any]
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache, partial
 from itertools import count
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from fleet_tui.simulator.floorplan import HEIGHT, ORIGIN, RESOLUTION, WIDTH, Cells
 from fleet_tui.simulator.frames import Payload
@@ -15,12 +15,20 @@ from fleet_tui.simulator.robot import SimRobot
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.encoding import encode
 from fleet_tui.simulator.ros.ros1 import ROS1
+from fleet_tui.simulator.senses.wheels import Wheels
 from fleet_tui.simulator.warehouse import SimFloor
 
-if TYPE_CHECKING:
-    from fleet_tui.simulator.fleets import Body
-
 Message = dict[str, Any]
+
+
+class Body(Protocol):
+    """A robot of any kind."""
+
+    name: str
+    index: int
+    silence: float
+    """Seconds for which none of the robot's topics are published."""
+    wheels: Wheels
 
 
 @dataclass(frozen=True)
@@ -35,7 +43,7 @@ class Topic:
     name: str
     type: str
     payload: Callable[[float], Payload]
-    robot: "Body | None" = None
+    robot: Body | None = None
     fast: bool = False
     latched: bool = False
     history: Callable[[], Iterable[Payload]] | None = None

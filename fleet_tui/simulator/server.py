@@ -144,10 +144,10 @@ class RosbridgeServer:
             await session.run()
         finally:
             del self._sessions[session]
-            self.bridge.services.guests.gone(session)
-            self.bridge.services.actions.gone(session)
-            for topic in session.subscriptions:
-                self.bridge.leave(session, topic)
+            self.bridge.services.guests.gone(session.client)
+            self.bridge.services.actions.gone(session.client)
+            for topic in session.client.subscriptions:
+                self.bridge.leave(session.client, topic)
             self._announce()
 
     def _announce(self) -> None:
@@ -191,7 +191,7 @@ class RosbridgeServer:
 
     def _clients(self) -> list[dict[str, Any]]:
         return [
-            {"ip_address": session.address, "connection_time": self.bridge.dialect.time(since)}
+            {"ip_address": session.client.address, "connection_time": self.bridge.dialect.time(since)}
             for session, since in self._sessions.items()
         ]
 

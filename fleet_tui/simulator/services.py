@@ -8,17 +8,17 @@ from typing import Any
 from fleet_tui.simulator.actions import ActionDesk
 from fleet_tui.simulator.calls import Call, response
 from fleet_tui.simulator.channels import resolve
-from fleet_tui.simulator.fleets import Body, Fleet
+from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.frames import Frame
 from fleet_tui.simulator.guests import Guests
-from fleet_tui.simulator.messages import Topic
+from fleet_tui.simulator.messages import Body, Topic
 from fleet_tui.simulator.ros.actionlib import servers_among
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.filling import fill
 from fleet_tui.simulator.ros_types import HandlerError, NodeDiedError, ServiceError
 from fleet_tui.simulator.rosapi import HIDDEN, RosapiServer, RosGraph
+from fleet_tui.simulator.sessions.client import Client
 from fleet_tui.simulator.sessions.operations import Operation
-from fleet_tui.simulator.sessions.session import Session
 
 WAITING = 1000  # messages that wait for an overloaded bridge; those after them are lost
 REMEMBERED = 10_000  # calls and operations kept for tests
@@ -90,17 +90,17 @@ class ServiceDesk:
         """The fleet of a robot."""
         return next(fleet for fleet in self.fleets if robot in fleet.robots)
 
-    def call(self, session: Session, operation: Operation) -> Call | None:
+    def call(self, client: Client, operation: Operation) -> Call | None:
         """Answer a call once its node reacts, unless the bridge has abandoned it before."""
         service, limit = resolve(operation["service"]), self.call_timeout
         if self.dialect.call_timeout is not None and operation.get("timeout") is not None:
             if not isinstance(operation["timeout"], (int, float)):
                 given = type(operation["timeout"]).__name__
                 text = f"'>' not supported between instances of '{given}' and 'int'"
-                session.reply(response(operation, text, False))
+                client.reply(response(operation, text, False))
                 return None
             limit = operation["timeout"] if operation["timeout"] > 0 else None
-        call = Call(session, operation, limit)
+        call = Call(client, operation, limit)
         self.in_turn(lambda: self._reply(call, service), self.frozen.get(service, 0.0))
         return call
 

@@ -14,8 +14,8 @@ from fleet_tui.simulator.logs import ERROR, INFO, ROSOUT, Talk
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.services import REMEMBERED, ServiceDesk
+from fleet_tui.simulator.sessions.client import Client
 from fleet_tui.simulator.sessions.operations import Operation
-from fleet_tui.simulator.sessions.session import Session
 
 
 class TopicDesk:
@@ -63,15 +63,15 @@ class TopicDesk:
 
     def subscribers(self, topic: str) -> int:
         """Return the number of clients subscribed to a topic."""
-        return sum(len(self.channels.sessions(name)) for name in _spellings(topic))
+        return sum(len(self.channels.clients(name)) for name in _spellings(topic))
 
     def publish_raw(self, topic: str, msg: dict[str, Any] | str | bytes) -> int:
         """Send a message, or as it is a text or binary frame, to the topic's subscribers, past throttle
         and queue. Returns how many there are."""
         publication = OutgoingFrame(topic, Payload(msg))
-        for session in self.channels.sessions(topic):
-            compression = session.subscriptions[topic].compression
-            session.reply(publication.frame(compression) if isinstance(msg, dict) else msg)
+        for client in self.channels.clients(topic):
+            compression = client.subscriptions[topic].compression
+            client.reply(publication.frame(compression) if isinstance(msg, dict) else msg)
         return self.subscribers(topic)
 
     def publish(self, name: str, payload: Payload | None = None) -> None:
@@ -80,7 +80,7 @@ class TopicDesk:
         if topic is None:
             return
         for asked in _spellings(name):
-            if self.channels.sessions(asked) and self._flows(asked, topic):
+            if self.channels.clients(asked) and self._flows(asked, topic):
                 payload = payload or topic.payload(time.time())
                 self.services.in_turn(partial(self._send, asked, topic, OutgoingFrame(asked, payload)))
 
@@ -92,10 +92,10 @@ class TopicDesk:
         """End a topic's publisher: rosapi does not list it any more."""
         del self.topics[name], self.services.types[name]
 
-    def publish_for(self, session: Session, operation: Operation) -> None:
+    def publish_for(self, client: Client, operation: Operation) -> None:
         """Publish a client's message, to robots too. Raises BridgeError."""
-        name, payload = self.services.guests.published(session, operation)
-        if not self.services.guests.connected(session, name):
+        name, payload = self.services.guests.published(client, operation)
+        if not self.services.guests.connected(client, name):
             return
         self.publish(name, payload)
         if name in self.services.subscriptions:
@@ -109,38 +109,38 @@ class TopicDesk:
                 self.publish(name, payload)
         self.services.actions.send_results()
 
-    def complain(self, session: Session, operation: Operation, text: str) -> None:
+    def complain(self, client: Client, operation: Operation, text: str) -> None:
         """Log an operation that has no effect."""
         if self.dialect.logs_operations:
             id_ = f"[id: {operation['id']}] " if "id" in operation else ""
-            self._log(session, ERROR, f"{id_}{operation.get('op')}: {text}")
+            self._log(client, ERROR, f"{id_}{operation.get('op')}: {text}")
 
-    def _log(self, session: Session, level: int, text: str) -> None:
-        line = self._talk.say(time.time(), level, "/rosbridge_websocket", f"[Client {session.id}] {text}")
+    def _log(self, client: Client, level: int, text: str) -> None:
+        line = self._talk.say(time.time(), level, "/rosbridge_websocket", f"[Client {client.id}] {text}")
         self.publish(ROSOUT, Payload(line))
 
-    def join(self, session: Session, operation: Operation) -> None:
+    def join(self, client: Client, operation: Operation) -> None:
         """Subscribe a client to a topic, perhaps once more. Raises ServiceError."""
-        self.channels.join(session, operation, self._age)
+        self.channels.join(client, operation, self._age)
 
-    def welcome(self, session: Session, topic: str) -> None:
+    def welcome(self, client: Client, topic: str) -> None:
         """Send the topic's latched value to a subscriber, once the bridge has discovered the publisher."""
         known = self.topics.get(resolve(topic))
         if known is not None and known.latched:
             wait = self.channels.delay(known) - self._age
             if wait <= 0.0:
-                self._tell(session, topic, self.channels)
+                self._tell(client, topic, self.channels)
             else:
-                asyncio.get_running_loop().call_later(wait, self._tell, session, topic, self.channels)
+                asyncio.get_running_loop().call_later(wait, self._tell, client, topic, self.channels)
         if self.dialect.logs_operations:
-            self._log(session, INFO, f"Subscribed to {topic}")
+            self._log(client, INFO, f"Subscribed to {topic}")
 
-    def leave(self, session: Session, topic: str) -> None:
+    def leave(self, client: Client, topic: str) -> None:
         """Forget a subscriber."""
-        if self.channels.leave(session, topic, self._age):
+        if self.channels.leave(client, topic, self._age):
             self.orphaned.discard(topic)
         if self.dialect.logs_operations:
-            self._log(session, INFO, f"Unsubscribed from {topic}")
+            self._log(client, INFO, f"Unsubscribed from {topic}")
 
     @property
     def _age(self) -> float:
@@ -151,23 +151,32 @@ class TopicDesk:
 
     def _send(self, asked: str, topic: Topic, publication: OutgoingFrame) -> None:
         never = self.dialect.short(topic.type) in self.dialect.never_cbor
-        for session in self.channels.sessions(asked):
-            if not (never and session.subscriptions[asked].compression == "cbor"):
-                session.offer(asked, publication)
+        for client in self.channels.clients(asked):
+            if not (never and client.subscriptions[asked].compression == "cbor"):
+                self._offer(client, asked, publication)
+
+    def _offer(self, client: Client, asked: str, publication: OutgoingFrame) -> None:
+        frame = publication.frame(client.subscriptions[asked].compression)
+        limit = self.max_message_size
+        if isinstance(frame, bytes) and limit is not None and len(frame) > limit:
+            text = f"Message of {len(frame)} bytes is longer than max_message_size {limit}"
+            self.complain(client, {"op": "publish", "topic": asked}, text)
+            return
+        client.offer(asked, frame)
 
     def _flows(self, asked: str, topic: Topic) -> bool:
         if topic.name in self.muted or topic.name in self.orphaned:
             return False
         return self.channels.receives(asked, topic) and self._age >= self.channels.delay(topic)
 
-    def _tell(self, session: Session, asked: str, channels: Channels) -> None:
+    def _tell(self, client: Client, asked: str, channels: Channels) -> None:
         topic = self.topics.get(resolve(asked))
-        if topic is None or channels is not self.channels or session not in channels.sessions(asked):
+        if topic is None or channels is not self.channels or client not in channels.clients(asked):
             return
         if channels.durable(asked) and channels.receives(asked, topic) and topic.name not in self.muted:
             now = time.time()
             for payload in topic.history() if topic.history else (topic.payload(now),):
-                session.offer(asked, OutgoingFrame(asked, payload))
+                self._offer(client, asked, OutgoingFrame(asked, payload))
 
 
 def _spellings(topic: str) -> tuple[str, ...]:

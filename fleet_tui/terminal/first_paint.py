@@ -4,13 +4,11 @@ import asyncio
 import gc
 from collections.abc import Awaitable, Callable
 from contextlib import ExitStack
-from typing import TYPE_CHECKING
 
 from textual.app import App
 from textual.theme import Theme
 
-if TYPE_CHECKING:
-    from fleet_tui.terminal.lean_app import LeanApp
+from fleet_tui.terminal.display_driver import DisplayDriver
 
 YOUNG = 1_000_000
 """New objects between two of Python's own garbage collections, which stop all threads for up to 40 ms with
@@ -21,7 +19,12 @@ class FirstPaint:
     """The first picture, then `mount_rest`, then the keys typed meanwhile, in their order."""
 
     def __init__(
-        self, app: "LeanApp", theme: Theme, colour: bool, mount_rest: Callable[[], Awaitable[None]]
+        self,
+        app: App[None],
+        output: DisplayDriver,
+        theme: Theme,
+        colour: bool,
+        mount_rest: Callable[[], Awaitable[None]],
     ) -> None:
         # Before the style sheet is read: otherwise it would be read and applied twice.
         app.register_theme(theme)
@@ -30,8 +33,9 @@ class FirstPaint:
         app.set_class(theme.dark, "-dark-mode")
         app.set_class(not theme.dark, "-light-mode")
         # Textual has no way to suppress colours in a picture.
-        app.output.ready = not colour
+        output.ready = not colour
         self._app = app
+        self._output = output
         self._mount_rest = mount_rest
         self.painted = asyncio.Event()
         """Set once a picture has been written."""
@@ -51,7 +55,7 @@ class FirstPaint:
         self.show()
         self._app.screen.refresh()
         await self.painted.wait()
-        self._app.output.ready = True
+        self._output.ready = True
         if not gc.isenabled():
             gc.freeze()  # the imports stay as long as the console
             gc.enable()

@@ -16,7 +16,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import at_vertices
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.local_queue import ANOTHER_CLIENT, foreign, waiting
-from fleet_tui.simulator.faults import play
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.move_base.faults import CONNECTS
 from fleet_tui.transports.loop import network_loop
 from fleet_tui.transports.rosbridge import connection

@@ -7,7 +7,8 @@ from fleet_tui.config.schema import Config
 from fleet_tui.model.commands import CancelOrder, PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.why.why import reasons
-from fleet_tui.simulator.faults import parse_faults, play
+from fleet_tui.simulator.faults import parse_faults
+from fleet_tui.simulator.kinds import KINDS, play
 from fleet_tui.simulator.nav2 import faults
 from fleet_tui.simulator.navigating import faults as shared_faults
 from fleet_tui.state import reducer as apply
@@ -28,7 +29,7 @@ def soon(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def plant(site: Site, text: str) -> None:
     """Play faults on the server."""
-    play(site.server, parse_faults(text, site.server.bridge.services.robots, site.fleet.faults))
+    play(site.server, parse_faults(text, site.server.bridge.services.robots, KINDS["nav2"].faults))
 
 
 def quick(site: Site, **limits: float) -> Config:

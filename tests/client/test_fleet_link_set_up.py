@@ -13,7 +13,7 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.set_up.commands import CancelGoal, SendGoal, SetMapping, SetPose, SetUpCommand
 from fleet_tui.model.set_up.streams import Beams, PlannedPath
 from fleet_tui.rules.commands.set_up.checks import map_of
-from fleet_tui.simulator.faults import play
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.oh_ressources.profile import profile
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.transports.rosbridge import connection
@@ -35,7 +35,7 @@ async def slow_site(tmp_path: Path) -> AsyncIterator[Site]:
 
 def subscribed(server: RosbridgeServer, topic: str) -> list[str]:
     """The compressions in which clients are subscribed to a topic."""
-    sessions = server.bridge.channels.sessions(topic)
+    sessions = server.bridge.channels.clients(topic)
     return [session.subscriptions[topic].compression for session in sessions]
 
 

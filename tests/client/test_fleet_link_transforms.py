@@ -9,7 +9,7 @@ from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.robot import Robot
-from fleet_tui.simulator.faults import play
+from fleet_tui.simulator.kinds import play
 from tests.support.links import finished, linked
 from tests.support.nav2_site import Site, nav2_ready, reached
 

@@ -11,7 +11,7 @@ from fleet_tui.audit.log import Audit
 from fleet_tui.model.commands import ClearOrders, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order_life import BLIND_AFTER
-from fleet_tui.simulator.faults import play
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.fault_report import report
 from tests.support.fleets import place_order

@@ -3,7 +3,7 @@ cancelled."""
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import at_vertices
-from fleet_tui.simulator.faults import play
+from fleet_tui.simulator.kinds import play
 from tests.support.console_pilot import console
 from tests.support.rmf_site import FIRST, hospital, rmf_ready
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from fleet_tui.simulator.faults import play
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.senses.camera import NAME
 from tests.support.console_pilot import Console, console
 from tests.support.nav2_site import Site

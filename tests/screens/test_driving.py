@@ -13,7 +13,7 @@ from textual import events
 
 from fleet_tui.model.set_up.driving import DrivePhase
 from fleet_tui.rules.driving import hold
-from fleet_tui.simulator.faults import play
+from fleet_tui.simulator.kinds import play
 from fleet_tui.terminal.key_releases import KeyReleased
 from tests.support.console_pilot import Console, console
 from tests.support.nav2_site import Site, nav2_site

@@ -9,7 +9,7 @@ from fleet_tui.model.commands import Stage
 from fleet_tui.model.kind import SCAN
 from fleet_tui.model.set_up.commands import SetPose
 from fleet_tui.model.set_up.streams import Beams
-from fleet_tui.simulator.faults import play
+from fleet_tui.simulator.kinds import play
 from tests.support.console_pilot import Console, console
 from tests.support.nav2_site import Site, placed
 

@@ -3,35 +3,33 @@
 import asyncio
 import json
 from collections.abc import Mapping
-from typing import Any, cast
+from typing import Any
 
 import pytest
 
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator import actions
 from fleet_tui.simulator.actions import ActionDesk
+from fleet_tui.simulator.frames import Frame
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.navigating.poses import stamped
 from fleet_tui.simulator.ros.errors import BridgeError
 from fleet_tui.simulator.ros.ros2 import ROS2
-from fleet_tui.simulator.sessions.session import Session
+from fleet_tui.simulator.sessions.client import Client
 
 TO_POSE = "/robot_0/navigate_to_pose"
 TYPE = "nav2_msgs/action/NavigateToPose"
 
 
-class Client:
-    """A session that keeps what it is told."""
+class Listener(Client):
+    """Keeps what it is told."""
 
     def __init__(self) -> None:
+        super().__init__("127.0.0.1")
         self.told: list[dict[str, Any]] = []
 
-    def reply(self, frame: str) -> None:
+    def reply(self, frame: Frame) -> None:
         self.told.append(json.loads(frame))
-
-    @property
-    def session(self) -> Session:
-        return cast("Session", self)
 
 
 class Desk:
@@ -45,7 +43,7 @@ class Desk:
     def send(self, client: Client, id_: str = "a", **more: Any) -> "asyncio.Future[None]":
         goal: Mapping[str, Any] = {"pose": stamped(Pose(8.0, 0.0))}
         operation = {"id": id_, "action": TO_POSE, "action_type": TYPE, "args": goal, **more}
-        return self.desk.send(client.session, operation)
+        return self.desk.send(client, operation)
 
     def live(self, seconds: float) -> None:
         self.fleet.step(seconds)
@@ -59,7 +57,7 @@ async def desk() -> Desk:
 
 
 async def test_the_result_is_told_once_to_the_one_who_gave_the_goal(desk: Desk) -> None:
-    client, other = Client(), Client()
+    client, other = Listener(), Listener()
     ended = desk.send(client, feedback=True)
     desk.live(1.0)
     assert [one["op"] for one in client.told] == ["action_feedback"] and not ended.done()
@@ -71,19 +69,19 @@ async def test_the_result_is_told_once_to_the_one_who_gave_the_goal(desk: Desk) 
 
 
 async def test_who_is_gone_is_told_nothing_and_the_goal_goes_on(desk: Desk) -> None:
-    client = Client()
+    client = Listener()
     desk.send(client)
-    desk.desk.gone(client.session)
+    desk.desk.gone(client)
     desk.live(60.0)
     assert client.told == [] and desk.fleet.robots["robot_0"].pose.x == pytest.approx(8.0)
 
 
 async def test_a_client_cancels_its_own_goals_alone(desk: Desk) -> None:
-    client, other = Client(), Client()
+    client, other = Listener(), Listener()
     desk.send(client)
     with pytest.raises(BridgeError, match="No goal with id a to cancel"):
-        desk.desk.cancel(other.session, {"id": "a"})
-    desk.desk.cancel(client.session, {"id": "a"})
+        desk.desk.cancel(other, {"id": "a"})
+    desk.desk.cancel(client, {"id": "a"})
     desk.live(2.0)
     assert client.told[-1]["status"] == 5
 
@@ -92,7 +90,7 @@ async def test_goals_that_come_to_nothing_fail_with_their_reason(
     desk: Desk, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(actions, "SOUGHT", 0.001)
-    client = Client()
+    client = Listener()
     for more in (
         {"action_type": "no_msgs/action/No"},
         {"action_type": "nav2_msgs/action/No"},
@@ -107,7 +105,7 @@ async def test_goals_that_come_to_nothing_fail_with_their_reason(
 
 
 async def test_a_bridge_that_lacks_the_package_or_tells_no_failure(desk: Desk) -> None:
-    client = Client()
+    client = Listener()
     assert desk.desk.names and TO_POSE in desk.desk.names
     desk.fleet.actions[TO_POSE].die()
     assert TO_POSE not in desk.desk.names

@@ -5,7 +5,8 @@ from typing import Any
 import pytest
 from websockets.asyncio.client import ClientConnection
 
-from fleet_tui.simulator.faults import parse_faults, play, wire
+from fleet_tui.simulator.faults import parse_faults, wire
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.bridge_client import read_until, send

@@ -8,7 +8,8 @@ from fleet_tui.config.schema import Config
 from fleet_tui.model.commands import CommandRecord, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
-from fleet_tui.simulator.faults import parse_faults, play
+from fleet_tui.simulator.faults import parse_faults
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import Console
 from tests.support.watched_store import config_of

@@ -15,8 +15,8 @@ from websockets.asyncio.server import ServerConnection, serve
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.entries import FloorEntry, RobotEntry
 from fleet_tui.config.schema import Config, Link
-from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.frames import Payload
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.nav2.faults import FAULTS
 from fleet_tui.simulator.navigating.faults import navigation_of
 from fleet_tui.simulator.ros_types import ServiceError, ServiceType

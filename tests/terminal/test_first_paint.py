@@ -19,7 +19,7 @@ class Starting(LeanApp, inherit_bindings=False):
         super().__init__()
         self.mounted: list[tuple[bool, bool]] = []
         theme = Theme("plain", primary="#ffffff", dark=False)
-        self.start = self.startup = FirstPaint(self, theme, colour, self._rest)
+        self.start = self.startup = FirstPaint(self, self.output, theme, colour, self._rest)
 
     def compose(self) -> ComposeResult:
         yield Static("first")

@@ -1,14 +1,9 @@
 """The simulator's faults on request: `--fault NAME[:ROBOT]`, several with commas between."""
 
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING
 
 from fleet_tui.errors import ConfigError, did_you_mean
 from fleet_tui.simulator.faults import camera, hand, wire, world
-
-if TYPE_CHECKING:
-    # The command line lists the faults: it must not wait for the server to be imported.
-    from fleet_tui.simulator.server import RosbridgeServer
 
 Faults = Mapping[str, tuple[str, wire.Play]]
 """Faults by name: the help text, and the function that applies the fault to a robot."""
@@ -92,9 +87,3 @@ def parse_faults_of(text: str, known: Mapping[str, Faults]) -> list[tuple[str, s
     if problems:
         raise ConfigError(problems)
     return wanted
-
-
-def play(server: "RosbridgeServer", wanted: Iterable[tuple[str, str]]) -> None:
-    """Apply these faults to these robots from now on."""
-    for name, robot in wanted:
-        server.bridge.services.fleet_of(robot).faults[name][1](server, robot)

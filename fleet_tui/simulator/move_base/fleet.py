@@ -8,7 +8,6 @@ from typing import Any
 from fleet_tui.simulator.fleets import Line
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Topic
-from fleet_tui.simulator.move_base.faults import FAULTS
 from fleet_tui.simulator.move_base.topics import CANCEL, GOAL, NODE, POSE, TYPES, MoveBaseNews, steady_topics
 from fleet_tui.simulator.move_base.world import MoveBaseWorld
 from fleet_tui.simulator.navigating.diagnostics import health
@@ -28,7 +27,7 @@ SAVES: Mapping[str, tuple[str, Message]] = {
 class MoveBaseFleet(MoveBaseWorld):
     """The robots of a MoveBaseWorld on the wire."""
 
-    faults = FAULTS
+    kind = "move_base"
     actions: Mapping[str, ActionServer] = {}
 
     def __init__(

@@ -10,7 +10,6 @@ from fleet_tui.simulator.fleets import Line
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.nav2 import messages
-from fleet_tui.simulator.nav2.faults import FAULTS
 from fleet_tui.simulator.nav2.logs import Nav2Changes
 from fleet_tui.simulator.nav2.navigation import TO_POSE, SimNavigation
 from fleet_tui.simulator.nav2.route_server import SET_GRAPH, TYPE, RouteServers
@@ -39,7 +38,7 @@ CANCEL = "_action/cancel_goal"
 class Nav2Fleet(Nav2World):
     """The robots of a Nav2World on the wire."""
 
-    faults = FAULTS
+    kind = "nav2"
 
     def __init__(
         self, robots: int, floors: int, seed: int = 0, quiet: bool = False, first: int = 0, step: int = 1

@@ -5,7 +5,6 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import partial
 from typing import Any
 
-from fleet_tui.simulator.faults import FAULTS
 from fleet_tui.simulator.fleets import Line
 from fleet_tui.simulator.floorplan import Cells
 from fleet_tui.simulator.frames import Payload
@@ -34,7 +33,7 @@ def _cells_of(robot: SimRobot) -> Callable[[], Cells]:
 class OhFleet:
     """The robots of a World on the wire. They have no actions."""
 
-    faults = FAULTS
+    kind = "oh_ressources"
 
     def __init__(self, world: World) -> None:
         self.world, self.troubles = world, world.troubles

@@ -11,7 +11,6 @@ from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.logs import HEALTHY, entry
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.rmf import messages
-from fleet_tui.simulator.rmf.faults import FAULTS
 from fleet_tui.simulator.rmf.naming import FLEETS
 from fleet_tui.simulator.rmf.world import RmfWorld
 from fleet_tui.simulator.ros.dialect import Dialect
@@ -44,7 +43,7 @@ RESPONDING = 2
 class RmfFleet(RmfWorld):
     """The robots of an RmfWorld on the wire. `period`: seconds between two states of a fleet."""
 
-    faults = FAULTS
+    kind = "rmf"
 
     def __init__(
         self,

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.simulator.faults import play
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.cli import asked, audited, config_file, run
 

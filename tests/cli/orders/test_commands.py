@@ -12,8 +12,8 @@ import pytest
 
 from fleet_tui.client.rosbridge import calls, pulse
 from fleet_tui.simulator.calls import Call
-from fleet_tui.simulator.faults import play
 from fleet_tui.simulator.frames import Frame, Payload
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.cli import Ended, asked, audited, config_file, run, started

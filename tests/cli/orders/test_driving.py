@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from fleet_tui.simulator.faults import play
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.cli import asked, run
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.simulator.faults import play
+from fleet_tui.simulator.kinds import play
 from tests.support.cli import audited, run
 from tests.support.nav2_site import Site, nav2_site
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from fleet_tui.model.routines.lane import Lane, LanePhase
 from fleet_tui.routines.files import read_routine
 from fleet_tui.routines.progress import RoutineProgress, progress_path, save_progress
-from fleet_tui.simulator.faults import play
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.cli import asked, audited, config_file, run, started
 from tests.support.polling import until

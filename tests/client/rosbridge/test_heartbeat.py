@@ -14,7 +14,7 @@ from fleet_tui.model.events import CommandPathChanged
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
 from fleet_tui.rules.why.why import reasons
-from fleet_tui.simulator.faults import play
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.fleets import reduced, tick
 from tests.support.links import finished, linked, path, ready

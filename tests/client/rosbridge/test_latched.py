@@ -9,7 +9,8 @@ from fleet_tui.client.rosbridge import latched, subscriber
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
-from fleet_tui.simulator.faults import play, wire
+from fleet_tui.simulator.faults import wire
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer

@@ -2,7 +2,7 @@
 
 from fleet_tui.client.rosbridge import command_channel, soundings
 from fleet_tui.model.events import BridgeAnswered
-from fleet_tui.simulator.faults import play
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.links import linked
 from tests.support.watched_store import WatchedStore, config_of

@@ -9,7 +9,7 @@ from fleet_tui.model.events import MessagesUnsourced
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.checks import problems
-from fleet_tui.simulator.faults import play
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer

@@ -5,7 +5,8 @@ import re
 import msgspec
 import pytest
 
-from fleet_tui.simulator.faults import parse_faults, play
+from fleet_tui.simulator.faults import parse_faults
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console
 from tests.support.diagnostics_pane import OVERHEARD, listens, open_page, pane, say

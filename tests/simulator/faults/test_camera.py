@@ -7,7 +7,8 @@ from typing import Any
 import pytest
 from PIL import Image
 
-from fleet_tui.simulator.faults import camera, play
+from fleet_tui.simulator.faults import camera
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.move_base.fleet import MoveBaseFleet
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.senses.camera import NAME

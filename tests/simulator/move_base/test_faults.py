@@ -7,7 +7,8 @@ import pytest
 from websockets.asyncio.client import ClientConnection
 from websockets.exceptions import ConnectionClosed
 
-from fleet_tui.simulator.faults import parse_faults, play, wire
+from fleet_tui.simulator.faults import parse_faults, wire
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.move_base.faults import FAULTS
 from fleet_tui.simulator.move_base.fleet import MoveBaseFleet
 from fleet_tui.simulator.move_base.navigation import NO_CONTROL, NO_PLAN, REACHED

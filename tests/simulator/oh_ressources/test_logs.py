@@ -5,7 +5,8 @@ from typing import Any
 
 import pytest
 
-from fleet_tui.simulator.faults import parse_faults, play
+from fleet_tui.simulator.faults import parse_faults
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.logs import DIAGNOSTICS, Talk
 from fleet_tui.simulator.oh_ressources.logs import Changes
 from fleet_tui.simulator.oh_ressources.world import World

@@ -2,7 +2,7 @@
 
 import pytest
 
-from fleet_tui.simulator.faults import play
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.rmf.faults import FAULTS, PACKAGES
 from fleet_tui.simulator.rmf.fleet import RmfFleet
 from fleet_tui.simulator.ros.ros2 import ROS2

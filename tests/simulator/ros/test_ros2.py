@@ -11,7 +11,8 @@ import pytest
 from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed
 
-from fleet_tui.simulator.faults import parse_faults, play, wire
+from fleet_tui.simulator.faults import parse_faults, wire
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.bridge_client import call, frames_before_an_answer, read, read_until, send
 from tests.support.nav2_site import LONG_AGO

@@ -7,7 +7,7 @@ import pytest
 
 from fleet_tui.adapters.profile import DriveConfig
 from fleet_tui.model.set_up.driving import STILL, DrivePhase, Steering
-from fleet_tui.simulator.faults import play
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.driving import AHEAD, R0, TOPIC, driving
 from tests.support.fault_proxy import before

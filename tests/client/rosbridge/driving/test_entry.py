@@ -1,6 +1,6 @@
 """The topic of a drive, as rosapi knows it: without a listener of the right type no drive begins."""
 
-from fleet_tui.simulator.faults import play
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.driving import R0, driving
 

@@ -36,15 +36,15 @@ def requests(site: Site, op: str) -> list[dict[str, object]]:
 async def test_a_camera_is_subscribed_over_its_own_connection_while_it_is_watched(site: Site) -> None:
     async with linked(site.config) as (_, store):
         await store.until(nav2_ready)
-        before = len(site.server.bridge.channels.sessions("/robot_0/odom"))
+        before = len(site.server.bridge.channels.clients("/robot_0/odom"))
         assert before == 1 and not requests(site, "subscribe")
         store.streams.watch(R0, "camera")
         await store.until(lambda _: newest(store))
         (asked,) = requests(site, "subscribe")
         wanted = {"throttle_rate": 500, "queue_length": 1, "compression": "cbor"}
         assert wanted.items() <= asked.items() and str(asked["type"]).endswith("CompressedImage")
-        sessions = site.server.bridge.channels.sessions(TOPIC)
-        assert sessions.isdisjoint(site.server.bridge.channels.sessions("/robot_0/odom"))
+        sessions = site.server.bridge.channels.clients(TOPIC)
+        assert sessions.isdisjoint(site.server.bridge.channels.clients("/robot_0/odom"))
         store.streams.unwatch(R0, "camera")
         await store.until(lambda _: not site.server.bridge.subscribers(TOPIC))
         await store.until(lambda _: requests(site, "unsubscribe"))
