@@ -15,6 +15,7 @@ from fleet_tui.simulator.vda5050.broker import broker, free_port
 from fleet_tui.simulator.vda5050.clients import VehicleClient
 from fleet_tui.simulator.vda5050.serving import vehicles_of
 from tests.support.broker import needs_mosquitto
+from tests.support.driven_time import TIME
 from tests.support.links import finished, linked
 from tests.support.vda_fleet import config_text
 
@@ -46,6 +47,7 @@ async def test_vehicles_on_the_embedded_broker_are_watched_and_driven(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     pytest.importorskip("amqtt")
+    TIME.be_real()  # the vehicle's client waits for its socket in a thread of its own, which nothing can drive
     monkeypatch.setattr("shutil.which", lambda *_args, **_options: None)
     port = free_port()
     async with broker(port):
