@@ -8,8 +8,8 @@ from fleet_tui.keys import BY_ID, KEYS, Key, Pane
 
 # Textual's names of non-printing keys.
 _NAMED = frozenset(
-    [*("enter", "tab", "escape", "space", "backspace", "delete", "insert", "home", "end")]
-    + [*("pageup", "pagedown", "up", "down", "left", "right")]
+    ["enter", "tab", "escape", "space", "backspace", "delete", "insert", "home", "end"]
+    + ["pageup", "pagedown", "up", "down", "left", "right"]
     + [f"f{n}" for n in range(1, 25)]
 )
 # Ctrl-C never commands a robot; a terminal sends these as other keys.

@@ -14,10 +14,20 @@ EXAMPLES = 2
 """Number of similar robots that are queried completely."""
 
 OF_EVERY_NODE = (
-    *("describe_parameters", "get_parameter_types", "get_parameters", "list_parameters"),
-    *("set_parameters", "set_parameters_atomically", "get_type_description", "get_loggers"),
-    *("set_logger_level", "change_state", "get_state", "get_available_states"),
-    *("get_available_transitions", "get_transition_graph"),
+    "describe_parameters",
+    "get_parameter_types",
+    "get_parameters",
+    "list_parameters",
+    "set_parameters",
+    "set_parameters_atomically",
+    "get_type_description",
+    "get_loggers",
+    "set_logger_level",
+    "change_state",
+    "get_state",
+    "get_available_states",
+    "get_available_transitions",
+    "get_transition_graph",
 )
 """Services without information on a robot, the last parts of their names."""
 

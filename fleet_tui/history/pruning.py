@@ -24,8 +24,11 @@ def shrink(database: sqlite3.Connection, now: float, config: HistoryConfig) -> N
 def prune(database: sqlite3.Connection, before: float) -> None:
     """Remove what is older than a moment, and give its space back."""
     for table, column in (
-        *(("orders", "queued"), ("commands", "at"), ("alarms", "raised")),
-        *(("links", "at"), ("notes", "at")),
+        ("orders", "queued"),
+        ("commands", "at"),
+        ("alarms", "raised"),
+        ("links", "at"),
+        ("notes", "at"),
     ):
         database.execute(f"DELETE FROM {table} WHERE {column} < ?", (before,))
     for table, column in (("spans", "began"), ("charges", "at")):

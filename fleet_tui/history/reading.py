@@ -164,8 +164,16 @@ class History:
 
 ORDER = ("robot", "name", "way", "floor", "queued", "begun", "ended", "stage", "reason", "operator")
 ALARM = (
-    *("source", "kind", "priority", "text", "raised", "returned", "acknowledged", "ended"),
-    *("operator", "count"),
+    "source",
+    "kind",
+    "priority",
+    "text",
+    "raised",
+    "returned",
+    "acknowledged",
+    "ended",
+    "operator",
+    "count",
 )
 PLACED = f"""FROM commands WHERE commands.robot = orders.robot
   AND commands.reason = '{IN_QUEUE}' || orders.name

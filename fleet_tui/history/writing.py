@@ -203,8 +203,18 @@ def _insert_order(database: sqlite3.Connection, change: OrderChange, run: str, o
         "INSERT INTO orders (robot, name, way, floor, queued, begun, ended, stage, reason, operator, run,"
         " request) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
         (
-            *(change.robot, change.order, change.way, change.floor, change.at, begun, ended, change.stage),
-            *(change.reason, operator, run, change.request),
+            change.robot,
+            change.order,
+            change.way,
+            change.floor,
+            change.at,
+            begun,
+            ended,
+            change.stage,
+            change.reason,
+            operator,
+            run,
+            change.request,
         ),
     )
 
@@ -251,8 +261,15 @@ def _write_command(database: sqlite3.Connection, record: AuditRecord, at: float)
         "INSERT INTO commands VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"
         " ON CONFLICT DO UPDATE SET stage = excluded.stage, reason = excluded.reason",
         (
-            *(record.run, record.id, at, record.operator, record.robot, record.what, way),
-            *(record.change, record.words),
+            record.run,
+            record.id,
+            at,
+            record.operator,
+            record.robot,
+            record.what,
+            way,
+            record.change,
+            record.words,
         ),
     )
 

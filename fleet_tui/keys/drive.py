@@ -7,8 +7,15 @@ from fleet_tui.keys.key import Key, Pane
 
 PASSES = frozenset(
     {
-        *("pause_all", "pause_all_anywhere", "suspend", "repaint"),
-        *("palette", "help", "help_anywhere", "next_pane", "previous_pane"),
+        "pause_all",
+        "pause_all_anywhere",
+        "suspend",
+        "repaint",
+        "palette",
+        "help",
+        "help_anywhere",
+        "next_pane",
+        "previous_pane",
     }
 )
 """The ids of the other keys that keep their meaning. All but one of them end the drive."""

@@ -12,8 +12,17 @@ from fleet_tui.programs.session import LOG_SUFFIX
 CONNECT_WITHIN = 5
 """Seconds until ssh gives up a host."""
 PROPERTIES = (
-    *("LoadState", "ActiveState", "SubState", "Result", "ExecMainStatus", "NRestarts"),
-    *("StateChangeTimestamp", "InvocationID", "RequiredBy", "BoundBy", "ConsistsOf"),
+    "LoadState",
+    "ActiveState",
+    "SubState",
+    "Result",
+    "ExecMainStatus",
+    "NRestarts",
+    "StateChangeTimestamp",
+    "InvocationID",
+    "RequiredBy",
+    "BoundBy",
+    "ConsistsOf",
 )
 PASSED_ON = (
     "PATH",

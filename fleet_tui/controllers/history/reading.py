@@ -39,8 +39,11 @@ def read_page(path: Path, name: str, time: Division, battery_low: float) -> Show
 def _events(history: History, _totals: Totals, shown: ShownShift, _low: float) -> ShownShift:
     time = shown.time.since, shown.time.until
     events = past_events(
-        *(history.orders(*time), history.alarms(*time), history.commands(*time)),
-        *(history.links(*time), history.notes(*time)),
+        history.orders(*time),
+        history.alarms(*time),
+        history.commands(*time),
+        history.links(*time),
+        history.notes(*time),
     )
     return replace(shown, events=events)
 

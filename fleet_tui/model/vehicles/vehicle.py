@@ -13,10 +13,28 @@ HEADING = "nodePosition.theta"
 CANCEL = "cancelOrder"
 INSTANT = frozenset(
     {
-        *(CANCEL, "startPause", "stopPause", "startHibernation", "stopHibernation", "shutdown"),
-        *("stateRequest", "logReport", "factsheetRequest", "initPosition", "updateCertificate"),
-        *("enableMap", "downloadMap", "deleteMap", "enableZoneSet", "downloadZoneSet", "deleteZoneSet"),
-        *("clearInstantActions", "clearZoneActions", "trigger", "retry", "skipRetry"),
+        CANCEL,
+        "startPause",
+        "stopPause",
+        "startHibernation",
+        "stopHibernation",
+        "shutdown",
+        "stateRequest",
+        "logReport",
+        "factsheetRequest",
+        "initPosition",
+        "updateCertificate",
+        "enableMap",
+        "downloadMap",
+        "deleteMap",
+        "enableZoneSet",
+        "downloadZoneSet",
+        "deleteZoneSet",
+        "clearInstantActions",
+        "clearZoneActions",
+        "trigger",
+        "retry",
+        "skipRetry",
     }
 )
 """Types of actions that are given beside an order."""

@@ -223,8 +223,16 @@ def unsourced(state: FleetState, link: LinkState, _active: ActiveConditions) -> 
 
 
 ROBOT_RULES = (
-    *(offline, contact, stop, *VEHICLE_RULES, *MEMBER_RULES, *NAVIGATION_RULES),
-    *(battery, pause, stuck, bad_data),
+    offline,
+    contact,
+    stop,
+    *VEHICLE_RULES,
+    *MEMBER_RULES,
+    *NAVIGATION_RULES,
+    battery,
+    pause,
+    stuck,
+    bad_data,
 )
 LINK_RULES = (dead_commands, no_link, bad_data, late, unsourced)
 

@@ -133,8 +133,13 @@ def _cause(kind: str, priority: str, lives: Sequence[AlarmLife], since: float, u
     held = [max(0.0, min(_over(life, until), until) - max(life.raised, since)) for life in lives]
     seen = [life.acknowledged - life.raised for life in lives if life.acknowledged is not None]
     return AlarmCause(
-        *(kind, priority, sum(life.count for life in lives), len({life.source for life in lives})),
-        *(sum(held), max(held), sum(seen) / len(seen) if seen else None),
+        kind,
+        priority,
+        sum(life.count for life in lives),
+        len({life.source for life in lives}),
+        sum(held),
+        max(held),
+        sum(seen) / len(seen) if seen else None,
     )
 
 

@@ -17,8 +17,14 @@ if nobody saw it."""
 WORKING = frozenset({Activity.DRIVING, Activity.LOADING})
 
 TROUBLE_FIRST = (
-    *(Activity.BLOCKED, Activity.OFFLINE, Activity.PAUSED, Activity.DRIVING, Activity.LOADING),
-    *(Activity.WAITING, Activity.CHARGING, Activity.IDLE),
+    Activity.BLOCKED,
+    Activity.OFFLINE,
+    Activity.PAUSED,
+    Activity.DRIVING,
+    Activity.LOADING,
+    Activity.WAITING,
+    Activity.CHARGING,
+    Activity.IDLE,
 )
 """Of two activities that took as long, the first one is told."""
 
