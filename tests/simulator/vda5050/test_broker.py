@@ -47,7 +47,7 @@ async def test_vehicles_on_the_embedded_broker_are_watched_and_driven(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     pytest.importorskip("amqtt")
-    TIME.be_real()  # the vehicle's client waits for its socket in a thread of its own, which nothing can drive
+    TIME.be_real()  # the vehicle's client waits for its socket in a thread that nothing can drive
     monkeypatch.setattr("shutil.which", lambda *_args, **_options: None)
     port = free_port()
     async with broker(port):
