@@ -55,6 +55,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
         store: Store,
         themes: dict[str, FleetTheme],
         drawing: Drawing,
+        *,
         colour: bool = True,
         backend: Backend | None = None,
         open_session: OpenSession = LiveSession,

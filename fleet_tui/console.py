@@ -197,6 +197,7 @@ def replaying(
     store: Store,
     themes: dict[str, FleetTheme],
     mode: Drawing,
+    *,
     colour: bool = True,
     terminal: str = "",
     message: str = "",
@@ -211,13 +212,22 @@ def replaying(
         operator=replace(config.operator, read_only=True),
         alarms=replace(config.alarms, bell=[], notify=[]),
     )
-    backend, session = ReplayBackend(player, store), partial(Replay, player)
-    return FleetApp(config, store, themes, mode, colour, backend, session, terminal=terminal, message=message)
+    return FleetApp(
+        config,
+        store,
+        themes,
+        mode,
+        colour=colour,
+        backend=ReplayBackend(player, store),
+        open_session=partial(Replay, player),
+        terminal=terminal,
+        message=message,
+    )
 
 
 class _Make(Protocol):
     def __call__(
-        self, themes: dict[str, FleetTheme], drawing: Drawing, colour: bool, /, *, terminal: str, message: str
+        self, themes: dict[str, FleetTheme], drawing: Drawing, /, *, colour: bool, terminal: str, message: str
     ) -> FleetApp: ...
 
 
@@ -242,7 +252,7 @@ def _ready(
     message = "; ".join([*(f"{one}{more}" for one in warnings[:1]), *filter(None, [message])])
     use_language(config.ui.language)
     mode, colour = drawing_for(drawing or config.ui.drawing), has_colour()
-    app = make(themes, mode, colour, terminal=description(mode, colour), message=message)
+    app = make(themes, mode, colour=colour, terminal=description(mode, colour), message=message)
     if mode is Drawing.ASCII and not has_unicode():
         app.driver_class = PlainDriver
     return app

@@ -182,13 +182,36 @@ def sim(
 
     _check(kind, robots, ros, port)
     if kind == ON_BROKER:
-        _on_broker(robots, floors, port, rate, seed, stop_with_stdin, first, graph_file, fault, speed)
+        _on_broker(
+            robots,
+            floors,
+            port,
+            rate,
+            seed,
+            stop_with_stdin=stop_with_stdin,
+            first=first,
+            graph_file=graph_file,
+            fault=fault,
+            speed=speed,
+        )
         return
     if graph_file and not needs_graph_files(kind):
         raise click.UsageError(f"--graph-file: robots of kind {kind} publish their graph")
-    serve = partial(run, robots, floors, port, rate, seed, partial(_announce, graph_file, floors))
-    beside = _beside(floors, seed, rate, speed) if kind == MIXED else None
-    serve(stop_with_stdin, fault, first, speed, ros or "", kind, beside)
+    run(
+        robots,
+        floors,
+        port,
+        rate,
+        seed,
+        partial(_announce, graph_file, floors),
+        stop_with_stdin=stop_with_stdin,
+        faults=fault,
+        first=first,
+        speed=speed,
+        ros=ros or "",
+        kind=kind,
+        beside=_beside(floors, seed, rate, speed) if kind == MIXED else None,
+    )
 
 
 def _beside(*options: Any) -> Any:
@@ -206,6 +229,7 @@ def _on_broker(
     port: int,
     rate: float,
     seed: int,
+    *,
     stop_with_stdin: bool,
     first: int,
     graph_file: Path | None,

@@ -37,6 +37,7 @@ class AlarmResponses:
         backend: Backend,
         notices: Notices,
         navigation: Navigation,
+        *,
         pane: RowsPane,
         open_menu: OpenMenu,
         why: Callable[[], None],
@@ -48,10 +49,18 @@ class AlarmResponses:
     ) -> None:
         """`charge` opens the order of a robot to a charger; `cleared_at`: when the alarm under the cursor
         went by itself last (monotonic)."""
+        self._store = store
+        self._backend = backend
+        self._notices = notices
+        self._navigation = navigation
+        self._pane = pane
+        self._open_menu = open_menu
+        self._why = why
+        self._robot_menu = robot_menu
+        self._charge = charge
+        self._keys = keys
+        self._clock = clock
         self._cleared_at = cleared_at
-        self._store, self._backend, self._notices, self._navigation = store, backend, notices, navigation
-        self._pane, self._open_menu, self._why, self._robot_menu = pane, open_menu, why, robot_menu
-        self._keys, self._clock, self._charge = keys, clock, charge
 
     def _post(self, event: Event) -> bool:
         """Apply an event; tell whether it was, and say so if not."""

@@ -31,6 +31,7 @@ class RobotRequests:
         dispatch: Dispatch,
         notices: Notices,
         navigation: Navigation,
+        *,
         orders: OrderRequests,
         open_menu: OpenMenu,
         why: Callable[[], None],
@@ -38,11 +39,16 @@ class RobotRequests:
         marked: MarkedCommands,
         keys: Mapping[str, tuple[str, ...]],
     ) -> None:
-        self._keys = keys
-        self._store, self._dispatch, self._notices = store, dispatch, notices
+        self._store = store
+        self._dispatch = dispatch
+        self._notices = notices
         self._navigation = navigation
-        self._orders, self._open_menu, self._why = orders, open_menu, why
-        self._alarm_menu, self._marked = alarm_menu, marked
+        self._orders = orders
+        self._open_menu = open_menu
+        self._why = why
+        self._alarm_menu = alarm_menu
+        self._marked = marked
+        self._keys = keys
 
     def pause(self) -> None:
         """Pause the selected robot, or all marked ones, at once."""

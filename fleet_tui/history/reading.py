@@ -40,7 +40,9 @@ class History:
         wanted = "queued < :until AND (ended IS NULL OR ended >= :since)"
         if stages:
             wanted = f"ended >= :since AND ended < :until{_at(stages)}"
-        return self._rows(PastOrder, "orders", ORDER, wanted, "queued", since, until, robot)
+        return self._rows(
+            PastOrder, "orders", ORDER, wanted=wanted, by="queued", since=since, until=until, robot=robot
+        )
 
     def open_orders(self) -> list[PastOrder]:
         """Return the orders that have not ended, also those that wait in a console. Who gave one is known to
@@ -57,14 +59,26 @@ class History:
         """Return the alarms that were raised or held in a time."""
         # One that returned holds no more, even if nobody ever acknowledges it.
         wanted = "raised < :until AND coalesce(returned, ended, :until) >= :since"
-        return self._rows(AlarmLife, "alarms", ALARM, wanted, "raised", since, until, robot, "source")
+        return self._rows(
+            AlarmLife,
+            "alarms",
+            ALARM,
+            wanted=wanted,
+            by="raised",
+            since=since,
+            until=until,
+            robot=robot,
+            named="source",
+        )
 
     def commands(
         self, since: float, until: float, robot: str = "", stages: Collection[str] = ()
     ) -> list[PastCommand]:
         """Return the commands that were given in a time, with `stages` only those that ended so."""
         wanted = f"at >= :since AND at < :until{_at(stages)}"
-        return self._rows(PastCommand, "commands", COMMAND, wanted, "at", since, until, robot)
+        return self._rows(
+            PastCommand, "commands", COMMAND, wanted=wanted, by="at", since=since, until=until, robot=robot
+        )
 
     def links(self, since: float, until: float) -> list[LinkChange]:
         """Return the changes of links in a time, and the last one of each before it."""
@@ -148,6 +162,7 @@ class History:
         kind: type[S],
         table: str,
         columns: Sequence[str],
+        *,
         wanted: str,
         by: str,
         since: float,

@@ -30,15 +30,15 @@ def drive_controls(screen: "MainScreen", rest: "Rest", parts: SetUpParts) -> Dri
     return DriveControls(
         parts,
         screen.backend,
-        screen.settings.drive,
-        rest.map_controls,
-        rest.map.picture,
-        DriveJournal(screen.files),
-        rest.confirm.ask,
-        focus,
-        lambda: rest.map.size.height > 0,
-        frozenset(textual_key(key) for id_ in ids for key in keys[id_]),
-        app.tell_releases,
+        limits=screen.settings.drive,
+        controls=rest.map_controls,
+        picture=rest.map.picture,
+        journal=DriveJournal(screen.files),
+        ask=rest.confirm.ask,
+        focus=focus,
+        is_shown=lambda: rest.map.size.height > 0,
+        passes=frozenset(textual_key(key) for id_ in ids for key in keys[id_]),
+        tell_releases=app.tell_releases,
     )
 
 

@@ -139,17 +139,37 @@ class Rest:
 
     def _answer_menus(self, screen: "MainScreen") -> None:
         parts = screen.store, screen.dispatch, screen.notices, screen.navigation
-        settings, opens, why = screen.settings, self.menu.show, self.why.show
-        marked = self.tables.marked
         self.orders = OrderRequests(
-            *parts, screen.queue, self.order_form.start, opens, settings.clock, marked
+            *parts,
+            queue=screen.queue,
+            open_form=self.order_form.start,
+            open_menu=self.menu.show,
+            clock=screen.settings.clock,
+            marked=self.tables.marked,
         )
-        answering = screen.store, screen.backend, screen.notices, screen.navigation, screen.alarms
         self.robots = RobotRequests(
-            *parts, self.orders, opens, why, lambda *one: self.alarms.menu(*one), marked, settings.keys
+            *parts,
+            orders=self.orders,
+            open_menu=self.menu.show,
+            why=self.why.show,
+            alarm_menu=lambda *alarm: self.alarms.menu(*alarm),
+            marked=self.tables.marked,
+            keys=screen.settings.keys,
         )
-        shown_by = settings.keys, settings.clock, lambda: screen.alarm_cleared_at
-        self.alarms = AlarmResponses(*answering, opens, why, self.robots.menu, self.orders.charge, *shown_by)
+        self.alarms = AlarmResponses(
+            screen.store,
+            screen.backend,
+            screen.notices,
+            screen.navigation,
+            pane=screen.alarms,
+            open_menu=self.menu.show,
+            why=self.why.show,
+            robot_menu=self.robots.menu,
+            charge=self.orders.charge,
+            keys=screen.settings.keys,
+            clock=screen.settings.clock,
+            cleared_at=lambda: screen.alarm_cleared_at,
+        )
 
     def _set_up_with(self, parts: SetUpParts) -> None:
         keys = self._screen.settings.keys

@@ -26,6 +26,7 @@ def run(
     rate: float,
     seed: int,
     announce: Callable[[Sequence[str]], None],
+    *,
     stop_with_stdin: bool = False,
     faults: str = "",
     first: int = 0,

@@ -58,7 +58,7 @@ def test_a_graph_file_is_written_once_the_server_runs(
     path = tmp_path / "g.geojson"
 
     def run(
-        robots: int, floors: int, _port: int, _rate: float, _seed: int, announce: Any, *_: object
+        robots: int, floors: int, _port: int, _rate: float, _seed: int, announce: Any, **_: object
     ) -> None:
         assert (robots, floors, path.exists()) == (4, 1, False)
         announce(["ws://a:1"])
@@ -71,7 +71,7 @@ def test_a_graph_file_is_written_once_the_server_runs(
 
 def test_a_mixed_fleet_without_a_broker_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
     served = list[Any]()
-    monkeypatch.setattr("fleet_tui.simulator.run.run", lambda *given: served.append(given[-1]))
+    monkeypatch.setattr("fleet_tui.simulator.run.run", lambda *_, **given: served.append(given["beside"]))
     monkeypatch.setattr("fleet_tui.simulator.vda5050.broker.has_broker", lambda: False)
     monkeypatch.setattr("fleet_tui.simulator.vda5050.serving.has_broker", lambda: False)
     found = CliRunner().invoke(simulated, ["sim", "--kind", "mixed"])

@@ -21,21 +21,30 @@ def requests(
 ) -> tuple[Desk, list[str], RobotRequests]:
     desk, asked = Desk(state, permissions), list[str]()
     orders = OrderRequests(
-        *(desk.store, desk.dispatch, desk.notices, desk.navigation, RowsPane(id="queue")),
-        lambda _robot, _place, _way: None,
-        desk.open_menu,
-        lambda _wall: "12:00",
-        desk.marked,
+        desk.store,
+        desk.dispatch,
+        desk.notices,
+        desk.navigation,
+        queue=RowsPane(id="queue"),
+        open_form=lambda _robot, _place, _way: None,
+        open_menu=desk.open_menu,
+        clock=lambda _wall: "12:00",
+        marked=desk.marked,
     )
     return (
         desk,
         asked,
         RobotRequests(
-            *(desk.store, desk.dispatch, desk.notices, desk.navigation, orders, desk.open_menu),
-            lambda: asked.append(desk.navigation.robot),
-            lambda source, kind: asked.append(f"{kind} of {source}"),
-            desk.marked,
-            {key.id: key.keys for key in KEYS},
+            desk.store,
+            desk.dispatch,
+            desk.notices,
+            desk.navigation,
+            orders=orders,
+            open_menu=desk.open_menu,
+            why=lambda: asked.append(desk.navigation.robot),
+            alarm_menu=lambda source, kind: asked.append(f"{kind} of {source}"),
+            marked=desk.marked,
+            keys={key.id: key.keys for key in KEYS},
         ),
     )
 

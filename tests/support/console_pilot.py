@@ -193,7 +193,8 @@ async def console(
     opening = partial(recorded, recordings, None) if recordings else connect_live
     backend, files = LiveBackend(config, store, opening), files or ConsoleFiles()
     files.recordings = recordings
-    app = FleetApp(config, store, load_themes(None)[0], Drawing.BRAILLE, colour, backend, files=files)
+    themes, _ = load_themes(None)
+    app = FleetApp(config, store, themes, Drawing.BRAILLE, colour=colour, backend=backend, files=files)
     async with AsyncExitStack() as stack:
         if recordings:
             stack.callback(recordings.close)

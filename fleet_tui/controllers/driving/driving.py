@@ -38,6 +38,7 @@ class DriveControls:
         self,
         parts: SetUpParts,
         backend: Backend,
+        *,
         limits: Mapping[str, DriveConfig],
         controls: MapControls,
         picture: MapPicture,

@@ -39,14 +39,21 @@ class OrderRequests:
         dispatch: Dispatch,
         notices: Notices,
         navigation: Navigation,
+        *,
         queue: RowsPane,
         open_form: Callable[[str, Place | None, Sequence[Place]], None],
         open_menu: OpenMenu,
         clock: Callable[[float], str],
         marked: MarkedCommands,
     ) -> None:
-        self._store, self._dispatch, self._notices, self._navigation = store, dispatch, notices, navigation
-        self._queue, self._open_form, self._open_menu, self._clock = queue, open_form, open_menu, clock
+        self._store = store
+        self._dispatch = dispatch
+        self._notices = notices
+        self._navigation = navigation
+        self._queue = queue
+        self._open_form = open_form
+        self._open_menu = open_menu
+        self._clock = clock
         self._marked = marked
 
     @property

@@ -49,16 +49,16 @@ class Bench:
         self.drives = DriveControls(
             parts,
             desk.backend,
-            {R0: limits},
-            MapControls(self.view),
-            self.view.picture,
-            DriveJournal(ConsoleFiles()),
-            desk.ask,
-            self._focus,
-            lambda: True,
-            frozenset(),
-            self.told.append,
-            lambda: self.now,
+            limits={R0: limits},
+            controls=MapControls(self.view),
+            picture=self.view.picture,
+            journal=DriveJournal(ConsoleFiles()),
+            ask=desk.ask,
+            focus=self._focus,
+            is_shown=lambda: True,
+            passes=frozenset(),
+            tell_releases=self.told.append,
+            clock=lambda: self.now,
         )
 
     def _focus(self) -> None:

@@ -36,11 +36,15 @@ def requests(desk: Desk) -> tuple[RowsPane, Opened, OrderRequests]:
         queue,
         opened,
         OrderRequests(
-            *(desk.store, desk.dispatch, desk.notices, desk.navigation, queue),
-            lambda robot, place, _way: opened.append((robot, place)),
-            desk.open_menu,
-            lambda _wall: "12:00",
-            desk.marked,
+            desk.store,
+            desk.dispatch,
+            desk.notices,
+            desk.navigation,
+            queue=queue,
+            open_form=lambda robot, place, _way: opened.append((robot, place)),
+            open_menu=desk.open_menu,
+            clock=lambda _wall: "12:00",
+            marked=desk.marked,
         ),
     )
 
