@@ -169,7 +169,8 @@ class Audit:
             # Whatever fails here, dispatch continues.
             LOG.exception("audit")
             self._unread += 1
-        self._worker.wake()
+        if not self._problem:
+            self._worker.wake()
 
     def _wait(self, is_urgent: bool) -> None:
         """Wait until everything is written, or the disk does not respond: a command is sent after this."""

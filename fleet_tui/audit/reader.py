@@ -5,15 +5,29 @@ from collections.abc import Iterator
 from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 import msgspec
 
 from fleet_tui.audit.file import KEPT
-from fleet_tui.audit.upgrade import upgrade_audit
-from fleet_tui.model.audit_record import AuditRecord
+from fleet_tui.model.audit_record import VERSION, AuditRecord
 from fleet_tui.storage.line_file import part
 from fleet_tui.storage.opening import open_file
+
+Fields = dict[str, Any]
+
+
+def upgrade_audit(record: Fields) -> Fields:
+    """Upgrade a line of the audit log. Raises KeyError, TypeError, ValueError."""
+    if record["version"] >= VERSION:
+        return record
+    return record | {name: text_id(record[name]) for name in ("start", "end", "order") if name in record}
+
+
+def text_id(number: object) -> str | None:
+    """Return an id as text; None stays None."""
+    return None if number is None else str(int(str(number)))
+
 
 BLOCK = 2**16
 LONGEST = 2**20

@@ -2,16 +2,37 @@
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from time import monotonic
 
-from fleet_tui.controllers.stride import Stride
 from fleet_tui.keys.key import key_name
 from fleet_tui.rules.rates.attention import SeenArea
 from fleet_tui.view.map.camera import ZOOM_STEP, seen_area
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.modes.mode import CursorMode, MapMode, ViewMode
 from fleet_tui.widgets.map_view import MapView, post_pick
+
+_REPEATS = 0.15  # seconds; presses closer than this are from a held key
+_LONGEST = 4
+
+
+@dataclass(frozen=True, slots=True)
+class Stride:
+    """The last step of a panning key: its direction, its time (seconds), the duration of the hold."""
+
+    way: tuple[int, int] = (0, 0)
+    at: float = 0.0
+    repeats: int = 0
+
+    def then(self, way: tuple[int, int], now: float) -> "Stride":
+        """Return the step after this one."""
+        held = way == self.way and now - self.at < _REPEATS
+        return Stride(way, now, self.repeats + 1 if held else 0)
+
+    @property
+    def times(self) -> int:
+        """Return the number of single steps of this one: it grows up to a limit."""
+        return min(1 + self.repeats // 3, _LONGEST)
 
 
 class MapControls:

@@ -7,7 +7,7 @@ an order for the cargo on board was a separate command, and vertices had no type
 from collections.abc import Callable
 from typing import Any
 
-from fleet_tui.audit.upgrade import text_id, upgrade_audit
+from fleet_tui.audit.reader import text_id, upgrade_audit
 
 Fields = dict[str, Any]
 

@@ -19,15 +19,35 @@ from fleet_tui.model.commands import (
     Step,
 )
 from fleet_tui.model.fleet import FleetState, with_robot
-from fleet_tui.model.fleets.events import DispatchFailed, RequestAnswered
+from fleet_tui.model.fleets.events import DispatchFact, DispatchFailed, RequestAnswered
 from fleet_tui.model.set_up.commands import SetMapping, SetUpCommand
 from fleet_tui.rules.commands.confirmation import before, confirm
 from fleet_tui.rules.commands.follow_up import follow_up
 from fleet_tui.rules.commands.local_queue import next_id
 from fleet_tui.rules.commands.queue_moves import moved
-from fleet_tui.state.dispatches import take_dispatch
 from fleet_tui.state.goal_reports import know_stops
 from fleet_tui.text.limits import truncate
+
+
+def take_dispatch(state: FleetState, event: DispatchFact) -> FleetState:
+    """Return the state after an answer, which may be to another console's request."""
+    name = event.task if isinstance(event, DispatchFailed) else event.request
+    if not name or not any(one.name == name for one in state.commands):
+        return state
+    commands = tuple(_advanced(one, event) if one.name == name else one for one in state.commands)
+    return replace(state, commands=commands)
+
+
+def _advanced(record: CommandRecord, event: DispatchFact) -> CommandRecord:
+    if isinstance(event, DispatchFailed):
+        stage = Stage.CANCELLED if event.is_cancelled else Stage.REFUSED
+        return record.advanced(Step(stage, event.at, truncate(event.reason)))
+    record = record.advanced(Step(event.stage, event.at, truncate(event.detail)))
+    # From now on the task is known by its own id: not every version passes on the name of its requester.
+    return (
+        replace(record, name=event.task) if event.task and isinstance(record.command, PlaceOrder) else record
+    )
+
 
 COMMANDS_KEPT = 200
 

@@ -1,6 +1,6 @@
 """The `:site` command."""
 
-from fleet_tui.controllers.sites import typed_site
+from fleet_tui.controllers.offers import typed_site
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.model.fleet import FleetState
 from tests.support.fleets import fleet

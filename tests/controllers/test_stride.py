@@ -3,7 +3,7 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fleet_tui.controllers.stride import Stride
+from fleet_tui.controllers.map import Stride
 
 
 def held(presses: int, every: float) -> list[int]:

@@ -18,15 +18,40 @@ from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, fit, fit_words
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrangement import RowArrangement, Value
-from fleet_tui.view.tables.battery import battery_bar, battery_run
 from fleet_tui.view.tables.doing import CALM, missing, state_texts, with_progress, word
-from fleet_tui.view.tables.fleet_columns import Columns, floor_text
+from fleet_tui.view.tables.fleet_columns import BAR, Columns, floor_text
 from fleet_tui.view.tables.fleet_counts import fleet_counts
 from fleet_tui.view.tables.groups import GroupHead, head_row
 from fleet_tui.view.tables.missions import FOREIGN, destinations, mission, whose_mission
 from fleet_tui.view.tables.news import failed_command, in_cells, is_on_its_way, listed, news
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, width_of
+
+
+def battery_run(state: FleetState, robot: Robot) -> Run:
+    """Return the battery in per cent."""
+    if robot.battery is None:
+        return "  - %" if "battery" in robot.kind.reports else " " * 5, StyleRole.DIM
+    percent, limits = robot.battery.value, state.limits
+    if not state.is_online(robot):
+        role = StyleRole.DIM
+    elif percent < limits.battery_critical:
+        role = StyleRole.ALARM
+    else:
+        role = StyleRole.WARN if percent < limits.battery_low else StyleRole.TEXT
+    # Rounded down: 19.6 is below 20, and must not read 20 in red.
+    return f"{int(percent):3d} %", role
+
+
+def battery_bar(state: FleetState, robot: Robot) -> Run:
+    """Return the battery as a bar: quiet, unless it is low."""
+    if robot.battery is None or not math.isfinite(robot.battery.value):
+        return "", StyleRole.DIM
+    cells = math.ceil(min(max(robot.battery.value, 0.0), 100.0) / 100 * BAR)
+    role = battery_run(state, robot)[1]
+    is_low = role in (StyleRole.ALARM, StyleRole.WARN)
+    return "━" * cells + "┄" * (BAR - cells), role if is_low else StyleRole.DIM
+
 
 CARGO = "▪"
 WITH_WORD, WHOLE_ROUTES = 23, 26

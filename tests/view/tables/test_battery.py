@@ -4,7 +4,7 @@ import pytest
 
 from fleet_tui.model.events import Event
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.battery import battery_bar, battery_run
+from fleet_tui.view.tables.fleet import battery_bar, battery_run
 from fleet_tui.view.tables.table import Run
 from tests.support.fleets import R0, T0, battery, fleet, link_up, reduced, tick
 
