@@ -11,8 +11,8 @@ import msgspec
 
 from fleet_tui.audit.file import KEPT
 from fleet_tui.model.audit_record import VERSION, AuditRecord
+from fleet_tui.storage.handles import open_file
 from fleet_tui.storage.line_file import part
-from fleet_tui.storage.opening import open_file
 
 Fields = dict[str, Any]
 

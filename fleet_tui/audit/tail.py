@@ -7,7 +7,7 @@ from typing import BinaryIO
 
 from fleet_tui.audit.reader import decoded
 from fleet_tui.model.audit_record import AuditRecord
-from fleet_tui.storage.opening import open_file
+from fleet_tui.storage.handles import open_file
 
 
 class AuditTail:

@@ -5,7 +5,7 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from fleet_tui.storage.opening import open_file
+from fleet_tui.storage.handles import open_file
 
 LARGEST = 500_000
 """Maximum bytes of a configuration or a theme."""

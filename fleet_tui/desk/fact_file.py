@@ -10,9 +10,9 @@ from pathlib import Path
 import msgspec
 
 from fleet_tui.desk.facts import Fact, SharedClosure, SharedNote
+from fleet_tui.storage.handles import open_shared
 from fleet_tui.storage.line_file import append_line
 from fleet_tui.storage.lock import lock
-from fleet_tui.storage.opening import open_shared
 from fleet_tui.storage.whole_file import replace_shared
 
 FILE = "facts.jsonl"

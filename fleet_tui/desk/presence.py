@@ -18,8 +18,8 @@ import msgspec
 from msgspec import Meta, Struct
 
 from fleet_tui.desk.facts import Name, ShelvedFor
+from fleet_tui.storage.handles import open_shared
 from fleet_tui.storage.lock import LockFile, owner_of
-from fleet_tui.storage.opening import open_shared
 from fleet_tui.storage.whole_file import replace_shared
 
 PREFIX = "console-"

@@ -13,8 +13,8 @@ from msgspec import Struct
 from fleet_tui.config.schema import Config
 from fleet_tui.model.graphs.document import DocumentFloor
 from fleet_tui.model.graphs.draft import Change, GraphDraft
+from fleet_tui.storage.handles import open_private
 from fleet_tui.storage.lock import lock
-from fleet_tui.storage.opening import open_private
 
 SUFFIX = ".draft.jsonl"
 LARGEST = 256 * 2**20

@@ -25,7 +25,7 @@ from fleet_tui.model.occupancy import (
     Classes,
     build_grid,
 )
-from fleet_tui.storage.opening import open_file
+from fleet_tui.storage.handles import open_file
 
 MODES = ("trinary", "scale", "raw")
 # Not all formats of Pillow: TIFF's library writes on stderr, EPS starts a program.

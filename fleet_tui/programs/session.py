@@ -16,8 +16,8 @@ from contextlib import suppress
 from pathlib import Path
 from typing import IO
 
+from fleet_tui.storage.handles import open_private
 from fleet_tui.storage.lock import lock
-from fleet_tui.storage.opening import open_private
 
 FILE_SUFFIX = ".session"
 LOG_SUFFIX = ".log"

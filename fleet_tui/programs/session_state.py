@@ -8,8 +8,8 @@ import msgspec
 
 from fleet_tui.model.programs.program import ProgramState, ProgramStatus
 from fleet_tui.programs.session import FILE_SUFFIX, RECORD
+from fleet_tui.storage.handles import open_private
 from fleet_tui.storage.lock import is_locked
-from fleet_tui.storage.opening import open_private
 
 
 class SessionRecord(msgspec.Struct, frozen=True):

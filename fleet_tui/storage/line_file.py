@@ -5,8 +5,8 @@ import os
 import stat
 from pathlib import Path
 
+from fleet_tui.storage.handles import open_private
 from fleet_tui.storage.lock import lock
-from fleet_tui.storage.opening import open_private
 
 
 def append_line(handle: int, line: bytes) -> None:

@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from fleet_tui.storage.opening import open_private
+from fleet_tui.storage.handles import open_private
 
 LONGEST_OWNER = 200
 """Bytes of the owner in the file of a lock."""

@@ -9,7 +9,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import BinaryIO
 
-from fleet_tui.storage.opening import share
+from fleet_tui.storage.handles import share
 
 BACKUP = ".bak"
 

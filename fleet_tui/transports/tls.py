@@ -6,7 +6,7 @@ from pathlib import Path
 from fleet_tui.config.access import unsafe
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError
-from fleet_tui.storage.opening import open_file
+from fleet_tui.storage.handles import open_file
 
 
 def tls_context(bridge: Link) -> ssl.SSLContext | None:

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from fleet_tui.storage.handles import open_private, open_shared
 from fleet_tui.storage.lock import LockFile, is_locked, lock, owner_of
-from fleet_tui.storage.opening import open_private, open_shared
 
 HOLDER = """
 import sys, time
