@@ -17,6 +17,7 @@ from fleet_tui.client.rosbridge.calls import Calls, PendingCall
 from fleet_tui.client.rosbridge.goal_channel import Goals
 from fleet_tui.client.rosbridge.heartbeat import Heartbeat
 from fleet_tui.client.rosbridge.publishing import Publishing
+from fleet_tui.client.rosbridge.services import SETTLE_TIME
 from fleet_tui.client.rosbridge.set_up.listeners import check_listeners
 from fleet_tui.client.rosbridge.set_up.settling import Settling
 from fleet_tui.client.rosbridge.telemetry import Telemetry
@@ -127,15 +128,17 @@ class CommandChannel:
             self._keep(asyncio.ensure_future(self._submit_in_turn(command_id, command, given_at)))
 
     async def _submit_in_turn(self, command_id: int, command: Command, given_at: float) -> None:
+        began = time.monotonic()
         async with self._in_turn:
             await self._services.settle()
+            waited = min(time.monotonic() - began, SETTLE_TIME)  # the rest is a process that stood still
             if isinstance(command, SetUpCommand) and not await self._has_listeners(command_id, command):
                 return
             # A pause waits for nothing: the goal that it overtook must not drive the robot on.
             if reason := withdrawn(self._writer.store.state, command_id, given_at):
                 self._advance(command_id, Stage.NOT_SENT, reason)
                 return
-            self._submit(command_id, command, given_at)
+            self._submit(command_id, command, given_at, waited)
 
     async def _has_listeners(self, command_id: int, command: Command) -> bool:
         """Prepare the topics of a command, and tell whether to send it: a bridge drops silently what no node
@@ -149,10 +152,11 @@ class CommandChannel:
             return False
         return True
 
-    def _submit(self, command_id: int, command: Command, given_at: float) -> None:
+    def _submit(self, command_id: int, command: Command, given_at: float, waited: float = 0.0) -> None:
+        """`waited`: seconds for which it was held here on purpose."""
         at = time.monotonic()
         try:
-            outgoing = self._outgoing(command, command_id, at - given_at)
+            outgoing = self._outgoing(command, command_id, at - given_at - waited)
             first = outgoing[0] if outgoing else None
             if isinstance(first, ActionGoal):
                 self._keep(asyncio.ensure_future(self._goals.give(command_id, command, first, given_at)))

@@ -16,8 +16,9 @@ from fleet_tui.text.limits import truncate
 
 LOG = logging.getLogger(__name__)
 
-SETTLE_TIME = 0.5
-"""Seconds on a new connection for which commands wait for the types of services."""
+SETTLE_TIME = 3.0
+"""Seconds on a new connection for which commands wait for the types of services: a real rosapi needs more
+than one for those of a fleet, and `{}` on another type may be a command."""
 ROSAPI_TIMEOUT = 5.0
 RETRY_AFTER = 5.0
 """Seconds after which rosapi is asked again if it did not answer: it may have been busy."""

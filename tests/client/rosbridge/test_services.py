@@ -53,6 +53,30 @@ async def test_a_service_of_another_type_is_not_called(server: RosbridgeServer) 
     assert [service for service, _ in server.bridge.services.calls] == [PAUSE]
 
 
+async def test_a_resume_waits_for_the_types_of_a_slow_rosapi_and_a_pause_does_not(
+    server: RosbridgeServer,
+) -> None:
+    manager = replace(server.bridge.services.offered[RESUME], name="nav2_msgs/srv/ManageLifecycleNodes")
+    server.bridge.services.offered[RESUME] = manager
+    server.bridge.services.frozen["/rosapi/services"] = 2.0
+    async with linked(config_of(server.url, 1)) as (link, store):
+        await store.until(phase(Phase.UP))
+        assert (await finished(link, store, PauseRobot("robot_0"))).stage is not Stage.NOT_SENT
+        record = await finished(link, store, ResumeRobot("robot_0"))
+        assert record.stage is Stage.NOT_SENT and "ManageLifecycleNodes" in record.detail
+    assert [service for service, _ in server.bridge.services.calls] == [PAUSE]
+
+
+async def test_a_resume_is_sent_late_where_the_type_is_right(server: RosbridgeServer) -> None:
+    """It waited on purpose: that the console was busy is not said of it."""
+    server.bridge.services.frozen["/rosapi/services"] = 2.0
+    async with linked(config_of(server.url, 1)) as (link, store):
+        await store.until(phase(Phase.UP))
+        record = await finished(link, store, ResumeRobot("robot_0"))
+        assert record.stage is not Stage.NOT_SENT, record.detail
+    assert [service for service, _ in server.bridge.services.calls] == [RESUME]
+
+
 async def test_services_that_go_unnoticed_are_missed_by_the_next_look(
     server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
