@@ -9,10 +9,14 @@ import msgspec
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.registry import KINDS, kind_of
 from fleet_tui.adapters.ros.names import Vocabulary
+from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.config.entries import DEFAULT_LINK
 from fleet_tui.config.fleet import OF_BROKERS, adapters_of, profile_of, shared_steering, shared_topics
 from fleet_tui.config.schema import Config, Link, link_key
 from fleet_tui.errors import did_you_mean
+
+TAKE_FIELDS = ("std_srvs/SetBool", "nav2_msgs/ManageLifecycleNodes", "lifecycle_msgs/ChangeState")
+"""Types of services on which `{}`, all that a pause sends, is a command of its own: to start, to resume."""
 
 
 def check_profiles(config: Config) -> Iterator[str]:
@@ -74,7 +78,16 @@ def _profile(where: str, profile: Profile) -> Iterator[str]:
     yield from _numbers(where, profile)
     yield from _placeholders(where, profile, known.floor_topics)
     yield from _refusals(where, profile)
+    yield from _pauses(where, profile)
     yield from _settings(where, profile, kind)
+
+
+def _pauses(where: str, profile: Profile) -> Iterator[str]:
+    for key in ("pause", "resume"):
+        type_ = profile.service_types.get(key, "")
+        if any(same_type(type_, other) for other in TAKE_FIELDS):
+            remedy = "name a service of std_srvs/Trigger or std_srvs/Empty"
+            yield f"{where}.service_types.{key}: a {key} can't fill the fields of {type_}: {remedy}"
 
 
 def _unknown_keys(where: str, profile: Profile, known: Vocabulary) -> Iterator[str]:

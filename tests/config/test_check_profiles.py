@@ -32,6 +32,11 @@ def with_profile(**changes: object) -> Config:
             "profile.topics.map: {robt} is not available here",
         ),
         ({"services": {"pause": "/{}/{robot}"}}, "profile.services.pause: {} is not available here"),
+        (
+            {"service_types": {"resume": "nav2_msgs/srv/ManageLifecycleNodes"}},
+            "profile.service_types.resume: a resume can't fill the fields of"
+            " nav2_msgs/srv/ManageLifecycleNodes: name a service of std_srvs/Trigger or std_srvs/Empty",
+        ),
         ({"refusals": ("ok", "(")}, "profile.refusals[1]: '(' is not a regular expression"),
         (
             {"refusals": ("a{99999999999}",)},
