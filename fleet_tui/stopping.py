@@ -11,9 +11,11 @@ def stop(stopped: asyncio.Future[bool], interrupted: bool) -> None:
 
 
 def stopped_by_signal() -> asyncio.Future[bool]:
-    """Return a future of the running loop: True at Ctrl-C, False at SIGTERM."""
+    """Return a future of the running loop: True at Ctrl-C, False at SIGTERM and with its terminal."""
     loop = asyncio.get_running_loop()
     stopped: asyncio.Future[bool] = loop.create_future()
     loop.add_signal_handler(signal.SIGINT, stop, stopped, True)
     loop.add_signal_handler(signal.SIGTERM, stop, stopped, False)
+    if signal.getsignal(signal.SIGHUP) is not signal.SIG_IGN:  # nohup
+        loop.add_signal_handler(signal.SIGHUP, stop, stopped, False)
     return stopped

@@ -1,5 +1,7 @@
 """Tests of fleet_tui/simulator/vda5050/serving.py: `fleet-tui sim --kind vda5050` as a process."""
 
+import signal
+import socket
 from pathlib import Path
 
 import pytest
@@ -13,6 +15,7 @@ from fleet_tui.simulator.vda5050.graph_file import write_lif
 from fleet_tui.simulator.vda5050.serving import vehicles_of
 from tests.support.in_pty import serving
 from tests.support.links import finished, linked
+from tests.support.polling import HANGS
 
 
 def test_vehicles_stand_at_places_of_their_floors_with_their_faults() -> None:
@@ -44,3 +47,13 @@ async def test_a_console_drives_a_simulated_vehicle(tmp_path: Path) -> None:
             ).stage is Stage.CONFIRMED
             await store.until(lambda state: state.commands[-1].stage is Stage.DONE)
             assert (await finished(link, store, ClearOrders("robot_0"))).stage is Stage.REFUSED
+
+
+def test_its_broker_ends_with_the_terminal_that_it_was_started_in() -> None:
+    with serving("fleet_tui", "sim", "--kind", "vda5050", "--port", "0", "--robots", "1") as (url, sim):
+        port = int(url.rpartition(":")[2])
+        socket.create_connection(("127.0.0.1", port)).close()
+        sim.send_signal(signal.SIGHUP)
+        assert sim.wait(HANGS) == 0
+        with pytest.raises(ConnectionRefusedError):
+            socket.create_connection(("127.0.0.1", port))
