@@ -17,14 +17,16 @@ import msgspec
 from fleet_tui.adapters.adapter import Adapter, Publication
 from fleet_tui.adapters.vda5050.adapter import VehicleAdapter
 from fleet_tui.adapters.vda5050.answers import INSTANT_ACTIONS, ORDER, answer, error_text, failure_of
-from fleet_tui.adapters.vda5050.orders import NeverSeenError
+from fleet_tui.adapters.vda5050.orders import NeverSeenError, address_of
 from fleet_tui.client.patience import call_awake
 from fleet_tui.client.writer import Writer
 from fleet_tui.errors import CommandError, LinkError
 from fleet_tui.model.commands import Command, PauseRobot, PlaceOrder, ResumeRobot, Stage
 from fleet_tui.model.events import CommandAdvanced
+from fleet_tui.model.problem import Problem
 from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleError
 from fleet_tui.rules.commands.abilities import unaccepted
+from fleet_tui.rules.commands.checks import CHECKS
 from fleet_tui.rules.commands.masters import other_master
 from fleet_tui.text.limits import truncate
 from fleet_tui.transports.mqtt.connection import BrokerConnection
@@ -63,14 +65,16 @@ class AwaitedAnswer:
 
 
 @dataclass
-class OrderAfterCharge:
-    """An order that waits until its vehicle charges no more: `late` are the seconds by which it was delayed
-    before, `stop` is the id of the action that ends the charging."""
+class HeldOrder:
+    """An order that waits for the first state of its vehicle, or until that charges no more: `stop` is the id
+    of the action that ends the charging, empty before the first state. `late` are the seconds by which it was
+    delayed before; `accepted` are the checks whose objections its operator knew."""
 
     command_id: int
     command: PlaceOrder
     late: float
     stop: str
+    accepted: frozenset[str]
     timer: "asyncio.Task[None]"
 
 
@@ -93,7 +97,7 @@ class VehicleCommands:
         """Robots and names of their topics that the broker returns to this console."""
         self._unseen: dict[str, asyncio.Event] = {}
         """By robot: set once a message of it has arrived for which a pause waits."""
-        self._waiting: dict[str, OrderAfterCharge] = {}
+        self._held: dict[str, HeldOrder] = {}
         """By robot."""
         self._under_way: set[asyncio.Task[None]] = set()
 
@@ -101,46 +105,78 @@ class VehicleCommands:
         """Send a command that was given at `given_at` (monotonic)."""
         LOG.info("command %d: %s", command_id, truncate(str(command)))
         if not isinstance(command, ResumeRobot):
-            self._give_up(command.robot, "another command came after it was told to stop charging")
+            self._interrupt(command.robot, "another command came")
         if isinstance(command, PauseRobot) and not self._is_seen(command.robot):
             self._start(self._pause_unseen(command_id, command, given_at))
             return
         try:
-            if not (isinstance(command, PlaceOrder) and self._frees(command_id, command, given_at)):
+            late = time.monotonic() - given_at
+            if not (isinstance(command, PlaceOrder) and self._holds(command_id, command, late)):
                 self._send(command_id, command, given_at)
         except (LinkError, CommandError) as problem:
             self._advance(command_id, Stage.NOT_SENT, str(problem))
 
-    def _frees(self, command_id: int, command: PlaceOrder, given_at: float) -> bool:
-        """End the charging of a vehicle before its order, if need be; tell whether the order waits for that.
-        Raises CommandError or LinkError if it must not be sent."""
+    def _holds(self, command_id: int, command: PlaceOrder, late: float) -> bool:
+        """Ask a vehicle for its first state, or end its charging, if its order needs that; tell whether the
+        order waits for it. Raises CommandError or LinkError if it must not be sent."""
         robot = self._writer.store.state.robots[command.robot]
+        if robot.vehicle is None:
+            self._check(command, late)
+            self._connection.check_open()
+            with suppress(NeverSeenError):
+                address_of(robot, ORDER)
+            self.request_state(robot.name)
+            unmet = f"no state of {robot.name} within {self._timeout:g} s: order again once it has sent one"
+            self._hold(command_id, command, late, "", unmet)
+            return True
         freeing = self._adapters[robot.name].stop_charging(robot, uuid.uuid4().hex)
         if freeing is None:
             return False
-        late = time.monotonic() - given_at
         self._messages(command, command_id, late)
         self._publish(freeing)
-        reason = f"{command.robot} goes on charging: it did not stop within {self._timeout:g} s"
-        timer = call_awake(self._timeout, partial(self._give_up, robot.name, reason))
-        self._waiting[robot.name] = OrderAfterCharge(command_id, command, late, freeing.name, timer)
+        unmet = f"{robot.name} goes on charging: it did not stop within {self._timeout:g} s"
+        self._hold(command_id, command, late, freeing.name, unmet)
         return True
 
-    def _give_up(self, robot: str, reason: str) -> None:
-        """Do not send the order that waits for the end of a vehicle's charging, if there is one."""
-        if (waiting := self._waiting.pop(robot, None)) is not None:
-            waiting.timer.cancel()
-            self._advance(waiting.command_id, Stage.NOT_SENT, reason)
+    def _hold(self, command_id: int, command: PlaceOrder, late: float, stop: str, unmet: str) -> None:
+        """Keep an order until `on_state` sends it; not sent in time, it has the reason `unmet`."""
+        timer = call_awake(self._timeout, partial(self._give_up, command.robot, unmet))
+        accepted = frozenset(problem.check for problem in self._objections(command))
+        self._held[command.robot] = HeldOrder(command_id, command, late, stop, accepted, timer)
 
-    def _send_freed(self, robot: str, waiting: OrderAfterCharge) -> None:
-        """Send the order of a vehicle that charges no more."""
-        del self._waiting[robot]
-        waiting.timer.cancel()
+    def _objections(self, command: PlaceOrder) -> list[Problem]:
+        state = self._writer.store.state
+        robot = state.robots[command.robot]
+        return [problem for check in CHECKS for problem in check(state, robot, command)]
+
+    def _give_up(self, robot: str, reason: str) -> None:
+        """Do not send the order that is held for a vehicle, if there is one."""
+        if (held := self._held.pop(robot, None)) is not None:
+            held.timer.cancel()
+            self._advance(held.command_id, Stage.NOT_SENT, reason)
+
+    def _interrupt(self, robot: str, why: str) -> None:
+        """Do not send the order that is held for a vehicle, because of what happened meanwhile."""
+        if (held := self._held.get(robot)) is not None:
+            told = f"{why} after it was told to stop charging"
+            self._give_up(robot, told if held.stop else f"{why} before its first state")
+
+    def _release(self, held: HeldOrder) -> None:
+        """Send an order that was held, if nothing speaks against it that its operator did not know."""
+        del self._held[held.command.robot]
+        held.timer.cancel()
+        commands = self._writer.store.state.commands
+        if any(one.id == held.command_id and one.is_decided for one in commands):
+            return  # it was cancelled in this console's queue
+        new = [one for one in self._objections(held.command) if one.check not in held.accepted]
         try:
-            # It waited by intent: only what delayed it before counts.
-            self._send(waiting.command_id, waiting.command, time.monotonic() - waiting.late)
+            if new:
+                raise CommandError(min(new, key=lambda one: not one.blocks).text)
+            if held.stop or not self._holds(held.command_id, held.command, held.late):
+                # It waited by intent: only what delayed it before counts.
+                self._send(held.command_id, held.command, time.monotonic() - held.late)
         except (LinkError, CommandError) as problem:
-            self._advance(waiting.command_id, Stage.NOT_SENT, str(problem))
+            self._advance(held.command_id, Stage.NOT_SENT, str(problem))
 
     def _is_seen(self, name: str) -> bool:
         robot = self._writer.store.state.robots[name]
@@ -206,6 +242,16 @@ class VehicleCommands:
 
     def _messages(self, command: Command, command_id: int, late: float) -> Sequence[Publication]:
         """Return the messages of a command. Raises CommandError or LinkError if it must not be sent."""
+        self._check(command, late)
+        robot = self._writer.store.state.robots[command.robot]
+        found = self._adapters[robot.name].outgoing(command, command_id, robot, uuid.uuid4().hex)
+        messages = [one for one in found if isinstance(one, Publication)]
+        if len(messages) != len(found):
+            raise CommandError("a broker carries only messages")
+        return messages
+
+    def _check(self, command: Command, late: float) -> None:
+        """Raise CommandError or LinkError if a command must not be sent."""
         if late > LATEST:
             raise CommandError(f"console busy for {late:.1f} s: repeat the command")
         # A pause is tried even if other commands are held back: it can only make things safer.
@@ -215,11 +261,6 @@ class VehicleCommands:
         robot = state.robots[command.robot]
         if reason := unaccepted(state, command) or other_master(time.monotonic(), robot, command):
             raise CommandError(reason)
-        found = self._adapters[robot.name].outgoing(command, command_id, robot, uuid.uuid4().hex)
-        messages = [one for one in found if isinstance(one, Publication)]
-        if len(messages) != len(found):
-            raise CommandError("a broker carries only messages")
-        return messages
 
     def _publish(self, message: Publication) -> int:
         """Send a message with its header, and return the header's id. Raises LinkError."""
@@ -263,11 +304,11 @@ class VehicleCommands:
                 self._wait_again(id_, asked)
             else:
                 self._end(id_, *found)
-        if (waiting := self._waiting.get(robot)) is None:
+        if (held := self._held.get(robot)) is None:
             return
-        if vehicle.charging is False:  # not told is not ended
-            self._send_freed(robot, waiting)
-        elif failure := failure_of(waiting.stop, vehicle):
+        if not held.stop or vehicle.charging is False:  # not told is not ended
+            self._release(held)
+        elif failure := failure_of(held.stop, vehicle):
             self._give_up(robot, f"{robot} goes on charging: {failure}")
 
     def _wait_again(self, id_: str, asked: AwaitedAnswer) -> None:
@@ -300,10 +341,10 @@ class VehicleCommands:
         detail = f"from {asked.command.robot} in {self._timeout:g} s{why}: may still be carried out"
         self._advance(asked.command_id, Stage.NO_ANSWER, detail)
 
-    def on_lost(self) -> None:
+    def on_lost(self, why: str = "link lost") -> None:
         """End every open command: its answer may have been missed."""
-        for robot in list(self._waiting):
-            self._give_up(robot, "link lost after it was told to stop charging")
+        for robot in list(self._held):
+            self._interrupt(robot, why)
         for id_ in list(self._asked):
             self._end(id_, Stage.UNKNOWN, "link lost before the reply: may still be carried out")
 

@@ -51,7 +51,7 @@ class BrokerLink:
         self._writer.loop.call_soon_threadsafe(self._close)
 
     def _close(self) -> None:
-        self._telemetry.commands.on_lost()
+        self._telemetry.commands.on_lost("console closed")
         self._telemetry.connection.shut()
 
 

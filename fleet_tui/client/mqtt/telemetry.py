@@ -130,6 +130,8 @@ class VehicleTelemetry:
             self._writer.store.apply(event)
             if isinstance(event, VehicleReported | ConnectionReported):
                 self.commands.on_message(event.robot)
+        # Only once all of a state is known: an order that waited for it begins where it says.
+        for event in found:
             if isinstance(event, VehicleReported) and event.at == at:  # an old state answers no command
                 self.commands.on_state(event.robot, event.vehicle)
 

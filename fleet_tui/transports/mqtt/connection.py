@@ -55,6 +55,10 @@ class BrokerConnection:
         """Send a message with QoS 0, not retained. Raises LinkError without a connection."""
         self._open_session().publish(topic, payload)
 
+    def check_open(self) -> None:
+        """Raise LinkError without a connection."""
+        self._open_session()
+
     def _open_session(self) -> BrokerSession:
         if self._session is None:
             raise LinkError("no link")

@@ -1,0 +1,226 @@
+"""Tests of fleet_tui/client/mqtt/commands.py: an order that waits for a state is sent as meant, or never."""
+
+import asyncio
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from fleet_tui.client.queue_file import QueueFile
+from fleet_tui.config.load import from_text
+from fleet_tui.model.commands import CancelOrder, ClearOrders, PauseRobot, PlaceOrder, Stage
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.geometry import Pose
+from fleet_tui.model.link import CommandPath
+from fleet_tui.model.order import Stop
+from tests.support.broker import broker_in
+from tests.support.links import finished, linked
+from tests.support.nav2_site import keeping, record_of
+from tests.support.polling import until
+from tests.support.vda_broker import SpokenFor, console_on
+from tests.support.vda_fleet import config_text
+from tests.support.vda_messages import BASE, error, message, node, position
+from tests.support.watched_store import WatchedStore
+
+ORDER = PlaceOrder("agv", (Stop(pose=Pose(5.0, 2.0)),))
+CHARGING = {"batteryCharge": 50.0, "charging": True}
+OFFERS = message(
+    protocolFeatures={"agvActions": [{"actionType": "stopCharging", "actionScopes": ["INSTANT"]}]}
+)
+
+
+def orders(vehicle: SpokenFor) -> list[bytes]:
+    return vehicle.peer.told_on(f"{BASE}/order")
+
+
+async def charging(store: WatchedStore, vehicle: SpokenFor) -> None:
+    vehicle.peer.publish(f"{BASE}/factsheet", OFFERS, retain=True)
+    await store.until(lambda state: state.robots["agv"].features)
+    vehicle.say(batteryState=CHARGING)
+    await store.until(lambda state: state.robots["agv"].vehicle)
+
+
+async def connected(store: WatchedStore) -> None:
+    await store.until(lambda state: state.robots["agv"].connection)
+
+
+def charge(percent: float) -> Any:
+    def is_there(state: FleetState) -> bool:
+        battery = state.robots["agv"].battery
+        return battery is not None and battery.value == percent
+
+    return is_there
+
+
+async def test_an_order_waits_for_the_first_state_which_it_asks_for_and_begins_there(tmp_path: Path) -> None:
+    with broker_in(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            await connected(store)
+            waiting = asyncio.ensure_future(finished(link, store, ORDER))
+            asked = await vehicle.next("instantActions")
+            assert [one["actionType"] for one in asked["actions"]] == ["stateRequest"]
+            assert orders(vehicle) == []
+            vehicle.say(agvPosition=position(3.0, 4.0), lastNodeId="")
+            order = await vehicle.next("order")
+            assert [one["nodePosition"]["x"] for one in order["nodes"]] == [3.0, 5.0]
+            vehicle.say(orderId=order["orderId"], nodeStates=[node("goal_0", 2)])
+            assert (await waiting).stage is Stage.CONFIRMED
+
+
+async def test_an_order_that_got_no_state_in_time_is_never_sent(tmp_path: Path) -> None:
+    with broker_in(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            await connected(store)
+            record = await finished(link, store, ORDER)
+            assert record.stage is Stage.NOT_SENT
+            assert record.detail == "no state of agv within 5 s: order again once it has sent one"
+            vehicle.say(batteryState={"batteryCharge": 11.0, "charging": False})
+            await store.until(charge(11.0))
+            vehicle.say(batteryState={"batteryCharge": 12.0, "charging": False})
+            await store.until(charge(12.0))
+            assert orders(vehicle) == []
+
+
+@pytest.mark.parametrize("command", [PauseRobot("agv"), ClearOrders("agv")])
+async def test_a_pause_or_a_clear_ends_an_order_that_waits_for_the_first_state(
+    tmp_path: Path, command: PauseRobot | ClearOrders
+) -> None:
+    with broker_in(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            await connected(store)
+            order = link.submit(ORDER)
+            await vehicle.next("instantActions")
+            link.submit(command)
+            await store.until(lambda state: record_of(state, order).is_decided)
+            record = record_of(store.state, order)
+            assert (record.stage, record.detail) == (
+                Stage.NOT_SENT,
+                "another command came before its first state",
+            )
+            await vehicle.next("instantActions", 2)
+            vehicle.say(batteryState={"batteryCharge": 11.0, "charging": False})
+            await store.until(charge(11.0))
+            assert orders(vehicle) == []
+
+
+@pytest.mark.parametrize(
+    ("shown", "reason"),
+    [
+        ({"safetyState": {"eStop": "MANUAL", "fieldViolation": False}}, "agv is stopped: e-stop (manual)"),
+        ({"errors": [error("FATAL", "motorError")]}, "agv reports fatal motorError"),
+        ({"operatingMode": "MANUAL"}, "agv is in mode manual: it takes no orders"),
+        ({"paused": True}, "agv is paused"),
+    ],
+)
+@pytest.mark.parametrize("waits_for", ["first state", "end of charge"])
+async def test_what_would_have_been_asked_about_keeps_a_waiting_order_here(
+    tmp_path: Path, shown: dict[str, Any], reason: str, waits_for: str
+) -> None:
+    with broker_in(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            await connected(store)
+            if waits_for == "end of charge":
+                await charging(store, vehicle)
+            waiting = asyncio.ensure_future(finished(link, store, ORDER))
+            await vehicle.next("instantActions")
+            vehicle.say(**shown)
+            record = await waiting
+            assert (record.stage, record.detail) == (Stage.NOT_SENT, reason)
+            assert orders(vehicle) == []
+
+
+@pytest.mark.parametrize("waits_for", ["first state", "end of charge"])
+async def test_an_order_of_another_master_in_the_awaited_state_keeps_ours_here(
+    tmp_path: Path, waits_for: str
+) -> None:
+    with broker_in(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            await connected(store)
+            if waits_for == "end of charge":
+                await charging(store, vehicle)
+            waiting = asyncio.ensure_future(finished(link, store, ORDER))
+            await vehicle.next("instantActions")
+            vehicle.say(orderId="theirs", nodeStates=[node("n9", 2)])
+            record = await waiting
+            assert (record.stage, record.detail) == (
+                Stage.NOT_SENT,
+                "agv drives order theirs of another master control",
+            )
+            assert orders(vehicle) == []
+
+
+async def test_a_first_state_that_shows_a_charge_ends_that_before_the_order(tmp_path: Path) -> None:
+    with broker_in(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            vehicle.peer.publish(f"{BASE}/factsheet", OFFERS, retain=True)
+            await store.until(lambda state: state.robots["agv"].features)
+            link.submit(ORDER)
+            vehicle.say(batteryState=CHARGING)
+            action = await vehicle.next("instantActions")
+            assert [one["actionType"] for one in action["actions"]] == ["stopCharging"]
+            assert orders(vehicle) == []
+            vehicle.say()
+            await vehicle.next("order")
+
+
+async def test_an_order_of_the_queue_that_is_cancelled_while_its_vehicle_ends_its_charge_is_not_sent(
+    tmp_path: Path,
+) -> None:
+    with broker_in(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with queueing(broker.url, keeping(tmp_path)) as (link, store):
+            await store.until(lambda state: state.links["broker"].command_path is CommandPath.ALIVE)
+            await charging(store, vehicle)
+            link.submit(ORDER)
+            queued = link.submit(ORDER)
+            await store.until(lambda state: record_of(state, queued).stage is Stage.WAITING)
+            await vehicle.next("instantActions")
+            vehicle.say()
+            first = (await vehicle.next("order"))["orderId"]
+            vehicle.say(orderId=first, nodeStates=[node("goal_0", 2)], batteryState=CHARGING)
+            await store.until(lambda state: state.robots["agv"].orders.open)
+            vehicle.say(orderId=first, batteryState=CHARGING)
+            await vehicle.next("instantActions", 2)
+            id_ = record_of(store.state, queued).order_id
+            assert id_ is not None
+            link.submit(CancelOrder("agv", id_))
+            await store.until(lambda state: record_of(state, queued).stage is Stage.CANCELLED)
+            vehicle.say(orderId=first, batteryState={"batteryCharge": 77.0, "charging": False})
+            await store.until(charge(77.0))
+            vehicle.say(orderId=first, batteryState={"batteryCharge": 78.0, "charging": False})
+            await store.until(charge(78.0))
+            assert len(orders(vehicle)) == 1
+
+
+def queueing(url: str, queue: QueueFile) -> Any:
+    return linked(from_text(config_text(url)), queue=queue)
+
+
+async def test_a_closed_console_says_so_of_an_order_that_waited(tmp_path: Path) -> None:
+    with broker_in(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            await charging(store, vehicle)
+            order = link.submit(ORDER)
+            await vehicle.next("instantActions")
+        await until(lambda: record_of(store.state, order).is_decided)
+        assert record_of(store.state, order).detail == "console closed after it was told to stop charging"
+        assert orders(vehicle) == []
+
+
+async def test_no_order_waits_for_a_state_without_a_link(tmp_path: Path) -> None:
+    with broker_in(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            await connected(store)
+            broker.kill()
+            await store.until(lambda state: state.links["broker"].command_path is CommandPath.DEAD)
+            record = await finished(link, store, ORDER)
+            assert (record.stage, record.detail) == (Stage.NOT_SENT, "no link")
+            assert orders(vehicle) == []
