@@ -141,9 +141,8 @@ class AlarmResponses:
         source = alarm.condition.source
         if source in self._store.state.robots:
             yield f"Command {source}: pause, order, clear", partial(self._robot_menu, source)
-            if alarm.condition.kind == "battery" and (
-                way := way_to_charger(self._store.state.robots[source])
-            ):
+            state = self._store.state
+            if alarm.condition.kind == "battery" and (way := way_to_charger(state, state.robots[source])):
                 yield f"Order {source} to {way[-1].name}", partial(self._charge, source)
 
     def explain(self) -> None:

@@ -97,7 +97,7 @@ class RobotRequests:
         yield "Show on the map", partial(self._navigation.find_robot, robot)
         yield self._explain, partial(self._for, robot, self._why)
         may_order = known.kind.can(kind.ORDER) and not self._dispatch.permissions.refusal(Right.DISPATCH)
-        if may_order and way_to_charger(known):  # below what all robots have
+        if may_order and way_to_charger(self._store.state, known):  # below what all robots have
             charge = partial(self._for, robot, self._orders.charge_now)
             yield self._with_key(tr("Send to the nearest charger"), "charge"), charge
         yield from self._alarms(robot)

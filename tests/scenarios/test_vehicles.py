@@ -119,7 +119,7 @@ async def test_it_charges_at_a_charger_and_is_freed_before_its_next_order(tmp_pa
         async with console_on(broker, settings=settings) as (link, store), make(broker):
             link.post(with_charger(hall_graph(tmp_path)))
             await store.until(lambda state: seen(state) and state.robots["agv"].features)
-            request = order_to_charger(store.state.robots["agv"])
+            request = order_to_charger(store.state, store.state.robots["agv"])
             assert await outcome(link, store, request.commands[0]) is Stage.CONFIRMED
             await store.until(lambda state: state.commands[-1].stage is Stage.DONE)
             await store.until(lambda state: charging_reported(state, state.robots["agv"]))

@@ -69,14 +69,14 @@ class OrderRequests:
         """Open the order form for a robot with the way to the nearest charger, if there is one."""
         self._navigation.select(robot)
         if self.may_order():
-            self._open_form(robot, None, way_to_charger(self._robot))
+            self._open_form(robot, None, way_to_charger(self._store.state, self._robot))
 
     def charge_now(self) -> None:
         """Send the selected robot to the nearest charger, after asking."""
         if not self.may_order():
             return
         try:
-            request = order_to_charger(self._robot)
+            request = order_to_charger(self._store.state, self._robot)
         except CommandError as problem:
             self._notices.say(sanitize(str(problem)))
         else:

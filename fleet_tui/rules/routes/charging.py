@@ -4,34 +4,36 @@ import math
 
 from fleet_tui.errors import CommandError
 from fleet_tui.model.commands import PlaceOrder
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import RouteGraph, Vertex
 from fleet_tui.model.kind import ORDER_TO
 from fleet_tui.model.order import at_vertices
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot, RobotMap
+from fleet_tui.rules.battery.charging import charger_of
 from fleet_tui.rules.language.lookup import Place
 
 
-def way_to_charger(robot: Robot) -> tuple[Place, ...]:
-    """Return the vertex nearest to a robot and the nearest charger on its floor that it can reach from there;
-    empty without one, or if it is there."""
+def way_to_charger(state: FleetState, robot: Robot) -> tuple[Place, ...]:
+    """Return the vertex nearest to a robot and the nearest free charger on its floor that it can reach from
+    there; empty without one, or if it is there."""
     try:
-        return _way(robot)
+        return _way(state, robot)
     except CommandError:
         return ()
 
 
-def order_to_charger(robot: Robot) -> Request:
-    """Return the order to the nearest charger. A robot that brings cargo has orders from somewhere. Raises
-    CommandError if there is no way to one."""
-    way: tuple[Place, ...] = _way(robot)
+def order_to_charger(state: FleetState, robot: Robot) -> Request:
+    """Return the order to the nearest free charger. A robot that brings cargo has orders from somewhere.
+    Raises CommandError if there is no way to one."""
+    way: tuple[Place, ...] = _way(state, robot)
     if ORDER_TO in robot.kind.accepts and not robot.kind.brings_cargo:
         way = way[-1:]
     stops = at_vertices(*(place.vertex for place in way))
     return Request((PlaceOrder(robot.name, stops),), tuple((one.vertex, one.floor) for one in way))
 
 
-def _way(robot: Robot) -> tuple[Place, Place]:
+def _way(state: FleetState, robot: Robot) -> tuple[Place, Place]:
     """Return where the way to a charger begins and ends. Raises CommandError if there is none."""
     if robot.pose is None or robot.floor is None:
         raise CommandError(f"the place of {robot.name} is not known")
@@ -39,11 +41,17 @@ def _way(robot: Robot) -> tuple[Place, Place]:
     if here.graph is None or not here.graph.chargers:
         raise CommandError(f"no graph shows a charger on {robot.floor}")
 
+    others = [one for one in state.robots.values() if one is not robot and one.floor == robot.floor]
+    taken = {charger.id for one in others if (charger := charger_of(state, one)) is not None}
+    free = [one for one in here.graph.chargers if one.id not in taken]
+    if not free:
+        raise CommandError(f"other robots are at all chargers of {robot.floor}")
+
     def metres(vertex: Vertex) -> float:
         return math.dist((vertex.x, vertex.y), (pose.x, pose.y))
 
     start = min(here.graph.vertices.values(), key=metres)
-    ways = {one.id: _metres(here.graph, start, one, metres(one)) for one in here.graph.chargers}
+    ways = {one.id: _metres(here.graph, start, one, metres(one)) for one in free}
     nearest = min(ways, key=lambda id_: ways[id_])
     if nearest == start.id:
         raise CommandError(f"{robot.name} is at a charger")

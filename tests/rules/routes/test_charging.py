@@ -5,11 +5,12 @@ import pytest
 from fleet_tui.errors import CommandError
 from fleet_tui.model.commands import PlaceOrder
 from fleet_tui.model.events import GraphReceived
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.model.order import at_vertices
-from fleet_tui.model.robot import Robot
+from fleet_tui.model.request import Request
 from fleet_tui.rules.language.lookup import Place
-from fleet_tui.rules.routes.charging import order_to_charger, way_to_charger
+from fleet_tui.rules.routes import charging
 from tests.support.fleets import F0, R0, T0, fleet, pose, reduced
 
 CHARGER, FAR = Vertex("1", 0.0, 0.0, Role.DOCKING), Vertex("3", 40.0, 0.0, Role.DOCKING)
@@ -23,19 +24,27 @@ def graph_of(vertices: dict[str, Vertex]) -> GraphReceived:
     return GraphReceived(R0, F0, RouteGraph(vertices))
 
 
-def at(x: float, graph: GraphReceived) -> Robot:
-    return reduced(fleet(), graph, pose(T0, x)).robots[R0]
+def at(x: float, graph: GraphReceived) -> FleetState:
+    return reduced(fleet(), graph, pose(T0, x))
+
+
+def way_to_charger(state: FleetState) -> tuple[Place, ...]:
+    return charging.way_to_charger(state, state.robots[R0])
+
+
+def order_to_charger(state: FleetState) -> Request:
+    return charging.order_to_charger(state, state.robots[R0])
 
 
 def test_the_way_to_the_nearest_charger_begins_at_the_vertex_nearest_to_the_robot() -> None:
     graph = graph_of({"1": CHARGER, "2": Vertex("2", 5.0, 0.0), "3": FAR})
-    robot = at(4.0, graph)
-    assert way_to_charger(robot) == (Place("2", "2", F0), Place("1", "1", F0))
+    state = at(4.0, graph)
+    assert way_to_charger(state) == (Place("2", "2", F0), Place("1", "1", F0))
     assert way_to_charger(at(22.0, graph)) == (Place("2", "2", F0), Place("3", "3", F0))
     assert way_to_charger(at(0.5, graph)) == (), "it is there"
     without = graph_of({"2": Vertex("2", 5.0, 0.0)})
     assert way_to_charger(at(4.0, without)) == ()
-    assert way_to_charger(reduced(fleet(), pose(T0)).robots[R0]) == ()
+    assert way_to_charger(reduced(fleet(), pose(T0))) == ()
 
 
 def test_a_charger_that_can_not_be_reached_is_none() -> None:
@@ -45,22 +54,36 @@ def test_a_charger_that_can_not_be_reached_is_none() -> None:
     assert way_to_charger(at(4.0, AWAY)) == ()
 
 
+def beside(x: float, *vertices: Vertex) -> FleetState:
+    """The first robot at 4 m, another one at `x` on the same graph."""
+    graph = RouteGraph({one.id: one for one in (Vertex("2", 5.0, 0.0), *vertices)})
+    graphs = [GraphReceived(name, F0, graph) for name in (R0, "robot_1")]
+    return reduced(fleet(2), *graphs, pose(T0, 4.0), pose(T0, x, robot="robot_1"))
+
+
+def test_a_charger_that_another_robot_is_at_is_left_to_it() -> None:
+    assert way_to_charger(beside(9.0, CHARGER, FAR))[-1] == Place("1", "1", F0)
+    assert way_to_charger(beside(0.2, CHARGER, FAR))[-1] == Place("3", "3", F0)
+    with pytest.raises(CommandError, match=f"other robots are at all chargers of {F0}"):
+        order_to_charger(beside(0.2, CHARGER))
+
+
 def test_the_order_leads_from_the_robot_to_the_charger() -> None:
-    robot = at(4.0, graph_of({"1": CHARGER, "2": Vertex("2", 5.0, 0.0)}))
-    request = order_to_charger(robot)
+    state = at(4.0, graph_of({"1": CHARGER, "2": Vertex("2", 5.0, 0.0)}))
+    request = order_to_charger(state)
     assert request is not None and request.commands == (PlaceOrder(R0, at_vertices("2", "1")),)
     assert request.floors == (("2", F0), ("1", F0))
 
 
 @pytest.mark.parametrize(
-    ("robot", "reason"),
+    ("state", "reason"),
     [
-        (reduced(fleet(), graph_of({"1": CHARGER})).robots[R0], f"the place of {R0} is not known"),
+        (reduced(fleet(), graph_of({"1": CHARGER})), f"the place of {R0} is not known"),
         (at(4.0, graph_of({})), f"no graph shows a charger on {F0}"),
         (at(0.5, graph_of({"1": CHARGER, "2": Vertex("2", 5.0, 0.0)})), f"{R0} is at a charger"),
         (at(4.0, AWAY), f"no way on the graph leads {R0} to a charger"),
     ],
 )
-def test_why_there_is_none_is_said(robot: Robot, reason: str) -> None:
+def test_why_there_is_none_is_said(state: FleetState, reason: str) -> None:
     with pytest.raises(CommandError, match=reason):
-        order_to_charger(robot)
+        order_to_charger(state)
