@@ -58,6 +58,14 @@ async def test_without_a_state_until_then_it_says_so_and_sends_nothing(tmp_path:
     assert done.code == 1 and "agv has sent no state yet: it sends one every 30 s" in done.err, done
 
 
+async def test_who_says_yes_to_all_still_waits_for_no_longer_than_the_timeout(tmp_path: Path) -> None:
+    with broker_in(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        done = await give(tmp_path, broker, *ORDER, "--timeout", "2", "--yes")
+        assert vehicle.peer.told_on("uagv/v2/KIT/0001/order") == []
+    assert done.code == 1 and "not sent (agv: missing: state)" in done.err, done
+
+
 async def test_who_may_only_watch_asks_for_nothing(tmp_path: Path) -> None:
     with broker_in(tmp_path) as broker:
         vehicle = SpokenFor(broker)

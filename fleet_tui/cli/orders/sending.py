@@ -10,7 +10,7 @@ from fleet_tui.cli.orders.outcome import DONE, NO_LINK, NOT_DONE, USAGE, Outcome
 from fleet_tui.cli.orders.warnings import losses, unattended
 from fleet_tui.cli.session import WaitingStore
 from fleet_tui.client.fleet_link import FleetLink
-from fleet_tui.model.commands import Command, CommandRecord, PauseRobot, ResumeRobot, Stage
+from fleet_tui.model.commands import Command, CommandRecord, PauseRobot, PlaceOrder, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.problem import Permissions, Problem
@@ -154,9 +154,13 @@ class Sending:
             found += unattended(self.state, request)
         asked = [command for command in request.commands if not isinstance(command, PauseRobot | ResumeRobot)]
         for name in dict.fromkeys(command.robot for command in asked):
-            absent = unreported(self.state.robots[name])
-            if absent:
-                found.append(Problem("missing", f"{name}: missing: {', '.join(absent)}", blocks=False))
+            robot = self.state.robots[name]
+            if absent := unreported(robot):
+                # The link holds an order for a vehicle's first state, beyond the time limit of this line.
+                is_held = bool(robot.kind.optional) and any(
+                    isinstance(one, PlaceOrder) and one.robot == name for one in asked
+                )
+                found.append(Problem("missing", f"{name}: missing: {', '.join(absent)}", blocks=is_held))
         return [problem for problem in found if problem.blocks or not self._how.yes]
 
     def _hold_back(self, commands: Sequence[Command], wrong: list[Problem]) -> Iterator[Outcome]:
