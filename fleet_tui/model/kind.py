@@ -46,20 +46,20 @@ def noun_of(ability: str) -> str:
 
 class Kind(Struct, frozen=True):
     """Capabilities of a robot by its kind and profile. `reports` are the values it can report, by the names
-    of Robot's fields; `accepts` the requests it takes. `silence`: seconds after which a missing value is
-    old, infinite for one sent only on change; for others `offline_after` counts, after which a silent robot
-    is offline, 0: as configured. `optional`: reported values that not every such robot has. By unaccepted
+    of Robot's fields; `accepts` the requests it takes. `silence`: seconds after which a missing value is old,
+    infinite for one sent only on change; for others `offline_after` counts, after which a silent robot is
+    offline, 0: as configured. `optional`: reported values that not every such robot has. By unaccepted
     request `unset` is the key of the profile that is empty, `withheld` the reason that this console must not
-    make it. `frames_are_floors`: the frame of its poses
-    names the floor. `reports_ends`: it lists how an order ended. `keeps_goals`: it drives one goal at a time
-    and has no queue: this console keeps it. `holds`: a pause cancels its goal, which this console keeps
-    and sends again. `takes_stops`: one order leads to any number of stops; `gives_stops`: this console
-    sends those one by one. `changes_floors`: an order can lead it to another floor.
-    `spares_others`: a clear cancels only the orders of this console. `is_told_changes`: its
-    orders are listed as they change, so that a late console does not know all. `names_places`: orders name
-    vertices by their labels. `streams` can be watched. `loads_graphs`: a graph reaches it as the file of its
-    floor, which it loads by its path. `pose_topic`, `odometry_topic`: the names of these topics, with
-    {robot}, empty if unknown."""
+    make it. `frames_are_floors`: the frame of its poses names the floor. `reports_ends`: it lists how an
+    order ended. `keeps_goals`: it drives one goal at a time and has no queue: this console keeps it. `holds`:
+    a pause cancels its goal, which this console keeps and sends again. `takes_stops`: one order leads to any
+    number of stops; `gives_stops`: this console sends those one by one. `changes_floors`: an order can lead
+    it to another floor. `may_lock`: a second pause locks the motors of a robot that moves on.
+    `spares_others`: a clear cancels only the orders of this console. `is_told_changes`: its orders are listed
+    as they change, so that a late console does not know all. `names_places`: orders name vertices by their
+    labels. `streams` can be watched. `loads_graphs`: a graph reaches it as the file of its floor, which it
+    loads by its path. `pose_topic`, `odometry_topic`: the names of these topics, with {robot}, empty if
+    unknown."""
 
     name: str = ""
     reports: tuple[str, ...] = ()
@@ -73,6 +73,7 @@ class Kind(Struct, frozen=True):
     reports_ends: bool = field(default=False, name="tells_ends")  # as recordings have it
     keeps_goals: bool = False
     holds: bool = False
+    may_lock: bool = False
     takes_stops: bool = False
     gives_stops: bool = False
     changes_floors: bool = True

@@ -42,6 +42,13 @@ class Goal(Struct, frozen=True):
     tokens: tuple[str, ...] = ()
 
 
+class ReportedMotion(Struct, frozen=True):
+    """Whether a robot moves by the speeds that it reports, and since when (monotonic) all of them said so."""
+
+    is_moving: bool
+    since: float
+
+
 class Progress(Struct, frozen=True):
     """Progress of a goal: metres left, seconds left and since its start, recoveries so far, and the number of
     the current stop, each None if not reported. `goal` is its short id."""

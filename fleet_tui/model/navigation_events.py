@@ -6,17 +6,19 @@ from msgspec import Struct, field
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation import Goal, Progress
+from fleet_tui.model.set_up.driving import Speeds
 
 
 class OdometryReported(Struct, frozen=True, tag=True):
     """A robot's pose by wheel odometry, in its own drifting frame. `is_transform`: as its transforms have it,
-    which may be another one than that of its topic."""
+    which may be another one than that of its topic; `speed` is None if it gives none."""
 
     robot: str
     at: float
     pose: Pose
     stamp: float | None
     is_transform: bool = False
+    speed: Speeds | None = None
 
 
 class OriginReported(Struct, frozen=True, tag=True):

@@ -12,7 +12,7 @@ from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.kind import Kind
-from fleet_tui.model.navigation import Blocked, Goal, Progress
+from fleet_tui.model.navigation import Blocked, Goal, Progress, ReportedMotion
 from fleet_tui.model.order import Order, OrderQueue, route_text
 from fleet_tui.model.order_life import GoneOrder, OrderTrace
 from fleet_tui.model.vehicles.vehicle import CurrentAction, Vehicle, VehicleConnection, VehicleFeatures
@@ -72,29 +72,29 @@ class Robot(Struct, frozen=True, eq=False):
     telemetry; `floor` is the one named by the frame of its pose; `paused_at` is its pose when it accepted our
     own pause; `standing` is the pose it has not left, and since when; `place` is coarser: its place of last
     progress, and since when; `jumps` are the metres of recent impossible jumps of its pose, each with its
-    time; `relocated` is the last jump that its localisation made, in words; `misplaced` is why
-    its newest pose at which it cannot be is none, `misplaced_since` when such poses began; `pace` its usual
-    speed in m/s while it drives; `fault_at` is the time of its last bad data, `kept_at` that of a message of
-    unknown age that its broker had kept; `says_paused`: it has a topic for that, received or not; `traces`
-    are the orders in its queue by id, `gone` those that left it, newest last; `pause_lost_at` is when a
-    restart ended our own pause; `goals` are those that its action servers list, by action; `odometry` is its
-    newest pose by its wheels, of `odometry_at`, `located` its last localised pose on the map, `anchor` the
-    origin of its wheel frame on the map, `located_by` what told that: a `topic` of its localisation, else its
-    `transforms`, else the `feedback` on a goal; `adrift_at` is since when its wheels have carried it farther
-    from `located` than its localisation lets pass; `variance` that of its position in square metres;
-    `own_floor` the floor it reports; `held` is the reason that this console sends it no waiting order, empty
-    while it does, and `released_at` when the operator last released them; `named` is a goal that this console
-    named and that is not listed yet; `target` the last reported target of a goal it had just begun;
-    `unmeasured` are values that it reports as not measured; `located_at`: the time of `located`; `mode` is
-    the mode that it reports, `mapping_by_us` that this console switched mapping on; `counts_percent`: its
-    battery was seen to count to 100; `size` is its length and width in metres, None if not configured;
-    `laser` is the pose of its laser on it, None if unknown, `laser_flipped` that it hangs upside down,
-    `base_frame` the frame of the robot itself, empty for a usual one; `vehicle` is its last state, `acting`
-    the action of its order that it carries out; `is_estimated`: it reports no pose, and this one is between
-    nodes; `connection` is that to its broker, `factsheet` its properties by name, `features` what it takes by
-    that, `master` the last sign of another master control that commands it; `member` are the reports of its
-    fleet adapter; `diagnosed` is the last error in its diagnostics, `logged` are lines of its log that may
-    tell causes, newest last."""
+    time; `relocated` is the last jump that its localisation made, in words; `misplaced` is why its newest
+    pose at which it cannot be is none, `misplaced_since` when such poses began; `pace` its usual speed in m/s
+    while it drives; `fault_at` is the time of its last bad data, `kept_at` that of a message of unknown age
+    that its broker had kept; `says_paused`: it has a topic for that, received or not; `traces` are the orders
+    in its queue by id, `gone` those that left it, newest last; `pause_lost_at` is when a restart ended our
+    own pause; `goals` are those that its action servers list, by action; `odometry` is its newest pose by its
+    wheels, of `odometry_at`, `located` its last localised pose on the map, `anchor` the origin of its wheel
+    frame on the map, `located_by` what told that: a `topic` of its localisation, else its `transforms`, else
+    the `feedback` on a goal; `adrift_at` is since when its wheels have carried it farther from `located` than
+    its localisation lets pass; `motion` is by its speeds, None until one was not zero: some bases count their
+    wheels and report no speed; `variance` that of its position in square metres; `own_floor` the floor it
+    reports; `held` is the reason that this console sends it no waiting order, empty while it does, and
+    `released_at` when the operator last released them; `named` is a goal that this console named and that is
+    not listed yet; `target` the last reported target of a goal it had just begun; `unmeasured` are values
+    that it reports as not measured; `located_at`: the time of `located`; `mode` is the mode that it reports,
+    `mapping_by_us` that this console switched mapping on; `counts_percent`: its battery was seen to count to
+    100; `size` is its length and width in metres, None if not configured; `laser` is the pose of its laser on
+    it, None if unknown, `laser_flipped` that it hangs upside down, `base_frame` the frame of the robot
+    itself, empty for a usual one; `vehicle` is its last state, `acting` the action of its order that it
+    carries out; `is_estimated`: it reports no pose, and this one is between nodes; `connection` is that to
+    its broker, `factsheet` its properties by name, `features` what it takes by that, `master` the last sign
+    of another master control that commands it; `member` are the reports of its fleet adapter; `diagnosed` is
+    the last error in its diagnostics, `logged` are lines of its log that may tell causes, newest last."""
 
     name: str
     number: int
@@ -117,7 +117,7 @@ class Robot(Struct, frozen=True, eq=False):
     obstacle: Reading[float] | None = None
     queue: Reading[OrderQueue] | None = None
     goals: Mapping[str, tuple[Goal, ...]] = field(default_factory=dict)
-    stopped_motion: Reading[str] | None = None
+    stopped_motions: tuple[Reading[str], ...] = ()
     odometry: Pose | None = None
     odometry_at: float | None = None
     located: Pose | None = None
@@ -125,6 +125,7 @@ class Robot(Struct, frozen=True, eq=False):
     anchor: Pose | None = None
     located_by: Literal["", "topic", "transforms", "feedback"] = ""
     adrift_at: float | None = None
+    motion: Reading[ReportedMotion] | None = None
     variance: Reading[float] | None = None
     blocked: Reading[Blocked] | None = None
     progress: Reading[Progress] | None = None

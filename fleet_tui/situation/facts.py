@@ -117,6 +117,28 @@ DRIVES_ON = FactKind(
     ),
     keys=("pause", "centre"),
 )
+STOPPING = FactKind(
+    "pause",
+    "stopping",
+    "pause ended",
+    AlarmClass(
+        "low",
+        "paused for longer than `pause_after`; high if the robot still moves 3 s after the pause",
+        "its orders wait; one that moves may hit somebody who trusts the pause",
+        "Resume it, or find out who paused it",
+        30,
+    ),
+    keys=("resume",),
+)
+STILL_MOVING = STOPPING._replace(
+    word="still moving",
+    alarm=STOPPING.alarm._replace(action="Stop it by its own controls, or by its emergency stop"),
+    keys=("pause", "centre"),
+)
+DESPITE_PAUSE = STILL_MOVING._replace(
+    word="driving despite pause",
+    alarm=STOPPING.alarm._replace(action="Pause it again, or find out who drives it"),
+)
 
 FACTS = (
     LATE_LINK,
@@ -131,4 +153,7 @@ FACTS = (
     OBSTACLE,
     STOP,
     DRIVES_ON,
+    STOPPING,
+    STILL_MOVING,
+    DESPITE_PAUSE,
 )

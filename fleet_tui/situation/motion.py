@@ -1,12 +1,18 @@
 """What robots themselves say they do: it comes before any guess from their poses."""
 
+from fleet_tui.model.alarm import Priority
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.vehicles.vehicle import CurrentAction, Vehicle
+from fleet_tui.situation.fact import Fact
+from fleet_tui.situation.facts import DESPITE_PAUSE, STILL_MOVING, STOPPING
 from fleet_tui.text.durations import age
 
 CRAWLS = 0.05
 """Metres per second above which a vehicle that only tells its speed drives."""
+STANDS_FOR, STOPS_WITHIN = 0.5, 3.0
+"""Seconds of speeds near zero from which a robot stands; seconds after a pause in which it brakes."""
+LOCK = "Pause it again: that locks its motors"
 
 
 def _fresh(state: FleetState, robot: Robot) -> Vehicle | None:
@@ -35,3 +41,34 @@ def action_text(state: FleetState, current: CurrentAction) -> str:
     """Return an action with the time that it has taken so far, as far as that was seen."""
     text = f"{current.action.type or 'action'}, {age(state.now - current.since)}"
     return text if current.is_begin_seen else f"{text} (seen)"
+
+
+def stands_since(robot: Robot, given_at: float) -> bool | None:
+    """Tell whether the speeds of a robot show that it stands after a monotonic second, None if it reports
+    none."""
+    if robot.motion is None:
+        return None
+    motion = robot.motion.value
+    return not motion.is_moving and robot.motion.at - max(motion.since, given_at) >= STANDS_FOR
+
+
+def moves_despite_pause(state: FleetState, robot: Robot) -> Fact | None:
+    """Find that a robot that is paused does not stand, by the speeds that it reports: it brakes, goes on as
+    if there were no pause, or moves again."""
+    if robot.motion is None or not state.is_paused(robot) or stands_since(robot, 0.0):
+        return None
+    motion, at = robot.motion.value, robot.motion.at
+    since = state.began.get((robot.name, STOPPING.name), state.now)
+    kind, text, priority = STOPPING, STOPPING.word, Priority.LOW
+    evidence = "the robot does not report yet that it stands"
+    if not state.is_online(robot) or state.now - at > state.patience(robot):
+        text = "not seen to stop"
+        evidence = f"last speed reported {age(state.now - at)} ago"
+    elif motion.is_moving and motion.since > since and at - since > STOPS_WITHIN:
+        kind, text, priority, since = DESPITE_PAUSE, DESPITE_PAUSE.word, Priority.MEDIUM, motion.since
+        evidence = f"it stood, and reports movement for {age(at - motion.since)}"
+    elif motion.is_moving and at - since > STOPS_WITHIN:
+        kind, text, priority = STILL_MOVING, STILL_MOVING.word, Priority.HIGH
+        evidence = f"the robot reports movement {age(at - since)} after the pause"
+    remedy = LOCK if robot.kind.may_lock and motion.is_moving else ""
+    return Fact(kind, robot.name, text, priority, since, remedy, evidence=evidence, seen=at)

@@ -15,6 +15,8 @@ from fleet_tui.state.reports import apply_report
 
 JUST_BEGUN = 1.0
 """Seconds within which a new goal is listed and its target is reported, in either order."""
+MOTIONS_KEPT = 8
+"""Motions that pauses ended, of which as many may be kept as one pause can end."""
 AT_VERTEX = 0.5
 """Metres from a vertex within which a path ends at it."""
 
@@ -27,7 +29,8 @@ def apply_goals(robot: Robot, event: navigation_events.GoalFact) -> Robot:
         case navigation_events.GoalsUnknown():
             return _without_goals(robot, event.uuids, event.at)
         case navigation_events.MotionStopped():
-            return replace(robot, stopped_motion=Reading(event.motion, event.at))
+            new = Reading(event.motion, event.at)
+            return replace(robot, stopped_motions=(*robot.stopped_motions, new)[-MOTIONS_KEPT:])
         case navigation_events.PlanReported():
             return _take_plan(robot, event)
         case navigation_events.TargetReported():

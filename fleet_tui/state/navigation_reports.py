@@ -5,9 +5,10 @@ from typing import assert_never
 from msgspec.structs import replace
 
 from fleet_tui.model import events, navigation_events
-from fleet_tui.model.navigation import Blocked, Progress
+from fleet_tui.model.navigation import Blocked, Progress, ReportedMotion
 from fleet_tui.model.robot import Logged, Reading, Robot
 from fleet_tui.model.ros_logs import cause_of
+from fleet_tui.model.set_up.driving import Speeds
 from fleet_tui.rules.movement import strayed
 from fleet_tui.state.goal_reports import apply_goals, with_sign_of_life
 from fleet_tui.state.reports import SiteClock, apply_report, clocked, relocation
@@ -93,6 +94,8 @@ def _merged(robot: Robot, new: Progress) -> Progress:
 
 def _take_odometry(robot: Robot, event: navigation_events.OdometryReported, site: SiteClock | None) -> Robot:
     """Move a robot by its wheel odometry, from its last localised pose."""
+    if event.speed is not None:
+        robot = _with_motion(robot, event.speed, event.at)
     # Another odometry than that of the anchor drifts otherwise: it places nothing.
     is_other = event.is_transform != (robot.located_by == "transforms")
     if not is_other:
@@ -109,6 +112,21 @@ def _take_odometry(robot: Robot, event: navigation_events.OdometryReported, site
     robot = replace(robot, adrift_at=(robot.adrift_at or event.at) if is_adrift else None)
     report = events.PoseReported(robot.name, event.at, placed, robot.frame_id, event.stamp)
     return apply_report(robot, report, site)
+
+
+REST_METRES, REST_RADIANS, GAP = 0.02, 0.02, 5.0
+"""Metres and radians per second below which a robot stands; seconds without a report after which nobody knows
+what it did between."""
+
+
+def _with_motion(robot: Robot, speed: Speeds, at: float) -> Robot:
+    is_moving = speed.linear >= REST_METRES or abs(speed.turning) >= REST_RADIANS
+    before = robot.motion
+    if before is None and not is_moving:
+        return robot
+    is_same = before is not None and before.value.is_moving is is_moving and at - before.at <= GAP
+    since = before.value.since if before is not None and is_same else at
+    return replace(robot, motion=Reading(ReportedMotion(is_moving, since), at))
 
 
 def _take_origin(robot: Robot, event: navigation_events.OriginReported) -> Robot:

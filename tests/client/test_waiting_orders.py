@@ -29,13 +29,13 @@ from fleet_tui.transports.rosbridge import connection
 from tests.support.fleets import T0, commanded, fleet, link_up, of_kinds, place_order, pose, reduced, tick
 from tests.support.kinds import KEEPING
 from tests.support.links import finished, linked, phase
-from tests.support.nav2_site import SPEED, Holds, Site, keeping, nav2_ready, reached, record_of
+from tests.support.nav2_site import SPEED, Holds, Site, keeping, nav2_ready, nav2_site, reached, record_of
 from tests.support.queue_files import kept
 from tests.support.watched_store import WatchedStore
 
 R0 = "robot_0"
 FAR, NEAR = (35.0, 20.0), (8.0, 0.0)
-FOREIGN_STOPPED = "stopped, also another client's goal, not resumable from here"
+FOREIGN_STOPPED = "stopped, also another client's goal {goal}, not resumable from here"
 
 
 @pytest.fixture(autouse=True)
@@ -304,7 +304,8 @@ async def test_a_goal_of_another_client_is_stopped_by_a_pause_and_cannot_be_resu
         await store.until(lambda state: nav2_ready(state) and state.robots[R0].orders.open)
         (goal,) = site.navigation().servers[TO_POSE].goals.values()
         pause = await finished(link, store, PauseRobot(R0))
-        assert (pause.stage, pause.detail) == (Stage.CONFIRMED, FOREIGN_STOPPED)
+        told = FOREIGN_STOPPED.format(goal=goal.id.hex()[:8])
+        assert (pause.stage, pause.detail) == (Stage.CONFIRMED, told)
     assert goal.status == CANCELED
 
 
@@ -336,6 +337,27 @@ async def test_a_motion_that_another_client_asked_of_nav2_itself_is_stopped_and_
         asked = {action.rpartition("/")[2] for action, _ in site.cancels()}
         assert asked == {"navigate_to_pose", "follow_waypoints", "spin", "dock_robot"} <= listed
     assert spin.status == CANCELED
+
+
+async def test_a_pause_that_a_spin_defies_is_not_confirmed_until_it_is_ended(tmp_path: Path) -> None:
+    async with (
+        nav2_site(tmp_path, speed=1.0) as site,
+        linked(site.config, queue=keeping()) as (link, store),
+    ):
+        await store.until(nav2_ready)
+        site.navigation().servers[SPIN].refuses_cancel = True
+        site.navigation().take(SPIN, LONG_SPIN)
+        await actions_listed(store, site)
+        pause = await finished(link, store, PauseRobot(R0))
+        assert (pause.stage, pause.detail) == (
+            Stage.NOT_CONFIRMED,
+            "accepted; the robot was not seen to stop",
+        )
+        (alarm,) = [one for one in store.state.alarms if one.holds and one.condition.kind == "pause"]
+        assert alarm.text == "still moving"
+        site.navigation().servers[SPIN].refuses_cancel = False
+        assert (await finished(link, store, PauseRobot(R0))).stage is Stage.CONFIRMED
+        await store.until(lambda state: not any(one.holds for one in state.alarms))
 
 
 async def test_a_recovery_within_an_order_is_no_motion_of_another_client(site: Site) -> None:

@@ -14,11 +14,33 @@ class PoseWithCovariance(msgspec.Struct, frozen=True):
     covariance: list[float | None] = []
 
 
+class Vector(msgspec.Struct, frozen=True):
+    """geometry_msgs/Vector3: None for NaN."""
+
+    x: float | None = None
+    y: float | None = None
+    z: float | None = None
+
+
+class MeasuredTwist(msgspec.Struct, frozen=True):
+    """geometry_msgs/Twist: metres and radians per second."""
+
+    linear: Vector = Vector()
+    angular: Vector = Vector()
+
+
+class TwistWithCovariance(msgspec.Struct, frozen=True):
+    """geometry_msgs/TwistWithCovariance."""
+
+    twist: MeasuredTwist = MeasuredTwist()
+
+
 class Located(msgspec.Struct, frozen=True):
-    """nav_msgs/Odometry and geometry_msgs/PoseWithCovarianceStamped."""
+    """nav_msgs/Odometry and geometry_msgs/PoseWithCovarianceStamped, of which only the first has a twist."""
 
     header: Header
     pose: PoseWithCovariance
+    twist: TwistWithCovariance | None = None
 
 
 class BatteryState(msgspec.Struct, frozen=True):

@@ -96,7 +96,11 @@ class NavigationAdapter:
             case commands.ClearOrders():
                 return self._goals.cancel_own(self.names, robot)
             case commands.PauseRobot():
-                return self.pauses.switch("pause", robot.name) or self._goals.cancel_all(self.names, robot)
+                if switch := self.pauses.switch("pause", robot.name):
+                    return switch
+                moves_on = robot.paused_by_us and robot.motion is not None and robot.motion.value.is_moving
+                lock = [self.pauses.lock(robot.name, True)] if self.pauses.may_lock and moves_on else []
+                return [*lock, *self._goals.cancel_all(self.names, robot)]
             case commands.ResumeRobot():
                 return self.pauses.switch("resume", robot.name)
             case SetUpCommand():

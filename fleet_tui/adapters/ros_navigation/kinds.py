@@ -43,6 +43,7 @@ def kind_of_goals(
         reports_ends=True,
         keeps_goals=True,
         holds=pauses.holds,
+        may_lock=pauses.may_lock,
         takes_stops=True,
         changes_floors=False,
         loads_graphs=GRAPH in set_up.accepted,

@@ -25,9 +25,12 @@ class Pauses:
         # One service alone is not used: its pause could not be resumed.
         self._has_services = all(names.service(key, "robot") for key in ("pause", "resume"))
         self._wants_lock = settings.pause == "lock"
-        self._locks = self._wants_lock and bool(names.topic("pause_navigation", "robot"))
+        has_lock = bool(names.topic("pause_navigation", "robot"))
+        self._locks = self._wants_lock and has_lock
         self.holds = settings.pause == "hold" and not self._has_services
         """To pause is to cancel the goal, which this console keeps."""
+        self.may_lock = self.holds and has_lock
+        """A second pause locks the motors of a robot that the first one did not stop."""
 
     @property
     def accepted(self) -> tuple[str, ...]:
@@ -47,10 +50,14 @@ class Pauses:
         names = self._names
         if self._has_services:
             return (ServiceCall(names.service(key, robot), names.service_type(key), {}),)
-        if self._locks:
-            topic, type_ = names.topic("pause_navigation", robot), names.type("pause_navigation")
-            return (Publication(topic, type_, {"data": key == "pause"}),)
+        if self._locks or (self.may_lock and key == "resume"):
+            return (self.lock(robot, key == "pause"),)
         return ()
+
+    def lock(self, robot: str, is_locked: bool) -> Publication:
+        """Return the message that locks or releases the motors of a robot."""
+        topic, type_ = self._names.topic("pause_navigation", robot), self._names.type("pause_navigation")
+        return Publication(topic, type_, {"data": is_locked})
 
     def services(self, robot: str) -> Iterator[tuple[str, str, str]]:
         """Return key, name and type of each service that pauses or resumes a robot."""
@@ -61,6 +68,6 @@ class Pauses:
     def publications(self, robot: str) -> Sequence[tuple[str, str]]:
         """Return name and type of the topic of the lock, if any."""
         names = self._names
-        if not self._locks or self._has_services:
+        if not (self._locks or self.may_lock) or self._has_services:
             return ()
         return ((names.topic("pause_navigation", robot), names.type("pause_navigation")),)

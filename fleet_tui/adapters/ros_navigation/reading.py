@@ -9,6 +9,7 @@ from fleet_tui.adapters.ros.facts import pose_of
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.errors import WireError
 from fleet_tui.model import events, navigation_events
+from fleet_tui.model.set_up.driving import Speeds
 from fleet_tui.text.limits import LONGEST_NAME, truncate
 
 # (robot, message still encoded, monotonic seconds of arrival) -> the events; raises WireError.
@@ -22,9 +23,17 @@ def read_odometry(names: Names) -> Read:
     def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
         message = read(msg)
         pose = pose_of(message.pose.pose, "pose", scale)
-        yield navigation_events.OdometryReported(robot, at, pose, message.header.stamp.seconds)
+        speed = _speed(message.twist.twist, scale) if message.twist is not None else None
+        yield navigation_events.OdometryReported(robot, at, pose, message.header.stamp.seconds, speed=speed)
 
     return facts
+
+
+def _speed(twist: nav.MeasuredTwist, scale: float) -> Speeds | None:
+    """Return the speeds on the ground, None if a part of it is missing or not a number."""
+    parts = (twist.linear.x, twist.linear.y, twist.angular.z)
+    x, y, turning = (one if one is not None else math.nan for one in parts)
+    return Speeds(x * scale, y * scale, turning) if math.isfinite(x + y + turning) else None
 
 
 def read_localisation(names: Names) -> Read:

@@ -15,6 +15,7 @@ from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.trouble import to_look_at
+from fleet_tui.rules.commands.pauses import is_held
 from fleet_tui.situation.facts import OBSTACLE
 from fleet_tui.situation.links import behind, late_link
 from fleet_tui.situation.robots import absence, blocked_robots
@@ -120,7 +121,7 @@ def _robot(state: FleetState, robot: Robot) -> Values:
     }
     values |= {name: value for reported, (name, value) in optional.items() if reported in kind.reports}
     if "paused" in kind.reports or kind.can(PAUSE):
-        values["paused"] = state.pause(robot)
+        values["paused"] = state.pause(robot) and is_held(state, robot)
     if kind.lists_orders:
         values["orders"] = _orders(robot) if robot.queue else None
     values |= navigation(state, robot) | vehicle(state, robot)

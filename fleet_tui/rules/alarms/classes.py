@@ -2,7 +2,16 @@
 
 from fleet_tui.model.alarm import Condition, class_of
 from fleet_tui.situation.fact import AlarmClass
-from fleet_tui.situation.facts import BAD_DATA, BEHIND, LATE_LINK, OBSTACLE, OLD_STAMPS, SILENT, STOP
+from fleet_tui.situation.facts import (
+    BAD_DATA,
+    BEHIND,
+    LATE_LINK,
+    OBSTACLE,
+    OLD_STAMPS,
+    SILENT,
+    STOP,
+    STOPPING,
+)
 
 CLASSES = {
     "link": AlarmClass(
@@ -97,13 +106,7 @@ CLASSES = {
         "Send it to a charger",
         20,
     ),
-    "pause": AlarmClass(
-        "low",
-        "paused for longer than `pause_after`",
-        "its orders wait",
-        "Resume it, or find out who paused it",
-        30,
-    ),
+    STOPPING.name: STOPPING.alarm,
     BAD_DATA.name: BAD_DATA.alarm,
 }
 """All classes, by the names that the configuration uses."""

@@ -24,7 +24,7 @@ from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.situation import links
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import BAD_DATA, SILENT
-from fleet_tui.situation.motion import running_action, says_driving
+from fleet_tui.situation.motion import moves_despite_pause, running_action, says_driving
 from fleet_tui.situation.robots import (
     absence,
     is_blocked_for_long,
@@ -103,6 +103,8 @@ def pause(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
     if not last_word or not (state.is_paused(robot) or was_active(active, robot.name, robot.link, "pause")):
         return None
     since = state.began.get((robot.name, "pause"), state.now)
+    if (fact := moves_despite_pause(state, robot)) is not None and fact.priority is Priority.HIGH:
+        return _condition(fact._replace(remedy=fact.action), fact.since)
     text = f"paused for {age(state.now - since)}"
     if not state.is_paused(robot) and robot.paused is not None:
         text = f"pause last reported {age(state.now - robot.paused.at)} ago"

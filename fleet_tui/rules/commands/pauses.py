@@ -7,6 +7,8 @@ from fleet_tui.model.order import BEGUN
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.goals import active, own_ids
 from fleet_tui.rules.commands.local_queue import orders_of, waiting
+from fleet_tui.situation.facts import DESPITE_PAUSE
+from fleet_tui.situation.motion import moves_despite_pause, stands_since
 
 STANDS_AFTER = 1.0
 """Seconds without movement after which a robot counts as standing, and within which it counted as moving."""
@@ -37,8 +39,10 @@ def drives_despite_pause(state: FleetState, robot: Robot) -> bool:
 
 
 def is_held(state: FleetState, robot: Robot) -> bool:
-    """Tell whether it is known to be paused, and nothing drives it all the same."""
-    return state.is_paused(robot) and not drives_despite_pause(state, robot)
+    """Tell whether it is known to be paused, nothing drives it all the same, and it stands, as far as it
+    reports a speed."""
+    is_free = state.is_paused(robot) and not drives_despite_pause(state, robot)
+    return is_free and moves_despite_pause(state, robot) is None
 
 
 def _was_seen_to_pause(state: FleetState, robot: Robot) -> bool:
@@ -56,7 +60,7 @@ def _was_seen_to_pause(state: FleetState, robot: Robot) -> bool:
 def own_pause_text(state: FleetState, robot: Robot) -> str:
     """Return the pause state of a robot that does not report it, as far as this console knows."""
     if drives_despite_pause(state, robot):
-        return "driving despite pause" if is_moving(robot, state.now) else "another goal despite pause"
+        return DESPITE_PAUSE.word if is_moving(robot, state.now) else "another goal despite pause"
     if robot.kind.holds:
         return "stopped, goal kept here" if waiting(state, robot) else "stopped, no goal to keep"
     return "paused (by us)"
@@ -76,8 +80,10 @@ def is_overtaken(state: FleetState, record: CommandRecord) -> bool:
 
 
 def stopped(state: FleetState, robot: Robot, record: CommandRecord) -> bool:
-    """Tell whether it has reported a single place since the command. A robot may stop so soon that it reports
-    no other one."""
+    """Tell whether it has reported a single place since the command, or if it reports speeds, that it stands.
+    A robot may stop so soon that it reports no other one."""
+    if (stands := stands_since(robot, record.issued_at)) is not None:
+        return stands
     if robot.pose is None or robot.standing is None or state.is_old(robot, "pose"):
         return False
     return robot.pose.at - max(robot.standing.at, record.issued_at) >= STANDS_AFTER
@@ -118,16 +124,17 @@ def _held(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) 
         return None
     if robot.orders.open or any(one.has_open_order for one in orders_of(state, robot)):
         return None
-    if not state.is_online(robot) or (record.before.moving and not stopped(state, robot, record)):
+    moved = record.before.moving or (robot.motion is not None and robot.motion.value.is_moving)
+    if not state.is_online(robot) or (moved and not stopped(state, robot, record)):
         return None  # another client may drive it on
     kept = any(one.order_id for one in waiting(state, robot))
     detail = "stopped, goal kept here" if kept else "stopped, no goal to keep"
     ours = own_ids(robot.goals) | {one.order_id for one in orders_of(state, robot)}
     ended = [gone for gone in robot.gone if gone.at >= record.issued_at and gone.stage is Stage.CANCELLED]
-    if any(gone.order.id not in ours for gone in ended):
-        detail = foreign_stopped("goal")
-    elif (motion := robot.stopped_motion) is not None and motion.at >= record.issued_at:
-        detail = foreign_stopped(motion.value)
+    goals = [robot.order_text(gone.order) for gone in ended if gone.order.id not in ours]
+    motions = [one.value for one in robot.stopped_motions if one.at >= record.issued_at]
+    if foreign := [*(goal.replace("order", "goal", 1) for goal in goals), *dict.fromkeys(motions)]:
+        detail = foreign_stopped(", ".join(foreign))
     return Step(Stage.CONFIRMED, state.now, detail)
 
 

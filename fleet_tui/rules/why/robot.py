@@ -2,6 +2,7 @@
 
 from functools import partial
 
+from fleet_tui.model.alarm import Priority
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState, obstacle_text
 from fleet_tui.model.link import Phase
@@ -23,7 +24,7 @@ from fleet_tui.rules.movement import JUMPS_WITHIN
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, name_of, stationary_since
 from fleet_tui.situation import links
 from fleet_tui.situation.facts import BAD_DATA
-from fleet_tui.situation.motion import says_driving
+from fleet_tui.situation.motion import moves_despite_pause, says_driving
 from fleet_tui.situation.robots import absence, last_contact, silent
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.units import ago
@@ -99,7 +100,7 @@ def silent_robot(state: FleetState, robot: Robot) -> Reason | None:
 
 def paused(state: FleetState, robot: Robot) -> Reason | None:
     """Report a pause: by its own report, or by our accepted pause if it sends none."""
-    if not state.is_paused(robot) or drives_despite_pause(state, robot):
+    if not is_held(state, robot):
         return None
     record = own_pause(state, robot)
     since = record.time_of(Stage.SENT) if record is not None else None
@@ -117,6 +118,15 @@ def despite_pause(state: FleetState, robot: Robot) -> Reason | None:
     evidence = "another client sent a goal after the pause; a pause holds only this console's goals"
     remedy = "Pause it again to cancel that goal, or ask who sends it goals"
     return Reason(own_pause_text(state, robot), evidence, keys=("pause",), remedy=remedy)
+
+
+def not_stopped(state: FleetState, robot: Robot) -> Reason | None:
+    """Report that it is paused and does not stand: it brakes, or moves on."""
+    fact = moves_despite_pause(state, robot)
+    if fact is None or drives_despite_pause(state, robot):
+        return None
+    keys, remedy = fact.kind.keys, fact.action if fact.priority is not Priority.LOW else ""
+    return Reason(fact.text, fact.evidence, since=fact.since, seen=fact.seen, keys=keys, remedy=remedy)
 
 
 def own_late_pause(state: FleetState, robot: Robot) -> Reason | None:

@@ -47,6 +47,7 @@ from fleet_tui.rules.why.robot import (
     misplaced,
     moves,
     no_link,
+    not_stopped,
     obstacle,
     off_graph,
     own_late_pause,
@@ -64,7 +65,7 @@ DEAF: tuple[Rule, ...] = (no_link, silent_robot, late_link)
 """If one of these holds, everything else is an earlier report. Silence for longer than the bridge is late
 is the robot's."""
 
-ASTRAY: tuple[Rule, ...] = (misplaced, jumps, estimated, off_graph, despite_pause, still_driving)
+ASTRAY: tuple[Rule, ...] = (misplaced, jumps, estimated, off_graph, despite_pause, not_stopped, still_driving)
 """Of a robot that moves, too."""
 
 FOLLOWING: tuple[Rule, ...] = (none_current, no_orders)
@@ -75,6 +76,7 @@ RULES: tuple[Rule, ...] = (
     off_graph,
     estimated,
     despite_pause,
+    not_stopped,
     still_driving,
     paused,
     *VEHICLE_REASONS,

@@ -12,7 +12,6 @@ from fleet_tui.simulator.floorplan import RESOLUTION, Cells
 from fleet_tui.simulator.messages import float32
 from fleet_tui.simulator.navigating.poses import FRAME, solid
 from fleet_tui.simulator.navigating.robot import NavigatingRobot
-from fleet_tui.simulator.robot import SPEED
 from fleet_tui.simulator.ros.dialect import Dialect
 
 Message = dict[str, Any]
@@ -33,7 +32,8 @@ def odometry(robot: NavigatingRobot, dialect: Dialect, header: Message) -> Messa
     """nav_msgs/Odometry in the robot's own frame; values that it does not measure are NaN."""
     # Motions that a planar robot cannot make have no variance; its roll and pitch are not measured.
     spread = _diagonal(dialect, 0.01, 0.01, 0.0, math.nan, math.nan, 0.03)
-    twist = {"linear": _vector(SPEED if robot.moving else 0.0), "angular": _vector(0.0)}
+    metres, radians = robot.speed
+    twist = {"linear": _vector(metres), "angular": {**_vector(0.0), "z": radians}}
     return {
         "header": header,
         "child_frame_id": f"{robot.name}/base_link",

@@ -42,6 +42,8 @@ class NavigatingRobot(Obstructed):
     """Seconds for which the other client sends it no goals, since somebody else cancelled one."""
     stuck = False
     """True: its wheels are blocked."""
+    speed = 0.0, 0.0
+    """Metres and radians per second in the last step."""
 
     def __init__(self, index: int, floor: SimFloor, pose: Pose, rng: random.Random, quiet: bool) -> None:
         self.name, self.index, self.floor = f"robot_{index}", index, floor
@@ -187,11 +189,12 @@ class NavigatingRobot(Obstructed):
                 self.fail(*NO_PROGRESS)
 
     def _count_wheels(self, before: Pose) -> None:
+        dx, dy = self.pose.x - before.x, self.pose.y - before.y
+        turned = math.remainder(self.pose.yaw - before.yaw, math.tau)
+        self.speed = math.hypot(dx, dy) / STEP, turned / STEP
         if self.pose == before:
             return
-        dx, dy = self.pose.x - before.x, self.pose.y - before.y
         turn = self.odom.yaw - before.yaw
         x = self.odom.x + SLIP * (dx * math.cos(turn) - dy * math.sin(turn))
         y = self.odom.y + SLIP * (dx * math.sin(turn) + dy * math.cos(turn))
-        turned = SKID * math.remainder(self.pose.yaw - before.yaw, math.tau)
-        self.odom = Pose(x, y, math.remainder(self.odom.yaw + turned, math.tau))
+        self.odom = Pose(x, y, math.remainder(self.odom.yaw + SKID * turned, math.tau))

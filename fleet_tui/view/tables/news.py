@@ -9,7 +9,7 @@ from fleet_tui.rules.alarms.members import issue_text
 from fleet_tui.rules.alarms.trouble import AGING, in_trouble, shelved, unexplained_end
 from fleet_tui.rules.alarms.vehicles import priority_of, sorted_errors
 from fleet_tui.rules.commands.newest import own_pause
-from fleet_tui.rules.commands.pauses import own_pause_text
+from fleet_tui.rules.commands.pauses import drives_despite_pause, own_pause_text
 from fleet_tui.rules.commands.rivals import rivals
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.localisation.jumps import is_jumping
@@ -17,6 +17,7 @@ from fleet_tui.rules.localisation.misplaced import misplaced_text
 from fleet_tui.rules.localisation.uncertainty import uncertainty
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import BAD_DATA, SILENT
+from fleet_tui.situation.motion import moves_despite_pause
 from fleet_tui.situation.robots import absence, adrift, bad_data, drives_on, last_contact, obstacle
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
@@ -42,10 +43,13 @@ def _old(state: FleetState, robot: Robot, unheard: Fact | None) -> Iterator[Run]
             yield tr(f"{tr(name)} {age(state.now - reading.at)} old"), StyleRole.WARN
 
 
-def _paused(state: FleetState, robot: Robot) -> str:
+def _paused(state: FleetState, robot: Robot) -> Run:
+    fact = moves_despite_pause(state, robot)
+    if fact is not None and not drives_despite_pause(state, robot):
+        return tr(fact.text), StyleRole.ALARM if fact.priority is Priority.HIGH else StyleRole.WARN
     if robot.paused is None:
-        return tr(own_pause_text(state, robot))
-    return tr("paused") if own_pause(state, robot) else tr("paused (elsewhere)")
+        return tr(own_pause_text(state, robot)), StyleRole.WARN
+    return tr("paused") if own_pause(state, robot) else tr("paused (elsewhere)"), StyleRole.WARN
 
 
 def without_cause(alarm: Alarm, text: str) -> str:
@@ -56,9 +60,14 @@ def without_cause(alarm: Alarm, text: str) -> str:
 
 def failed_command(state: FleetState, robot: Robot, short: bool = False) -> Iterator[Run]:
     """Return the alarms of a command and of an order that failed, as far as there are any; `short`: without
-    the name of the order, which stands before what happened to it."""
+    the name of the order, which stands before what happened to it. That a paused robot still moves is more
+    than that its pause is not confirmed."""
     keys = (robot.name, "command"), (robot.name, "order")
+    pause = moves_despite_pause(state, robot)
+    is_more = pause is not None and pause.priority is Priority.HIGH
     for alarm in state.alarms:
+        if is_more and alarm.key == keys[0]:
+            continue
         if alarm.key in keys and alarm.holds and alarm.stage is not AlarmStage.SHELVED:
             is_of_order = alarm.key == keys[1] or without_cause(alarm, alarm.text) != alarm.text
             if is_of_order and (fact := drives_on(state, robot)) is not None:
@@ -94,7 +103,7 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     yield from _vehicle(state, robot)
     yield from _member(state, robot)
     if state.is_paused(robot) and robot.last_received is not None:
-        yield _paused(state, robot), StyleRole.WARN
+        yield _paused(state, robot)
     if fact is None and (past := last_contact(state, robot)) is not None:
         yield tr(past.text), StyleRole.DIM
     yield from _ended(state, robot)

@@ -1,5 +1,7 @@
 """Substitutes for a pause: which one a profile asks for, also where it is only half written."""
 
+from msgspec.structs import replace
+
 from fleet_tui.adapters.adapter import Publication, ServiceCall, Site
 from fleet_tui.adapters.nav2.adapter import Nav2
 from fleet_tui.adapters.nav2.goals import CANCEL_TYPE
@@ -7,7 +9,8 @@ from fleet_tui.adapters.profile import Profile
 from fleet_tui.model import kind
 from fleet_tui.model.commands import PauseRobot, ResumeRobot
 from fleet_tui.model.kind import PAUSE
-from fleet_tui.model.robot import Robot
+from fleet_tui.model.navigation import ReportedMotion
+from fleet_tui.model.robot import Reading, Robot
 from tests.support.nav2_adapter import adapter, robot
 
 ROBOT = Robot("tb2", 1, "rosbridge", {})
@@ -38,6 +41,21 @@ class TestPauses:
             (Publication("/tb2/lock", "std_msgs/Bool", {"data": True}),),
             (Publication("/tb2/lock", "std_msgs/Bool", {"data": False}),),
         ]
+
+    def test_a_second_pause_locks_a_robot_that_the_first_one_did_not_stop(self) -> None:
+        it = adapter(topics={"pause_navigation": "/{robot}/lock"})
+        locked, released = (Publication("/tb2/lock", "std_msgs/Bool", {"data": one}) for one in (True, False))
+        paused = replace(robot(), paused_by_us=True)
+        moving, standing = (
+            replace(paused, motion=Reading(ReportedMotion(is_moving, 0.0), 1.0))
+            for is_moving in (True, False)
+        )
+        assert it.kind.holds and it.kind.may_lock
+        assert list(it.publications("tb2")) == [("/tb2/lock", "std_msgs/Bool")]
+        assert it.outgoing(PauseRobot("tb2"), 1, moving)[0] == locked
+        for one in (replace(moving, paused_by_us=False), standing, paused):
+            assert locked not in it.outgoing(PauseRobot("tb2"), 1, one)
+        assert it.outgoing(ResumeRobot("tb2"), 1, moving) == (released,)
 
     def test_two_services_come_before_hold(self) -> None:
         it = adapter(services={"pause": "/{robot}/hold", "resume": "/{robot}/go"})

@@ -20,6 +20,7 @@ from fleet_tui.model.navigation_events import (
     PlanReported,
     Unmeasured,
 )
+from fleet_tui.model.set_up.driving import Speeds
 
 HERE = {"position": {"x": 1.0, "y": 2.0, "z": 0.0}, "orientation": {"x": 0.0, "y": 0.0, "z": 0.0, "w": 1.0}}
 ROS1 = {"stamp": {"secs": 3, "nsecs": 0}, "frame_id": "map"}
@@ -42,6 +43,24 @@ def test_odometry_of_either_ros(header: dict[str, Any]) -> None:
     ]
     scaled = facts(reading.read_odometry(names(scales={"odometry": 0.001})), message)
     assert scaled == [OdometryReported("r1", 5.0, Pose(0.001, 0.002), 3.0)]
+
+
+@pytest.mark.parametrize(
+    ("linear", "angular", "speed"),
+    [
+        ({"x": -0.3, "y": 0.4, "z": 0.0}, {"x": 0.0, "y": 0.0, "z": -1.0}, Speeds(-0.3, 0.4, -1.0)),
+        ({"x": 0.5, "y": None, "z": 0.0}, {"x": 0.0, "y": 0.0, "z": 0.0}, None),
+        ({}, {}, None),
+    ],
+)
+def test_the_speed_of_an_odometry(
+    linear: dict[str, float | None], angular: dict[str, float | None], speed: Speeds | None
+) -> None:
+    twist = {"twist": {"linear": linear, "angular": angular}, "covariance": []}
+    message = {"header": ROS2, "pose": {"pose": HERE, "covariance": []}, "twist": twist}
+    assert facts(reading.read_odometry(names()), message) == [
+        OdometryReported("r1", 5.0, Pose(1.0, 2.0), 3.0, speed=speed)
+    ]
 
 
 @pytest.mark.parametrize(

@@ -91,7 +91,8 @@ def test_a_pause_that_stops_a_goal_of_others_says_so_though_orders_wait_here() -
     state = reduced(lived(state, T0 + 1.1, goal("another1")), CommandAdvanced(7, Stage.WAITING, T0 + 1.2))
     state = asked(lived(state, T0 + 1.3, goal("another1")), T0 + 2, PauseRobot(R0))
     state = lived(lived(state, T0 + 2.2, goal("another1", OFF)), T0 + 2.4, goal("another1", OFF))
-    assert (record(state, 8).stage, record(state, 8).detail) == (Stage.CONFIRMED, foreign_stopped("goal"))
+    pause = record(state, 8)
+    assert (pause.stage, pause.detail) == (Stage.CONFIRMED, foreign_stopped("goal another1"))
 
 
 def test_a_resume_after_which_an_order_left_says_so() -> None:
