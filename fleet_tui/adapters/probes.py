@@ -1,9 +1,10 @@
 """Probes: the doctor's checks besides topics and services, defined by the adapter."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from typing import Literal, NamedTuple
 
 from fleet_tui.model.events import Event
+from fleet_tui.model.navigation import DOWN, MUTE, Servers
 
 
 class Diagnosis(NamedTuple):
@@ -19,18 +20,6 @@ class ActionProbe(NamedTuple):
 
     check: str
     action: str
-    remedy: str
-
-
-class QueryProbe(NamedTuple):
-    """A read-only service: harmless to call at any time. `judge` gets its answer, a text if the call failed;
-    `remedy` if the service does not exist."""
-
-    check: str
-    service: str
-    type: str
-    args: Mapping[str, object]
-    judge: Callable[[object], Diagnosis]
     remedy: str
 
 
@@ -61,6 +50,37 @@ class ListenerProbe(NamedTuple):
     or_type: str = ""
 
 
+class LifecycleProbe(NamedTuple):
+    """The lifecycle of the servers that drive a robot: `service` of their manager tells whether they are
+    active, harmless to call at any time, and `nodes` has the service of each that tells its state, of type
+    `node_type`, in the order of their start; those `needed` are down if theirs is not listed. `judge` gets
+    the manager's answer, a text if the call failed, and the states; `remedy` if it does not exist."""
+
+    check: str
+    service: str
+    type: str
+    nodes: Mapping[str, str]
+    node_type: str
+    needed: frozenset[str]
+    judge: Callable[[object, Mapping[str, str]], Servers]
+    remedy: str
+
+    def is_active(self, answer: object) -> bool:
+        """Tell whether the manager says that all are active: then none has to be asked."""
+        return self.judge(answer, {}).is_active
+
+    def unlisted(self, listed: Collection[str]) -> dict[str, str]:
+        """Return the needed nodes that are not there, as states."""
+        return {node: DOWN for node in self.nodes if node in self.needed and self.nodes[node] not in listed}
+
+
+def lifecycle_label(answer: object) -> str:
+    """Return the state of a node (lifecycle_msgs/GetState) in its answer."""
+    state = answer.get("current_state") if isinstance(answer, Mapping) else None
+    label = state.get("label") if isinstance(state, Mapping) else None
+    return label if isinstance(label, str) and label else MUTE
+
+
 class ServiceProbe(NamedTuple):
     """A service that not every such robot has. `keys` are those of the profile, `lost` is impossible without
     it."""
@@ -71,4 +91,4 @@ class ServiceProbe(NamedTuple):
     lost: str
 
 
-Probe = ActionProbe | QueryProbe | MessageProbe | BridgeProbe | ListenerProbe | ServiceProbe
+Probe = ActionProbe | MessageProbe | BridgeProbe | ListenerProbe | LifecycleProbe | ServiceProbe

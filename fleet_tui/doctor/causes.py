@@ -8,6 +8,7 @@ from fleet_tui.config.schema import Config
 from fleet_tui.discovery.facts import BridgeFacts, RosapiFacts, TopicFacts
 from fleet_tui.discovery.finding import Finding, Verdict, listed
 from fleet_tui.discovery.tools import LOOK_FOR_NODE, named, rosapi_remedy
+from fleet_tui.doctor.lifecycle import inactive_findings
 from fleet_tui.rules.sourcing import Listening, unsourced_package
 
 FEWEST_TOPICS = 2  # of a node that counts as silent: a single one is listed as a topic
@@ -62,7 +63,8 @@ def causes_of(config: Config, facts: BridgeFacts) -> list[Cause]:
         return [_half_dead(facts)]
     unsourced = list(_unsourced(facts))
     explained = {topic for cause in unsourced for topic in cause.topics}
-    return [*unsourced, *_unregistered(config, facts), *_silent_nodes(facts, explained)]
+    idle = [Cause(finding, finding.measured) for finding in inactive_findings(facts)]
+    return [*idle, *unsourced, *_unregistered(config, facts), *_silent_nodes(facts, explained)]
 
 
 def _unregistered(config: Config, facts: BridgeFacts) -> Iterator[Cause]:

@@ -5,7 +5,7 @@ import time
 from collections.abc import Iterable, Iterator, Mapping
 
 from fleet_tui.adapters.adapter import Adapter, Feed
-from fleet_tui.adapters.probes import ListenerProbe, QueryProbe, ServiceProbe
+from fleet_tui.adapters.probes import LifecycleProbe, ListenerProbe, ServiceProbe
 from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.schema import Config
@@ -53,7 +53,7 @@ async def _look_up(
     robots = dict.fromkeys(robot for one in wanted for robot in one.robots)
     services = [service for robot in robots for _, service, _ in adapters[robot].services(robot)]
     probes = [probe for robot in robots for probe in adapters[robot].probes(robot)]
-    services += [one.service for one in probes if isinstance(one, QueryProbe | ServiceProbe)]
+    services += [one.service for one in probes if isinstance(one, LifecycleProbe | ServiceProbe)]
     rosapi = await ask_publishers(wire, rosapi, named, until)
     rosapi = await ask_services(wire, rosapi, services, until)
     heard = [one.topic for one in probes if isinstance(one, ListenerProbe)]
@@ -70,11 +70,6 @@ async def _look_up(
     return await ask_publishers(wire, rosapi, others, until)
 
 
-def _queries(robots: Iterable[str], adapters: Mapping[str, Adapter]) -> list[QueryProbe]:
-    probes = [probe for robot in robots for probe in adapters[robot].probes(robot)]
-    return [probe for probe in probes if isinstance(probe, QueryProbe)]
-
-
 async def _ask_robots(
     wanted: list[Feed],
     adapters: Mapping[str, Adapter],
@@ -83,21 +78,36 @@ async def _ask_robots(
     until: float,
 ) -> dict[str, object]:
     """Call the services whose type is certain: on another type `{}` may be a command."""
+    robots = dict.fromkeys(robot for one in wanted for robot in one.robots)
+    probes = [probe for robot in robots for probe in adapters[robot].probes(robot)]
+    lifecycles = [one for one in probes if isinstance(one, LifecycleProbe)]
+    answers = await _answers([(one.service, one.type) for one in lifecycles], wire, rosapi, until)
+    idle = [one for one in lifecycles if one.service in answers and not one.is_active(answers[one.service])]
+    nodes = [
+        (service, one.node_type)
+        for one in idle
+        for service in one.nodes.values()
+        if service in rosapi.services
+    ]
+    if nodes:
+        rosapi = await ask_services(wire, rosapi, [service for service, _ in nodes], until)
+    return answers | await _answers(nodes, wire, rosapi, until)
 
-    async def answer(query: QueryProbe) -> object:
+
+async def _answers(
+    asked: Iterable[tuple[str, str]], wire: BridgeConnection, rosapi: RosapiFacts, until: float
+) -> dict[str, object]:
+    """Call services, each given with its type."""
+
+    async def answer(service: str) -> object:
         try:
-            return await wire.call(query.service, query.args, min(ANSWER_WITHIN, until - time.monotonic()))
+            return await wire.call(service, {}, min(ANSWER_WITHIN, until - time.monotonic()))
         except LinkError:
             return f"no reply within {ANSWER_WITHIN:g} s"
 
-    robots = dict.fromkeys(robot for one in wanted for robot in one.robots)
-    queries = [
-        query
-        for query in _queries(robots, adapters)
-        if same_type(rosapi.services.get(query.service) or "", query.type) and time.monotonic() < until
-    ]
-    answers = await asyncio.gather(*map(answer, queries))
-    return {query.service: found for query, found in zip(queries, answers, strict=True)}
+    certain = [name for name, type_ in asked if same_type(rosapi.services.get(name) or "", type_)]
+    called = certain if time.monotonic() < until else []
+    return dict(zip(called, await asyncio.gather(*map(answer, called)), strict=True))
 
 
 def _needed(feeds: Iterable[Feed], adapters: Mapping[str, Adapter], rosapi: RosapiFacts) -> Iterator[Feed]:

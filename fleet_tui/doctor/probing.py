@@ -7,14 +7,14 @@ from fleet_tui.adapters.probes import (
     ActionProbe,
     BridgeProbe,
     Diagnosis,
+    LifecycleProbe,
     ListenerProbe,
     MessageProbe,
-    QueryProbe,
     ServiceProbe,
 )
-from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.discovery.facts import LONG_ENOUGH, BridgeFacts
 from fleet_tui.discovery.finding import Finding, Verdict, nearest
+from fleet_tui.doctor.lifecycle import active_findings
 from fleet_tui.doctor.set_up import listener_finding, service_finding
 
 VERDICTS = {"ok": Verdict.OK, "warn": Verdict.WARN, "fail": Verdict.FAIL}
@@ -37,8 +37,6 @@ def probe_findings(robot: str, facts: BridgeFacts) -> Iterator[Finding]:
         match probe:
             case ActionProbe():
                 yield _action(robot, probe, facts)
-            case QueryProbe():
-                yield _query(robot, probe, facts)
             case MessageProbe():
                 yield from _messages(robot, probe, facts)
             case ListenerProbe() | ServiceProbe() if facts.rosapi.problem:
@@ -47,6 +45,8 @@ def probe_findings(robot: str, facts: BridgeFacts) -> Iterator[Finding]:
                 yield listener_finding(robot, probe, facts)
             case ServiceProbe():
                 yield service_finding(robot, probe, facts)
+            case LifecycleProbe():
+                yield from active_findings(robot, probe, facts)
             case BridgeProbe():
                 pass
             case _:
@@ -70,23 +70,6 @@ def _action(robot: str, probe: ActionProbe, facts: BridgeFacts) -> Finding:
     near = nearest(probe.action, [name for name in rosapi.actions if name.rpartition("/")[2] in alike], 1)
     remedy = f"did you mean {near[0]}? Otherwise {probe.remedy}" if near else probe.remedy
     return Finding(robot, probe.check, Verdict.FAIL, f"no action server {probe.action}", remedy, values)
-
-
-def _query(robot: str, probe: QueryProbe, facts: BridgeFacts) -> Finding:
-    rosapi, values = facts.rosapi, {"service": probe.service}
-    if probe.service in facts.answers:
-        return _judged(robot, probe.check, probe.judge(facts.answers[probe.service]), **values)
-    if rosapi.problem:
-        return Finding(robot, probe.check, Verdict.SKIPPED, "not checked without rosapi", values=values)
-    if probe.service not in rosapi.services:
-        absent = f"{probe.service} is not on the bridge"
-        return Finding(robot, probe.check, Verdict.WARN, absent, probe.remedy, values)
-    there = rosapi.services[probe.service]
-    if there is None or same_type(there, probe.type):
-        late = "not checked: out of time"
-        return Finding(robot, probe.check, Verdict.SKIPPED, late, "use a longer --timeout", values, True)
-    other = f"{probe.service} has type {there or 'unknown'}, not {probe.type}: not called"
-    return Finding(robot, probe.check, Verdict.WARN, other, probe.remedy, values)
 
 
 def _messages(robot: str, probe: MessageProbe, facts: BridgeFacts) -> Iterator[Finding]:

@@ -49,6 +49,20 @@ class ReportedMotion(Struct, frozen=True):
     since: float
 
 
+DOWN, MUTE = "down", "does not answer"
+"""States of a node that is not there, and of one that hangs; else the label of its lifecycle."""
+
+
+class Servers(Struct, frozen=True):
+    """Whether the servers that drive a robot are active, and since when (monotonic) as far as this console
+    saw. `node` is the first one that is not, in `state`, empty if all are alike."""
+
+    is_active: bool
+    node: str = ""
+    state: str = ""
+    since: float = 0.0
+
+
 class Progress(Struct, frozen=True):
     """Progress of a goal: metres left, seconds left and since its start, recoveries so far, and the number of
     the current stop, each None if not reported. `goal` is its short id."""

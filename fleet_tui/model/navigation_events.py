@@ -5,7 +5,7 @@ from msgspec import Struct, field
 
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.geometry import Pose
-from fleet_tui.model.navigation import Goal, Progress
+from fleet_tui.model.navigation import Goal, Progress, Servers
 from fleet_tui.model.set_up.driving import Speeds
 
 
@@ -86,6 +86,14 @@ class MotionStopped(Struct, frozen=True, tag=True):
     robot: str
     at: float
     motion: str
+
+
+class ServersReported(Struct, frozen=True, tag=True):
+    """Whether the servers that drive a robot are active; `servers.since` is that of this report."""
+
+    robot: str
+    at: float
+    servers: Servers
 
 
 class PlanReported(Struct, frozen=True, tag=True):
@@ -173,7 +181,7 @@ class OrderMoved(Struct, frozen=True, tag=True):
 
 
 QueueChange = QueueHeld | OrderMoved
-OwnWord = ErrorReported | FloorReported | ModeReported | Unmeasured
+OwnWord = ErrorReported | FloorReported | ModeReported | ServersReported | Unmeasured
 GoalFact = GoalsReported | GoalsUnknown | MotionStopped | PlanReported | TargetReported
 Place = OdometryReported | LocalisationReported | OriginReported
 Navigation = Place | BlockedReported | ProgressReported | GoalFact | Alive | OwnWord

@@ -12,7 +12,7 @@ from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.kind import Kind
-from fleet_tui.model.navigation import Blocked, Goal, Progress, ReportedMotion
+from fleet_tui.model.navigation import Blocked, Goal, Progress, ReportedMotion, Servers
 from fleet_tui.model.order import Order, OrderQueue, route_text
 from fleet_tui.model.order_life import GoneOrder, OrderTrace
 from fleet_tui.model.vehicles.vehicle import CurrentAction, Vehicle, VehicleConnection, VehicleFeatures
@@ -126,6 +126,7 @@ class Robot(Struct, frozen=True, eq=False):
     located_by: Literal["", "topic", "transforms", "feedback"] = ""
     adrift_at: float | None = None
     motion: Reading[ReportedMotion] | None = None
+    servers: Reading[Servers] | None = None
     variance: Reading[float] | None = None
     blocked: Reading[Blocked] | None = None
     progress: Reading[Progress] | None = None

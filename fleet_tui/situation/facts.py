@@ -117,6 +117,21 @@ DRIVES_ON = FactKind(
     ),
     keys=("pause", "centre"),
 )
+INACTIVE = FactKind(
+    "navigation",
+    "Nav2 inactive",
+    "navigation reports again",
+    AlarmClass(
+        "medium",
+        "the robot reports, but its navigation gives no feedback on the current order any more, or is not"
+        " active",
+        "the order is not carried out, and cancelling it has no effect",
+        "Restart the robot's navigation, then give the order again",
+        5,
+    ),
+    keys=("pose", "diagnostics"),
+    page="log",
+)
 STOPPING = FactKind(
     "pause",
     "stopping",
@@ -153,6 +168,7 @@ FACTS = (
     OBSTACLE,
     STOP,
     DRIVES_ON,
+    INACTIVE,
     STOPPING,
     STILL_MOVING,
     DESPITE_PAUSE,

@@ -57,12 +57,21 @@ def _take_word(robot: Robot, event: navigation_events.OwnWord) -> Robot:
             return replace(robot, own_floor=truncate(event.floor, LONGEST_NAME))
         case navigation_events.ModeReported():
             return replace(robot, mode=Reading(truncate(event.mode, LONGEST_NAME), event.at))
+        case navigation_events.ServersReported():
+            return _take_servers(robot, event)
         case navigation_events.Unmeasured():
             names = robot.unmeasured
             new = names if event.value in names else (*names, event.value)
             return with_sign_of_life(replace(robot, unmeasured=new), event.at)
         case _:
             assert_never(event)
+
+
+def _take_servers(robot: Robot, event: navigation_events.ServersReported) -> Robot:
+    before = robot.servers.value if robot.servers is not None else None
+    goes_on = before is not None and before.is_active is event.servers.is_active
+    since = before.since if before is not None and goes_on else event.at
+    return replace(robot, servers=Reading(replace(event.servers, since=since), event.at))
 
 
 def _take_error(robot: Robot, event: navigation_events.ErrorReported) -> Robot:

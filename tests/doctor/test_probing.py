@@ -5,21 +5,25 @@ from typing import Any
 
 import pytest
 
-from fleet_tui.adapters.probes import ActionProbe, BridgeProbe, Diagnosis, MessageProbe, Probe, QueryProbe
+from fleet_tui.adapters.probes import ActionProbe, BridgeProbe, Diagnosis, LifecycleProbe, MessageProbe, Probe
 from fleet_tui.discovery.facts import BridgeFacts
 from fleet_tui.discovery.finding import Finding, Verdict
+from fleet_tui.doctor.lifecycle import inactive_findings
 from fleet_tui.doctor.probing import bridge_probes, probe_findings
+from fleet_tui.model.navigation import Servers
 from tests.support.bridge_facts import mute, well, with_rosapi, with_topics
 from tests.support.fleets import R0, T0, battery
 from tests.support.watched_store import config_of
 
 ACTION = ActionProbe("navigation", "/robot_0/go", "start Nav2")
-QUERY = QueryProbe(
+QUERY = LifecycleProbe(
     "life",
     "/robot_0/is_active",
     "std_srvs/Trigger",
-    {},
-    lambda answer: Diagnosis("fail", str(answer)),
+    {"controller": "/robot_0/controller/get_state"},
+    "lifecycle_msgs/GetState",
+    frozenset({"controller"}),
+    lambda answer, states: Servers(answer == {"success": True}, *next(iter(states.items()), ("", ""))),
     "name it",
 )
 HEARD = MessageProbe(
@@ -80,14 +84,18 @@ def test_a_service_that_was_not_called(services: dict[str, str | None], verdict:
     assert found.out_of_time is ("out of time" in words)
 
 
-def test_an_answer_is_judged_by_its_probe() -> None:
-    found = judged(replace(probed(QUERY), answers={QUERY.service: "unconfigured"}))
-    assert (found.verdict, found.measured, found.values) == (
-        Verdict.FAIL,
-        "unconfigured",
-        {"service": QUERY.service},
-    )
+def test_servers_that_are_active_are_told_with_the_other_checks() -> None:
+    found = judged(replace(probed(QUERY), answers={QUERY.service: {"success": True}}))
+    assert (found.verdict, found.measured) == (Verdict.OK, "Nav2 is active")
     assert judged(probed(QUERY, problem="gone")).verdict is Verdict.SKIPPED
+
+
+def test_servers_that_are_not_active_are_a_cause_before_all_else() -> None:
+    facts = replace(probed(QUERY), answers={QUERY.service: {"success": False}})
+    assert list(probe_findings(R0, facts)) == []
+    (found,) = inactive_findings(facts)
+    assert (found.verdict, found.measured) == (Verdict.FAIL, "Nav2 inactive: controller down")
+    assert found.remedy == "Start controller again, then all of Nav2: see its log"
 
 
 def test_messages_are_judged_while_the_robot_is_heard_and_they_can_be_read() -> None:

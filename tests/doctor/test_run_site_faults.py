@@ -20,6 +20,7 @@ from fleet_tui.config.entries import FloorEntry, RobotEntry
 from fleet_tui.config.schema import Config, Link
 from fleet_tui.demo import demo_config
 from fleet_tui.doctor.run import doctor
+from fleet_tui.simulator.nav2.navigation import NODES
 from fleet_tui.simulator.navigating.graph_file import write_graphs
 from fleet_tui.simulator.ros_types import ServiceType
 from fleet_tui.simulator.server import RosbridgeServer
@@ -39,6 +40,7 @@ from tests.support.watched_store import config_of
 TIMEOUT = 25.0  # 9 are enough, but not on a busy machine
 FALLS_BEHIND = "on ROS 2 a bridge that falls behind"
 IS_ACTIVE = "/robot_0/lifecycle_manager_navigation/is_active"
+GET_STATES = [f"/robot_0/{node}/get_state" for node in NODES]
 TAKEN_TOO_EARLY = "on ROS 2 a floor topic that another client subscribed too early"
 OTHER_SERVERS: dict[str, Callable[[Path], AbstractAsyncContextManager[str]]] = {
     "a web server instead of rosbridge": lambda folder: web_server(),
@@ -123,7 +125,7 @@ async def test_the_first_complaint_is_the_cause_with_nav2(
 ) -> None:
     config = NAV2_PLANTS[plant](nav2, nav2_config(nav2.url, tmp_path))
     assert_as_promised(plant, *await complaint(config))
-    assert_harmless(nav2, IS_ACTIVE)
+    assert_harmless(nav2, IS_ACTIVE, *GET_STATES)
     is_query = nav2.bridge.services.offered.get(IS_ACTIVE, ServiceType("", {})).name == "std_srvs/srv/Trigger"
     assert is_query or not nav2.bridge.services.calls
 

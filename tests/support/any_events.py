@@ -18,7 +18,7 @@ from fleet_tui.model.fleets.facility import DOOR, LANES, LIFT, Facility
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.link import CommandPath, Phase
-from fleet_tui.model.navigation import Goal, Progress
+from fleet_tui.model.navigation import Goal, Progress, Servers
 from fleet_tui.model.occupancy import grid_from_ros
 from fleet_tui.model.order import Order, OrderQueue, OrderState, Stop
 from fleet_tui.model.set_up.commands import Localise, SendGoal, SendGraph, SetMapping, SetPose, Settle
@@ -174,6 +174,14 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
     ),
     navigation_events.MotionStopped: st.builds(
         navigation_events.MotionStopped, ROBOTS, AT, st.sampled_from(["spin", "backup"])
+    ),
+    navigation_events.ServersReported: st.builds(
+        navigation_events.ServersReported,
+        ROBOTS,
+        AT,
+        st.builds(
+            Servers, st.booleans(), st.sampled_from(["", "planner_server"]), st.sampled_from(["", "down"])
+        ),
     ),
     navigation_events.GoalsUnknown: st.builds(
         navigation_events.GoalsUnknown, ROBOTS, AT, st.lists(GOALS.map(lambda goal: goal.uuid)).map(tuple)

@@ -349,6 +349,11 @@ def _frozen_manager(server: RosbridgeServer) -> None:
     server.bridge.services.silent_services.add("/robot_0/lifecycle_manager_navigation/is_active")
 
 
+def _start_without_odometry(server: RosbridgeServer) -> None:
+    for fault in ("bring-up", "no-odom"):
+        FAULTS[fault][1](server, "robot_0")
+
+
 def _without_graph(server: RosbridgeServer, config: Config) -> Config:
     return msgspec.structs.replace(config, floors=[FloorEntry("floor_0")])
 
@@ -362,6 +367,9 @@ NAV2_PLANTS: dict[str, Plant] = {
     "with Nav2 a bridge whose ROS thread has ended": _with_fault("half-dead"),
     "with Nav2 a missing action server": on_the_server(_no_waypoints),
     "with Nav2 nodes that are not active": _with_fault("inactive"),
+    "with Nav2 a dead controller": _with_fault("node-down"),
+    "with Nav2 a start that waits for a pose": _with_fault("bring-up"),
+    "with Nav2 a start without odometry": on_the_server(_start_without_odometry),
     "with Nav2 a frozen lifecycle manager": on_the_server(_frozen_manager),
     "with Nav2 a lifecycle manager with another name": on_the_server(_other_manager),
     "with Nav2 a command configured as that query": on_the_server(_command_of_that_name),

@@ -1,13 +1,29 @@
 """Probes of robots with Nav2: their servers, lifecycle, localisation, bridge."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
-from fleet_tui.adapters.probes import ActionProbe, BridgeProbe, Diagnosis, Probe, QueryProbe
+from fleet_tui.adapters.probes import ActionProbe, BridgeProbe, Diagnosis, LifecycleProbe, Probe
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros_navigation.probes import message_probes
+from fleet_tui.model.navigation import DOWN, Servers
 
 NEEDED = {"navigate_to_pose": "bt_navigator", "follow_waypoints": "waypoint_follower"}
 """Actions by which orders are driven, and the node of each."""
+
+SERVERS = (
+    "controller_server",
+    "smoother_server",
+    "planner_server",
+    "behavior_server",
+    "velocity_smoother",
+    "collision_monitor",
+    "bt_navigator",
+    "waypoint_follower",
+)
+"""Nodes of Nav2's lifecycle in the order of their start."""
+REQUIRED = frozenset({"controller_server", "planner_server", "behavior_server", "bt_navigator"})
+"""Those without which Nav2 drives nowhere."""
+GET_STATE, ACTIVE = "lifecycle_msgs/GetState", "active"
 
 HUMBLE = (
     "humble: by default a goal blocks its connection until it ends, a call has no time limit, and a rejected"
@@ -28,7 +44,11 @@ def probes(names: Names, robot: str) -> Iterator[Probe]:
     if service := names.service("is_active", robot):
         type_ = names.service_type("is_active")
         missing = f"correct [{names.table}.services] is_active"
-        yield QueryProbe("lifecycle", service, type_, {}, judge_lifecycle, missing)
+        space = service.rpartition("/")[0].rpartition("/")[0]
+        nodes = {node: f"{space}/{node}/get_state" for node in SERVERS}
+        yield LifecycleProbe(
+            "lifecycle", service, type_, nodes, GET_STATE, REQUIRED, judge_lifecycle, missing
+        )
     yield from message_probes(names, robot)
 
 
@@ -42,13 +62,15 @@ def judge_bridge(ros: int, distro: str) -> Diagnosis:
     return Diagnosis("ok", distro or "not reported by the bridge")
 
 
-def judge_lifecycle(answer: object) -> Diagnosis:
-    """Judge whether the nodes of Nav2 are active."""
-    success = answer.get("success") if isinstance(answer, dict) else None
-    if success is True:
-        return Diagnosis("ok", "Nav2 is active")
-    if success is False:
-        remedy = "see the lifecycle manager's log; start with RViz's Nav2 panel or nav2_bringup (autostart)"
-        return Diagnosis("fail", "Nav2 not active: rejects every goal", remedy)
-    said = f": {answer}" if isinstance(answer, str) else ""
-    return Diagnosis("fail", f"no status from the lifecycle manager{said}", "check that node, or restart it")
+def judge_lifecycle(answer: object, states: Mapping[str, str]) -> Servers:
+    """Judge whether the nodes of Nav2 are active, by the word of their manager, which does not answer while
+    it waits for one of them, and by their own."""
+    if isinstance(answer, Mapping) and answer.get("success") is True:
+        return Servers(True)
+    idle = {node: state for node in SERVERS if (state := states.get(node, ACTIVE)) != ACTIVE}
+    if states and not idle and not isinstance(answer, Mapping):
+        return Servers(True)
+    down = next((node for node, state in idle.items() if state == DOWN), "")
+    are_alike = len(idle) == len(states) and len(set(idle.values())) == 1
+    node = down or ("" if are_alike else next(iter(idle), ""))
+    return Servers(False, node, idle.get(node, "") if node else "")

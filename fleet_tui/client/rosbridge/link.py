@@ -3,8 +3,10 @@
 from collections.abc import Mapping
 
 from fleet_tui.adapters.adapter import Adapter
+from fleet_tui.adapters.probes import LifecycleProbe
 from fleet_tui.client.rosbridge.command_channel import CommandChannel
 from fleet_tui.client.rosbridge.driving.drive import Drive
+from fleet_tui.client.rosbridge.lifecycle import Lifecycle
 from fleet_tui.client.rosbridge.telemetry import Telemetry
 from fleet_tui.client.writer import Writer
 from fleet_tui.config.fleet import drive_of, publications_of
@@ -28,6 +30,14 @@ class BridgeLink:
         self.counter = self._telemetry.counter
         advertised = publications_of(config, adapters, name)
         asks_node = not config.operator.read_only
+        probes = {
+            robot.name: one
+            for robot in config.robots
+            if robot.link == name and asks_node
+            for one in adapters[robot.name].probes(robot.name)
+            if isinstance(one, LifecycleProbe)
+        }
+        self._lifecycle = Lifecycle(name, bridge, probes, self._telemetry.services, writer)
         self._commands = CommandChannel(
             name, bridge, adapters, writer, timeout, self._telemetry, advertised, asks_node
         )
@@ -36,6 +46,7 @@ class BridgeLink:
         """Connect, and stay connected; commands first, so that no subscription delays a pause."""
         self._writer.loop.call_soon_threadsafe(self._commands.connection.connect)
         self._writer.loop.call_soon_threadsafe(self._telemetry.connection.connect)
+        self._writer.loop.call_soon_threadsafe(self._lifecycle.open)
 
     def submit_now(self, command_id: int, command: Command, given_at: float) -> None:
         """Send a command, on the loop; its progress reaches the store as CommandAdvanced."""
@@ -69,9 +80,10 @@ class BridgeLink:
         self._writer.loop.call_soon_threadsafe(self._telemetry.subscribe_logs, on)
 
     def close(self) -> None:
-        """Close both connections."""
+        """Close all connections."""
         self._writer.loop.call_soon_threadsafe(self._telemetry.close)
         self._writer.loop.call_soon_threadsafe(self._commands.close)
+        self._writer.loop.call_soon_threadsafe(self._lifecycle.close)
 
 
 LINK = BridgeLink

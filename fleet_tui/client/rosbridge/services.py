@@ -35,6 +35,8 @@ class Services:
         """`wanted` are the services by name; `has_actions`: action servers are asked for, too."""
         self._calls, self._wanted, self._has_actions = calls, wanted, has_actions
         self._servers: Set[str] | None = None
+        self.listed: frozenset[str] = frozenset()
+        """All services that rosapi listed last."""
         self._types: dict[str, str] = {}
         self._confirmed: set[str] = set()
         """Services whose types rosapi has confirmed on this connection."""
@@ -142,6 +144,18 @@ class Services:
         """Tell whether rosapi lists the action servers, and this one is not among them."""
         return self._servers is not None and action not in self._servers
 
+    async def list_again(self) -> None:
+        """Wait for a new list, if rosapi gives one in time."""
+        self.query()
+        if self._task is not None:
+            await asyncio.wait((self._task,), timeout=ROSAPI_TIMEOUT)
+
+    async def is_of_type(self, service: str, type_: str) -> bool:
+        """Tell whether rosapi says that a service is of a type. Raises LinkError."""
+        if service not in self._types:
+            await self._ask_type(service)
+        return same_type(self._types.get(service, ""), type_)
+
     async def _query(self) -> None:
         while True:
             try:
@@ -166,7 +180,8 @@ class Services:
         listed = response.values.get("services")
         if not isinstance(listed, list):
             return
-        there = self._wanted.keys() & {name for name in listed if isinstance(name, str)}
+        self.listed = frozenset(name for name in listed if isinstance(name, str))
+        there = self._wanted.keys() & self.listed
         self._rosapi_answered, self._master_was_lost = True, False
         self._seen |= there
         ever = {self._wanted[name].robot for name in self._seen}
@@ -191,12 +206,17 @@ class Services:
 
     async def _ask_types(self, names: Iterable[str]) -> None:
         for name in names:
-            response = await self._ask("service_type", {"service": name})
-            found = response.values.get("type") if isinstance(response.values, dict) else None
-            if response.result and isinstance(found, str) and found:
-                self._types[name] = truncate(found)
-                if same_type(found, self._wanted[name].type):
-                    self._confirmed.add(name)
+            found = await self._ask_type(name)
+            if found and same_type(found, self._wanted[name].type):
+                self._confirmed.add(name)
+
+    async def _ask_type(self, name: str) -> str:
+        response = await self._ask("service_type", {"service": name})
+        found = response.values.get("type") if isinstance(response.values, dict) else None
+        if not (response.result and isinstance(found, str) and found):
+            return ""
+        self._types[name] = truncate(found)
+        return found
 
     async def _ask(self, question: str, args: Mapping[str, object]) -> ServiceResponse:
         """Query rosapi. Raises LinkError."""

@@ -5,6 +5,7 @@ from fleet_tui.situation.fact import AlarmClass
 from fleet_tui.situation.facts import (
     BAD_DATA,
     BEHIND,
+    INACTIVE,
     LATE_LINK,
     OBSTACLE,
     OLD_STAMPS,
@@ -83,13 +84,7 @@ CLASSES = {
         "Go to it and put it in service again, or close the lanes to it",
         10,
     ),
-    "navigation": AlarmClass(
-        "medium",
-        "the robot reports, but its navigation gives no feedback on the current order any more",
-        "the order is not carried out, and cancelling it has no effect",
-        "Restart the robot's navigation, then give the order again",
-        5,
-    ),
+    INACTIVE.name: INACTIVE.alarm,
     "held": AlarmClass(
         "low",
         "orders wait in this console; medium if another client took over the robot",

@@ -11,10 +11,12 @@ from fleet_tui.rules.commands.local_queue import HELD_BY_OTHERS, orders_to_save
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.localisation.misplaced import misplaced_for_long
 from fleet_tui.rules.localisation.uncertainty import FOUND_BELOW, LOST_ABOVE, uncertainty
+from fleet_tui.situation.navigation import NO_ODOMETRY, inactive
 from fleet_tui.situation.robots import absence, adrift, drives_on
 from fleet_tui.text.durations import age
 
-NO_ODOMETRY = "Check its wheel odometry: the node of its base, the topic's name"
+STARTS_WITHIN = 10.0
+"""Seconds in which a navigation becomes active by itself."""
 ADRIFT_AFTER = 10.0
 """Seconds for which a robot may drive by its wheels alone."""
 NO_POSE_AFTER = 30.0
@@ -48,6 +50,8 @@ def _pose_lost(state: FleetState, robot: Robot, active: ActiveConditions) -> Con
         return None
     if not state.is_online(robot) and not was_active(active, robot.name, robot.link, "localisation"):
         return None
+    if robot.pose is None and inactive(state, robot) is not None:
+        return None  # that says which pose it waits for
     if robot.pose is None:
         due = state.began.get((robot.name, "localisation"), state.now) + state.patience(robot)
         return Condition(
@@ -83,8 +87,13 @@ def held_orders(state: FleetState, robot: Robot, _active: ActiveConditions) -> C
 
 
 def silent(state: FleetState, robot: Robot, _active: ActiveConditions) -> Condition | None:
-    """Raise once the feedback on the current order has ceased: its navigation crashed, or was stopped. That
-    it answers again ends it only with a movement."""
+    """Raise while its navigation is not active, or once the feedback on the current order has ceased: it
+    crashed, or was stopped. That it answers again ends it only with a movement."""
+    if (fact := inactive(state, robot)) is not None:
+        due = fact.since + STARTS_WITHIN
+        return Condition(
+            robot.name, fact.kind.name, fact.priority, fact.text, fact.kind.over, due, remedy=fact.remedy
+        )
     since, order = feedback_ceased_at(state, robot), robot.orders.current
     if since is not None and order is not None:
         text = f"navigation silent for {age(state.now - since)} ({robot.order_text(order)})"

@@ -17,6 +17,7 @@ from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
 from fleet_tui.situation.facts import BAD_DATA
 from fleet_tui.situation.motion import moves_despite_pause, running_action, says_driving
+from fleet_tui.situation.navigation import inactive
 from fleet_tui.situation.robots import absence, adrift, bad_data, obstacle, silent
 
 LONG_STILL = 30.0
@@ -151,6 +152,7 @@ def is_odd(state: FleetState, robot: Robot) -> bool:
     is_held = state.is_paused(robot) and own_pause(state, robot) is None
     is_held = is_held or drives_despite_pause(state, robot) or _moves_again(state, robot)
     is_held = is_held or obstacle(state, robot) is not None
+    is_held = is_held or inactive(state, robot) is not None
     unknown = is_missing(state, robot, "pose") or bad_data(state, robot) is not None
     unknown = unknown or _has_old(state, robot)
     return is_held or unknown or unexplained_end(state, robot) is not None or may_need_person(state, robot)

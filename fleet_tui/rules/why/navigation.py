@@ -9,6 +9,7 @@ from fleet_tui.rules.commands.local_queue import orders_to_save
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.localisation.uncertainty import uncertainty
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, mission
+from fleet_tui.situation.navigation import inactive
 from fleet_tui.situation.robots import adrift, drives_on
 from fleet_tui.text.durations import age
 
@@ -59,6 +60,21 @@ def still_driving(state: FleetState, robot: Robot) -> Reason | None:
     return Reason(name, fact.evidence, since=fact.since, seen=fact.seen, keys=keys, remedy=fact.remedy)
 
 
+def not_active(state: FleetState, robot: Robot) -> Reason | None:
+    """Report that its navigation is not active, and what it waits for."""
+    if (fact := inactive(state, robot)) is None:
+        return None
+    return Reason(
+        fact.text,
+        fact.evidence,
+        since=fact.since,
+        seen=fact.seen,
+        keys=fact.kind.keys,
+        remedy=fact.remedy,
+        page=fact.kind.page,
+    )
+
+
 def silent(state: FleetState, robot: Robot) -> Reason | None:
     """Report that its navigation gives no feedback on the current order any more."""
     since, order = feedback_ceased_at(state, robot), robot.orders.current
@@ -106,4 +122,4 @@ def held(state: FleetState, robot: Robot) -> Reason | None:
     return Reason(f"held: {robot.held}", evidence, Strength.CERTAIN, keys=("resume",))
 
 
-NAVIGATION_REASONS = (blocked, held, silent, not_sure_where, recovering)
+NAVIGATION_REASONS = (blocked, not_active, held, silent, not_sure_where, recovering)

@@ -8,7 +8,7 @@ from fleet_tui.model.fleet import FleetState, obstacle_text
 from fleet_tui.model.link import Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.classes import CLASSES
-from fleet_tui.rules.alarms.navigation import NO_ODOMETRY, lacks_odometry
+from fleet_tui.rules.alarms.navigation import lacks_odometry
 from fleet_tui.rules.battery.charging import charger_of, charging_remedy, charging_reported
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import STANDS_AFTER, drives_despite_pause, is_held, own_pause_text
@@ -25,6 +25,7 @@ from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, name_of, stati
 from fleet_tui.situation import links
 from fleet_tui.situation.facts import BAD_DATA
 from fleet_tui.situation.motion import moves_despite_pause, says_driving
+from fleet_tui.situation.navigation import NO_ODOMETRY
 from fleet_tui.situation.robots import absence, last_contact, silent
 from fleet_tui.text.durations import age, duration
 from fleet_tui.text.units import ago

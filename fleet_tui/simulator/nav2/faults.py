@@ -93,6 +93,28 @@ def _humble(server: "RosbridgeServer", robot: str) -> None:
         navigation.distro = "humble"
 
 
+def _node_down(server: "RosbridgeServer", robot: str) -> None:
+    """Kill the controller: the manager takes all other nodes down."""
+    navigation = _fleet(server, robot).navigation[robot]
+    navigation.active = False
+    del server.bridge.services.offered[f"/{robot}/controller_server/get_state"]
+
+
+def _bring_up(server: "RosbridgeServer", robot: str) -> None:
+    """Let the planner wait for a pose, and the lifecycle manager for the planner."""
+    fleet = _fleet(server, robot)
+    navigation, manager = fleet.navigation[robot], f"/{robot}/lifecycle_manager_navigation/is_active"
+    navigation.waits_in, navigation.active, navigation.robot.is_lost_at_start = "planner_server", False, True
+    server.bridge.services.silent_services.add(manager)
+
+    def step(_dt: float) -> None:
+        if navigation.waits_in and not navigation.robot.is_lost_at_start:
+            navigation.waits_in, navigation.active = "", True
+            server.bridge.services.silent_services.discard(manager)
+
+    fleet.troubles.append(step)
+
+
 def _foreign_spin(navigation: "SimNavigation", age: float) -> float:
     if age >= AWHILE and not navigation.busy:
         navigation.take("spin", {"target_yaw": 30.0, "time_allowance": {"sec": 60, "nanosec": 0}})
@@ -103,6 +125,8 @@ FAULTS: Faults = {
     **BODY,
     "foreign-spin": ("another client lets it spin, again and again", often(_foreign_spin, idle=True)),
     "inactive": ("Nav2 not active: every goal is rejected, is_active is false", at_once(_inactive)),
+    "node-down": ("its controller_server is dead, Nav2 not active", _node_down),
+    "bring-up": ("Nav2 starts and waits for a pose, its manager does not answer", _bring_up),
     "reject": ("every goal is rejected though Nav2 is active", at_once(_reject)),
     "aborts": (f"every drive is aborted with code {ABORTS} after {AWHILE:g} s", often(_aborts)),
     "silent-aborts": (

@@ -11,7 +11,7 @@ from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.nav2 import messages
 from fleet_tui.simulator.nav2.logs import Nav2Changes
-from fleet_tui.simulator.nav2.navigation import TO_POSE, SimNavigation
+from fleet_tui.simulator.nav2.navigation import NODES, TO_POSE, SimNavigation
 from fleet_tui.simulator.nav2.route_server import SET_GRAPH, TYPE, RouteServers
 from fleet_tui.simulator.nav2.topics import Nav2News, steady_topics
 from fleet_tui.simulator.nav2.world import Nav2World
@@ -32,6 +32,7 @@ SAVES: FileServices = {
     "slam_toolbox/serialize_map": ("slam_toolbox/SerializePoseGraph", {"result": 0}),
 }
 ACTIVE = "lifecycle_manager_navigation/is_active"
+STATE, STATES = "get_state", ["unknown", "unconfigured", "inactive", "active", "activating"]
 CANCEL = "_action/cancel_goal"
 
 
@@ -78,7 +79,9 @@ class Nav2Fleet(Nav2World):
         trigger, cancel = (
             service_type(dialect, name) for name in ("std_srvs/Trigger", "action_msgs/CancelGoal")
         )
+        state = service_type(dialect, "lifecycle_msgs/GetState")
         return {f"/{name}/{ACTIVE}": trigger for name in self.robots} | {
+            **{f"/{name}/{node}/{STATE}": state for name in self.robots for node in NODES},
             **{f"{action}/{CANCEL}": cancel for action in self.actions},
             **self._set_up.services(dialect),
         }
@@ -87,6 +90,10 @@ class Nav2Fleet(Nav2World):
         """The answer of a service; `args` complete and of the right types."""
         if service.endswith(ACTIVE):
             return {"success": self.navigation[service.split("/")[1]].active, "message": ""}
+        if service.endswith(STATE):
+            _, name, node, _ = service.split("/")
+            label = self.navigation[name].state_of(node)
+            return {"current_state": {"id": STATES.index(label), "label": label}}
         if (answer := self._set_up.answer(service, args)) is not None:
             return answer
         info = args["goal_info"]

@@ -22,6 +22,16 @@ TYPES = {
     SPIN: "nav2_msgs/Spin",
 }
 NOT_STAGED = 903
+NODES = (
+    "controller_server",
+    "planner_server",
+    "behavior_server",
+    "velocity_smoother",
+    "collision_monitor",
+    "bt_navigator",
+    "waypoint_follower",
+)
+"""Nodes with a lifecycle, in the order of their start."""
 
 
 @dataclass(eq=False)
@@ -49,6 +59,8 @@ class SimNavigation:
         }
         self.active = True
         """False: the lifecycle manager has deactivated the servers, which reject goals."""
+        self.waits_in = ""
+        """The node whose start waits, as for a pose: then the lifecycle manager does not answer."""
         self.reject = 0
         """The number of goals that are rejected from now on."""
         self.received: list[Message] = []
@@ -88,6 +100,13 @@ class SimNavigation:
         """Abort the current drive."""
         if self._current is not None:
             self.robot.fail(code, message)
+
+    def state_of(self, node: str) -> str:
+        """The lifecycle state of one of its nodes, all of which start one after the other."""
+        if self.waits_in:
+            at = NODES.index(self.waits_in) - NODES.index(node)
+            return "active" if at > 0 else "activating" if at == 0 else "inactive"
+        return "active" if self.active else "inactive"
 
     def step(self, dt: float) -> None:
         """Bring the goals on, after the robot has lived for dt seconds."""

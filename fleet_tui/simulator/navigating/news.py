@@ -67,7 +67,7 @@ class News(Generic[N]):
         self, name: str, robot: NavigatingRobot, dialect: Dialect, now: float
     ) -> Iterator[tuple[str, Payload]]:
         amcl = f"/{name}/amcl_pose"
-        if robot.localise() or amcl not in self._newest:
+        if robot.localise() or (amcl not in self._newest and not robot.is_lost_at_start):
             header = dialect.header(next(self._said[name]), now, FRAME)
             value = messages.localisation(robot.estimate, robot.variance, dialect, header)
             yield amcl, raw_payload(dialect, AMCL, now, value)

@@ -36,6 +36,8 @@ class NavigatingRobot(Obstructed):
     docked = False
     is_unlocalised = False
     """True: the node of its localisation has died."""
+    is_lost_at_start = False
+    """True: its localisation has no pose until one is set."""
     silence = 0.0
     """Seconds for which none of the robot's topics are published."""
     left_for = 0.0
@@ -106,7 +108,7 @@ class NavigatingRobot(Obstructed):
     def place(self, pose: Pose) -> None:
         """Take its pose from outside, and publish it."""
         self.belief.place(pose, self.pose)
-        self.variance, self._was_placed = SURE, True
+        self.variance, self._was_placed, self.is_lost_at_start = SURE, True, False
 
     def step(self) -> None:
         """Advance by STEP seconds."""
@@ -131,7 +133,7 @@ class NavigatingRobot(Obstructed):
 
     def localise(self) -> bool:
         """Tell whether the localisation publishes a pose: only once the robot has moved far enough."""
-        if self.is_unlocalised:
+        if self.is_unlocalised or self.is_lost_at_start:
             return False
         at, last = self.belief.of(self.pose), self.estimate
         off = math.sqrt(self.variance) if self.variance >= LOST else 0.0

@@ -124,6 +124,8 @@ OH_ressources/Cancel_order: string robot, int32 ind -> bool success, string stat
 OH_ressources/Clear_orders: string robot, int32 ind -> bool success, string status
 action_msgs/CancelGoal: action_msgs/GoalInfo goal_info -> int8 return_code, \
 action_msgs/GoalInfo[] goals_canceling
+lifecycle_msgs/State: uint8 id, string label
+lifecycle_msgs/GetState: -> lifecycle_msgs/State current_state
 std_srvs/Empty: ->
 std_srvs/SetBool: bool data -> bool success, string message
 std_srvs/Trigger: -> bool success, string message

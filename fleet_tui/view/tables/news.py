@@ -16,8 +16,9 @@ from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
 from fleet_tui.rules.localisation.uncertainty import uncertainty
 from fleet_tui.situation.fact import Fact
-from fleet_tui.situation.facts import BAD_DATA, SILENT
+from fleet_tui.situation.facts import BAD_DATA, INACTIVE, SILENT
 from fleet_tui.situation.motion import moves_despite_pause
+from fleet_tui.situation.navigation import inactive
 from fleet_tui.situation.robots import absence, adrift, bad_data, drives_on, last_contact, obstacle
 from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
@@ -132,7 +133,9 @@ def _ended(state: FleetState, robot: Robot) -> Iterator[Run]:
 
 
 def _navigation(state: FleetState, robot: Robot) -> Iterator[Run]:
-    if feedback_ceased_at(state, robot) is not None or is_unsteady(state, robot):
+    if (servers := inactive(state, robot)) is not None:
+        yield tr(servers.text), StyleRole.ALARM
+    elif feedback_ceased_at(state, robot) is not None or is_unsteady(state, robot):
         yield tr("navigation silent"), StyleRole.ALARM
     if uncertainty(state, robot) is not None:
         yield tr("pose uncertain"), StyleRole.WARN
@@ -179,6 +182,9 @@ def _short(text: str) -> str:
 def shortened_news(texts: list[Run], cells: int) -> list[Run]:
     """Return the news of a robot, if more would be cut, with the command that failed without what it was (the
     alarm has it), then one word for a pause, and beside others its sign."""
+    if width_of(listed(texts)) > cells:
+        whole = tr(INACTIVE.word) + ": "  # its cause says as much
+        texts = [(text.removeprefix(whole), role) for text, role in texts]
     if width_of(listed(texts)) > cells:
         texts = [(_short(text) if role is StyleRole.ALARM else text, role) for text, role in texts]
     paused = tr("paused")

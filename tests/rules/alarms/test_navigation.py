@@ -14,7 +14,6 @@ from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.classes import CLASSES, action_of
 from fleet_tui.rules.alarms.conditions import stop
 from fleet_tui.rules.alarms.navigation import (
-    NO_ODOMETRY,
     NO_POSE_AFTER,
     failed_order,
     held_orders,
@@ -25,6 +24,7 @@ from fleet_tui.rules.commands.failures import FAILED_FOR
 from fleet_tui.rules.commands.local_queue import ANOTHER_CLIENT
 from fleet_tui.rules.localisation.uncertainty import FOUND_BELOW, LOST_ABOVE
 from fleet_tui.rules.why.robot import stale_pose
+from fleet_tui.situation.navigation import NO_ODOMETRY
 from tests.support.fleets import (
     R0,
     T0,

@@ -1,0 +1,132 @@
+"""Whether the servers that drive robots are active, asked on a connection of its own: a manager that waits
+for one of them does not answer, and a bridge of Humble handles nothing else on a connection until it does."""
+
+import asyncio
+import logging
+from collections.abc import Mapping
+from time import monotonic
+
+from fleet_tui.adapters.probes import LifecycleProbe, lifecycle_label
+from fleet_tui.adapters.ros import operations
+from fleet_tui.client.rosbridge.answers import decoded
+from fleet_tui.client.rosbridge.calls import GRACE, Calls, NoAnswerError
+from fleet_tui.client.rosbridge.services import Services
+from fleet_tui.client.writer import Writer
+from fleet_tui.config.schema import Link
+from fleet_tui.errors import LinkError
+from fleet_tui.model.navigation import MUTE
+from fleet_tui.model.navigation_events import ServersReported
+from fleet_tui.transports.rosbridge.connection import Connection
+
+LOG = logging.getLogger(__name__)
+
+EVERY, WITHIN = 5.0, 2.0
+"""Seconds between two rounds, and for an answer."""
+
+
+class Lifecycle:
+    """Asks one robot after the other. Runs on the network loop."""
+
+    def __init__(
+        self,
+        link: str,
+        bridge: Link,
+        probes: Mapping[str, LifecycleProbe],
+        services: Services,
+        writer: Writer,
+    ) -> None:
+        """`probes` by robot; `services` as rosapi lists them: what is not there is not called, which would be
+        an error in the log of the site."""
+        self._link, self._probes, self._services, self._writer = link, probes, services, writer
+        self._connection = Connection(bridge, self)
+        self._calls = Calls(self._connection)
+        self._task: asyncio.Task[None] | None = None
+
+    def open(self) -> None:
+        """Connect, if there is a robot to ask about."""
+        if self._probes:
+            self._connection.connect()
+
+    def on_connecting(self) -> None:
+        """Do nothing: a connection attempt has begun."""
+
+    def on_open(self) -> None:
+        """Start asking."""
+        self._task = asyncio.ensure_future(self._run())
+
+    def on_lost(self, reason: str, next_try_in: float) -> None:
+        """Stop asking: it starts again with the next connection."""
+        self._stop()
+        self._calls.on_lost()
+
+    def on_frame(self, payload: bytes, is_binary: bool) -> None:
+        """Take an answer."""
+        operation = decoded(self._writer.tap, self._link, payload, is_binary)
+        if isinstance(operation, operations.ServiceResponse):
+            self._calls.on_response(operation)
+
+    def on_sent(self, payload: bytes) -> None:
+        """Report a sent question to the tap."""
+        if self._writer.tap is not None:
+            self._writer.tap.on_sent(self._link, "commands", payload)
+
+    def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
+        """Ignore it: no answer is that large."""
+        LOG.warning("a reply of %d bytes was dropped", size)
+
+    async def _run(self) -> None:
+        while True:
+            for robot, probe in self._probes.items():
+                try:
+                    await self._look(robot, probe)
+                except NoAnswerError:
+                    continue  # of rosapi
+                except LinkError:
+                    break  # of the topics' connection, perhaps: this one is not lost
+            await asyncio.sleep(EVERY)
+
+    async def _look(self, robot: str, probe: LifecycleProbe) -> None:
+        """Ask about one robot. Raises LinkError."""
+        if probe.service not in self._services.listed:
+            return
+        if not await self._services.is_of_type(probe.service, probe.type):
+            return
+        answer, states = await self._ask(probe.service), dict[str, str]()
+        if not probe.is_active(answer):
+            await self._services.list_again()
+            states = probe.unlisted(self._services.listed) or await self._states(probe)
+            if answer == MUTE and not states:
+                return  # nothing but a manager that does not answer
+        self._writer.apply(ServersReported(robot, monotonic(), probe.judge(answer, states)))
+
+    async def _states(self, probe: LifecycleProbe) -> dict[str, str]:
+        """Return the states of the nodes, as far as the first that does not answer. Raises LinkError."""
+        states = dict[str, str]()
+        for node, service in probe.nodes.items():
+            is_there = service in self._services.listed
+            if not is_there or not await self._services.is_of_type(service, probe.node_type):
+                continue
+            answer = await self._ask(service)
+            states[node] = lifecycle_label(answer)
+            if answer == MUTE:
+                break
+        return states
+
+    async def _ask(self, service: str) -> object:
+        """Return an answer, MUTE without one. Raises LinkError."""
+        try:
+            response = await self._calls.call(service, {}, WITHIN)
+        except NoAnswerError:
+            await asyncio.sleep(GRACE)  # until the bridge has given it up, too
+            return MUTE
+        return response.values if response.result else MUTE
+
+    def _stop(self) -> None:
+        if self._task is not None:
+            self._task.cancel()
+
+    def close(self) -> None:
+        """Close permanently."""
+        self._stop()
+        self._calls.on_lost()
+        self._connection.shut()

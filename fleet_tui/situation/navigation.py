@@ -1,0 +1,47 @@
+"""Facts about the servers that drive a robot: whether they are active, and what they wait for."""
+
+from fleet_tui.model.alarm import Priority
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.navigation import DOWN, Servers
+from fleet_tui.model.robot import Robot
+from fleet_tui.situation.fact import Fact
+from fleet_tui.situation.facts import INACTIVE
+
+NO_ODOMETRY = "Check its wheel odometry: the node of its base, the topic's name"
+ASKED_WITHIN = 30.0
+"""Seconds for which an answer about the servers counts: they are asked every few seconds."""
+
+
+def inactive_cause(servers: Servers, is_counted: bool, is_placed: bool) -> tuple[str, str]:
+    """Return why servers are not active, and what to do: a node that is down, else what they wait for as they
+    start. `is_counted`: the robot has odometry, `is_placed`: a pose on the map."""
+    if servers.state == DOWN:
+        return f"{servers.node} down", f"Start {servers.node} again, then all of Nav2: see its log"
+    if not is_counted:
+        return "no odometry", NO_ODOMETRY
+    if not is_placed:
+        return "no pose yet: set one", "Set its pose: its navigation waits for it"
+    if servers.node:
+        return f"{servers.node} {servers.state}", f"See the log of {servers.node}, or start Nav2 again"
+    return "paused or not started", "Start it: by RViz's Nav2 panel, or nav2_bringup with autostart"
+
+
+def inactive(state: FleetState, robot: Robot) -> Fact | None:
+    """Find that the servers that drive a robot are not active: they reject every goal."""
+    if robot.servers is None or robot.servers.value.is_active or not state.is_online(robot):
+        return None
+    if state.now - robot.servers.at > ASKED_WITHIN:
+        return None
+    servers = robot.servers.value
+    is_counted = not robot.kind.odometry_topic or robot.odometry_at is not None
+    cause, remedy = inactive_cause(servers, is_counted, robot.pose is not None)
+    return Fact(
+        INACTIVE,
+        robot.name,
+        f"{INACTIVE.word}: {cause}",
+        Priority.MEDIUM,
+        servers.since,
+        remedy=remedy,
+        evidence="its lifecycle manager and its nodes say so: every goal is rejected",
+        seen=robot.servers.at,
+    )
