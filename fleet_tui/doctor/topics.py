@@ -15,6 +15,7 @@ from fleet_tui.doctor.clocks import load_word
 from fleet_tui.doctor.names import near_topic, robots_on
 from fleet_tui.model.kind import CAMERA
 from fleet_tui.model.navigation_events import OriginReported
+from fleet_tui.situation.facts import ADRIFT
 
 SLOWEST_POSES = 5.0  # Hz; robots give about 10
 OLDER = 0.5  # seconds by which the stamps of poses grow older while they are measured
@@ -131,6 +132,11 @@ def _missing(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
     if key == "map_metadata" and (floor is None or not floor.map or floor.map.endswith((".yaml", ".yml"))):
         return _finding(facts, Verdict.WARN, measured, remedy)
     table = bridge.adapters[wanted.robot].names.table
+    heard = {one.wanted.key for one in bridge.of(wanted.robot) if one.count}
+    if key == "pose" and wanted.silent and heard and "tf" not in heard:  # transforms are judged themselves
+        named = remedy or f"correct [{table}.topics] {key}"
+        check = f"{ADRIFT.alarm.action}; if it runs, {named}"
+        return _finding(facts, Verdict.FAIL, f"{ADRIFT.word}: {measured}", check)
     if wanted.silent:
         none = f'start the node that publishes it, or set [{table}.topics] {key} = "" if not used'
         return _finding(facts, Verdict.WARN, measured, remedy or none)

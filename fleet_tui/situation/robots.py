@@ -197,15 +197,26 @@ def _old_stamps(state: FleetState, robot: Robot) -> Fact | None:
     )
 
 
+def _repeats_feedback(state: FleetState, robot: Robot) -> bool:
+    """Tell whether the feedback on its goal comes on, and its pose is an old one: navigation has no newer."""
+    if robot.located_by != "feedback" or robot.located_at is None or robot.progress is None:
+        return False
+    is_new = state.now - robot.progress.at < ADRIFT_FOR
+    return is_new and robot.progress.at - robot.located_at > ADRIFT_FOR
+
+
 def adrift(state: FleetState, robot: Robot) -> Fact | None:
     """Find that only its wheels tell where a robot is: it has moved on, and its localisation is silent."""
-    since, pose = robot.adrift_at, robot.pose
-    if since is None or pose is None or robot.located is None or not state.is_fresh(robot, "pose"):
+    pose, located, located_at = robot.pose, robot.located, robot.located_at
+    if pose is None or located is None or located_at is None or not state.is_fresh(robot, "pose"):
         return None
-    if state.now - since < ADRIFT_FOR:
+    metres = math.dist((located.x, located.y), (pose.value.x, pose.value.y))
+    how, since = f"{metres:.0f} m by its wheels alone", robot.adrift_at
+    if since is None and _repeats_feedback(state, robot):
+        how, since = "its feedback repeats the last pose", located_at
+    if since is None or state.now - since < ADRIFT_FOR:
         return None
-    metres = math.dist((robot.located.x, robot.located.y), (pose.value.x, pose.value.y))
-    silence = age(state.now - since)
+    silence = age(state.now - located_at)
     return Fact(
         ADRIFT,
         robot.name,
@@ -214,7 +225,7 @@ def adrift(state: FleetState, robot: Robot) -> Fact | None:
         since,
         remedy=ADRIFT.alarm.action,
         short="pose estimated",
-        evidence=f"localisation silent for {silence}: {metres:.0f} m by its wheels alone",
+        evidence=f"localisation silent for {silence}: {how}",
         seen=pose.at,
     )
 

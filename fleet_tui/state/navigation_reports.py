@@ -154,6 +154,9 @@ def _take_origin(robot: Robot, event: navigation_events.OriginReported) -> Robot
 WHEELS_UNHEARD = 2.0
 """Seconds after which the last odometry says nothing about the place of a new localised pose."""
 
+REPEATED_POSE = 0.1
+"""Seconds by which the pose of feedback must be newer than the one before."""
+
 SCAN_DELAY = 0.3
 """Seconds by which a localised pose is stamped earlier: with the time of the scan that it is from."""
 
@@ -173,6 +176,10 @@ def _take_localisation(
     gives its time."""
     if event.is_feedback and robot.located_by in ("topic", "transforms"):
         return robot
+    located_at = _true_at(robot, event, site)
+    is_repeated = event.is_feedback and robot.located_by == "feedback" and robot.located_at is not None
+    if is_repeated and located_at - (robot.located_at or 0.0) < REPEATED_POSE:
+        return robot  # navigation has no newer one, and the wheels count on
     if robot.located_by == "transforms":
         robot = replace(robot, odometry=None, anchor=None)
     robot = replace(robot, located_by="feedback" if event.is_feedback else "topic")
@@ -180,7 +187,6 @@ def _take_localisation(
         robot = replace(robot, variance=Reading(event.variance, event.at))
     frame_id = truncate(event.frame_id.lstrip("/"), LONGEST_NAME)
     jumped = relocation(robot, event.pose, frame_id, event.at)
-    located_at = _true_at(robot, event, site)
     robot = replace(robot, located=event.pose, located_at=located_at, frame_id=frame_id)
     if robot.odometry is not None:
         # Wheels unheard for a while may have started anew from zero, as those of a restarted base: they count

@@ -9,10 +9,17 @@ from fleet_tui.model.events import Event, TimePassed
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.kind import Kind
-from fleet_tui.model.navigation_events import LocalisationReported, OdometryReported, OriginReported
+from fleet_tui.model.navigation import Progress
+from fleet_tui.model.navigation_events import (
+    LocalisationReported,
+    OdometryReported,
+    OriginReported,
+    ProgressReported,
+)
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.situation.facts import ADRIFT
 from fleet_tui.situation.robots import adrift
+from fleet_tui.text.durations import age
 from fleet_tui.view.tables.news import news
 from tests.support.fleets import R0, T0, WALL, fleet, link_up, of_kinds, reduced
 
@@ -49,7 +56,9 @@ def test_a_localisation_that_falls_silent_is_told_everywhere_in_the_same_words(i
     (why,) = [one for one in reasons(state, robot) if one.name == fact.short]
     assert (why.evidence, why.remedy) == (fact.evidence, fact.action)
     assert any(fact.text in line for line in attention(state))
-    assert navigation(state, robot)["localisation_silent_s"] == round(state.now - fact.since, 1)
+    assert robot.located_at is not None and state.now - robot.located_at == pytest.approx(18.0, abs=0.5)
+    assert fact.text == f"pose estimated, localisation silent for {age(state.now - robot.located_at)}"
+    assert navigation(state, robot)["localisation_silent_s"] == round(state.now - robot.located_at, 1)
 
 
 @pytest.mark.parametrize("is_transform", [False, True])
@@ -93,3 +102,37 @@ def test_old_poses_are_another_fact() -> None:
     state = driven(20.0, is_transform=False)
     later = replace(state, now=state.now + 60.0)
     assert adrift(later, later.robots[R0]) is None
+
+
+def fed(lag: float, seconds: float = 2.0) -> FleetState:
+    """A robot first seen while it drives a goal, whose feedback has a pose of so many seconds ago."""
+    state = reduced(of_kinds(fleet(), NAV2), link_up(T0))
+    for tenth in range(round(seconds * 10)):
+        at = T0 + tenth / 10
+        was = min(at, T0 + 1.0) - lag if lag else at
+        state = reduced(
+            state,
+            OdometryReported(R0, at, Pose(SPEED * tenth / 10, 0.0), at),
+            LocalisationReported(R0, at, Pose(3.0, 0.0), "map", was, None, is_feedback=True),
+            ProgressReported(R0, at, Progress("1", metres=5.0)),
+            TimePassed(at, WALL + at),
+        )
+    return state
+
+
+def test_feedback_that_repeats_an_old_pose_is_told_at_the_first_look() -> None:
+    state = fed(lag=20.0)
+    fact = adrift(state, state.robots[R0])
+    assert fact is not None and fact.text.startswith("pose estimated, localisation silent for 2")
+    assert fact.evidence.endswith("its feedback repeats the last pose")
+    assert any(fact.short in line for line in attention(state))
+
+
+def test_feedback_that_repeats_a_pose_stops_no_wheels() -> None:
+    robot = fed(lag=20.0, seconds=6.0).robots[R0]
+    assert robot.pose is not None and robot.pose.value.x > 4.0
+
+
+def test_feedback_with_new_poses_is_a_localisation() -> None:
+    state = fed(lag=0.0)
+    assert adrift(state, state.robots[R0]) is None

@@ -377,6 +377,9 @@ NAV2_PLANTS: dict[str, Plant] = {
     "with Nav2 a robot that was never localised": on_the_server(
         lambda server: server.bridge.muted.add("/robot_0/amcl_pose")
     ),
+    "with Nav2 a localisation that has died": on_the_server(
+        lambda server: server.bridge.withdraw("/robot_0/amcl_pose")
+    ),
     "with Nav2 transforms without a localisation": on_the_server(_unlocalised),
     "with Nav2 a battery that reports 0 to 100": _with_fault("percent"),
     "with Nav2 a battery without measurement": _with_fault("unmeasured"),

@@ -8,6 +8,7 @@ from fleet_tui.adapters.probes import Diagnosis, MessageProbe
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.model.events import BatteryReported, Event
 from fleet_tui.model.navigation_events import LocalisationReported, OriginReported
+from fleet_tui.situation.facts import ADRIFT
 
 UNSURE = 0.5
 """Square metres, of x and y together."""
@@ -44,11 +45,7 @@ def judge_transforms(count: int, event: Event | None) -> Diagnosis:
     """Judge whether a localisation corrects a robot's odometry in its transforms."""
     if isinstance(event, OriginReported):
         return Diagnosis("ok", "by transforms")
-    return Diagnosis(
-        "fail",
-        "no transform from map to odom",
-        "check its localisation: its node (slam_toolbox), and the laser that it needs",
-    )
+    return Diagnosis("fail", f"{ADRIFT.word}: no transform from map to odom", ADRIFT.alarm.action)
 
 
 def judge_battery(scales: str, count: int, event: Event | None) -> Diagnosis | None:

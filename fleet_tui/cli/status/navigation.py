@@ -21,7 +21,7 @@ def navigation(state: FleetState, robot: Robot) -> dict[str, Any]:
         found["blocked_s"] = round(state.now - blocked.since, 1) if blocked and stopped else None
     if "odometry" in robot.kind.reports:
         estimate = adrift(state, robot)
-        found["localisation_silent_s"] = round(state.now - estimate.since, 1) if estimate else None
+        found["localisation_silent_s"] = _silence(state, robot) if estimate else None
         found["position_variance_m2"] = round(robot.variance.value, 3) if robot.variance else None
     if robot.kind.keeps_goals:
         found["kept_here"] = [
@@ -30,6 +30,10 @@ def navigation(state: FleetState, robot: Robot) -> dict[str, Any]:
         found["held"] = robot.held or None
         found["not_ours"] = [order.id for order in foreign(state, robot)]
     return found
+
+
+def _silence(state: FleetState, robot: Robot) -> float | None:
+    return round(state.now - robot.located_at, 1) if robot.located_at is not None else None
 
 
 def _kept(robot: Robot, id_: str, stops: Any) -> dict[str, Any]:

@@ -114,7 +114,12 @@ class Nav2Fleet(Nav2World):
         navigation = self.navigation[_robot_of(server)]
         if navigation.robot.silence or not navigation.publishes:
             return None
-        return messages.feedback(navigation, server.verb, goal, dialect.header(0, time.time(), FRAME))
+        return messages.feedback(
+            navigation,
+            server.verb,
+            goal,
+            dialect.header(0, messages.believed(navigation.robot, time.time())[1], FRAME),
+        )
 
     def result(self, server: ActionServer, goal: ServedGoal) -> Message | None:
         """Return the result of an ended goal, None while the robot is silent."""

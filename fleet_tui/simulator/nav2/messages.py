@@ -2,9 +2,11 @@
 
 from typing import Any
 
+from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.messages import float32
 from fleet_tui.simulator.nav2.navigation import DOCK, SPIN, THROUGH, WAYPOINTS, SimNavigation
 from fleet_tui.simulator.navigating.poses import solid
+from fleet_tui.simulator.navigating.robot import NavigatingRobot
 from fleet_tui.simulator.ros.goals import Id, ServedGoal, uuid_of
 
 Message = dict[str, Any]
@@ -36,6 +38,11 @@ def goal_info(id_: Id, stamp: int) -> Message:
     return {"goal_id": {"uuid": uuid_of(id_)}, "stamp": time}
 
 
+def believed(robot: NavigatingRobot, now: float) -> tuple[Pose, float]:
+    """Return where its navigation believes the robot to be, and when that was so."""
+    return robot.localised_last or (robot.pose, now)
+
+
 def feedback(navigation: SimNavigation, verb: str, goal: ServedGoal, header: Message) -> Message:
     """The feedback of an action."""
     robot = navigation.robot
@@ -46,7 +53,7 @@ def feedback(navigation: SimNavigation, verb: str, goal: ServedGoal, header: Mes
     if verb == SPIN:
         return {"angular_distance_traveled": float32(goal.request["target_yaw"] - robot.turns_left)}
     values = {
-        "current_pose": {"header": header, "pose": solid(robot.pose)},
+        "current_pose": {"header": header, "pose": solid(believed(robot, 0.0)[0])},
         "navigation_time": _duration(goal.age),
         "estimated_time_remaining": _duration(robot.time_remaining),
         "number_of_recoveries": robot.recoveries,

@@ -40,7 +40,9 @@ def _on_the_way(navigation: SimNavigation, server: ActionServer) -> bool:
 
 def _feedback(navigation: SimNavigation, server: ActionServer, header: Header, now: float) -> Message:
     goal = server.running[-1]
-    values = messages.feedback(navigation, server.verb, goal, header(now))
+    values = messages.feedback(
+        navigation, server.verb, goal, header(messages.believed(navigation.robot, now)[1])
+    )
     return {"goal_id": {"uuid": uuid_of(goal.id)}, "feedback": values}
 
 

@@ -1,5 +1,6 @@
 """Faults of robots that navigate, whichever stack they run."""
 
+import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -112,6 +113,7 @@ def unlocalised(server: "RosbridgeServer", robot: str) -> None:
     def change(navigation: "Navigating", age: float) -> float:
         if age > AWHILE and not navigation.robot.is_unlocalised:
             navigation.robot.is_unlocalised = True
+            navigation.robot.localised_last = navigation.robot.pose, time.time()
             if (topic := f"/{robot}/amcl_pose") in server.bridge.topics:
                 server.bridge.withdraw(topic)
         return age

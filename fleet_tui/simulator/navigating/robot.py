@@ -36,6 +36,8 @@ class NavigatingRobot(Obstructed):
     docked = False
     is_unlocalised = False
     """True: the node of its localisation has died."""
+    localised_last: tuple[Pose, float] | None = None
+    """The pose and the Unix second of its death: what its navigation goes on believing."""
     is_lost_at_start = False
     """True: its localisation has no pose until one is set."""
     silence = 0.0
