@@ -1,15 +1,20 @@
 """Facts about the servers that drive a robot: whether they are active, and what they wait for."""
 
+import re
+
 from fleet_tui.model.alarm import Priority
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation import DOWN, Servers
-from fleet_tui.model.robot import Robot
+from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import INACTIVE
 
 NO_ODOMETRY = "Check its wheel odometry: the node of its base, the topic's name"
-ASKED_WITHIN = 30.0
-"""Seconds for which an answer about the servers counts: they are asked every few seconds."""
+ASKED_WITHIN, LOGGED_WITHIN = 30.0, 60.0
+"""Seconds for which an answer about the servers counts, which are asked every few seconds, and a line of the
+log: the one that all are active again is no warning, and not read."""
+_BOND_BROKEN = re.compile(r"SERVER (\w+) IS DOWN")
+"""What the lifecycle manager logs of a node whose bond is broken."""
 
 
 def inactive_cause(servers: Servers, is_counted: bool, is_placed: bool) -> tuple[str, str]:
@@ -26,13 +31,22 @@ def inactive_cause(servers: Servers, is_counted: bool, is_placed: bool) -> tuple
     return "paused or not started", "Start it: by RViz's Nav2 panel, or nav2_bringup with autostart"
 
 
+def _logged(robot: Robot) -> Reading[Servers] | None:
+    """Return the node whose end the lifecycle manager logged, for a console that may ask nobody."""
+    for line in reversed(robot.logged):
+        if found := _BOND_BROKEN.search(line.text):
+            return Reading(Servers(False, found[1], DOWN, line.at), line.at)
+    return None
+
+
 def inactive(state: FleetState, robot: Robot) -> Fact | None:
     """Find that the servers that drive a robot are not active: they reject every goal."""
-    if robot.servers is None or robot.servers.value.is_active or not state.is_online(robot):
+    told = robot.servers or _logged(robot)
+    if told is None or told.value.is_active or not state.is_online(robot):
         return None
-    if state.now - robot.servers.at > ASKED_WITHIN:
+    if state.now - told.at > (ASKED_WITHIN if told is robot.servers else LOGGED_WITHIN):
         return None
-    servers = robot.servers.value
+    servers = told.value
     is_counted = not robot.kind.odometry_topic or robot.odometry_at is not None
     cause, remedy = inactive_cause(servers, is_counted, robot.pose is not None)
     return Fact(
@@ -42,6 +56,6 @@ def inactive(state: FleetState, robot: Robot) -> Fact | None:
         Priority.MEDIUM,
         servers.since,
         remedy=remedy,
-        evidence="its lifecycle manager and its nodes say so: every goal is rejected",
-        seen=robot.servers.at,
+        evidence="its lifecycle manager says so: every goal is rejected",
+        seen=told.at,
     )

@@ -4,8 +4,12 @@ import math
 
 import pytest
 
+from fleet_tui.cli.status.report import attention
 from fleet_tui.model.commands import Stage
 from fleet_tui.rules.causes import cause_of_end
+from fleet_tui.rules.history.activity import activities
+from fleet_tui.rules.why.why import reasons
+from fleet_tui.view.tables.doing import state_texts
 from tests.support.fleets import R0
 from tests.support.nav2_recordings import replayed
 
@@ -57,3 +61,46 @@ def test_what_the_bridge_logs_is_of_no_robot(name: str) -> None:
     *_, (_, _, state) = replayed(name)
     logged = state.robots[R0].logged
     assert logged and not [line for line in logged if "[Client" in line.text]
+
+
+@pytest.mark.parametrize(
+    ("name", "row", "why", "status"),
+    [
+        (
+            "cancel-midway",
+            "order failed, still driving",
+            "order failed, still driving",
+            "Timed out while waiting for action server to acknowledge goal request for follow_path",
+        ),
+        (
+            "kill-controller2",
+            "Nav2 inactive: controller_server down",
+            "Nav2 inactive: controller_server down",
+            "Nav2 inactive: controller_server down",
+        ),
+        (
+            "lifecycle-pause-mid",
+            "order failed",
+            "last order failed: [navigate_to_pose] [ActionServer] Requested to deactivate server",
+            "Requested to deactivate server but goal is still executing",
+        ),
+        (
+            "robot-frozen",
+            "order failed",
+            "blocked",
+            "Failed to transform end pose to global frame",
+        ),
+    ],
+)
+def test_row_reason_and_status_of_a_recording(name: str, row: str, why: str, status: str) -> None:
+    rows, reasons_, lines = set[str](), set[str](), set[str]()
+    for _, _, state in replayed(name):
+        robot = state.robots[R0]
+        told = state_texts(state, robot, activities(state, [robot]).get(R0), 60)
+        rows.add(", ".join(text for text, _ in told))
+        reasons_.add(reasons(state, robot)[0].name)
+        lines.update(attention(state))
+    assert any(row in one for one in rows), rows
+    assert any(one.startswith(why) for one in reasons_), reasons_
+    assert any(status in one for one in lines), lines
+    assert not any("driving, driving" in one for one in rows)

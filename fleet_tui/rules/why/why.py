@@ -25,7 +25,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.why.complaints import Complaint
 from fleet_tui.rules.why.members import MEMBER_REASONS
-from fleet_tui.rules.why.navigation import NAVIGATION_REASONS, estimated, still_driving
+from fleet_tui.rules.why.navigation import NAVIGATION_REASONS, estimated, not_active, still_driving
 from fleet_tui.rules.why.orders import (
     at_stop,
     cargo,
@@ -65,7 +65,16 @@ DEAF: tuple[Rule, ...] = (no_link, silent_robot, late_link)
 """If one of these holds, everything else is an earlier report. Silence for longer than the bridge is late
 is the robot's."""
 
-ASTRAY: tuple[Rule, ...] = (misplaced, jumps, estimated, off_graph, despite_pause, not_stopped, still_driving)
+ASTRAY: tuple[Rule, ...] = (
+    misplaced,
+    jumps,
+    estimated,
+    off_graph,
+    despite_pause,
+    not_stopped,
+    not_active,
+    still_driving,
+)
 """Of a robot that moves, too."""
 
 FOLLOWING: tuple[Rule, ...] = (none_current, no_orders)

@@ -5,6 +5,7 @@ from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.trouble import acknowledged, waits
 from fleet_tui.rules.history.activity import activities
+from fleet_tui.situation.facts import DRIVES_ON
 from fleet_tui.situation.motion import action_text, running_action
 from fleet_tui.situation.robots import obstacle
 from fleet_tui.text.durations import age
@@ -74,10 +75,14 @@ def state_texts(state: FleetState, robot: Robot, does: Activity | None, cells: i
     # "lost idle" would read as one, and an emergency stop says that it is blocked.
     is_grave = any(role is StyleRole.ALARM for _, role in texts)
     is_said = does in (None, Activity.OFFLINE, Activity.PAUSED, *(*CALM, Activity.BLOCKED) * is_grave)
-    is_said = is_said or (does is Activity.DRIVING and state.is_paused(robot))
+    is_said = is_said or (does is Activity.DRIVING and (state.is_paused(robot) or _drives_on(texts)))
     is_said = is_said or any(text.startswith((word(does), OBSTACLE)) for text, _ in texts)
     both = [*texts, doing]
     return texts if is_said or width_of(listed(both)) > cells else both
+
+
+def _drives_on(texts: list[Run]) -> bool:
+    return any(text == tr(DRIVES_ON.word) for text, _ in texts)
 
 
 def missing(state: FleetState, robot: Robot) -> str:
