@@ -147,6 +147,7 @@ STOPPING = FactKind(
 )
 STILL_MOVING = STOPPING._replace(
     word="still moving",
+    over="stands now",
     alarm=STOPPING.alarm._replace(action="Stop it by its own controls, or by its emergency stop"),
     keys=("pause", "centre"),
 )

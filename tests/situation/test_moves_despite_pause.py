@@ -79,6 +79,11 @@ def test_one_that_moves_on_after_three_seconds_is_told_everywhere_in_red() -> No
     assert f"{R0}: still moving" in attention(state)
 
 
+def test_the_alarm_is_over_as_it_stands_and_not_as_if_the_pause_had_ended() -> None:
+    state = driven(driven(paused(SPINS), 1.1, 5.0, SPINS), 5.1, 6.5, STANDS)
+    assert [(one.text, one.holds) for one in state.alarms] == [("stands now", False)]
+
+
 def test_its_lock_is_the_next_means_where_there_is_one() -> None:
     state = driven(paused(SPINS), 1.1, 5.0, SPINS)
     locking = replace(robot(state), kind=replace(robot(state).kind, may_lock=True))
