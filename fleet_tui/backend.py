@@ -119,7 +119,9 @@ class LiveBackend:
     refusal = ""
 
     def __init__(self, config: Config, store: Store, connect: Connect = connect_live) -> None:
-        self._config, self._store, self._connect = config, store, connect
+        self._config = config
+        self._store = store
+        self._connect = connect
         self.streams = store.streams
         self.links: OpenLinks | None = None
         self._map: tuple[str, str] | None = None

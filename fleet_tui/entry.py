@@ -39,7 +39,10 @@ class EntryApp(LeanApp, inherit_bindings=False):
         super().__init__(ansi_color=not colour)
         self.register_theme(Theme(**theme.textual()))
         self.theme = f"fleet-{theme.name}"
-        self._roles, self._start, self._places, self._address = theme.styles(colour), site, places, address
+        self._roles = theme.styles(colour)
+        self._start = site
+        self._places = places
+        self._address = address
         self._restore = terminal_restorer()
         self.chosen: Chosen = None
 

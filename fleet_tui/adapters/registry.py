@@ -35,7 +35,6 @@ class Registered:
 
     @property
     def adapter(self) -> "Callable[[Profile, Site], Adapter]":
-        """Return its adapter for a profile."""
         return cast("Callable[[Profile, Site], Adapter]", self._module("adapter").ADAPTER)
 
     @property

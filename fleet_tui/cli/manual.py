@@ -80,9 +80,12 @@ def manual(root: click.Context) -> str:
         rf"fleet\-tui \- {_roff(command.get_short_help_str(200).rstrip('.'))}",
         ".SH SYNOPSIS",
         rf"\fBfleet\-tui\fR {_roff(' '.join(command.collect_usage_pieces(root)))}",
-        *(".SH DESCRIPTION", *_paragraphs(command.help or "")),
-        *(".SH OPTIONS", *_options(root, frozenset())),
-        *(".SH COMMANDS", *_filled("The options above may also follow a command that uses them.")),
+        ".SH DESCRIPTION",
+        *_paragraphs(command.help or ""),
+        ".SH OPTIONS",
+        *_options(root, frozenset()),
+        ".SH COMMANDS",
+        *_filled("The options above may also follow a command that uses them."),
     ]
     known = {name for param in command.get_params(root) for name in param.opts}
     for context in _below(root):

@@ -142,7 +142,7 @@ def without_config(command: F) -> F:
 
 def _config_and_debug(command: F, use: str) -> F:
     command = click.option(
-        *("--config", "config_file"), type=FileName(), metavar="FILE", help=use, hidden=not use
+        "--config", "config_file", type=FileName(), metavar="FILE", help=use, hidden=not use
     )(command)
     command = click.option(
         "--trust-config",

@@ -28,10 +28,12 @@ from fleet_tui.recording.taps import Taps
 from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import sanitize
 
-FINE, NO_LINK = 0, 3
+FINE = 0
+NO_LINK = 3
 ENDING = (signal.SIGTERM, signal.SIGHUP)
 """Signals of services and of a closed terminal."""
-LOOK_EVERY, SHOW_EVERY = 0.25, 1.0
+LOOK_EVERY = 0.25
+SHOW_EVERY = 1.0
 """Seconds between checks of the progress, and until the line on a terminal is written again."""
 MAP_WITHIN = 20.0
 """Maximum seconds for a live map before the next one is requested."""
@@ -65,10 +67,14 @@ class _Watch:
     """Prints changes, and the progress on a terminal."""
 
     def __init__(self, recorder: Recorder, say: Say, is_live: bool) -> None:
-        self._recorder, self._say, self._is_live = recorder, say, is_live
+        self._recorder = recorder
+        self._say = say
+        self._is_live = is_live
         self._links: dict[str, str] = {}
         self._problem = ""
-        self._counted, self._written, self._shown_at = 0, 0, time.monotonic()
+        self._counted = 0
+        self._written = 0
+        self._shown_at = time.monotonic()
         self.had_link = False
 
     def look(self, state: FleetState) -> None:
@@ -97,7 +103,9 @@ class _Watch:
         recorder, now = self._recorder, time.monotonic()
         passed = now - self._shown_at
         rate, flow = (recorder.records - self._counted) / passed, (recorder.size - self._written) / passed
-        self._counted, self._written, self._shown_at = recorder.records, recorder.size, now
+        self._counted = recorder.records
+        self._written = recorder.size
+        self._shown_at = now
         online = sum(map(state.is_online, state.robots.values()))
         size = f"{recorder.size / 1e6:.1f} MB ({flow / 1e3:.0f} kB/s)"
         text = (

@@ -18,7 +18,8 @@ from fleet_tui.simulator.site import MIXED, faults_of, needs_graph_files, site_o
 
 F = TypeVar("F", bound=Callable[..., Any])
 
-LAST_PORT, MQTT_PORT = 65535, 1883
+LAST_PORT = 65535
+MQTT_PORT = 1883
 
 
 def _simulation(command: F) -> F:
@@ -37,7 +38,8 @@ def _simulation(command: F) -> F:
 def _ros(command: F) -> F:
     """Add `--ros`."""
     return click.option(
-        *("--ros", "ros"),
+        "--ros",
+        "ros",
         type=click.Choice(["1", "2"]),
         default=None,
         show_default="depends on the kind",

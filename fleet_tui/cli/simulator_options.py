@@ -68,7 +68,8 @@ def _known_kind(_context: click.Context, _option: click.Parameter, kind: str) ->
 def kind_option(command: F) -> F:
     """Add `--kind`."""
     return click.option(
-        *("--kind", "kind"),
+        "--kind",
+        "kind",
         default=USUAL,
         callback=_known_kind,
         is_eager=True,  # the usual number of robots depends on it

@@ -10,7 +10,8 @@ from fleet_tui.model.order import Stop
 from fleet_tui.storage.lock import LockFile, owner_of
 from fleet_tui.storage.whole_file import replacing
 
-FILE, LOCK = "queue.json", "queue.lock"
+FILE = "queue.json"
+LOCK = "queue.lock"
 LARGEST = 2**24
 
 

@@ -48,7 +48,11 @@ class WaitingOrders:
         new_id: Callable[[], int],
     ) -> None:
         """Without a file this console keeps no orders."""
-        self._file, self._store, self._apply, self._send, self._new_id = file, store, apply, send, new_id
+        self._file = file
+        self._store = store
+        self._apply = apply
+        self._send = send
+        self._new_id = new_id
         self._resend = resend
         self._stopped: set[str] = set()
         """Goals for which a pause was sent again."""

@@ -16,7 +16,8 @@ LOG = logging.getLogger(__name__)
 
 TICK = 0.1
 TIDY_EVERY = 60.0
-STALL, CATCHES_UP = 1.0, 3.0
+STALL = 1.0
+CATCHES_UP = 3.0
 """Seconds without a tick from which the process was stopped, suspended or starved, and for which it then
 catches up at most."""
 # Python lets a busy thread run 5 ms before another gets its turn: too long for a command to wait
@@ -28,7 +29,8 @@ class Writer:
     """Owns the thread in which the state changes. It also exists without a link."""
 
     def __init__(self, store: Store, tap: Tap | None = None) -> None:
-        self.store, self.tap = store, tap
+        self.store = store
+        self.tap = tap
         self.loop = network_loop()
         self.before_tick: list[Callable[[float], None]] = []
         self.backlogs: list[Callable[[float], float]] = []
@@ -37,7 +39,8 @@ class Writer:
         self._ticker: asyncio.Future[None] | None = None
         self._tidied = time.monotonic()
         self._tidy = freeze
-        self._stall, self._stalled_until = 0.0, 0.0
+        self._stall = 0.0
+        self._stalled_until = 0.0
 
     def start(self) -> None:
         """Start the clock ticks."""
@@ -72,7 +75,8 @@ class Writer:
         """Return the seconds for which the loop did not run, also for a while after: what arrived meanwhile
         is read first, and nothing of it counts as missing."""
         if late >= STALL:
-            self._stall, self._stalled_until = late, now + min(late, CATCHES_UP)
+            self._stall = late
+            self._stalled_until = now + min(late, CATCHES_UP)
         return max(late, self._stall) if now < self._stalled_until else late
 
     def apply(self, event: Event) -> None:

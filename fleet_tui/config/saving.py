@@ -24,7 +24,8 @@ class Saving:
     """The configuration of a console, to be written to a file."""
 
     def __init__(self, config: Config, source: Source | None = None) -> None:
-        self._config, self._source = config, source
+        self._config = config
+        self._source = source
         self.path = "" if source is not None else str(config.path)
         """The file in which it is, empty where it is in none."""
 

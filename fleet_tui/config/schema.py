@@ -216,7 +216,6 @@ class Config(msgspec.Struct, frozen=True):
 
     @property
     def routine_folder(self) -> Path:
-        """Return the folder of the routines."""
         return self.beside(self.routines.folder).absolute()
 
     @property

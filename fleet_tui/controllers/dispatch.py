@@ -34,7 +34,10 @@ class Dispatch:
     def __init__(
         self, store: Store, backend: Backend, permissions: Permissions, notices: Notices, ask: Ask
     ) -> None:
-        self._store, self._backend, self._notices, self._ask = store, backend, notices, ask
+        self._store = store
+        self._backend = backend
+        self._notices = notices
+        self._ask = ask
         self.permissions = permissions
         self.given: dict[tuple[Command, ...], float] = {}
         self._startup = StartupRequests(self._give_waiting, notices.say)

@@ -37,8 +37,12 @@ class ConsoleFiles:
         """`open_them` opens the audit log and the recordings: after the first picture, before the link.
         `draft` returns the file of a floor's drawn graph, `graph_file` that of its own graph if it has
         one; `folder` keeps earlier versions."""
-        self._open_them, self.pack, self.saving, self.folder = open_them, pack, saving, folder
-        self.draft, self.graph_file = draft, graph_file
+        self._open_them = open_them
+        self.pack = pack
+        self.saving = saving
+        self.folder = folder
+        self.draft = draft
+        self.graph_file = graph_file
         self.refusal = self.naming_refusal = ""
         self.audit: Audit | None = None
         self.recordings: Recordings | None = None

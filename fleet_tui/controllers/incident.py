@@ -25,8 +25,11 @@ class IncidentPacking:
         in_thread: Callable[[Callable[[Cancelled], None]], object],
     ) -> None:
         """`in_thread` runs a function, passing it a check for cancellation."""
-        self._files, self._say, self._say_from_thread = files, say, say_from_thread
-        self._screenshot, self._in_thread = screenshot, in_thread
+        self._files = files
+        self._say = say
+        self._say_from_thread = say_from_thread
+        self._screenshot = screenshot
+        self._in_thread = in_thread
         self._packing = False
 
     def pack(self) -> None:

@@ -46,7 +46,10 @@ class MapControls:
         to_next: Sequence[str] = (),
         menu: Callable[[], None] = lambda: None,
     ) -> None:
-        self._view, self._picture, self._say, self._to_next = view, view.picture, say, to_next
+        self._view = view
+        self._picture = view.picture
+        self._say = say
+        self._to_next = to_next
         self._menu = menu
         self._stride = Stride()
 
@@ -66,7 +69,6 @@ class MapControls:
             self._view.draw()
 
     def zoom_out(self) -> None:
-        """Zoom out."""
         self.zoom_in(1 / ZOOM_STEP)
 
     def fit(self) -> None:

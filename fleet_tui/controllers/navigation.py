@@ -24,8 +24,7 @@ class MapCamera(Protocol):
     def centre(self, at: tuple[float, float] | None = None) -> None:
         """Centre on a place in metres of the shown floor, or on the selected robot."""
 
-    def seen(self) -> SeenArea | None:
-        """Return the area that the map shows."""
+    def seen(self) -> SeenArea | None: ...
 
 
 class Navigation:
@@ -38,7 +37,10 @@ class Navigation:
         camera: Callable[[], MapCamera],
         refresh: Callable[[], None],
     ) -> None:
-        self._store, self._selected, self._camera, self._refresh = store, selected, camera, refresh
+        self._store = store
+        self._selected = selected
+        self._camera = camera
+        self._refresh = refresh
         self.selection = first_selection(store.state)
         store.attention = Attention(self.robot, self.floor)
 

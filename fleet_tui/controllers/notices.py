@@ -24,8 +24,12 @@ class Notices:
         text: str = "",
         clock: Callable[[], float] = monotonic,
     ) -> None:
-        self._store, self._refresh, self._clock = store, refresh, clock
-        self._text, self._until, self.at = text, clock() + SHOWN, 0.0
+        self._store = store
+        self._refresh = refresh
+        self._clock = clock
+        self._text = text
+        self._until = clock() + SHOWN
+        self.at = 0.0
         self._since = math.inf
         """Since when the text is shown, which a key may end; the first one is for a newcomer."""
         self.key_at = 0.0
@@ -54,7 +58,9 @@ class Notices:
 
     def note(self, text: str, stays: bool = False) -> None:
         """Show a text with the next tick; if it `stays`, until there is a newer one."""
-        self._text, self.at, self.is_hint = text, newest(self._store.state), False
+        self._text = text
+        self.at = newest(self._store.state)
+        self.is_hint = False
         self._until = math.inf if stays else self._clock() + SHOWN
         self._since = math.inf if stays else self._clock()
 

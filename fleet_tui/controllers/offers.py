@@ -68,8 +68,13 @@ class Offers:
         settings: ConsoleSettings,
         run: Callable[[Key[Any]], object],
     ) -> None:
-        self._store, self._dispatch, self._navigation = store, dispatch, navigation
-        self._session, self._save, self._settings, self._run = session, save, settings, run
+        self._store = store
+        self._dispatch = dispatch
+        self._navigation = navigation
+        self._session = session
+        self._save = save
+        self._settings = settings
+        self._run = run
 
     def entries(self) -> Iterator[Offer]:
         """Return every entry of the palette."""

@@ -45,8 +45,12 @@ class ProgramRequests:
         ask: Ask,
         open_menu: OpenMenu,
     ) -> None:
-        self._watch, self._dispatch, self._notices, self._files = watch, dispatch, notices, files
-        self._ask, self._open_menu = ask, open_menu
+        self._watch = watch
+        self._dispatch = dispatch
+        self._notices = notices
+        self._files = files
+        self._ask = ask
+        self._open_menu = open_menu
         self._under_way: set[asyncio.Task[None]] = set()
 
     def menu(self, name: str, show_log: Callable[[str], None]) -> None:

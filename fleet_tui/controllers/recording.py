@@ -20,7 +20,9 @@ class RecordingSwitch:
         say_from_thread: Callable[[str], None],
         in_thread: Callable[[Callable[[], None]], object],
     ) -> None:
-        self._files, self._say, self._say_from_thread = files, say, say_from_thread
+        self._files = files
+        self._say = say
+        self._say_from_thread = say_from_thread
         self._in_thread = in_thread
         self._switching = False
 

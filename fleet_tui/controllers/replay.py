@@ -27,7 +27,9 @@ class Replay:
     pane: Pane | None = Pane.RECORDING
 
     def __init__(self, player: "Player", parts: SessionParts) -> None:
-        self._player, self._notices, self._clock = player, parts.notices, parts.settings.clock
+        self._player = player
+        self._notices = parts.notices
+        self._clock = parts.settings.clock
         self._forget_trails = parts.forget_trails
         self._jumps = 0
         self._time_line: TimeLine | None = None

@@ -21,7 +21,10 @@ class SaveCommand:
     def __init__(
         self, files: ConsoleFiles, ask: Ask, begin: Callable[[str], None], say: Callable[[str], None]
     ) -> None:
-        self._files, self._ask, self._begin, self._say = files, ask, begin, say
+        self._files = files
+        self._ask = ask
+        self._begin = begin
+        self._say = say
 
     def start(self) -> None:
         """Ask for a path if the configuration is in no file yet."""

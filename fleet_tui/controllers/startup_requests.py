@@ -9,7 +9,8 @@ from fleet_tui.model.commands import Command, PauseRobot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.request import Request
 
-LINK_WITHIN, PAUSE_WITHIN = 1.0, 5.0
+LINK_WITHIN = 1.0
+PAUSE_WITHIN = 5.0
 """Seconds after which a request, and a pause, no longer wait for the first connection."""
 
 LATEST = 0.5
@@ -36,7 +37,8 @@ class StartupRequests:
 
     def __init__(self, give: Give, refuse: Callable[[str], None]) -> None:
         """`refuse` is called with the reason that a request is not sent."""
-        self._give, self._refuse = give, refuse
+        self._give = give
+        self._refuse = refuse
         self._waiting: list[_StartupRequest] = []
 
     def hold(self, state: FleetState, request: Request, now: float) -> Request | None:

@@ -29,7 +29,9 @@ class Approach:
 
     def __init__(self, name: str, bridge: Link, wire: BridgeConnection | None, key: str = "") -> None:
         """`key`: config key of its address, if not the usual one. Without `wire` only the way to its port."""
-        self._name, self._bridge, self._wire = name, bridge, wire
+        self._name = name
+        self._bridge = bridge
+        self._wire = wire
         self._host, port = bridge.host_and_port
         self._port = port or USUAL_PORTS[bridge.scheme]
         self._key = key or f"{link_key(name)}.url"
@@ -109,7 +111,8 @@ class Approach:
     async def _speaks_tls(self) -> bool:
         """Tell whether a port expects TLS, for a configuration without it."""
         anyone = ssl.create_default_context()
-        anyone.check_hostname, anyone.verify_mode = False, ssl.CERT_NONE
+        anyone.check_hostname = False
+        anyone.verify_mode = ssl.CERT_NONE
         try:
             async with asyncio.timeout(PROBE):
                 _, writer = await asyncio.open_connection(self._host, self._port, ssl=anyone)

@@ -7,7 +7,8 @@ from concurrent.futures import wait
 from fleet_tui.config.schema import Link
 from fleet_tui.discovery.site import WITHIN, DiscoveredSite, start_discovery
 
-QUIET, EVERY = 1.0, 0.2
+QUIET = 1.0
+EVERY = 0.2
 """Seconds until progress is shown, and between two updates."""
 
 
@@ -16,13 +17,17 @@ class Discovering:
 
     def __init__(self, bridge: Link, within: float = WITHIN) -> None:
         self._bridge = bridge
-        self._done, self._total, self._doing = 0, 0, ""
+        self._done = 0
+        self._total = 0
+        self._doing = ""
         self._future = start_discovery(bridge, within, self._watch)
         self._shown = False
 
     def _watch(self, done: int, total: int, doing: str) -> None:
         """Record progress, on the network's thread."""
-        self._done, self._total, self._doing = done, total, doing
+        self._done = done
+        self._total = total
+        self._doing = doing
 
     def result(self) -> DiscoveredSite:
         """Wait for the result. Raises LinkError if the bridge can't be reached, FleetError if rosapi

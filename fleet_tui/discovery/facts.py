@@ -135,7 +135,6 @@ class BridgeFacts:
     answers: Mapping[str, object] = field(default_factory=dict)
 
     def of(self, robot: str) -> list[TopicFacts]:
-        """Return a robot's topics."""
         return [facts for facts in self.topics if robot in facts.wanted.robots]
 
     def table(self, robot: str) -> str:

@@ -32,7 +32,6 @@ class Finding:
 
     @property
     def is_failure(self) -> bool:
-        """Tell whether it is a failure."""
         return self.verdict is Verdict.FAIL
 
 

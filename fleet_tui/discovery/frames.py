@@ -18,7 +18,8 @@ from fleet_tui.model.events import PoseReported
 
 WITHIN = 2.0
 """Seconds within which a robot that is online sends its pose."""
-MOST, BATCH = 100, 20
+MOST = 100
+BATCH = 20
 """Maximum number of robots to listen to; subscriptions at once, of which a real bridge needs 20 ms for
 each."""
 

@@ -10,7 +10,8 @@ from fleet_tui.discovery.rosapi import ask_publishers, ask_service_types
 from fleet_tui.discovery.sampling import alike, next_questions, silent, telling_services, telling_topics
 from fleet_tui.discovery.wire import BridgeConnection
 
-MOST_TOPICS, MOST_SERVICES = 300, 100
+MOST_TOPICS = 300
+MOST_SERVICES = 100
 """Maximum number of queries: 8 s of a real bridge. The rest is taken as listed."""
 
 Watch = Callable[[int, int, str], object]
@@ -67,7 +68,10 @@ class _Count:
     """Counts the answers for the progress callback."""
 
     def __init__(self, done: int, total: int, watch: Watch, doing: str) -> None:
-        self._done, self._total, self._watch, self._doing = done, total, watch, doing
+        self._done = done
+        self._total = total
+        self._watch = watch
+        self._doing = doing
 
     def __call__(self) -> None:
         self._done += 1

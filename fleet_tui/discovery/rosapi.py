@@ -18,7 +18,8 @@ T = TypeVar("T")
 
 ANSWER_WITHIN = 2.0
 # Calls open at once: a bridge has a thread for each. On ROS 2 four of them have killed rosapi.
-AT_ONCE, AT_ONCE_ROS2 = 8, 2
+AT_ONCE = 8
+AT_ONCE_ROS2 = 2
 
 
 def _nothing() -> None:

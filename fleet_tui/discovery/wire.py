@@ -69,26 +69,28 @@ class TopicListening:
             found = list(self.read(self.wanted, msg, at))
             self.picture = self.look(self.wanted, msg) if self.look else None
         except WireError as problem:
-            self.faults, self.problem = self.faults + 1, str(problem)
+            self.faults = self.faults + 1
+            self.problem = str(problem)
         else:
             for event in found:
                 self._keep(event, at)
         # Last: another thread may read the facts while a large map is processed.
-        self.first, self.last = self.first or at, at
+        self.first = self.first or at
+        self.last = at
         self.count += 1
 
     def _keep(self, event: Event, at: float) -> None:
         self.event = event
         self.events[key_of(event)] = event
         if isinstance(event, GraphReceived) and event.faults:
-            self.faults, self.problem = self.faults + event.faults, event.fault
+            self.faults = self.faults + event.faults
+            self.problem = event.fault
         if isinstance(event, PoseReported | OdometryReported | MemberReported) and event.stamp is not None:
             lag = self.lags[event.robot] = time.time() - (time.monotonic() - at) - event.stamp
             self.lag = lag if self.lag is None else min(self.lag, lag)
             self.late = lag - self.lag
 
     def facts(self, now: float) -> TopicFacts:
-        """Return the current facts of the topic."""
         span = self.last - self.first
         return TopicFacts(
             self.wanted,

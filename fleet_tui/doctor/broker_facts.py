@@ -130,7 +130,8 @@ def _note(facts: VehicleFacts, event: Event) -> None:
     if isinstance(event, VehicleReported):
         facts.vehicle = event.vehicle
     elif isinstance(event, ConnectionReported):
-        facts.connection, facts.is_kept = event.connection, facts.is_kept or event.is_kept
+        facts.connection = event.connection
+        facts.is_kept = facts.is_kept or event.is_kept
     elif isinstance(event, PoseReported):
         facts.pose = event
         if event.stamp is not None:

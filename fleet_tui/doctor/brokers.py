@@ -19,7 +19,6 @@ OF_MASTERS = ("order", "instantActions")
 
 
 def broker_findings(config: Config, facts: BrokerFacts) -> Iterator[Finding]:
-    """Return the findings of one broker."""
     key = link_key(facts.name)
     if facts.reason:
         remedy = f"correct url, user_file and password_file in {key}"

@@ -9,7 +9,9 @@ from fleet_tui.situation.facts import LATE_LINK
 from fleet_tui.situation.links import LATE_FROM
 from fleet_tui.text.durations import age
 
-SLOW, UNEVEN = 0.3, 0.3  # seconds of a round trip or of a call under load; between the best and the worst
+# seconds of a round trip or of a call under load; between the best and the worst
+SLOW = 0.3
+UNEVEN = 0.3
 LAST = 3  # calls by which the load is judged
 BEHIND = 0.3  # seconds of our own delay, above which others are not judged
 MOST_MESSAGES = {1: 4000, 2: 500}  # per second of one bridge, as measured

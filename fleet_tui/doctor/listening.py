@@ -21,14 +21,17 @@ CONNECT_WITHIN = 4.0
 CHECK_EVERY = 0.05  # seconds
 # Minimum and maximum seconds of listening to topics: a little longer than a robot may be silent
 # and still be online.
-AT_LEAST, AT_MOST = 1.5, 6.0
+AT_LEAST = 1.5
+AT_MOST = 6.0
 BATCH = 20  # subscriptions, of which a real bridge needs 20 ms for each
 SHARE = 150  # topics of one connection, 3 s of subscribing; the bridge handles several in parallel
 ENOUGH = 3  # messages of a topic for its rate; poses are the frequent ones
 ENOUGH_FAST = 10
 # Seconds after which a floor's topic is unsubscribed, and for how long, so that the bridge forgets its
 # QoS; and the number of them whose subscribers are queried meanwhile.
-FIRST_TRY, RELEASE_TIME, MOST_HELD = 2.0, 0.7, 20
+FIRST_TRY = 2.0
+RELEASE_TIME = 0.7
+MOST_HELD = 20
 
 # Seconds between two questions beside the messages: a bridge logs each as an error.
 BEAT_EVERY = 0.5

@@ -41,7 +41,9 @@ from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.navigation_events import FloorReported, LocalisationReported
 from fleet_tui.transports.loop import network_loop
 
-FINE, BROKEN, NO_LINK = 0, 1, 3
+FINE = 0
+BROKEN = 1
+NO_LINK = 3
 SPARE = 1.5  # seconds reserved for the steps after the bridges, at most a quarter of all
 
 Take = Callable[[Finding], None]

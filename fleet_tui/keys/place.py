@@ -5,7 +5,8 @@ from collections.abc import Callable
 from fleet_tui.actions import Actions, PlaceActions
 from fleet_tui.keys.key import Key, Pane
 
-TURN, FINE_TURN = 5, 1
+TURN = 5
+FINE_TURN = 1
 """Degrees of a step."""
 
 

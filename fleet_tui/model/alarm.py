@@ -86,7 +86,6 @@ class Condition(Struct, frozen=True):
 
     @property
     def key(self) -> Key:
-        """Return the key of its alarm."""
         return self.source, self.kind
 
     def is_news_after(self, before: "Condition") -> bool:
@@ -112,7 +111,6 @@ class Alarm(Struct, frozen=True):
 
     @property
     def key(self) -> Key:
-        """Return the key of the alarm."""
         return self.condition.key
 
     @property

@@ -250,7 +250,6 @@ class CommandRecord(Struct, frozen=True):
 
     @property
     def stage(self) -> Stage:
-        """Return the current stage."""
         return self.steps[-1].stage
 
     @property

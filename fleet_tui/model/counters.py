@@ -126,8 +126,12 @@ class TopicCounter(Flow):
         on_change: bool = False,
     ) -> None:
         super().__init__()
-        self.topic, self.robot, self.kind = topic, robot, kind
-        self.once, self.on_demand, self.on_change = once, on_demand, on_change
+        self.topic = topic
+        self.robot = robot
+        self.kind = kind
+        self.once = once
+        self.on_demand = on_demand
+        self.on_change = on_change
         self.errors = 0
         self.asked_ms: int | None = None
         """The milliseconds between two messages that were requested, None before."""
@@ -137,7 +141,6 @@ class TopicCounter(Flow):
         """The reason that it is not subscribed, empty if it is."""
 
     def count_frame(self, payload: bytes, is_binary: bool, at: float) -> None:
-        """Count a frame."""
         size = len(payload)
         self.take(size, at)
         kept = payload if size <= LARGEST_KEPT else payload[:HEAD]
@@ -215,7 +218,9 @@ class LinkCounter:
     def lost(self, why: str, at: float) -> None:
         """Count a lost connection. Later attempts that fail don't count."""
         if self._is_up:
-            self._is_up, self.lost_at, self.lost_why = False, at, why
+            self._is_up = False
+            self.lost_at = at
+            self.lost_why = why
 
     def keep_one_map(self, newest: TopicCounter) -> None:
         """Of all on-demand messages, keep the newest whole and only the beginnings of the others."""

@@ -16,7 +16,8 @@ from fleet_tui.text.durations import age, duration
 
 CONTACT = 3.0
 """Seconds of contact, or of a stop, from which an obstacle blocks a robot: shorter ones are usual."""
-MANY, CROWD = 50, 300
+MANY = 50
+CROWD = 300
 """Robots from which the rules look at each twice a second, not in every tick; those from which pictures and
 rows are made less often, too."""
 

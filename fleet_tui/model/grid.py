@@ -11,7 +11,9 @@ if TYPE_CHECKING:
 
 
 MAX_PIXELS = 100_000_000
-UNKNOWN, FREE, OCCUPIED = 0, 1, 2
+UNKNOWN = 0
+FREE = 1
+OCCUPIED = 2
 """The classes of cells."""
 
 

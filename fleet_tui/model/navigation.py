@@ -49,7 +49,8 @@ class ReportedMotion(Struct, frozen=True):
     since: float
 
 
-DOWN, MUTE = "down", "does not answer"
+DOWN = "down"
+MUTE = "does not answer"
 """States of a node that is not there, and of one that hangs; else the label of its lifecycle."""
 
 

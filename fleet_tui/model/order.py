@@ -131,7 +131,6 @@ class OrderQueue(Struct, frozen=True):
 
     @property
     def current(self) -> Order | None:
-        """The current order."""
         if self.current_id:  # asked ten times a second of every robot
             for order in self.orders:
                 if order.id == self.current_id:
@@ -139,7 +138,6 @@ class OrderQueue(Struct, frozen=True):
         return None
 
     def is_current(self, order: Order) -> bool:
-        """Tell whether this order is the current one."""
         return order.id == self.current_id != ""
 
     @property

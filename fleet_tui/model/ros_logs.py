@@ -78,7 +78,8 @@ _FOLLOWS = re.compile(
     r"^Goal (?:failed|canceled)$|Aborting handle|Stopping the thread per request|in node halt"
     r"|missed its desired rate|checker was specified"
 )
-_CODE, _FIGURES = re.compile(r" \(error \d+\)$"), re.compile(r"\d[\d.]*")
+_CODE = re.compile(r" \(error \d+\)$")
+_FIGURES = re.compile(r"\d[\d.]*")
 
 
 def is_of_bridge(node: str) -> bool:

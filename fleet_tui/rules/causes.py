@@ -4,7 +4,8 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order_life import UNSAID, GoneOrder
 from fleet_tui.model.robot import Robot
 
-DIAGNOSED_WITHIN, LOGGED_WITHIN = 10.0, 60.0
+DIAGNOSED_WITHIN = 10.0
+LOGGED_WITHIN = 60.0
 """Seconds for which a diagnosis, which is repeated about once a second, and a line of the log count."""
 BESIDE_END = 3.0
 """Seconds before and after the end of an order within which a line of the log is about it first of all."""

@@ -37,5 +37,4 @@ def typed_number(word: str, state: FleetState) -> Robot | None:
 
 
 def mark_of(state: FleetState, robot: Robot) -> str:
-    """Return the mark of a robot."""
     return marks_of(tuple(state.robots))[list(state.robots).index(robot.name)]

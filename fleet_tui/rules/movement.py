@@ -5,17 +5,22 @@ import math
 from fleet_tui.model.geometry import Pose
 
 # Localisation jitter: a robot whose pose stays within these stands still.
-STILL_WITHIN, STILL_YAW = 0.05, 0.1
+STILL_WITHIN = 0.05
+STILL_YAW = 0.1
 # Metres of progress below which a robot stays at its place: turning on the spot is no progress.
 PLACE_WITHIN = 0.2
 # Metres along x or y, and metres per second, above which a robot did not drive: its localisation jumped.
-JUMP_DISTANCE, JUMP_SPEED = 1.0, 5.0
+JUMP_DISTANCE = 1.0
+JUMP_SPEED = 5.0
 # Seconds between two poses above which they tell no speed, those over which it is smoothed, and the metres
 # per second above which a robot drives.
-PACE_WITHIN, PACE_OVER, CRAWLS = 2.0, 10.0, 0.1
+PACE_WITHIN = 2.0
+PACE_OVER = 10.0
+CRAWLS = 0.1
 # Metres, and radians, before which every localisation gives another pose: amcl does after 0.25 and 0.2,
 # slam_toolbox after 0.5 of both.
-STRAYED, STRAYED_YAW = 1.0, 1.0
+STRAYED = 1.0
+STRAYED_YAW = 1.0
 JUMPS_WITHIN = 10.0
 """Seconds for which a jump of a robot's pose counts."""
 

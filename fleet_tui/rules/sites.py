@@ -17,7 +17,6 @@ def sites_of(state: FleetState) -> list[str]:
 
 
 def site_of(state: FleetState, robot: str) -> str:
-    """Return the site of a robot."""
     return state.links[state.robots[robot].link].site
 
 

@@ -38,7 +38,8 @@ class Arrival(RowsScreen):
         done: Callable[[DiscoveredSite | None], None],
     ) -> None:
         super().__init__(styles, KEYS)
-        self._site, self._done = site, done
+        self._site = site
+        self._done = done
         self._cursor = 0
 
     def rows(self, width: int, height: int) -> Rows:

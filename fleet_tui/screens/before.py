@@ -26,7 +26,8 @@ class RowsScreen(Screen[None]):
     def __init__(self, styles: Mapping[StyleRole, Style], keys: Sequence[tuple[str, str]]) -> None:
         super().__init__()
         self._keys = keys
-        self.page, self._footer = RunsView(styles, id="rows"), LineView(id="keys")
+        self.page = RunsView(styles, id="rows")
+        self._footer = LineView(id="keys")
         self._footer.set_role_styles(styles)
 
     def compose(self) -> ComposeResult:
@@ -39,7 +40,6 @@ class RowsScreen(Screen[None]):
         raise NotImplementedError
 
     def show(self) -> None:
-        """Show the current rows."""
         width, height = self.page.size
         if width and height:
             self.page.paint_rows(self.rows(width, height))

@@ -20,8 +20,11 @@ class CameraSwitch:
         controls: CameraControls,
         say: Callable[[str], None],
     ) -> None:
-        self._panes, self._map, self.view = panes, map_view, view
-        self._controls, self._say = controls, say
+        self._panes = panes
+        self._map = map_view
+        self.view = view
+        self._controls = controls
+        self._say = say
 
     def turn(self) -> None:
         """Show or hide the camera of the selected robot."""

@@ -38,7 +38,8 @@ class Confirm(Dialog, can_focus=True):
 
     def ask(self, question: Callable[[], str], then: Callable[[], None]) -> None:
         """Ask, and call `then` only after a yes."""
-        self._question, self._then = question, then
+        self._question = question
+        self._then = then
         self.query_one("#question", Static).update(tr(question()))
         self._timer.resume()
         self.open(self)
@@ -53,7 +54,6 @@ class Confirm(Dialog, can_focus=True):
 
     @on(Button.Pressed, "#yes")
     def action_confirm(self) -> None:
-        """Confirm."""
         if not self.is_open:
             return
         # Closing restyles the screen; the command does not wait for that.
@@ -65,5 +65,4 @@ class Confirm(Dialog, can_focus=True):
 
     @on(Button.Pressed, "#no")
     def refuse(self) -> None:
-        """Refuse."""
         self.action_close()

@@ -50,7 +50,6 @@ def release_key(drives: DriveControls, keys: Mapping[str, tuple[str, ...]], rele
 
 
 def drive_actions(rest: "Rest") -> DriveActions:
-    """Return the actions of the keys in a drive."""
     drives = rest.drives
     return DriveActions(
         start=drives.start, press=drives.press, change_speed=drives.change_speed, leave=drives.leave

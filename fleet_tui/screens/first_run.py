@@ -46,8 +46,10 @@ class FirstRun(RowsScreen):
         address: str = LOCAL,
     ) -> None:
         super().__init__(styles, KEYS)
-        self._places, self._done = places, done
-        self._address, self._asked = address, Asked(address, tr("discovering the fleet"))
+        self._places = places
+        self._done = done
+        self._address = address
+        self._asked = Asked(address, tr("discovering the fleet"))
         self._site: DiscoveredSite | None = None
         self._asking: Worker[None] | None = None
         self._field = Field({"enter": self._typed, "escape": self._close}, id="address")

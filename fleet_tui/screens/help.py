@@ -43,7 +43,8 @@ class Help(Overlay):
         super().__init__(id="help")
         self._pages: Pages = {}
         self._page = ""
-        self._tabs, self._text = LineView(id="help-pages"), TextView(id="help-text", moved=self._moved)
+        self._tabs = LineView(id="help-pages")
+        self._text = TextView(id="help-text", moved=self._moved)
         self.views = (self._tabs, self._text)
 
     def compose(self) -> ComposeResult:

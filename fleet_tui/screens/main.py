@@ -69,12 +69,18 @@ class MainScreen(Screen[None]):
         open_session: OpenSession,
     ) -> None:
         super().__init__()
-        self.store, self.backend, self.settings, self.files = store, backend, settings, files
+        self.store = store
+        self.backend = backend
+        self.settings = settings
+        self.files = files
         self.is_complete = self.shows_all_orders = False
-        self.status, self.message = LineView(id="status"), LineView(id="message")
+        self.status = LineView(id="status")
+        self.message = LineView(id="message")
         self.hints = KeyLine(settings.keys, id="hints")
         self.panes = Panes(settings.drawing is Drawing.ASCII)
-        self.fleet, self.alarms, self.queue = self.panes.fleet, self.panes.alarms, self.panes.queue
+        self.fleet = self.panes.fleet
+        self.alarms = self.panes.alarms
+        self.queue = self.panes.queue
         self.views: list[RunsView] = [self.status, *self.panes.views, self.message, self.hints]
         self.newest = NewestRows(self)
         self.notices = Notices(store, self.tick, settings.message)
@@ -213,7 +219,6 @@ class MainScreen(Screen[None]):
         return Pane.ROWS if isinstance(self.focused, RowsPane) else Pane.CONSOLE
 
     async def action_key(self, id_: str) -> None:
-        """Run the action of a key."""
         self.notices.key_pressed()
         done = BY_ID[id_].action(self.rest.actions)
         if isawaitable(done):

@@ -81,7 +81,8 @@ class Dialog(Overlay):
         super().open(first)
         self._below = below
         if below is not None:
-            self._before, below.is_below = focused, True
+            self._before = focused
+            below.is_below = True
 
     def action_close(self) -> None:
         """Close, and restore what was below, with its focus; what the answer closed has given it back."""

@@ -25,7 +25,8 @@ class Palette(Overlay):
 
     def __init__(self, entries: Callable[[], Iterable[Offer]], typed: Callable[[str], Typed]) -> None:
         super().__init__(id="palette")
-        self._entries, self._typed_as = entries, typed
+        self._entries = entries
+        self._typed_as = typed
         self._turn: list[str] = []
         self._matches = Matches[Offer](id="requests")
 

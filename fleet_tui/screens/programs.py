@@ -50,7 +50,8 @@ class Programs(ReturningOverlay):
 
     def __init__(self, watch: ProgramWatch, requests: ProgramRequests) -> None:
         super().__init__(id="programs")
-        self._watch, self._requests = watch, requests
+        self._watch = watch
+        self._requests = requests
         self._log_of = ""
         self._tail = LogTail()
         self._following: asyncio.Task[None] | None = None
@@ -89,10 +90,11 @@ class Programs(ReturningOverlay):
             self.set_interval(EVERY, self._tick)
 
     def show_log(self, name: str) -> None:
-        """Open on the log of a program."""
         program, status = self._watch.programs[name], self._watch.rows[name].status
         has_systemd = status is None or status.has_systemd
-        self._cursor, self._log_of, self._end = name, name, None
+        self._cursor = name
+        self._log_of = name
+        self._end = None
         self._tail = LogTail()
         self._following = asyncio.ensure_future(
             self._tail.follow(log(program, self._watch.folder, has_systemd))

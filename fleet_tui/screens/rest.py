@@ -82,16 +82,20 @@ class Rest:
     _has_few_colours = False
 
     def __init__(self, screen: "MainScreen") -> None:
-        self._screen, self._navigation, self._session = screen, screen.navigation, screen.session
+        self._screen = screen
+        self._navigation = screen.navigation
+        self._session = screen.session
         store, settings, dispatch = screen.store, screen.settings, screen.dispatch
         navigation, notices, backend = screen.navigation, screen.notices, screen.backend
         self.map = MapView(id="map")
         self.small_maps = SmallMapsView("other-floors"), SmallMapsView("other-floors-below")
         self.map.picture.options = MapOptions(drawing=settings.drawing)
         to_next, menu = settings.keys["next_vertex"], lambda: self.robots.menu(navigation.robot)
-        self.live_map, self.key_help = LiveMap(screen.backend.show_map), Help()
+        self.live_map = LiveMap(screen.backend.show_map)
+        self.key_help = Help()
         self.map_controls = MapControls(self.map, notices.say, to_next, menu)
-        self.confirm, self.menu = Confirm(id="confirm"), Menu(id="menu")
+        self.confirm = Confirm(id="confirm")
+        self.menu = Menu(id="menu")
         self.tables = TableTools(screen, self.confirm.ask)
         self.order_form, self.anyone = order_form(screen, self.confirm.ask, self.tables.marked.give_order)
         self.streams = ShownStreams(store, backend, navigation, notices, self.map.picture)
@@ -187,7 +191,8 @@ class Rest:
         self.sending = DraftSending(parts, self.editor, self.checks, files, route_files, doubt)
         say_from_thread = partial(self._screen.app.call_from_thread, self._screen.notices.say)
         self.mapping = MappingControls(parts, picture, files, ask, in_background, say_from_thread)
-        self.values, self.edge_values = VertexValues(parts, self.editor), EdgeValues(parts, self.editor)
+        self.values = VertexValues(parts, self.editor)
+        self.edge_values = EdgeValues(parts, self.editor)
         self.drawing = GraphDrawing(parts, self.editor, self.values, self.edge_values)
         self.drives = drive_controls(self._screen, self, parts)
         self.desk, self.facilities = desk_and_facilities(self._screen, parts)
@@ -226,7 +231,8 @@ class Rest:
         """Show a scene on the map, at the same scale until no panel covers a part of it any more."""
         self.drives.look(scene)
         covers = self.why.is_open or self.menu.is_open or self.order_form.is_open
-        self.map.picture.viewport.holds, self._covers = covers or self._covers, covers
+        self.map.picture.viewport.holds = covers or self._covers
+        self._covers = covers
         self._screen.panes.show_map(self.map, scene)
         state, options = self._navigation.here, self.map.picture.options
         for small_maps in self.small_maps:

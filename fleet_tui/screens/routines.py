@@ -56,7 +56,10 @@ class Routines(ReturningOverlay):
 
     def __init__(self, place: RoutinePlace, requests: RoutineRequests, led: LedRoutines, ask: Ask) -> None:
         super().__init__(id="routines")
-        self._place, self._requests, self._led, self._ask = place, requests, led, ask
+        self._place = place
+        self._requests = requests
+        self._led = led
+        self._ask = ask
         self._text: tuple[str, Sequence[str]] | None = None
         self._looked = 0.0
         self._has_timer = False
@@ -74,7 +77,8 @@ class Routines(ReturningOverlay):
 
     def show(self) -> None:
         """Open on the list."""
-        self._text, self._looked = None, 0.0
+        self._text = None
+        self._looked = 0.0
         self.open(self.rows)
         self._tick()
         if not self._has_timer:

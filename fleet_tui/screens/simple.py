@@ -32,7 +32,8 @@ class Large(OnceButton):
 
     def __init__(self, label: str, field: str, pressed: Callable[[str], None], **options: Any) -> None:
         super().__init__(label, id=f"simple-{field}", **options)
-        self._pressed, self._field = pressed, field
+        self._pressed = pressed
+        self._field = field
 
     def press(self) -> Self:
         """Press, by Enter or by mouse."""
@@ -63,9 +64,13 @@ class Simple(Vertical):
     ) -> None:
         super().__init__(id="simple")
         self._close = close
-        self._state, self._selected, self._select, self._give = state, selected, select, give
+        self._state = state
+        self._selected = selected
+        self._select = select
+        self._give = give
         self._chosen: dict[str, Place] = {}
-        self._whose, self._choosing = "", ""
+        self._whose = ""
+        self._choosing = ""
         self._picture = picture_of(state(), None)
         self._shown: tuple[object, ...] = ()
         self._list = Matches[Place | str](id="simple-list")
@@ -95,7 +100,8 @@ class Simple(Vertical):
         robot = self._robot()
         picture = picture_of(self._state(), robot)
         if robot.name != self._whose:
-            self._whose, self._picture = robot.name, picture
+            self._whose = robot.name
+            self._picture = picture
             self._forget()
         elif not is_same(picture, self._picture):
             self._picture = picture

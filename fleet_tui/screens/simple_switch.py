@@ -23,7 +23,10 @@ class SimpleSwitch:
         make: Callable[[Callable[[], None]], Simple],
         may_order: Callable[[], bool],
     ) -> None:
-        self._panes, self._map, self._make, self._may_order = panes, map_view, make, may_order
+        self._panes = panes
+        self._map = map_view
+        self._make = make
+        self._may_order = may_order
         self._simple: Simple | None = None
         self._parts = 0
 
@@ -57,8 +60,6 @@ class SimpleSwitch:
 
 
 def simple_switch(screen: "MainScreen", rest: "Rest") -> SimpleSwitch:
-    """Return the switch of the main screen."""
-
     def make(close: Callable[[], None]) -> Simple:
         state, navigation = lambda: screen.store.state, screen.navigation
         return Simple(state, lambda: navigation.robot, navigation.select, screen.dispatch.give, close)

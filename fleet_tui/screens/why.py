@@ -67,7 +67,9 @@ class Why(RobotOverlay):
     ) -> None:
         """`streams` watch the robot's scan while it is open: that it does not fit the map is a reason."""
         super().__init__(id="why")
-        self._looked_at, self._keys, self._match = looked_at, keys, streams.match
+        self._looked_at = looked_at
+        self._keys = keys
+        self._match = streams.match
         streams.explains = lambda: self.is_open
         self._backend = backend
         self._shown: list[str] = []
@@ -75,7 +77,8 @@ class Why(RobotOverlay):
         """For a robot in a size, the steps by which the text is shorter: none is taken back."""
         self._cut: tuple[str, list[str]] = ("", [])
         """A robot, and the lines on the orders whose ways are cut."""
-        self._searched, self._is_searching = ("", 0.0), False
+        self._searched = ("", 0.0)
+        self._is_searching = False
         self.cause: Reason | None = None
         """The first reason, while one goes on from here to another screen."""
 
@@ -85,7 +88,8 @@ class Why(RobotOverlay):
 
     def show(self) -> None:
         """Open on the selected robot."""
-        self._shown, self._searched = [], ("", 0.0)
+        self._shown = []
+        self._searched = ("", 0.0)
         self.look()
         self.begin()
 
@@ -155,9 +159,11 @@ class Why(RobotOverlay):
         name, at = self._searched
         if self._is_searching or (name == robot.name and monotonic() - at < IMPACT_EVERY):
             return
-        self._searched, self._is_searching = (robot.name, monotonic()), True
+        self._searched = (robot.name, monotonic())
+        self._is_searching = True
 
         def got(lines: list[str]) -> None:
-            self._cut, self._is_searching = (robot.name, lines), False
+            self._cut = (robot.name, lines)
+            self._is_searching = False
 
         run_in_background(self, lambda: why_impact(state, robot), got)

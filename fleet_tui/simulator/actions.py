@@ -41,7 +41,8 @@ class ActionDesk:
     """Its attributes are for tests to read and change."""
 
     def __init__(self, fleets: Iterable[Fleet], dialect: Dialect, unsourced: set[str]) -> None:
-        self._dialect, self._unsourced = dialect, unsourced
+        self._dialect = dialect
+        self._unsourced = unsourced
         self._servers = {name: (fleet, server) for fleet in fleets for name, server in fleet.actions.items()}
         self._given: list[_Given] = []
         self.reports_failure = True

@@ -11,7 +11,9 @@ from fleet_tui.simulator.rosapi import OF_THE_BRIDGE
 from fleet_tui.simulator.sessions.client import Client
 from fleet_tui.simulator.sessions.operations import Operation
 
-FIRST, LAST = 0.3, 0.95  # seconds after the bridge's start between which it discovers publishers on ROS 2
+# seconds after the bridge's start between which it discovers publishers on ROS 2
+FIRST = 0.3
+LAST = 0.95
 
 
 def resolve(name: str) -> str:
@@ -45,7 +47,9 @@ class Channels:
     """
 
     def __init__(self, dialect: Dialect, topics: Mapping[str, Topic], unsourced: set[str]) -> None:
-        self._dialect, self._topics, self._unsourced = dialect, topics, unsourced
+        self._dialect = dialect
+        self._topics = topics
+        self._unsourced = unsourced
         self._channels: dict[str, Channel] = {}
         self._released: dict[str, tuple[Channel, float]] = {}
 

@@ -12,9 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 RESOLUTION = 0.05  # metres per cell
-WIDTH, HEIGHT = 800, 520  # cells: 40 x 26 m
+# cells: 40 x 26 m
+WIDTH = 800
+HEIGHT = 520
 ORIGIN = (-2.0, -3.0)  # the world's x, y of the lower left corner
-UNKNOWN, FREE, OCCUPIED = -1, 0, 100
+UNKNOWN = -1
+FREE = 0
+OCCUPIED = 100
 
 AISLE = 0.8  # metres kept free on both sides of an edge
 SETBACK = 1.3  # metres between the middle of an aisle and the racks beside it

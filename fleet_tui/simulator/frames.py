@@ -71,7 +71,8 @@ class Payload:
     """
 
     def __init__(self, msg: Any, raw: Callable[[Any], Any] | None = None) -> None:
-        self.msg, self._raw = msg, raw
+        self.msg = msg
+        self._raw = raw
 
     @cached_property
     def json(self) -> str:
@@ -93,7 +94,8 @@ class OutgoingFrame:
     """A payload on its way out on a topic: one frame for all clients of a compression."""
 
     def __init__(self, topic: str, payload: Payload) -> None:
-        self._topic, self._payload = topic, payload
+        self._topic = topic
+        self._payload = payload
 
     def frame(self, compression: Compression) -> Frame:
         """The frame for a client that asked for this compression."""

@@ -44,7 +44,9 @@ class Guests:
         unsourced: Collection[str] = (),
     ) -> None:
         self._dialect = dialect
-        self._topics, self._types, self._services = topics, types, services
+        self._topics = topics
+        self._types = types
+        self._services = services
         self._listened = listened
         self._offers: dict[str, _Offer] = {}
         self._advertised: dict[str, set[Client]] = {}

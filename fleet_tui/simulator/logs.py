@@ -16,9 +16,17 @@ if TYPE_CHECKING:
 
 Message = dict[str, Any]
 
-ROSOUT, DIAGNOSTICS = "/rosout", "/diagnostics"
-DEBUG, INFO, WARN, ERROR = 1, 2, 4, 8  # rosgraph_msgs/Log
-HEALTHY, DOUBTFUL, BROKEN = 0, 1, 2  # diagnostic_msgs/DiagnosticStatus
+ROSOUT = "/rosout"
+DIAGNOSTICS = "/diagnostics"
+# rosgraph_msgs/Log
+DEBUG = 1
+INFO = 2
+WARN = 4
+ERROR = 8
+# diagnostic_msgs/DiagnosticStatus
+HEALTHY = 0
+DOUBTFUL = 1
+BROKEN = 2
 KEPT = 1000  # lines of the log for late subscribers
 
 

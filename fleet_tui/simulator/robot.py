@@ -16,8 +16,14 @@ TURN = 1.5  # rad/s, in place
 LOADING = 3.0  # seconds to load or unload
 RIDE = 6.0  # seconds in the elevator
 
-DRAIN, DRAIN_STANDING, CHARGE = 0.05, 0.01, 0.5  # per cent per second
-EMPTY, LOW, FULL = 10.0, 25.0, 80.0  # per cent: orders wait / an idle robot docks / it has charged
+# per cent per second
+DRAIN = 0.05
+DRAIN_STANDING = 0.01
+CHARGE = 0.5
+# per cent: orders wait / an idle robot docks / it has charged
+EMPTY = 10.0
+LOW = 25.0
+FULL = 80.0
 
 Work = Iterator[None]
 
@@ -39,7 +45,8 @@ class Obstructed:
 
     def block(self) -> None:
         """Put an obstacle before it that stays."""
-        self.obstacle, self._obstacle_for = STEP, math.inf
+        self.obstacle = STEP
+        self._obstacle_for = math.inf
 
     def _blocked(self, one_may_come: bool) -> bool:
         """Tell whether an obstacle is in the way; it appears about once a minute and stays for 2 to 8 s."""
@@ -71,14 +78,18 @@ class SimRobot(Obstructed):
     """A robot and its queue. `quiet` turns off obstacles and trips to the docking station."""
 
     def __init__(self, index: int, building: Building, vertex: int, rng: random.Random, quiet: bool) -> None:
-        self.name, self.index = f"robot_{index}", index
-        self._building, self._rng, self._quiet = building, rng, quiet
+        self.name = f"robot_{index}"
+        self.index = index
+        self._building = building
+        self._rng = rng
+        self._quiet = quiet
         self.vertex = vertex
         """The id of the vertex it reached last."""
         self.bound: int | None = None
         """The id of the vertex it drives to, None while it is at `vertex`."""
         self.pose = Pose(*self._spot(vertex), yaw=rng.uniform(-math.pi, math.pi))
-        self.belief, self.wheels = Belief(), Wheels()
+        self.belief = Belief()
+        self.wheels = Wheels()
         self.battery = rng.uniform(28.0, 33.0) if index == 1 and not quiet else rng.uniform(45.0, 95.0)
         self.cargo = False
         self.paused = False
@@ -98,7 +109,6 @@ class SimRobot(Obstructed):
 
     @property
     def floor(self) -> SimFloor:
-        """Return its floor."""
         return self._building.floor_of(self.vertex)
 
     @property
@@ -132,7 +142,8 @@ class SimRobot(Obstructed):
             next(self._work)
             if not self.orders:
                 # The warehouse leaves a robot alone that a hand drives.
-                self.pose, self.idle = self.wheels.carry(self.pose, STEP), min(self.idle, self.wheels.age)
+                self.pose = self.wheels.carry(self.pose, STEP)
+                self.idle = min(self.idle, self.wheels.age)
             self.belief.carry(before, self.pose)
 
     def visit(self, pose: Pose | None) -> None:
@@ -197,7 +208,8 @@ class SimRobot(Obstructed):
         else:
             yield from self._turn(vertex)
             yield from _roll_to(self, *self._spot(vertex))
-        self.vertex, self.bound = vertex, None
+        self.vertex = vertex
+        self.bound = None
 
     def _turn(self, vertex: int) -> Work:
         x, y = self._spot(vertex)

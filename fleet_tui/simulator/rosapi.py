@@ -12,7 +12,9 @@ from fleet_tui.simulator.ros.filling import fill
 from fleet_tui.simulator.ros.typedefs import action_typedefs, message_typedefs, service_typedefs
 from fleet_tui.simulator.ros_types import NodeDiedError, ServiceType, service_type
 
-FLEET, BRIDGE, ROSAPI = "/fleet", "/rosbridge_websocket", "/rosapi"
+FLEET = "/fleet"
+BRIDGE = "/rosbridge_websocket"
+ROSAPI = "/rosapi"
 HIDDEN = "/_action/"  # topics and services inside an action are not listed
 OF_THE_BRIDGE = ("/client_count", "/connected_clients", "/rosout")
 Values = dict[str, Any]
@@ -51,9 +53,14 @@ class RosapiServer:
     def __init__(
         self, dialect: Dialect, graph: RosGraph, clock: Callable[[], float], own: Callable[[str], bool]
     ) -> None:
-        self._dialect, self._clock, self._own = dialect, clock, own
-        self._topics, self._services, self._subscribed = graph.topics, graph.services, graph.subscribed
-        self._listened, self._action_servers = graph.listened, graph.action_servers
+        self._dialect = dialect
+        self._clock = clock
+        self._own = own
+        self._topics = graph.topics
+        self._services = graph.services
+        self._subscribed = graph.subscribed
+        self._listened = graph.listened
+        self._action_servers = graph.action_servers
         self.distro = dialect.distro
         self.services = rosapi_services(dialect)
         self._params = dict(dialect.params)

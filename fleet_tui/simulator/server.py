@@ -27,7 +27,8 @@ from fleet_tui.simulator.topics import TopicDesk
 LARGEST = 128 * 2**20  # bytes of a message from a client
 SLOW_RATE = 2.0  # Hz of everything but the poses
 MADE_UP = 1.0  # seconds of world time made up for after the process was held up
-COUNT, CLIENTS = "/client_count", "/connected_clients"
+COUNT = "/client_count"
+CLIENTS = "/connected_clients"
 
 # Its own logger with a place to go: a port scan must not print websockets' tracebacks on a terminal.
 _LOG = logging.getLogger(__name__)
@@ -63,8 +64,11 @@ class RosbridgeServer:
         frames = frames_topic([robot for fleet in fleets for robot in fleet.robots], now, dialect)
         topics += [*message, frames, *self._own_topics(dialect)]
         self.bridge = TopicDesk(fleets, dialect, topics, self._talk, subscribe_delay)
-        self.fleets, self.speed = fleets, speed
-        self._host, self._port, self._rate = host, port, rate
+        self.fleets = fleets
+        self.speed = speed
+        self._host = host
+        self._port = port
+        self._rate = rate
         self._slow_ticks = max(1, round(rate / SLOW_RATE))
         self.report_period = self._slow_ticks / rate  # seconds between two reports of a queue
         self._sessions: dict[Session, float] = {}

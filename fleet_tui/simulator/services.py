@@ -46,7 +46,9 @@ class ServiceDesk:
         topics: dict[str, Topic],
         subscribed: Callable[[], Mapping[str, str]],
     ) -> None:
-        self.fleets, self.dialect, self.topics = fleets, dialect, topics
+        self.fleets = fleets
+        self.dialect = dialect
+        self.topics = topics
         self.robots: dict[str, Body] = {name: one for fleet in fleets for name, one in fleet.robots.items()}
         """The robots of all fleets by name."""
         self.types = {topic.name: topic.type for topic in topics.values() if HIDDEN not in topic.name}
@@ -87,7 +89,6 @@ class ServiceDesk:
         self.rosapi = RosapiServer(dialect, graph, time.time, self.guests.owns)
 
     def fleet_of(self, robot: str) -> Fleet:
-        """The fleet of a robot."""
         return next(fleet for fleet in self.fleets if robot in fleet.robots)
 
     def call(self, client: Client, operation: Operation) -> Call | None:

@@ -33,7 +33,9 @@ class TopicDesk:
         subscribe_delay: float = 0.0,
     ) -> None:
         """`subscribe_delay`: seconds every subscribe takes (the real bridge needs 0.02)."""
-        self.fleets, self.dialect, self._talk = fleets, dialect, talk
+        self.fleets = fleets
+        self.dialect = dialect
+        self._talk = talk
         self.subscribe_delay = subscribe_delay
         self.topics = {topic.name: topic for topic in topics}
         self.services = ServiceDesk(fleets, dialect, self.topics, self._asked)

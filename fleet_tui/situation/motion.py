@@ -10,7 +10,8 @@ from fleet_tui.text.durations import age
 
 CRAWLS = 0.05
 """Metres per second above which a vehicle that only tells its speed drives."""
-STANDS_FOR, STOPS_WITHIN = 0.5, 3.0
+STANDS_FOR = 0.5
+STOPS_WITHIN = 3.0
 """Seconds of speeds near zero from which a robot stands; seconds after a pause in which it brakes."""
 LOCK = "Pause it again: that locks its motors"
 

@@ -10,7 +10,8 @@ from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import INACTIVE
 
 NO_ODOMETRY = "Check its wheel odometry: the node of its base, the topic's name"
-ASKED_WITHIN, LOGGED_WITHIN = 30.0, 60.0
+ASKED_WITHIN = 30.0
+LOGGED_WITHIN = 60.0
 """Seconds for which an answer about the servers counts, which are asked every few seconds, and a line of the
 log: the one that all are active again is no warning, and not read."""
 _BOND_BROKEN = re.compile(r"SERVER (\w+) IS DOWN")

@@ -230,7 +230,9 @@ def adrift(state: FleetState, robot: Robot) -> Fact | None:
     )
 
 
-BRAKES_FOR, DRIVES_FOR, STANDS_AFTER = 3.0, 60.0, 2.0
+BRAKES_FOR = 3.0
+DRIVES_FOR = 60.0
+STANDS_AFTER = 2.0
 """Seconds after the end of an order within which its robot brakes, and after which its movement is another
 one's; seconds without movement from which it stands."""
 

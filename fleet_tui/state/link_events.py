@@ -60,7 +60,6 @@ def _clocked(link: LinkState, at: float, stamp: float) -> LinkState:
 
 
 def apply_to_link(state: FleetState, event: LinkEvent) -> FleetState:
-    """Apply one event of a link."""
     if isinstance(event, events.LinkChanged):
         return _change_link(state, event)
     link = state.links[event.link]

@@ -14,7 +14,8 @@ from fleet_tui.state.goal_reports import apply_goals, with_sign_of_life
 from fleet_tui.state.reports import SiteClock, apply_report, clocked, relocation
 from fleet_tui.text.limits import LONGEST_NAME, truncate
 
-LINES_KEPT, REPEATED_WITHIN = 100, 1.0
+LINES_KEPT = 100
+REPEATED_WITHIN = 1.0
 """Lines kept of a robot's log, and the seconds within which a cause is told once: a controller repeats one
 twenty times a second."""
 
@@ -123,7 +124,9 @@ def _take_odometry(robot: Robot, event: navigation_events.OdometryReported, site
     return apply_report(robot, report, site)
 
 
-REST_METRES, REST_RADIANS, GAP = 0.02, 0.02, 5.0
+REST_METRES = 0.02
+REST_RADIANS = 0.02
+GAP = 5.0
 """Metres and radians per second below which a robot stands; seconds without a report after which nobody knows
 what it did between."""
 

@@ -47,7 +47,8 @@ _OfRobot = (
 
 RELISTED_WITHIN = 10.0, 15.0
 """Seconds after a link came up within which an active robot has listed its goals."""
-LIVE_MAPS_KEPT, LIVE_CELLS_KEPT = 4, 16_000_000
+LIVE_MAPS_KEPT = 4
+LIVE_CELLS_KEPT = 16_000_000
 """Limits of kept live maps and their cells: a dropped one is requested again when it is shown."""
 
 

@@ -32,7 +32,8 @@ ROUNDING = 1e-3
 BRAKING_DISTANCE = 0.5
 JUMPS_KEPT = 100
 # Ended orders are kept for the commands that placed them, which are checked ten times a second.
-GONE_FOR, GONE_KEPT = 60.0, 2 * MOST_ORDERS
+GONE_FOR = 60.0
+GONE_KEPT = 2 * MOST_ORDERS
 TRACES_KEPT = 2 * MOST_ORDERS
 
 

@@ -27,7 +27,6 @@ class Store:
         """What the operator looks at: links request its messages first, and more often."""
 
     def apply(self, event: Event) -> None:
-        """Apply one event."""
         before, self.state = self.state, reducer.apply(self.state, event)
         if not self._is_together:
             self._tell(before)

@@ -14,7 +14,8 @@ from fleet_tui.state.goal_reports import with_queue
 TASK = "task"
 FRESH = 5.0
 """Seconds for which the report of a fleet adapter holds."""
-BEGUN_LOST, WAITING_LOST = 60.0, 3600.0
+BEGUN_LOST = 60.0
+WAITING_LOST = 3600.0
 """Seconds without a report after which a task that a robot had begun, or that waits for one, is lost if the
 robot drives another, or none. One may wait for its hour."""
 AT_REST = frozenset({"idle", "charging"})

@@ -22,7 +22,6 @@ FIELD = "protective field"
 
 
 def apply_vehicle(robot: Robot, event: vehicle_events.VehicleFact) -> Robot:
-    """Apply one report of a vehicle to it."""
     match event:
         case vehicle_events.VehicleReported():
             robot = _with_motion(_with_field(robot, event), event, robot.vehicle is not None)

@@ -5,7 +5,8 @@ import threading
 import time
 from collections.abc import Callable
 
-TURN, NAP = 0.02, 0.002
+TURN = 0.02
+NAP = 0.002
 """Seconds for which incoming data waits for a picture at most, and between its looks for the end of that."""
 
 _lock = threading.Lock()

@@ -4,7 +4,8 @@ from typing import NamedTuple
 
 from fleet_tui.view.map.camera import MOST_TALL
 
-LEAST_FLEET, LEAST_LIST = 4, 3
+LEAST_FLEET = 4
+LEAST_LIST = 3
 """Lines, with the title."""
 LEAST_MAP = 9
 BUTTONS = 13
@@ -13,24 +14,32 @@ BROAD = 180
 """Cells from which its buttons are side by side."""
 PAGE_BESIDE = 45
 """Lines of the panes from which a robot's page has all its sections one below the other."""
-LEAST_BESIDE, MAP_SHARE = 78, 1 / 2
+LEAST_BESIDE = 78
+MAP_SHARE = 1 / 2
 """Cells from which a narrow screen can have the tables beside its map, and the map's share of them: as in
 `fleet.tcss`."""
-LEAST_PAGE, SHORT_PAGE = 6, 4
+LEAST_PAGE = 6
+SHORT_PAGE = 4
 """Lines from which the robot's page and the last events are worth their place, and from which the page has
 lines that else were blank."""
-LEAST_EVENTS, BELOW_NARROW = 3, 4
+LEAST_EVENTS = 3
+BELOW_NARROW = 4
 """Those from which they have a place on a narrow screen, and those that they and the queue keep there."""
-WIDE_SHARE, LEAST_TABLES, WIDE_TABLES = 0.6, 77, 92
+WIDE_SHARE = 0.6
+LEAST_TABLES = 77
+WIDE_TABLES = 92
 """The map's share of a wide screen's cells, those that the tables keep if the map can use more, and those of
 tables with all their columns, which a large screen has beside its map."""
 USUAL_SHAPE = 0.4
 """Lines of a floor per cell of its width, until one is known."""
-WHOLE_PAGES, LEAST_COLUMN, STEP = (9, 7), 60, 4
+WHOLE_PAGES = (9, 7)
+LEAST_COLUMN = 60
+STEP = 4
 """Lines that the robot's page keeps beside small maps, if need be fewer, cells of its column from which there
 are some, and lines by which they grow."""
 
-LEAST_DIALOG, USUAL_DIALOG = 9, 14
+LEAST_DIALOG = 9
+USUAL_DIALOG = 14
 """Lines of the last events from which a dialog about the map is in their place, and those that it has in that
 of the tables' last ones."""
 LEAST_SHARED = 90

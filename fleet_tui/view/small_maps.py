@@ -17,7 +17,8 @@ from fleet_tui.view.map.scene import Scene
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.selection import Selection
 
-LEAST_WIDTH, LEAST_HEIGHT = 30, 9
+LEAST_WIDTH = 30
+LEAST_HEIGHT = 9
 """Cells and lines of a small map in which its floor is recognised."""
 CAPTION_GAPS = 6
 """Cells of a caption around the floor and its robots."""
@@ -56,7 +57,8 @@ class SmallMaps:
 
     def show(self, scenes: Sequence[Scene], options: MapOptions) -> None:
         """Take the newest scenes, and the options of the map."""
-        self._scenes, self._options = scenes, options
+        self._scenes = scenes
+        self._options = options
 
     def cells(self, width: int, height: int) -> Cells | None:
         """Return all of them in this many cells, None without a floor or space."""

@@ -4,7 +4,8 @@ from fleet_tui.adapters.discovery import Discovery, Listed
 from fleet_tui.adapters.move_base.vocabulary import VOCABULARY
 from fleet_tui.adapters.ros_navigation.discovery import found_at, namespaces, of_robots
 
-STATUS, STATUS_TYPE = "move_base/status", VOCABULARY.topics["status"][1]
+STATUS = "move_base/status"
+STATUS_TYPE = VOCABULARY.topics["status"][1]
 CHOSEN = ("plan", "odometry", "pose", "battery")
 """Topics that differ from site to site."""
 

@@ -38,8 +38,16 @@ STATES = {
 """States of a goal (actionlib_msgs/GoalStatus). One that is being preempted still drives."""
 PREEMPTING = 6
 WORDS = (
-    *("pending", "active", "preempted", "succeeded", "aborted"),
-    *("rejected", "preempting", "recalling", "recalled", "lost"),
+    "pending",
+    "active",
+    "preempted",
+    "succeeded",
+    "aborted",
+    "rejected",
+    "preempting",
+    "recalling",
+    "recalled",
+    "lost",
 )
 REPLACED = re.compile(r"because another goal was rec(?:ie|ei)ved")
 """Text of a goal that was replaced by a newer one, as actionlib for C++ and for Python spell it."""

@@ -16,7 +16,8 @@ NO_STAMP = {"sec": 0, "nanosec": 0}
 ALL = "AAAAAAAAAAAAAAAAAAAAAA=="
 """The id of all goals: sixteen zeros."""
 CANCEL_TYPE = "action_msgs/srv/CancelGoal"
-NO_ERROR, UNKNOWN_GOAL = 0, 2
+NO_ERROR = 0
+UNKNOWN_GOAL = 2
 """Return codes of a cancellation. One of all goals reports no error if there are none."""
 
 

@@ -23,7 +23,8 @@ SERVERS = (
 """Nodes of Nav2's lifecycle in the order of their start."""
 REQUIRED = frozenset({"controller_server", "planner_server", "behavior_server", "bt_navigator"})
 """Those without which Nav2 drives nowhere."""
-GET_STATE, ACTIVE = "lifecycle_msgs/GetState", "active"
+GET_STATE = "lifecycle_msgs/GetState"
+ACTIVE = "active"
 
 HUMBLE = (
     "humble: by default a goal blocks its connection until it ends, a call has no time limit, and a rejected"

@@ -25,7 +25,8 @@ STATES = {
     6: OrderState.FAILED,
 }
 """States of a goal (action_msgs/GoalStatus). One that is being cancelled still drives."""
-FARTHEST, MOST_COUNTED = 1e6, 10**6
+FARTHEST = 1e6
+MOST_COUNTED = 10**6
 """Metres, and recoveries, above which a number is invalid."""
 CANCELLING = 3
 WORDS = {1: "accepted", 2: "executing", 3: "cancelling", 4: "succeeded", 5: "cancelled", 6: "aborted"}

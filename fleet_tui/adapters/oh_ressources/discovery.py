@@ -16,7 +16,8 @@ SENT = {"goal", "goal_cancel", "graph_save", "labels_save", *set_up.TOPICS}
 TOPICS = {key: named for key, named in VOCABULARY.topics.items() if key not in SENT}
 SERVICES = {key: named for key, named in VOCABULARY.services.items() if key not in set_up.SERVICES}
 """Those of every such robot: what set-up uses is named in a profile."""
-QUEUE, POSE = TOPICS["queue"][1], TOPICS["pose"][1]
+QUEUE = TOPICS["queue"][1]
+POSE = TOPICS["pose"][1]
 PAUSED = "{robot}/paused"
 # Types whose one field is read alike.
 ALIKE = {"std_msgs/Float32": ("std_msgs/Float64",)}

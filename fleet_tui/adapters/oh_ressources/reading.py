@@ -54,7 +54,6 @@ def read_queue(names: Names) -> Translate:
 
 
 def read_graph(names: Names) -> Translate:
-    """Read a Graph."""
     read = ros.reader(ros.GraphMessage, names.paths("graph"))
     read_vertex = ros.reader(ros.GraphVertex, names.paths("vertex"))
     read_edge = ros.reader(ros.GraphEdge, names.paths("edge"))

@@ -36,7 +36,15 @@ REPORTS = {
     "building": ("map",),
 }
 """The values in each topic."""
-ABILITIES = (*(kind.ORDER, kind.ORDER_TO, kind.ORDER_ANY, kind.CANCEL, kind.CLEAR, kind.PAUSE, kind.RESUME),)
+ABILITIES = (
+    kind.ORDER,
+    kind.ORDER_TO,
+    kind.ORDER_ANY,
+    kind.CANCEL,
+    kind.CLEAR,
+    kind.PAUSE,
+    kind.RESUME,
+)
 SILENCE = dict.fromkeys(("queue", "paused", "progress"), math.inf)
 
 
@@ -73,7 +81,11 @@ class Rmf:
         for key in self._readers:
             if topic := self.names.topic(key, robot):
                 yield Feed(
-                    *(key, (robot,), "", topic, self.names.type(key)),
+                    key,
+                    (robot,),
+                    "",
+                    topic,
+                    self.names.type(key),
                     latched=key in LATCHED,
                     silent=key in ON_CHANGE,
                     is_shared=True,

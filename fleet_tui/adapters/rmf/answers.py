@@ -17,7 +17,8 @@ from fleet_tui.text.limits import LONGEST_NAME, MOST_ORDERS, truncate
 
 RESPONDING = 2
 """The type of a response that is the answer; another one only asks for patience."""
-FAILED_TO_ASSIGN, CANCELLED_IN_FLIGHT = 4, 5
+FAILED_TO_ASSIGN = 4
+CANCELLED_IN_FLIGHT = 5
 REASONS = {
     FAILED_TO_ASSIGN: "no fleet took the task",
     CANCELLED_IN_FLIGHT: "cancelled before a robot had it",

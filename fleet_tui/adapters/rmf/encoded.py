@@ -13,7 +13,8 @@ from fleet_tui.text.limits import LONGEST_NAME, truncate
 
 S = TypeVar("S", bound=msgspec.Struct)
 
-LEVELS, PARTS = 8, 100
+LEVELS = 8
+PARTS = 100
 """Nested lists that are shown, and parts of each: other clients write them."""
 
 

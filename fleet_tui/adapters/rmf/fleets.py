@@ -20,12 +20,23 @@ from fleet_tui.text.limits import LONGEST_NAME, truncate
 Read = Callable[[frozenset[str], object, float], Iterable[events.Event]]
 """Reads a message that arrived at a monotonic second: the events of these robots. Raises WireError."""
 MODES = (
-    *("idle", "charging", "moving", "paused", "waiting", "emergency", "going home", "docking"),
-    *("adapter error", "cleaning", "performing an action", "action completed"),
+    "idle",
+    "charging",
+    "moving",
+    "paused",
+    "waiting",
+    "emergency",
+    "going home",
+    "docking",
+    "adapter error",
+    "cleaning",
+    "performing an action",
+    "action completed",
 )
 """Modes of rmf_fleet_msgs/RobotMode, by number."""
 FULL = 101.0
-MOST_ROBOTS, MOST_ISSUES = 1000, 20
+MOST_ROBOTS = 1000
+MOST_ISSUES = 20
 
 
 class LocationMessage(msgspec.Struct, frozen=True):

@@ -2,7 +2,6 @@
 
 
 def robot_name(fleet: str, name: str) -> str:
-    """Return the name of a robot in this console."""
     return f"{fleet}/{name}"
 
 

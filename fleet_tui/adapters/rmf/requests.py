@@ -17,7 +17,8 @@ from fleet_tui.model.order import OrderState, Stop
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.goals import active
 
-PREFIX, DIGITS = "fleet-tui-", 12
+PREFIX = "fleet-tui-"
+DIGITS = 12
 LABELS = ["fleet-tui"]
 
 Json = Mapping[str, object]
@@ -53,7 +54,6 @@ def _place(robot: Robot, stop: Stop) -> str:
 
 
 def cancel(names: Names, tasks: Iterable[str], unique: str) -> Sequence[Publication]:
-    """Return the requests that cancel tasks."""
     asked = [{"type": "cancel_task_request", "task_id": task, "labels": LABELS} for task in tasks]
     return _requests(names, unique, asked)
 

@@ -73,7 +73,8 @@ class DiagnosticArray(msgspec.Struct, frozen=True):
     status: list[DiagnosticStatus]
 
 
-_read_log, _read_array = reader(Log), reader(DiagnosticArray)
+_read_log = reader(Log)
+_read_array = reader(DiagnosticArray)
 
 
 class RobotNames:

@@ -134,8 +134,6 @@ class GraphMessage(msgspec.Struct, frozen=True):
 
 
 class LabeledVertex(msgspec.Struct, frozen=True):
-    """A label and its vertex."""
-
     label: str
     vertex_id: Int32
 

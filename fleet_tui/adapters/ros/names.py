@@ -77,7 +77,6 @@ class Names:
         return _filled(self.profile.actions.get(key, self.vocabulary.actions[key][0]), robot)
 
     def action_type(self, key: str) -> str:
-        """The ROS type of an action."""
         return self.profile.action_types.get(key, self.vocabulary.actions[key][1])
 
     def paths(self, message: str) -> dict[str, tuple[str, str]]:

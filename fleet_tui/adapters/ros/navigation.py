@@ -64,8 +64,6 @@ class CollisionMonitorState(msgspec.Struct, frozen=True):
 
 
 class PathPose(msgspec.Struct, frozen=True):
-    """One pose of a path."""
-
     pose: RosPose
 
 

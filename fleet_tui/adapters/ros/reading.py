@@ -20,7 +20,8 @@ from fleet_tui.text.limits import truncate
 if TYPE_CHECKING:
     from fleet_tui.model.set_up.streams import StreamValue
 
-ROSOUT, DIAGNOSTICS = "/rosout", "/diagnostics"
+ROSOUT = "/rosout"
+DIAGNOSTICS = "/diagnostics"
 WORTH_A_PROCESS = 4 * 2**20
 """Bytes of a JSON map above which it is decoded in a separate process: smaller ones take less time than
 starting one."""
@@ -67,7 +68,9 @@ class FrameReader:
         """`adapters` by robot; `decode_apart` decodes a large map in another process, `decode_pictures` maps
         that are pictures; both raise WireError. `warn` logs a line; without `streams` none is read."""
         self._streams = streams
-        self._link, self._limit, self._adapters = link, limit, adapters
+        self._link = link
+        self._limit = limit
+        self._adapters = adapters
         self._feeds = {feed.address: feed for feed in feeds}
         self._names = logs.RobotNames(adapters)
         self.complete = {
@@ -78,7 +81,9 @@ class FrameReader:
         """Topics of which every message counts, not only the newest."""
         self.poses = {one.address: one.robot for one in self._feeds.values() if one.fast}
         """The robot by each topic of poses, of which a newer one replaces the older."""
-        self._decode_apart, self._decode_pictures, self._warn = decode_apart, decode_pictures, warn
+        self._decode_apart = decode_apart
+        self._decode_pictures = decode_pictures
+        self._warn = warn
         self._taken: dict[tuple[type, str], float] = {}
         """When the last place of each robot was taken from a topic that several publishers share."""
         self.maps_received: set[str] = set()

@@ -7,9 +7,11 @@ from fleet_tui.adapters.ros.names import Vocabulary
 from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.model.order import natural
 
-ALONE, GROUND = "robot_0", "floor_0"
+ALONE = "robot_0"
+GROUND = "floor_0"
 """The name of a robot without a namespace, and of an unnamed floor."""
-MAP, TEXT = "nav_msgs/OccupancyGrid", "std_msgs/String"
+MAP = "nav_msgs/OccupancyGrid"
+TEXT = "std_msgs/String"
 
 
 def namespaces(names: Iterable[str], ends: Iterable[str]) -> set[str]:

@@ -10,7 +10,8 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation_events import OdometryReported, OriginReported, Place
 from fleet_tui.model.set_up.frames import BASES
 
-MAP, ODOM = "map", "odom"
+MAP = "map"
+ODOM = "odom"
 
 # (robots, message still encoded, monotonic seconds of arrival, whether it is a static one) -> the events;
 # raises WireError.

@@ -17,9 +17,11 @@ from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleError
 
 NO_ORDER = "noOrderToCancel"
 """Type of an error that some vehicles report without a reference, and without a failed action."""
-ORDER, INSTANT_ACTIONS = "order", "instantActions"
+ORDER = "order"
+INSTANT_ACTIONS = "instantActions"
 """Topics of commands, as errors name them."""
-FINISHED, FAILED = "FINISHED", "FAILED"
+FINISHED = "FINISHED"
+FAILED = "FAILED"
 
 
 def answer(command: Command, id_: str, number: int, vehicle: Vehicle) -> tuple[Stage, str] | None:

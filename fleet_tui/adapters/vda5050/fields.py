@@ -22,7 +22,9 @@ class Fields:
     """An object of a message. `faults` lists the fields that could not be used."""
 
     def __init__(self, values: dict[str, Any], faults: list[str], path: str = "") -> None:
-        self._values, self.faults, self._path = values, faults, path
+        self._values = values
+        self.faults = faults
+        self._path = path
 
     @classmethod
     def of(cls, payload: bytes) -> "Fields":

@@ -7,7 +7,8 @@ from fleet_tui.adapters.vda5050.state import OrderNodes, nodes_of
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.vehicles.vehicle import Vehicle
 
-RESTARTS, WITHIN = 3, 60.0
+RESTARTS = 3
+WITHIN = 60.0
 """Numbers of messages that go back so often in so many seconds are those of two senders."""
 STANDS_FROM = 5.0
 """Seconds of messages with one timestamp after which the clock of their vehicle stands still."""

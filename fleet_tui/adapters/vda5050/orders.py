@@ -21,7 +21,8 @@ NOT_COMMANDED = 3
 COMMANDED = ("2.1.0", "1.1.0")
 """The newest versions of both ways to write an instant action, for a vehicle whose own is not known."""
 _MAJOR = re.compile(r"v?(\d+)", re.IGNORECASE)
-START_CHARGING, STOP_CHARGING = "startCharging", "stopCharging"
+START_CHARGING = "startCharging"
+STOP_CHARGING = "stopCharging"
 HERE = "here"
 """The first node of an order for a vehicle that stands at none."""
 AT_NODE = 0.5

@@ -33,7 +33,8 @@ class MessageReader:
         self, link: str, limit: Limit, adapters: Mapping[str, Adapter], feeds: Iterable[Feed]
     ) -> None:
         """`adapters` by robot; `feeds` are those of this link."""
-        self._link, self._limit = link, limit
+        self._link = link
+        self._limit = limit
         self._feeds = {(feed.robot, feed.key): feed for feed in feeds}
         known = {feed.robot: cast("VehicleAdapter", adapters[feed.robot]) for feed in self._feeds.values()}
         self._topics = list(dict.fromkeys(adapter.topics for adapter in known.values()))

@@ -11,7 +11,10 @@ from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleAction, VehicleError
 from fleet_tui.text.limits import LONGEST_WORDS
 
-MOST_NODES, MOST_ERRORS, MOST_ACTIONS, MOST_REFERENCES = 2000, 100, 500, 20
+MOST_NODES = 2000
+MOST_ERRORS = 100
+MOST_ACTIONS = 500
+MOST_REFERENCES = 20
 """Maximum parts of one state."""
 ENDED = frozenset({"FINISHED", "FAILED"})
 """States of an action that is over."""

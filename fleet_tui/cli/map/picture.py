@@ -13,7 +13,8 @@ from fleet_tui.view.map.ground.raster import ground
 SIZE = 80, 24
 """Columns and lines without a terminal."""
 SMALLEST = 20, 8
-MARGIN, TICK = 7, 10
+MARGIN = 7
+TICK = 10
 """Cells for the number of a pixel row, and from one pixel column with a number to the next."""
 Part = tuple[float, float, float, float]
 """First column and row, width, height, in pixels."""

@@ -18,7 +18,8 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 NEGATIVE = {"ignore_unknown_options": True}
 """A negative number is no option."""
-TIMEOUT, DRIVE_TIMEOUT = 15.0, 3600.0
+TIMEOUT = 15.0
+DRIVE_TIMEOUT = 3600.0
 WAITS = {
     "order": f"{TIMEOUT:.0f} by default, {DRIVE_TIMEOUT:.0f} with --until-done",
     "run": f"{TIMEOUT:.0f} for each line by default",

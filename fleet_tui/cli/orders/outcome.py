@@ -12,7 +12,10 @@ from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import command_text
 
 VERSION = 2
-DONE, NOT_DONE, USAGE, NO_LINK = 0, 1, 2, 3
+DONE = 0
+NOT_DONE = 1
+USAGE = 2
+NO_LINK = 3
 SUCCESSES = frozenset({Stage.CONFIRMED, Stage.UNVERIFIABLE})
 NOT_SENT = Stage.NOT_SENT.value
 

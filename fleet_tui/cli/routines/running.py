@@ -91,7 +91,10 @@ class _Running:
     """A run in a terminal or a service."""
 
     def __init__(self, given: Sending, file: RoutineFile, options: RunOptions, say: Say) -> None:
-        self._given, self._file, self._options, self._say = given, file, options, say
+        self._given = given
+        self._file = file
+        self._options = options
+        self._say = say
         self._can_ask = sys.stdin.isatty() and not options.as_json
         self._asked = False
         self._not_saved = ""

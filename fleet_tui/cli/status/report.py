@@ -220,7 +220,13 @@ def changes(before: Values, after: Values) -> Values:
 
 def _ageless(entry: Values) -> Values:
     ages = (
-        *("since_s", "last_message_s", "heard_s", "late_s", "blocked_s", "state_s", "action_s"),
+        "since_s",
+        "last_message_s",
+        "heard_s",
+        "late_s",
+        "blocked_s",
+        "state_s",
+        "action_s",
         "localisation_silent_s",
     )
     kept = {name: value for name, value in entry.items() if name not in ages}

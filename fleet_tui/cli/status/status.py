@@ -16,7 +16,9 @@ from fleet_tui.view.tables.alarms import alarm_table
 from fleet_tui.view.tables.fleet import fleet_table
 from fleet_tui.view.tables.table import Run
 
-FINE, ATTENTION, NO_LINK = 0, 1, 3
+FINE = 0
+ATTENTION = 1
+NO_LINK = 3
 WATCH_EVERY = 1.0
 RIPENS = 0.5
 ONE_LINE = 79

@@ -37,7 +37,8 @@ LATEST = 1.0
 """Seconds after which a command that waited for a stalled console is out of date."""
 LONGEST_SILENCE = 2.5
 """Seconds without an answer of the broker after which a command may be delivered much later, or never."""
-SEEN_WITHIN, ADDRESSED_WITHIN = 1.5, 0.2
+SEEN_WITHIN = 1.5
+ADDRESSED_WITHIN = 0.2
 """Seconds for which a pause waits for the first message of its vehicle, without and with an address by the
 configuration: what the broker has kept comes at once, and has the vehicle's own version."""
 LATE_ANSWER = 60.0
@@ -85,7 +86,8 @@ class VehicleCommands:
         self, connection: BrokerConnection, adapters: Mapping[str, Adapter], writer: Writer, timeout: float
     ) -> None:
         """`timeout` of an answer in seconds."""
-        self._connection, self._writer = connection, writer
+        self._connection = connection
+        self._writer = writer
         self._adapters = {name: one for name, one in adapters.items() if isinstance(one, VehicleAdapter)}
         self._timeout = timeout
         self._asked: dict[str, AwaitedAnswer] = {}

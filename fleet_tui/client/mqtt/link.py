@@ -17,7 +17,8 @@ class BrokerLink:
 
     def __init__(self, name: str, config: Config, adapters: Mapping[str, Adapter], writer: Writer) -> None:
         """`adapters` by robot."""
-        self._writer, self._adapters = writer, adapters
+        self._writer = writer
+        self._adapters = adapters
         self._telemetry = VehicleTelemetry(name, config, adapters, writer)
         self.counter = self._telemetry.counter
 

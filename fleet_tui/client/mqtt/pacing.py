@@ -15,7 +15,8 @@ class VehiclePacing:
     """Runs on the network loop. Times are monotonic seconds."""
 
     def __init__(self, config: Config, feeds: Iterable[Feed], store: Store) -> None:
-        self._rates, self._store = config.rates, store
+        self._rates = config.rates
+        self._store = store
         self._frequent = {feed.robot: feed.address for feed in feeds if feed.fast}
         self._plan = RatePlan(
             config.rates.changes_per_s,

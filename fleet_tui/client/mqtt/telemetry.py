@@ -35,7 +35,8 @@ class VehicleTelemetry:
 
     def __init__(self, link: str, config: Config, adapters: Mapping[str, Adapter], writer: Writer) -> None:
         """`adapters` by robot."""
-        self._link, self._writer = link, writer
+        self._link = link
+        self._writer = writer
         self._feeds = {feed.address: feed for feed in feeds_of(config, adapters, link)}
         self._reading = MessageReader(link, limit_of(config, link), adapters, self._feeds.values())
         self._pacing = VehiclePacing(config, self._feeds.values(), writer.store)

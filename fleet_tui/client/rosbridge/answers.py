@@ -47,8 +47,12 @@ class Answers:
         advance: Callable[[int, Stage, str], None],
     ) -> None:
         """`timeout` of an answer in seconds; `adapters` by robot."""
-        self._calls, self._services, self._adapters = calls, services, adapters
-        self._writer, self._timeout, self._advance = writer, timeout, advance
+        self._calls = calls
+        self._services = services
+        self._adapters = adapters
+        self._writer = writer
+        self._timeout = timeout
+        self._advance = advance
 
     async def wait(
         self,

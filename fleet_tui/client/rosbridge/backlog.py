@@ -29,7 +29,9 @@ class Backlog:
     """Runs on the network loop. `take` receives each frame to be decoded."""
 
     def __init__(self, connection: Connection, reading: FrameReader, take: Callable[[Frame], None]) -> None:
-        self._connection, self._reading, self._take = connection, reading, take
+        self._connection = connection
+        self._reading = reading
+        self._take = take
         self._arrived: deque[tuple[float, int]] = deque()
         """When how many bytes had arrived in all, read or not."""
         self._newest: dict[str, tuple[float, Frame]] = {}

@@ -32,7 +32,9 @@ class GoalChannel:
 
     def __init__(self, link: str, bridge: Link, writer: Writer, take: TakeResult) -> None:
         """`take` receives the end of each goal with the number of its command."""
-        self._link, self._writer, self._take = link, writer, take
+        self._link = link
+        self._writer = writer
+        self._take = take
         self.connection = Connection(bridge, self)
         self._opened = asyncio.Event()
         self._reason = ""
@@ -100,7 +102,10 @@ class Goals:
         writer: Writer,
         advance: Callable[[int, Stage, str], None],
     ) -> None:
-        self._link, self._bridge, self._adapters, self._writer = link, bridge, adapters, writer
+        self._link = link
+        self._bridge = bridge
+        self._adapters = adapters
+        self._writer = writer
         self._advance = advance
         self._channels: dict[str, GoalChannel] = {}
         self._commands: dict[int, Command] = {}

@@ -15,9 +15,11 @@ from fleet_tui.model.events import CommandPathChanged
 from fleet_tui.model.link import HALF_DEAD, CommandPath
 from fleet_tui.text.limits import some
 
-EVERY, AGAIN = 2.0, 0.5
+EVERY = 2.0
+AGAIN = 0.5
 """Seconds between two beats, and after one that a node left unanswered."""
-QUICK, TIMEOUT = 0.7, 5.0
+QUICK = 0.7
+TIMEOUT = 5.0
 """Seconds for a node to answer, and for the bridge itself."""
 LOOK_EVERY = 8
 """Beats between two checks of the services: a quick restart of the master goes unnoticed otherwise."""
@@ -40,18 +42,24 @@ class Heartbeat:
         asks_node: bool = True,
     ) -> None:
         """`silence` are the seconds since the last message on any topic; `asks_node` as for Pulse."""
-        self._link, self._calls, self._services, self._report = link, calls, services, report
-        self._pulse, self._silence = Pulse(calls, asks_node), silence
+        self._link = link
+        self._calls = calls
+        self._services = services
+        self._report = report
+        self._pulse = Pulse(calls, asks_node)
+        self._silence = silence
         self._round_trips = round_trips
         self._connected = False
         self._reported: CommandPathChanged | None = None
         self._answered_at = 0.0
         self._task: asyncio.Task[None] | None = None
-        self.path, self.reason = CommandPath.UNTRIED, ""
+        self.path = CommandPath.UNTRIED
+        self.reason = ""
         services.changed = self._refresh
 
     def _set(self, path: CommandPath, reason: str = "") -> None:
-        self.path, self.reason = path, reason
+        self.path = path
+        self.reason = reason
         change = CommandPathChanged(self._link, path, reason, self._connected)
         if change != self._reported:
             self._reported = change

@@ -15,7 +15,8 @@ from fleet_tui.adapters.ros.reading import FrameReader
 from fleet_tui.client.rosbridge.calls import Calls
 from fleet_tui.client.rosbridge.rosapi import publishers
 
-FIRST_PATIENCE, LONGEST_PATIENCE = 2.0, 64.0
+FIRST_PATIENCE = 2.0
+LONGEST_PATIENCE = 64.0
 """Seconds without a value after which the other QoS is tried; doubled each time."""
 LET_GO = 0.5
 """Seconds without any subscriber after which the bridge chooses the QoS of a topic again."""
@@ -32,8 +33,11 @@ class Latched:
         subscribe: Callable[[Feed], None],
         unsubscribe: Callable[[Feed], None],
     ) -> None:
-        self._calls, self._reading, self._wanted = calls, reading, wanted
-        self._subscribe, self._unsubscribe = subscribe, unsubscribe
+        self._calls = calls
+        self._reading = reading
+        self._wanted = wanted
+        self._subscribe = subscribe
+        self._unsubscribe = unsubscribe
         self._volatile: dict[str, Feed] = {}
         """Those that are subscribed without `qos`."""
         self._counts: dict[str, int] = {}

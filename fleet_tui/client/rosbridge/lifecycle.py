@@ -20,7 +20,8 @@ from fleet_tui.transports.rosbridge.connection import Connection
 
 LOG = logging.getLogger(__name__)
 
-EVERY, WITHIN = 5.0, 2.0
+EVERY = 5.0
+WITHIN = 2.0
 """Seconds between two rounds, and for an answer."""
 
 
@@ -37,7 +38,10 @@ class Lifecycle:
     ) -> None:
         """`probes` by robot; `services` as rosapi lists them: what is not there is not called, which would be
         an error in the log of the site."""
-        self._link, self._probes, self._services, self._writer = link, probes, services, writer
+        self._link = link
+        self._probes = probes
+        self._services = services
+        self._writer = writer
         self._connection = Connection(bridge, self)
         self._calls = Calls(self._connection)
         self._task: asyncio.Task[None] | None = None

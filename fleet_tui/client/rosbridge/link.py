@@ -23,7 +23,9 @@ class BridgeLink:
     def __init__(self, name: str, config: Config, adapters: Mapping[str, Adapter], writer: Writer) -> None:
         """`adapters` by robot."""
         self.name = name
-        self._writer, self._config, self._adapters = writer, config, adapters
+        self._writer = writer
+        self._config = config
+        self._adapters = adapters
         self._telemetry = Telemetry(name, config, adapters, writer)
         timeout = config.alarms.no_answer_after
         bridge = config.bridge(name)

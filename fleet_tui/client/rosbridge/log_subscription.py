@@ -23,7 +23,8 @@ class LogSubscription:
     """Runs on the network loop. `ask_types` returns type by topic, as rosapi reports."""
 
     def __init__(self, connection: Connection, ask_types: Callable[[], Awaitable[Mapping[str, str]]]) -> None:
-        self._connection, self._ask_types = connection, ask_types
+        self._connection = connection
+        self._ask_types = ask_types
         self._wanted = False
         # A task without a reference may be garbage-collected while it runs.
         self._task: asyncio.Task[None] | None = None

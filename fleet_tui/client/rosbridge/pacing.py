@@ -26,7 +26,9 @@ class Pacing:
         self, config: Config, adapters: Mapping[str, Adapter], feeds: Iterable[Feed], store: Store
     ) -> None:
         """`adapters` by robot."""
-        self._rates, self._adapters, self._store = config.rates, adapters, store
+        self._rates = config.rates
+        self._adapters = adapters
+        self._store = store
         self._usual_silence = config.alarms.offline_after
         self._confirmed_within = config.alarms.not_confirmed_after
         self._paced: dict[str, list[Feed]] = {}

@@ -13,7 +13,8 @@ from fleet_tui.transports.rosbridge.connection import Connection
 KNOWN_AFTER = 0.3
 """Seconds until subscribers have connected to an advertised topic: earlier messages may be lost."""
 
-AT_ONCE, BETWEEN = 20, 0.2
+AT_ONCE = 20
+BETWEEN = 0.2
 """Topics advertised per batch (a real bridge needs up to 10 ms for each), and the seconds between batches."""
 
 
@@ -21,7 +22,8 @@ class Publishing:
     """Runs on the network loop. `usual` are names and types of topics advertised on each connection."""
 
     def __init__(self, connection: Connection, usual: Iterable[tuple[str, str]]) -> None:
-        self._connection, self._usual = connection, tuple(usual)
+        self._connection = connection
+        self._usual = tuple(usual)
         self._advertised: dict[str, float] = {}
         self._repeats: list[bytes] = []
         self._timer: asyncio.TimerHandle | None = None
@@ -83,5 +85,7 @@ class Publishing:
         for timer in (self._timer, self._next):
             if timer is not None:
                 timer.cancel()
-        self._repeats, self._timer, self._next = [], None, None
+        self._repeats = []
+        self._timer = None
+        self._next = None
         self._advertised.clear()

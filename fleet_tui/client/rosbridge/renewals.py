@@ -6,7 +6,9 @@ from collections.abc import Collection, Mapping, Set
 # A bridge behind which roscore was restarted stays silent until subscribed again. A robot that is only
 # switched off is subscribed again repeatedly, at doubling intervals. Seconds; a real bridge takes
 # 20 ms for each topic, and has not finished before that.
-FIRST_RENEWAL, PER_TOPIC, LONGEST_INTERVAL = 8.0, 0.03, 64.0
+FIRST_RENEWAL = 8.0
+PER_TOPIC = 0.03
+LONGEST_INTERVAL = 64.0
 # The bridge subscribes in ROS again only when no client holds the topic. Consoles notice a silence at about
 # the same time, and unsubscribe for a quarter of the time they waited, up to this many seconds: together.
 LONGEST_RELEASE = 8.0

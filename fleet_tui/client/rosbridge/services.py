@@ -33,7 +33,9 @@ class Services:
 
     def __init__(self, calls: Calls, wanted: Mapping[str, Service], has_actions: bool = False) -> None:
         """`wanted` are the services by name; `has_actions`: action servers are asked for, too."""
-        self._calls, self._wanted, self._has_actions = calls, wanted, has_actions
+        self._calls = calls
+        self._wanted = wanted
+        self._has_actions = has_actions
         self._servers: Set[str] | None = None
         self.listed: frozenset[str] = frozenset()
         """All services that rosapi listed last."""
@@ -182,7 +184,8 @@ class Services:
             return
         self.listed = frozenset(name for name in listed if isinstance(name, str))
         there = self._wanted.keys() & self.listed
-        self._rosapi_answered, self._master_was_lost = True, False
+        self._rosapi_answered = True
+        self._master_was_lost = False
         self._seen |= there
         ever = {self._wanted[name].robot for name in self._seen}
         absent, self._absent = self._absent, {one.robot for one in self._wanted.values()} - ever

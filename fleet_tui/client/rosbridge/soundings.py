@@ -14,11 +14,14 @@ from fleet_tui.client.rosbridge.pulse import Pulse
 from fleet_tui.errors import LinkError
 from fleet_tui.model.events import BridgeAnswered
 
-EVERY, AGAIN = 1.0, 0.2
+EVERY = 1.0
+AGAIN = 0.2
 """Seconds from an answer to the next question; from a late one, to see at once that the bridge is in time.
 Behind a bridge whose robots have nothing to say, its answers are all that shows that commands get through
 (`command_channel.LONGEST_SILENCE`)."""
-PATIENT, QUICK, LONGEST = 2.0, 0.5, 60.0
+PATIENT = 2.0
+QUICK = 0.5
+LONGEST = 60.0
 """Seconds for rosapi to tell the clock of the site, first and later, and for the bridge's own answer."""
 
 

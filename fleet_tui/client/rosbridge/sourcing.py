@@ -10,7 +10,8 @@ from fleet_tui.client.rosbridge.rosapi import publishers
 from fleet_tui.model.events import MessagesUnsourced
 from fleet_tui.rules.sourcing import ALWAYS_THERE, Listening, unsourced_package
 
-LOOK_AFTER, FOR_EACH_TOPIC = 4.0, 0.03
+LOOK_AFTER = 4.0
+FOR_EACH_TOPIC = 0.03
 """Seconds after which a published topic should have delivered: a bridge subscribes one by one."""
 RETRY_AFTER = 2.0
 """Seconds between checks whether a package that seemed missing delivers after all."""
@@ -31,7 +32,10 @@ class Sourcing:
         report: Callable[[MessagesUnsourced], None],
     ) -> None:
         """`types` returns the type of each topic as the bridge spells it."""
-        self._link, self._calls, self._reading, self._report = link, calls, reading, report
+        self._link = link
+        self._calls = calls
+        self._reading = reading
+        self._report = report
         self._types = types
         # On a topic published only on change, silence proves nothing.
         self._wanted = [one for one in wanted if not (one.large or one.silent)]

@@ -46,8 +46,13 @@ class Subscriber:
         pacing: Pacing,
         report: Callable[[events.Event], None],
     ) -> None:
-        self._connection, self._calls, self._reading, self._report = connection, calls, reading, report
-        self._feeds, self._adapters, self._pacing = tuple(feeds), adapters, pacing
+        self._connection = connection
+        self._calls = calls
+        self._reading = reading
+        self._report = report
+        self._feeds = tuple(feeds)
+        self._adapters = adapters
+        self._pacing = pacing
         self._robots = {robot for feed in self._feeds for robot in feed.robots}
         self._renewals = Renewals(self._robots, len(self._feeds))
         self.types: dict[str, str] = {}

@@ -60,9 +60,13 @@ class Telemetry:
     """Receives a bridge's topics. Everything runs on the network loop unless noted otherwise."""
 
     def __init__(self, link: str, config: Config, adapters: Mapping[str, Adapter], writer: Writer) -> None:
-        self._link, self._writer, self._logged, self._waiting = link, writer, set[str](), 0
+        self._link = link
+        self._writer = writer
+        self._logged = set[str]()
+        self._waiting = 0
         self._received_at = self._reported_at = self._active_at = self._next_check = self._opened_at = 0.0
-        self._last_messages, self._jumps = dict[str, float](), dict[str, object]()
+        self._last_messages = dict[str, float]()
+        self._jumps = dict[str, object]()
         self._decoder = ThreadPoolExecutor(1, thread_name_prefix="fleet-tui-decode")
         bridge, feeds = config.bridge(link), feeds_of(config, adapters, link)
         self.connection = Connection(bridge, self)

@@ -37,7 +37,10 @@ class DeskCommands:
         post: Callable[[Event], str],
         clock: Callable[[float], str],
     ) -> None:
-        self._parts, self._files, self._post, self._clock = parts, files, post, clock
+        self._parts = parts
+        self._files = files
+        self._post = post
+        self._clock = clock
 
     def typed(self, line: str) -> Typed | None:
         """Parse a typed line, None if it is not about the desk."""

@@ -22,7 +22,10 @@ class AnyoneOrders:
     """Finds a robot for the places of an order. Nothing is sent without a yes to that robot."""
 
     def __init__(self, store: Store, dispatch: Dispatch, notices: Notices, ask: Ask) -> None:
-        self._store, self._dispatch, self._notices, self._ask = store, dispatch, notices, ask
+        self._store = store
+        self._dispatch = dispatch
+        self._notices = notices
+        self._ask = ask
 
     def give(self, places: Sequence[Place], sent: Callable[[], None] = lambda: None) -> str:
         """Ask whether the nearest idle robot shall visit the places, or any that a dispatcher chooses; `sent`

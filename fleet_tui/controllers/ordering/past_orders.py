@@ -22,7 +22,9 @@ class PastOrders:
     """Reads the audit log once, in a thread: a disk may hang."""
 
     def __init__(self, store: Store, audit: Callable[[], Audit | None], in_background: InBackground) -> None:
-        self._store, self._audit, self._in_background = store, audit, in_background
+        self._store = store
+        self._audit = audit
+        self._in_background = in_background
         self._earlier: list[Given] = []
         self._has_read = False
 

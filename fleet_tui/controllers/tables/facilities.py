@@ -18,7 +18,8 @@ class FacilityList:
     """Lists the facilities of all sites, those that are out of service first."""
 
     def __init__(self, parts: SetUpParts, clock: Callable[[float], str]) -> None:
-        self._parts, self._clock = parts, clock
+        self._parts = parts
+        self._clock = clock
 
     def typed(self, line: str) -> Typed | None:
         """Parse `facilities`, None for any other line."""

@@ -46,8 +46,12 @@ class MarkedCommands:
         outcomes: Outcomes,
         done: Callable[[], None],
     ) -> None:
-        self._store, self._dispatch, self._ask = store, dispatch, ask
-        self._marks, self._outcomes, self._done = marks, outcomes, done
+        self._store = store
+        self._dispatch = dispatch
+        self._ask = ask
+        self._marks = marks
+        self._outcomes = outcomes
+        self._done = done
 
     def do(self, selected: str, make: Callable[[str], Command]) -> None:
         """Give a command to the marked robots, without marks to the selected one."""

@@ -87,5 +87,4 @@ class Desk(Struct, frozen=True):
         return list(dict.fromkeys(one.name for one in self.others if robot in one.claims))
 
     def closed_on(self, floor: str) -> list[ClosedEdge]:
-        """Return the closed edges of a floor."""
         return [edge for edge in self.closed if edge.ends[0] == floor]

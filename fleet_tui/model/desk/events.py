@@ -46,14 +46,10 @@ class ColleaguesSeen(Struct, frozen=True, tag=True):
 
 
 class RobotClaimed(Struct, frozen=True, tag=True):
-    """This console claimed a robot."""
-
     robot: str
 
 
 class RobotReleased(Struct, frozen=True, tag=True):
-    """This console released a robot."""
-
     robot: str
 
 

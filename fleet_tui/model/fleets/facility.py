@@ -2,7 +2,11 @@
 
 from msgspec import Struct
 
-LIFT, DOOR, DISPENSER, INGESTOR, LANES = "lift", "door", "dispenser", "ingestor", "lanes"
+LIFT = "lift"
+DOOR = "door"
+DISPENSER = "dispenser"
+INGESTOR = "ingestor"
+LANES = "lanes"
 
 
 class Facility(Struct, frozen=True):

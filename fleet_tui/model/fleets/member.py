@@ -2,7 +2,8 @@
 
 from msgspec import Struct
 
-EMERGENCY, ADAPTER_ERROR = "emergency", "adapter error"
+EMERGENCY = "emergency"
+ADAPTER_ERROR = "adapter error"
 """Modes in which a robot can't drive."""
 OFFLINE = "offline"
 """Status of a robot whose driver has lost it."""

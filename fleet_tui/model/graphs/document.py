@@ -176,7 +176,6 @@ class GraphDocument(Struct, frozen=True):
 
 
 def of_floor(floor: DocumentFloor, name: str = "") -> GraphDocument:
-    """Return a document of one floor."""
     return GraphDocument(name or floor.name, {floor.name: floor})
 
 

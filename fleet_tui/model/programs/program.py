@@ -72,4 +72,7 @@ class ChangeOutcome(Struct, frozen=True):
         return f"{self.word} ({self.detail})" if self.detail else self.word
 
 
-CONFIRMED, REFUSED, FAILED, NOT_CONFIRMED = "confirmed", "refused", "failed", "not confirmed"
+CONFIRMED = "confirmed"
+REFUSED = "refused"
+FAILED = "failed"
+NOT_CONFIRMED = "not confirmed"

@@ -162,5 +162,8 @@ class LaneNote(Struct, frozen=True):
 
 LaneAction = GiveOrder | StartProgram | EndProgram | LaneNote
 
-BEGUN, ENDED, LEFT, SKIPPED = "begun", "done", "not done", "skipped"
+BEGUN = "begun"
+ENDED = "done"
+LEFT = "not done"
+SKIPPED = "skipped"
 """Changes of a block: it was carried out, left after a failure or a stop, or not begun."""

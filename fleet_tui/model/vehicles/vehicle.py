@@ -2,12 +2,15 @@
 
 from msgspec import Struct
 
-OFFLINE, BROKEN, REMOVED = "OFFLINE", "CONNECTIONBROKEN", "REMOVED"
+OFFLINE = "OFFLINE"
+BROKEN = "CONNECTIONBROKEN"
+REMOVED = "REMOVED"
 """Connections of a vehicle that is gone: it said goodbye, the broker says it for it, or somebody has removed
 what the broker kept of it."""
 DRIVES = frozenset({"AUTOMATIC", "SEMIAUTOMATIC"})
 """Modes in which a vehicle takes orders."""
-HIGH, MEDIUM = frozenset({"FATAL", "CRITICAL"}), frozenset({"URGENT"})
+HIGH = frozenset({"FATAL", "CRITICAL"})
+MEDIUM = frozenset({"URGENT"})
 """Levels of errors, by the priority of their alarms; others are low."""
 HEADING = "nodePosition.theta"
 CANCEL = "cancelOrder"

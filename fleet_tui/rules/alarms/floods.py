@@ -13,7 +13,8 @@ from fleet_tui.text.limits import some
 ActiveConditions = Mapping[Key, Condition]
 """Conditions of the last check."""
 
-FLOOD, FLOOD_SPAN = 5, 3.0
+FLOOD = 5
+FLOOD_SPAN = 3.0
 """Robots of a link with the same condition within this many seconds are one alarm."""
 
 
@@ -41,7 +42,6 @@ def group_key(link: str, kind: str) -> Key:
 
 
 def is_group(kind: str) -> bool:
-    """Tell whether a kind is that of an alarm group."""
     return kind.startswith("many ") and kind.removeprefix("many ") in FLOODS
 
 

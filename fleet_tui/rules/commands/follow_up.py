@@ -36,7 +36,8 @@ from fleet_tui.text.durations import age
 
 ANSWER_WITHIN = 1.0
 """Seconds for the robot's own report on the end of a goal, which is separate from its status."""
-LATE_ORDER, LATE_OTHER = 600.0, 60.0
+LATE_ORDER = 600.0
+LATE_OTHER = 60.0
 """Seconds after `not confirmed` in which an effect still counts as the command carried out late."""
 
 _UNSEEN = Stage.LOST, Stage.DONE

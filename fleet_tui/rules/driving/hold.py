@@ -10,7 +10,8 @@ from fleet_tui.model.set_up.driving import Axis
 
 TAP = 0.3
 """Seconds for which one press drives."""
-HELD_WITHIN, PRESSES = 0.8, 3
+HELD_WITHIN = 0.8
+PRESSES = 3
 """The number of presses within a number of seconds that tells a held key."""
 RELEASED_AFTER = 0.25
 """Seconds after its last repeat until a held key counts as released."""

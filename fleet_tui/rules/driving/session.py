@@ -8,7 +8,8 @@ PERIOD = 0.1
 """Seconds between two frames while the robot moves, and between two calls of `tick`."""
 RETRY = 0.01
 """Seconds until a frame that could not leave is tried again, as new as it is then."""
-ECHO_WITHIN, AGAIN = 1.2, 0.3
+ECHO_WITHIN = 1.2
+AGAIN = 0.3
 """Seconds for the first echo, and between two of the zeros that wait for it: the first one may be lost."""
 LATEST = 0.3
 """Seconds after which an echo is too late to drive on."""
@@ -22,8 +23,10 @@ class DriveSession:
     """Decides every frame. Each method takes the monotonic second, and returns the frames to send now."""
 
     def __init__(self, caps: Caps, topic: str) -> None:
-        self._caps, self._topic = caps, topic
-        self._echoes, self._steering = Echoes(), Steering()
+        self._caps = caps
+        self._topic = topic
+        self._echoes = Echoes()
+        self._steering = Steering()
         self._began = self._sent_at = 0.0
         self._zeros = 0
         """Zeros that are still to be sent."""
@@ -109,6 +112,7 @@ class DriveSession:
         return self._send(speeds, at)
 
     def _send(self, speeds: Speeds, at: float) -> Frames:
-        self._echoes, self._sent_at = self._echoes.sent(speeds, at), at
+        self._echoes = self._echoes.sent(speeds, at)
+        self._sent_at = at
         self.state = self.state._replace(sent=speeds)
         return [speeds]

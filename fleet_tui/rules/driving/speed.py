@@ -9,11 +9,13 @@ from fleet_tui.rules.driving.hold import Hand
 
 FIRST = 1 / 3
 """The share of the caps with which a drive begins."""
-STEP, LEAST = 1 / 6, 1 / 6
+STEP = 1 / 6
+LEAST = 1 / 6
 """The change of that share by one key, and its least value."""
 RISE = 0.5
 """Metres per second that each second adds; turning rises in the same proportion to its cap."""
-SLOW_WITHIN, CREEP = 0.5, 0.05
+SLOW_WITHIN = 0.5
+CREEP = 0.05
 """Metres of free floor ahead below which it slows down, and the metres per second that are always left: a
 robot has to be driven out of a corner, too."""
 

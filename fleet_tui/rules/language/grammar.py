@@ -38,7 +38,8 @@ USAGE = {
     "resume": "resume ROBOT, or resume all",
     **set_up.USAGE,
 }
-ALL, GOAL = "all", "goal"
+ALL = "all"
+GOAL = "goal"
 TO = "to", "TO", "To"
 """Words that mean `>` in a line without one that begins with a robot."""
 

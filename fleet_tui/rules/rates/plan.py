@@ -14,17 +14,20 @@ class RatePlan:
     `topics`: how many of a robot's topics a change is about. Times are seconds of any clock."""
 
     def __init__(self, per_second: int, topics: Callable[[str, Intervals, Intervals], int]) -> None:
-        self._per_second, self._topics = per_second, topics
+        self._per_second = per_second
+        self._topics = topics
         self.asked: dict[str, Intervals] = {}
         self._needed_at: dict[str, float] = {}
         """When each robot's intervals were needed last."""
-        self._left, self._at = 0.0, inf
+        self._left = 0.0
+        self._at = inf
 
     def begin(self, wanted: Mapping[str, Intervals], now: float) -> None:
         """Request these intervals: nothing is subscribed yet."""
         self.asked = dict(wanted)
         self._needed_at = dict.fromkeys(wanted, now)
-        self._left, self._at = float(self._per_second), now
+        self._left = float(self._per_second)
+        self._at = now
 
     def due(self, wanted: Mapping[str, Intervals], now: float) -> list[tuple[str, Intervals]]:
         """Change the intervals that may change now, the fastest first, and return their robots with the

@@ -20,7 +20,9 @@ class ChoiceList(Matches[Choice]):
         self, state: Callable[[], FleetState], fields: OrderFields, given: Callable[[], Sequence[Given]]
     ) -> None:
         super().__init__(id="matches")
-        self._state, self._fields, self._given = state, fields, given
+        self._state = state
+        self._fields = fields
+        self._given = given
 
     def list_for(self, robot: Robot | None, keep: bool = False) -> bool:
         """List the choices, the first one marked if something is typed; to `keep` the mark returns False if

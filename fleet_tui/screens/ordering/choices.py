@@ -20,7 +20,8 @@ from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, sanitize
 from fleet_tui.view.tables.table import column
 
-SHOWN, LONGEST = 30, 24
+SHOWN = 30
+LONGEST = 24
 """Choices that are listed, and cells of the column of their names."""
 ROLES = {Role.DOCKING: "charger", Role.ELEVATOR: "lift"}
 

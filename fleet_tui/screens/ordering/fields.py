@@ -67,7 +67,9 @@ class OrderFields(Vertical):
 
     def clear(self, robot: str) -> None:
         """Clear all but the robot."""
-        self.chosen, self._gone, self._robot = {}, {}, robot
+        self.chosen = {}
+        self._gone = {}
+        self._robot = robot
         for name, box in self._boxes.items():
             box.put(robot if name == "robot" else "", Legs())
 

@@ -37,7 +37,8 @@ from fleet_tui.screens.ordering.sending import Give, GiveAnyone, OrderSending
 from fleet_tui.screens.overlay import MouseButton, ReturningOverlay
 from fleet_tui.text.language import tr
 
-NEXT, SEND = "Enter  next", "Enter  send"
+NEXT = "Enter  next"
+SEND = "Enter  send"
 """Labels of the button for Enter: before the last field, and in it."""
 
 
@@ -58,9 +59,12 @@ class OrderForm(ReturningOverlay):
         objections: Callable[[Request], list[Problem]],
     ) -> None:
         super().__init__(id="order-form")
-        self._state, self._past, self._objections = state, past, objections
+        self._state = state
+        self._past = past
+        self._objections = objections
         self._picture = picture_of(state(), None)
-        self._said, self._said_of = "", list[str]()
+        self._said = ""
+        self._said_of = list[str]()
         self._clicked = ""
         self.route = Static(id="route", markup=False)
         self._send = MouseButton(tr(NEXT), id="send", compact=True)
@@ -143,7 +147,8 @@ class OrderForm(ReturningOverlay):
 
     def _say(self, text: str, field: str = "") -> None:
         """Show an error until something else is typed, and focus its field."""
-        self._said, self._said_of = text, self._fields.values
+        self._said = text
+        self._said_of = self._fields.values
         if field:
             self.screen.set_focus(self._fields[field])
         self._tell()

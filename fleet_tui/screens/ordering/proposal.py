@@ -43,7 +43,8 @@ class Proposal(Static):
         state = self._state()
         if places == self._places and (not places or state.now - self._at < AGAIN):
             return
-        self._places, self._at = places, state.now
+        self._places = places
+        self._at = state.now
         is_dispatched = to_any(state, places) is not None
         self._found = nearest(state, places) if places and not is_dispatched else None
         reason = why_none(state, places) if places and not is_dispatched else CHOSEN * is_dispatched

@@ -23,7 +23,10 @@ class OrderSending:
     def __init__(
         self, state: Callable[[], FleetState], fields: OrderFields, give: Give, give_anyone: GiveAnyone
     ) -> None:
-        self._state, self._fields, self._give, self._give_anyone = state, fields, give, give_anyone
+        self._state = state
+        self._fields = fields
+        self._give = give
+        self._give_anyone = give_anyone
 
     def finish(self, robot: Robot | None, sent: Callable[[], None]) -> tuple[str, str]:
         """Give a complete order, to any robot if the field for it is empty. Returns the problem, empty for

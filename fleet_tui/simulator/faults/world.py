@@ -83,7 +83,6 @@ def silent(server: "RosbridgeServer", robot: str) -> None:
 
 
 def paused(server: "RosbridgeServer", robot: str) -> None:
-    """Pause it from the start."""
     server.world.robots[robot].paused = True
 
 

@@ -20,7 +20,9 @@ from fleet_tui.simulator.ros.actionlib import (
 
 Message = dict[str, Any]
 
-MOVED, TURNED = 0.2, math.pi / 6  # metres, radians after which amcl publishes the pose
+# metres, radians after which amcl publishes the pose
+MOVED = 0.2
+TURNED = math.pi / 6
 PATIENCE = 20.0  # seconds for which it tries to plan, recovery behaviours included
 NEAR = 0.3  # metres from the charger at which it charges
 
@@ -34,8 +36,10 @@ class SimMoveBase:
     """Its attributes are for tests and faults to read and change. `clock`: nanoseconds since 1970."""
 
     def __init__(self, robot: NavigatingRobot, clock: Clock) -> None:
-        self.robot, self._clock = robot, clock
-        robot.moved, robot.turned = MOVED, TURNED
+        self.robot = robot
+        self._clock = clock
+        robot.moved = MOVED
+        robot.turned = TURNED
         self.server = SimpleActionServer(f"/{robot.name}/move_base", clock)
         self.alive = True
         """False: its node is not running."""

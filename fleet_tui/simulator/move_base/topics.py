@@ -20,7 +20,9 @@ from fleet_tui.simulator.ros.dialect import Dialect
 Message = dict[str, Any]
 
 NODE = "move_base"
-GOAL, POSE, CANCEL = f"{NODE}/goal", f"{NODE}_simple/goal", f"{NODE}/cancel"
+GOAL = f"{NODE}/goal"
+POSE = f"{NODE}_simple/goal"
+CANCEL = f"{NODE}/cancel"
 STATUS, RESULT, FEEDBACK = (f"{NODE}/{part}" for part in ("status", "result", "feedback"))
 BEGUN = f"{NODE}/current_goal"
 TYPES = {
@@ -42,7 +44,8 @@ def steady_topics(navigation: SimMoveBase, dialect: Dialect) -> Iterator[Topic]:
     yield from body_topics(robot, dialect)
     yield plan_topic(robot, dialect, f"{NODE}/NavfnROS/plan")
     yield topic_maker(robot, dialect)(
-        *(FEEDBACK, TYPES[FEEDBACK]),
+        FEEDBACK,
+        TYPES[FEEDBACK],
         partial(_feedback, navigation, headers(dialect, ""), headers(dialect)),
         fast=True,
         due=lambda: navigation.publishes and _under_way(navigation),

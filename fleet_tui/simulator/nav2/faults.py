@@ -18,8 +18,16 @@ LATE_CONTROLLER = (
     "Timed out while waiting for action server to acknowledge goal request for follow_path",
 )
 GENERIC = (
-    *("late", "slow-answer", "twice", "wrong-id", "drop"),
-    *("frozen-rosapi", "dead-rosapi", "half-dead", "overloaded", "unregistered"),
+    "late",
+    "slow-answer",
+    "twice",
+    "wrong-id",
+    "drop",
+    "frozen-rosapi",
+    "dead-rosapi",
+    "half-dead",
+    "overloaded",
+    "unregistered",
 )
 
 
@@ -87,7 +95,8 @@ def _mute_rejection(server: "RosbridgeServer", _robot: str) -> None:
 
 def _humble(server: "RosbridgeServer", robot: str) -> None:
     """Make the bridge that of Humble, with its default parameters."""
-    server.bridge.one_by_one, server.bridge.services.call_timeout = True, None
+    server.bridge.one_by_one = True
+    server.bridge.services.call_timeout = None
     server.bridge.services.rosapi.distro = "humble"
     for navigation in _fleet(server, robot).navigation.values():
         navigation.distro = "humble"
@@ -104,12 +113,15 @@ def _bring_up(server: "RosbridgeServer", robot: str) -> None:
     """Let the planner wait for a pose, and the lifecycle manager for the planner."""
     fleet = _fleet(server, robot)
     navigation, manager = fleet.navigation[robot], f"/{robot}/lifecycle_manager_navigation/is_active"
-    navigation.waits_in, navigation.active, navigation.robot.is_lost_at_start = "planner_server", False, True
+    navigation.waits_in = "planner_server"
+    navigation.active = False
+    navigation.robot.is_lost_at_start = True
     server.bridge.services.silent_services.add(manager)
 
     def step(_dt: float) -> None:
         if navigation.waits_in and not navigation.robot.is_lost_at_start:
-            navigation.waits_in, navigation.active = "", True
+            navigation.waits_in = ""
+            navigation.active = True
             server.bridge.services.silent_services.discard(manager)
 
     fleet.troubles.append(step)

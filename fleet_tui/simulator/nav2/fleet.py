@@ -32,7 +32,8 @@ SAVES: FileServices = {
     "slam_toolbox/serialize_map": ("slam_toolbox/SerializePoseGraph", {"result": 0}),
 }
 ACTIVE = "lifecycle_manager_navigation/is_active"
-STATE, STATES = "get_state", ["unknown", "unconfigured", "inactive", "active", "activating"]
+STATE = "get_state"
+STATES = ["unknown", "unconfigured", "inactive", "active", "activating"]
 CANCEL = "_action/cancel_goal"
 
 

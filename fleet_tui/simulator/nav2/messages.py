@@ -11,7 +11,9 @@ from fleet_tui.simulator.ros.goals import Id, ServedGoal, uuid_of
 
 Message = dict[str, Any]
 
-NOTHING, STOP = 0, 1  # nav2_msgs/CollisionMonitorState
+# nav2_msgs/CollisionMonitorState
+NOTHING = 0
+STOP = 1
 GIGA = 10**9
 
 

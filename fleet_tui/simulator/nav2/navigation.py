@@ -12,8 +12,11 @@ from fleet_tui.simulator.ros.goals import ABORTED, CANCELED, CANCELING, SUCCEEDE
 
 Message = dict[str, Any]
 
-TO_POSE, THROUGH = "navigate_to_pose", "navigate_through_poses"
-WAYPOINTS, DOCK, SPIN = "follow_waypoints", "dock_robot", "spin"
+TO_POSE = "navigate_to_pose"
+THROUGH = "navigate_through_poses"
+WAYPOINTS = "follow_waypoints"
+DOCK = "dock_robot"
+SPIN = "spin"
 TYPES = {
     TO_POSE: "nav2_msgs/NavigateToPose",
     THROUGH: "nav2_msgs/NavigateThroughPoses",
@@ -50,7 +53,8 @@ class SimNavigation:
 
     def __init__(self, robot: NavigatingRobot, rng: random.Random, clock: Callable[[], int]) -> None:
         self.robot = robot
-        self._rng, self._clock = rng, clock
+        self._rng = rng
+        self._clock = clock
         begins = {TO_POSE: self._begin, THROUGH: self._begin, WAYPOINTS: self._tour, DOCK: self._dock}
         begins[SPIN] = self._spin
         self.servers = {
@@ -215,7 +219,8 @@ class SimNavigation:
         if code is not None:
             goal = tour.poses[tour.at]
             tour.missed.append({"index": tour.at, "goal": goal, "error_code": code})
-        tour.at, tour.leg = tour.at + 1, None
+        tour.at = tour.at + 1
+        tour.leg = None
 
     def _end_tour(self, verb: str, tour: _Tour, status: int) -> None:
         del self._tours[verb]

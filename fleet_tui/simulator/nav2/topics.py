@@ -17,7 +17,8 @@ from fleet_tui.simulator.ros.goals import ActionServer, uuid_of
 
 Message = dict[str, Any]
 
-MONITOR, STATUS = "nav2_msgs/CollisionMonitorState", "action_msgs/GoalStatusArray"
+MONITOR = "nav2_msgs/CollisionMonitorState"
+STATUS = "action_msgs/GoalStatusArray"
 
 
 def steady_topics(navigation: SimNavigation, dialect: Dialect) -> Iterator[Topic]:
@@ -27,7 +28,8 @@ def steady_topics(navigation: SimNavigation, dialect: Dialect) -> Iterator[Topic
     yield plan_topic(robot, dialect, "plan")
     for server in navigation.servers.values():
         yield topic_maker(robot, dialect)(
-            *(f"{server.verb}/_action/feedback", f"{server.type}_FeedbackMessage"),
+            f"{server.verb}/_action/feedback",
+            f"{server.type}_FeedbackMessage",
             partial(_feedback, navigation, server, headers(dialect)),
             fast=True,
             due=partial(_on_the_way, navigation, server),

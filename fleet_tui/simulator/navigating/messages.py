@@ -18,7 +18,10 @@ Message = dict[str, Any]
 Header = Callable[[float], Message]
 """Makes the header of a topic's next message from the wall time."""
 
-CHARGING, DISCHARGING, LION = 1, 2, 2  # sensor_msgs/BatteryState
+# sensor_msgs/BatteryState
+CHARGING = 1
+DISCHARGING = 2
+LION = 2
 UNMEASURED = dict.fromkeys(("temperature", "current", "charge", "capacity", "design_capacity"), math.nan)
 
 

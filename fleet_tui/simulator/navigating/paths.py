@@ -11,7 +11,10 @@ from fleet_tui.simulator.warehouse import SimFloor
 
 Spot = tuple[float, float]
 
-OFF_THE_MAP, OCCUPIED, NO_PATH = 204, 206, 208  # error codes of Nav2's planner
+# error codes of Nav2's planner
+OFF_THE_MAP = 204
+OCCUPIED = 206
+NO_PATH = 208
 
 
 class NoPathError(Exception):

@@ -11,8 +11,12 @@ from fleet_tui.simulator.senses.belief import Belief
 from fleet_tui.simulator.senses.wheels import Wheels
 from fleet_tui.simulator.warehouse import SimFloor
 
-SLIP, SKID = 1.01, 1.004  # odometry measured per metre and per radian
-SURE, LOST = 0.0025, 4.0  # variance of x and of y in square metres
+# odometry measured per metre and per radian
+SLIP = 1.01
+SKID = 1.004
+# variance of x and of y in square metres
+SURE = 0.0025
+LOST = 4.0
 PROGRESS = 10.0  # seconds without progress before it tries a recovery
 TAKEN_OVER = 120.0  # seconds for which the other client leaves a robot to somebody who cancelled its goal
 RECOVERIES = 3  # recoveries before it aborts
@@ -50,8 +54,11 @@ class NavigatingRobot(Obstructed):
     """Metres and radians per second in the last step."""
 
     def __init__(self, index: int, floor: SimFloor, pose: Pose, rng: random.Random, quiet: bool) -> None:
-        self.name, self.index, self.floor = f"robot_{index}", index, floor
-        self._rng, self._quiet = rng, quiet
+        self.name = f"robot_{index}"
+        self.index = index
+        self.floor = floor
+        self._rng = rng
+        self._quiet = quiet
         self.pose = pose
         self.odom = Pose(0.0, 0.0)
         """The pose by odometry, relative to its start."""
@@ -74,7 +81,8 @@ class NavigatingRobot(Obstructed):
         self._obstacle_in = rng.uniform(25.0, 90.0)
         self._work: Iterator[None] = iter(())
         self._was_placed = False
-        self.belief, self.wheels = Belief(), Wheels()
+        self.belief = Belief()
+        self.wheels = Wheels()
 
     @property
     def distance_remaining(self) -> float:
@@ -89,13 +97,17 @@ class NavigatingRobot(Obstructed):
     def drive(self, poses: Sequence[Pose]) -> None:
         """Drive to these poses one after the other, from now on."""
         self.halt()
-        self.driving, self.docked = True, False
+        self.driving = True
+        self.docked = False
         self._work = self._drive(poses)
 
     def halt(self) -> None:
-        """Stop."""
         self.driving = self.moving = False
-        self.way, self.stops, self.recoveries, self.failure, self._stood = [], 0, 0, None, 0.0
+        self.way = []
+        self.stops = 0
+        self.recoveries = 0
+        self.failure = None
+        self._stood = 0.0
         self._work = iter(())
 
     def fail(self, code: int, message: str) -> None:
@@ -110,7 +122,9 @@ class NavigatingRobot(Obstructed):
     def place(self, pose: Pose) -> None:
         """Take its pose from outside, and publish it."""
         self.belief.place(pose, self.pose)
-        self.variance, self._was_placed, self.is_lost_at_start = SURE, True, False
+        self.variance = SURE
+        self._was_placed = True
+        self.is_lost_at_start = False
 
     def step(self) -> None:
         """Advance by STEP seconds."""

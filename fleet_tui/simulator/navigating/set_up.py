@@ -46,8 +46,11 @@ class SetUpDesk:
         switch: str,
         files: FileServices = NO_FILES,
     ) -> None:
-        self._robots, self._building = world.robots, world.building
-        self._localise, self._switch, self._files = localise, switch, files
+        self._robots = world.robots
+        self._building = world.building
+        self._localise = localise
+        self._switch = switch
+        self._files = files
         self.surveys = Surveys(world.robots, lambda floor: [map_topic(world.building, floor)])
         world.troubles.append(self.surveys.step)
 

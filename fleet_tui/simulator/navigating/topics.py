@@ -22,8 +22,7 @@ Message = dict[str, Any]
 class Make(Protocol):
     """Makes a topic of one robot: `make` makes its messages from the wall time, `more` is Topic's."""
 
-    def __call__(self, name: str, type_: str, make: Callable[[float], Message], **more: Any) -> Topic:
-        """Make it."""
+    def __call__(self, name: str, type_: str, make: Callable[[float], Message], **more: Any) -> Topic: ...
 
 
 def map_topics(
@@ -71,8 +70,6 @@ def _newest(
 
 
 def topic_maker(robot: NavigatingRobot, dialect: Dialect) -> Make:
-    """Makes the topics of one robot."""
-
     def topic(name: str, type_: str, make: Callable[[float], Message], **more: Any) -> Topic:
         def payload(now: float) -> Payload:
             return raw_payload(dialect, type_, now, make(now))
@@ -87,7 +84,8 @@ def body_topics(robot: NavigatingRobot, dialect: Dialect) -> Iterator[Topic]:
     topic = topic_maker(robot, dialect)
     wheels, charge = messages.headers(dialect, f"{robot.name}/odom"), messages.headers(dialect, "")
     yield topic(
-        *("odom", "nav_msgs/Odometry"),
+        "odom",
+        "nav_msgs/Odometry",
         lambda now: messages.odometry(robot, dialect, wheels(now)),
         fast=True,
         due=lambda: robot.odometry,
@@ -97,7 +95,8 @@ def body_topics(robot: NavigatingRobot, dialect: Dialect) -> Iterator[Topic]:
     lens = messages.headers(dialect, f"{robot.name}/camera")
     yield camera_topic(robot, lambda: robot.floor.cells, lens, dialect)
     yield topic(
-        *("battery_state", "sensor_msgs/BatteryState"),
+        "battery_state",
+        "sensor_msgs/BatteryState",
         lambda now: messages.battery(robot, charge(now)),
         turns=2,
     )
@@ -107,7 +106,8 @@ def plan_topic(robot: NavigatingRobot, dialect: Dialect, name: str) -> Topic:
     """The path that a robot follows."""
     header = messages.headers(dialect)
     return topic_maker(robot, dialect)(
-        *(name, "nav_msgs/Path"),
+        name,
+        "nav_msgs/Path",
         lambda now: messages.path(robot, header(now)),
         turns=2,
         due=lambda: bool(robot.way),

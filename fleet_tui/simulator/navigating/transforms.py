@@ -14,7 +14,8 @@ if TYPE_CHECKING:
     from fleet_tui.simulator.server import RosbridgeServer
 
 Message = dict[str, Any]
-LOCALISED_HZ, COUNTED_HZ = 20.0, 50.0
+LOCALISED_HZ = 20.0
+COUNTED_HZ = 50.0
 """Transforms a second of the localisation and of the wheels: two publishers of one topic."""
 TOLERANCE = 1.0
 """Seconds by which a localisation stamps its transform ahead, so that it is valid until the next one."""

@@ -23,7 +23,9 @@ from fleet_tui.simulator.senses.mapping import Surveys
 from fleet_tui.simulator.senses.wheels import twists
 from fleet_tui.simulator.warehouse import SimFloor
 
-DESK, MAPPING, SAVE = "Application_layout", "set_mapping", "save_map"
+DESK = "Application_layout"
+MAPPING = "set_mapping"
+SAVE = "save_map"
 
 
 def _cells_of(robot: SimRobot) -> Callable[[], Cells]:
@@ -36,7 +38,8 @@ class OhFleet:
     kind = "oh_ressources"
 
     def __init__(self, world: World) -> None:
-        self.world, self.troubles = world, world.troubles
+        self.world = world
+        self.troubles = world.troubles
         self.actions: Mapping[str, ActionServer] = {}
         self._graphs = SentGraphs(world)
         self._changes = Changes(world.robots)

@@ -11,7 +11,8 @@ from fleet_tui.simulator.graph import SimEdge, SimGraph, SimVertex
 from fleet_tui.simulator.messages import Message, graph_of, labels_of
 from fleet_tui.simulator.oh_ressources.world import World
 
-GRAPH_SAVE, LABELS_SAVE = "graph_save", "labels_save"
+GRAPH_SAVE = "graph_save"
+LABELS_SAVE = "labels_save"
 
 
 class SentGraphs:

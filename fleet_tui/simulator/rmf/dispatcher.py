@@ -13,7 +13,10 @@ from fleet_tui.simulator.rmf.tasks import Json, SimTask
 
 BIDDING = 2.0
 """Seconds for which fleets bid for a task."""
-SELECTED, DISPATCHED, FAILED, CANCELED_IN_FLIGHT = 1, 3, 4, 5
+SELECTED = 1
+DISPATCHED = 3
+FAILED = 4
+CANCELED_IN_FLIGHT = 5
 """States of a dispatch."""
 KEPT = 20
 
@@ -25,7 +28,9 @@ class SimDispatch:
     """A task for which fleets still bid, or just did."""
 
     def __init__(self, task: SimTask) -> None:
-        self.task, self.left, self.status = task, BIDDING, SELECTED
+        self.task = task
+        self.left = BIDDING
+        self.status = SELECTED
         self.errors: list[str] = []
 
 
@@ -41,7 +46,8 @@ class SimDispatcher:
     """True: requests are carried out, and not answered."""
 
     def __init__(self, members: Mapping[str, SimMember], millis: Callable[[], int]) -> None:
-        self._members, self._millis = members, millis
+        self._members = members
+        self._millis = millis
         self.requests: list[Json] = []
         """Every request that arrived, the newest last."""
         self.active: list[SimDispatch] = []
@@ -57,7 +63,9 @@ class SimDispatcher:
 
     def restart(self) -> None:
         """Forget everything, as a process that is started again."""
-        self.active, self.finished, self._numbers = [], [], count(1)
+        self.active = []
+        self.finished = []
+        self._numbers = count(1)
 
     def take(self, text: str, request_id: str) -> Answer | None:
         """Carry out a request, and return the answer if any of the nodes gives one."""

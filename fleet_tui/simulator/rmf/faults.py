@@ -15,13 +15,13 @@ if TYPE_CHECKING:
 AGAIN = 20.0
 """Seconds after which a dispatcher restarts."""
 FLAT = 8.0
-FIRE, CLOSED = 3, (2, 5)
+FIRE = 3
+CLOSED = (2, 5)
 """Per cent."""
 PACKAGES = ("rmf_fleet_msgs", "rmf_task_msgs", "rmf_building_map_msgs", "rmf_lift_msgs", "rmf_door_msgs")
 
 
 def fleet_at(server: "RosbridgeServer", robot: str) -> "RmfFleet":
-    """The fleets of a robot."""
     from fleet_tui.simulator.rmf.fleet import RmfFleet
 
     fleet = server.bridge.services.fleet_of(robot)

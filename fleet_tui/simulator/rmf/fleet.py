@@ -19,13 +19,21 @@ from fleet_tui.simulator.ros_types import ServiceType
 
 Message = dict[str, Any]
 
-STATES, UPDATES = "/fleet_states", "/fleet_state_update"
-TASKS, RESPONSES, REQUESTS = "/task_state_update", "/task_api_responses", "/task_api_requests"
-DISPATCHES, GRAPHS = "/dispatch_states", "/nav_graphs"
+STATES = "/fleet_states"
+UPDATES = "/fleet_state_update"
+TASKS = "/task_state_update"
+RESPONSES = "/task_api_responses"
+REQUESTS = "/task_api_requests"
+DISPATCHES = "/dispatch_states"
+GRAPHS = "/nav_graphs"
 MAP = "/map"
-LIFTS, DOORS = "/lift_states", "/door_states"
-DISPENSERS, INGESTORS, LANES = "/dispenser_states", "/ingestor_states", "/lane_states"
-PHARMACY, RETURNS = "pharmacy", "returns"
+LIFTS = "/lift_states"
+DOORS = "/door_states"
+DISPENSERS = "/dispenser_states"
+INGESTORS = "/ingestor_states"
+LANES = "/lane_states"
+PHARMACY = "pharmacy"
+RETURNS = "returns"
 """The dispenser and the ingestor."""
 TYPES = {
     STATES: "rmf_fleet_msgs/FleetState",

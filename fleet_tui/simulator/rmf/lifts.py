@@ -9,12 +9,15 @@ OPEN_FOR = 4.0
 """Seconds for which a door stays open behind a robot."""
 NEAR = 2.0
 """Metres from a door at which it opens for a robot."""
-CLOSED, MOVING, OPEN = 0, 1, 2
+CLOSED = 0
+MOVING = 1
+OPEN = 2
 """States of a door."""
 DOORS = {"ward_door": (10.0, 10.0), "kitchen_door": (23.0, 16.5)}
 """The place of each door, on every floor the same."""
 LIFT = "lift_1"
-AGV, FIRE = 2, 3
+AGV = 2
+FIRE = 3
 """Modes of a lift."""
 OFFLINE = 3
 """The mode of a door that is out of order."""
@@ -39,9 +42,11 @@ class SimLift:
         )
         robot = next(riding, None)
         if robot is None:
-            self.floor, self.session = self.destination, ""
+            self.floor = self.destination
+            self.session = ""
         elif robot.body.bound is not None:
-            self.floor, self.session = robot.body.floor.name, robot.name
+            self.floor = robot.body.floor.name
+            self.session = robot.name
             self.destination = building.floor_of(robot.body.bound).name
 
 
@@ -49,7 +54,9 @@ class SimDoor:
     """A door of a floor, which opens for any robot that is near."""
 
     def __init__(self, name: str, floor: str, spot: tuple[float, float]) -> None:
-        self.name, self.floor, self.spot = f"{floor}_{name}", floor, spot
+        self.name = f"{floor}_{name}"
+        self.floor = floor
+        self.spot = spot
         self.mode = CLOSED
         self._for = 0.0
         self.is_offline = False

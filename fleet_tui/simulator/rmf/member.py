@@ -7,7 +7,11 @@ from fleet_tui.simulator.rmf.tasks import COMPLETED, QUEUED, UNDERWAY, SimTask
 from fleet_tui.simulator.robot import STEP, SimRobot
 from fleet_tui.simulator.warehouse import Building
 
-IDLE, CHARGING, MOVING, PAUSED, WAITING = 0, 1, 2, 3, 4
+IDLE = 0
+CHARGING = 1
+MOVING = 2
+PAUSED = 3
+WAITING = 4
 """Modes of a robot."""
 
 
@@ -29,8 +33,10 @@ class SimMember:
         fleets: tuple[str, ...],
     ) -> None:
         self.body = SimRobot(index, building, vertex, rng, quiet)
-        self.index, self.wheels = index, self.body.wheels
-        self.own_name, self.fleet = self.body.name, fleet_of(turn, fleets)
+        self.index = index
+        self.wheels = self.body.wheels
+        self.own_name = self.body.name
+        self.fleet = fleet_of(turn, fleets)
         self.name = full_name(turn, index, fleets)
         self.places = {label: id_ for floor in building.floors for id_, label in floor.labels.items()}
         self.tasks: list[SimTask] = []
@@ -58,7 +64,9 @@ class SimMember:
 
     def assign(self, task: SimTask) -> None:
         """Queue a task."""
-        task.fleet, task.robot, task.status = self.fleet, self.own_name, QUEUED
+        task.fleet = self.fleet
+        task.robot = self.own_name
+        task.status = QUEUED
         self.tasks.append(task)
         self.changed.append(task)
 

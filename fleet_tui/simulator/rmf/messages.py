@@ -18,7 +18,8 @@ from fleet_tui.simulator.warehouse import Building, SimFloor
 Message = dict[str, Any]
 
 BOTH_WAYS = 0
-STRING, BOOL = 1, 4
+STRING = 1
+BOOL = 4
 """Types of a parameter."""
 
 

@@ -7,7 +7,10 @@ from typing import Any
 
 Json = dict[str, Any]
 
-QUEUED, UNDERWAY, COMPLETED, CANCELED = "queued", "underway", "completed", "canceled"
+QUEUED = "queued"
+UNDERWAY = "underway"
+COMPLETED = "completed"
+CANCELED = "canceled"
 OVER = frozenset({COMPLETED, CANCELED})
 SECONDS_PER_PLACE = 30
 
@@ -48,7 +51,6 @@ class SimTask:
         return unknown
 
     def cancel(self, labels: list[str], millis: int) -> None:
-        """End it."""
         self.status = CANCELED
         self.cancellation = {"unix_millis_request_time": millis, "labels": labels}
 

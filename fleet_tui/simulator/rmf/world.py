@@ -29,7 +29,9 @@ class RmfWorld:
         fleets: tuple[str, ...] = FLEETS,
         millis: Callable[[], int] = lambda: 0,
     ) -> None:
-        self._rng, self._quiet, self.fleets = random.Random(seed), quiet, fleets
+        self._rng = random.Random(seed)
+        self._quiet = quiet
+        self.fleets = fleets
         self.building = build_building(floors)
         members = (self._new_member(*one) for one in enumerate(robot_numbers(robots, first, step)))
         self.robots = {member.name: member for member in members}
@@ -43,7 +45,8 @@ class RmfWorld:
         self.offline = set[str]()
         """Dispensers and ingestors that are offline."""
         self.troubles: list[Callable[[float], None]] = []
-        self._owed, self._next = 0.0, 3.0
+        self._owed = 0.0
+        self._next = 3.0
         self._given = 0
 
     def _new_member(self, turn: int, index: int) -> SimMember:

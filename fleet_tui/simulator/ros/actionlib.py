@@ -63,7 +63,8 @@ class SimpleActionServer:
     """
 
     def __init__(self, name: str, clock: Callable[[], int]) -> None:
-        self.name, self._clock = name, clock
+        self.name = name
+        self._clock = clock
         self.goals: dict[str, ActionlibGoal] = {}
         self.current: ActionlibGoal | None = None
         """The goal that is carried out, or was last."""
@@ -90,7 +91,8 @@ class SimpleActionServer:
         known = self.goals.get(id_)
         if known is not None:
             if known.status == RECALLING and known.request is None:
-                known.request, known.left = request, self.kept if stamp else math.inf
+                known.request = request
+                known.left = self.kept if stamp else math.inf
                 self.end(known, RECALLED, "")
             return
         goal = ActionlibGoal(id_ or self._new_id(), stamp or self._clock(), request)
@@ -133,7 +135,8 @@ class SimpleActionServer:
 
     def end(self, goal: ActionlibGoal, status: int, text: str) -> None:
         """End a goal that has not ended, and publish its result."""
-        goal.status, goal.text = status, text
+        goal.status = status
+        goal.text = text
         self.said += [goal.report, self.listed()]
 
     def age(self, dt: float) -> None:

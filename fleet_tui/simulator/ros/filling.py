@@ -29,7 +29,9 @@ class _Filling:
     """One message being completed; error texts name it and the path of the field."""
 
     def __init__(self, dialect: Dialect, root: str, now: float) -> None:
-        self._dialect, self._root, self._now = dialect, root, now
+        self._dialect = dialect
+        self._root = root
+        self._now = now
 
     def message(self, name: str, fields: Fields, given: object, at: str) -> Message:
         if isinstance(given, list):

@@ -55,9 +55,11 @@ class ActionServer:
         decide: Callable[[Message], bool],
         begin: Callable[[ServedGoal], None],
     ) -> None:
-        self.name, self.type = name, type_
+        self.name = name
+        self.type = type_
         self.verb = name.rpartition("/")[2]
-        self._decide, self._begin = decide, begin
+        self._decide = decide
+        self._begin = begin
         self.goals: dict[Id, ServedGoal] = {}
         self.reports: deque[list[tuple[Id, int, int]]] = deque(maxlen=LISTED)
         """The statuses that are still to be published: id, stamp and status of each goal."""
@@ -89,7 +91,8 @@ class ActionServer:
             return
         goal.status = status
         if goal.over:
-            goal.age, goal.result = 0.0, result or {}
+            goal.age = 0.0
+            goal.result = result or {}
         self._report()
 
     def age(self, dt: float) -> None:

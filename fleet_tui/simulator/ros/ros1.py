@@ -9,11 +9,29 @@ from fleet_tui.simulator.ros.dialect import Dialect, Message
 from fleet_tui.simulator.ros.errors import ServiceError
 
 COMMON_VERBS = (
-    *("topics", "topics_and_raw_types", "topics_for_type", "topic_type", "publishers", "subscribers"),
-    *("services", "services_for_type", "service_type", "service_providers", "service_node"),
-    *("nodes", "node_details", "action_servers", "get_time"),
-    *("message_details", "service_request_details", "service_response_details"),
-    *("set_param", "get_param", "has_param", "delete_param", "get_param_names"),
+    "topics",
+    "topics_and_raw_types",
+    "topics_for_type",
+    "topic_type",
+    "publishers",
+    "subscribers",
+    "services",
+    "services_for_type",
+    "service_type",
+    "service_providers",
+    "service_node",
+    "nodes",
+    "node_details",
+    "action_servers",
+    "get_time",
+    "message_details",
+    "service_request_details",
+    "service_response_details",
+    "set_param",
+    "get_param",
+    "has_param",
+    "delete_param",
+    "get_param_names",
 )
 
 
@@ -48,7 +66,6 @@ class Ros1:
         return f"{type_}{part}"
 
     def rosapi_type(self, name: str) -> str:
-        """`rosapi/Name`."""
         return f"rosapi/{name}"
 
     def importable(self, type_: str) -> bool:

@@ -4,7 +4,9 @@ import math
 
 from fleet_tui.model.geometry import Pose
 
-CAUGHT, CAUGHT_TURN = 0.5, math.radians(15.0)  # metres and radians within which it finds its true pose
+# metres and radians within which it finds its true pose
+CAUGHT = 0.5
+CAUGHT_TURN = math.radians(15.0)
 DRIFT = Pose(3.0, 2.5, 0.7)  # metres and radians by which `mislocalised` is off
 
 

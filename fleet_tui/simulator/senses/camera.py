@@ -20,11 +20,14 @@ NAME = "camera/image_raw/compressed"
 FORMAT = "bgr8; jpeg compressed bgr8"
 SIZE = 320, 240
 WIDE = math.radians(70.0)
-NEAREST, FARTHEST = 0.1, 20.0  # metres
+# metres
+NEAREST = 0.1
+FARTHEST = 20.0
 TALL = 1.1  # metres from the camera's height to the top, and to the bottom, of a wall
 PANEL = 20  # cells of a wall in one shade
 
-CEILING, GROUND = np.array([190.0, 196.0, 205.0]), np.array([122.0, 108.0, 92.0])
+CEILING = np.array([190.0, 196.0, 205.0])
+GROUND = np.array([122.0, 108.0, 92.0])
 SHADES = np.array([[205.0, 120.0, 70.0], [90.0, 135.0, 180.0]])
 """Colours of the panels of walls, by turns."""
 

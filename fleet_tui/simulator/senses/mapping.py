@@ -26,8 +26,7 @@ class Mapper(Protocol):
     pose: Pose
 
     @property
-    def floor(self) -> SimFloor:
-        """Return its floor."""
+    def floor(self) -> SimFloor: ...
 
 
 class Surveys:
@@ -35,7 +34,8 @@ class Surveys:
     of a floor."""
 
     def __init__(self, robots: Mapping[str, Any], topics_of: Callable[[SimFloor], list[str]]) -> None:
-        self._robots, self._topics_of = robots, topics_of
+        self._robots = robots
+        self._topics_of = topics_of
         self.mapping: set[str] = set()
         """The names of the robots that map."""
         self._known: dict[str, Cells] = {}

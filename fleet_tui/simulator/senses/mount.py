@@ -8,7 +8,8 @@ from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Message, Topic
 from fleet_tui.simulator.ros.dialect import Dialect
 
-TOPIC, TYPE = "/tf_static", "tf2_msgs/TFMessage"
+TOPIC = "/tf_static"
+TYPE = "tf2_msgs/TFMessage"
 MOUNT = Pose(0.2, 0.05, math.pi / 18)
 """Left of the middle of the front, turned to the left."""
 

@@ -9,7 +9,8 @@ from fleet_tui.model.geometry import Pose
 
 Message = dict[str, Any]
 
-TOPIC, STAMPED = "cmd_vel", "cmd_vel_stamped"
+TOPIC = "cmd_vel"
+STAMPED = "cmd_vel_stamped"
 TIMEOUT = 0.5  # seconds without a twist after which a robot stops
 
 
@@ -29,7 +30,8 @@ class Wheels:
     def take(self, twist: Message) -> None:
         """Take a geometry_msgs/Twist."""
         linear, angular = twist["linear"], twist["angular"]
-        self.speeds, self.age = Pose(linear["x"], linear["y"], angular["z"]), 0.0
+        self.speeds = Pose(linear["x"], linear["y"], angular["z"])
+        self.age = 0.0
 
     def carry(self, pose: Pose, seconds: float) -> Pose:
         """Return the pose some seconds later."""

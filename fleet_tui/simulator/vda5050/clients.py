@@ -57,7 +57,8 @@ class VehicleClient:
         if self.vehicle.silent:
             return
         if self.vehicle.is_news or now - self._stated_at >= STATE_EVERY:
-            self.vehicle.is_news, self._stated_at = False, now
+            self.vehicle.is_news = False
+            self._stated_at = now
             self._publish("state", state(self.vehicle))
         if now - self._shown_at >= visualization_every:
             self._shown_at = now

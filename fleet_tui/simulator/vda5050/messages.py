@@ -5,11 +5,11 @@ from typing import Any
 
 from fleet_tui.simulator.vda5050.vehicle import SimVehicle
 
-VERSION, MANUFACTURER = "2.0.0", "fleet-tui"
+VERSION = "2.0.0"
+MANUFACTURER = "fleet-tui"
 
 
 def header(vehicle: SimVehicle, number: int, stamp: str) -> dict[str, Any]:
-    """Return what all messages begin with."""
     whose = {"manufacturer": MANUFACTURER, "serialNumber": vehicle.name}
     return {"headerId": number, "timestamp": stamp, "version": VERSION, **whose}
 

@@ -4,7 +4,10 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-SPEED, TURN, DRAIN, CHARGE = 1.2, 1.5, 0.02, 0.5
+SPEED = 1.2
+TURN = 1.5
+DRAIN = 0.02
+CHARGE = 0.5
 """Metres and radians a second, and per cent of charge a second while it drives, and at a charger."""
 STRAIGHT = 0.2
 """Radians off its way up to which it drives."""
@@ -20,20 +23,27 @@ class SimVehicle:
     """A vehicle that drives the released nodes of one order at a time. Its attributes may be changed."""
 
     def __init__(self, name: str, place: tuple[float, float], map_id: str, node: str) -> None:
-        self.name, self.map_id = name, map_id
+        self.name = name
+        self.map_id = map_id
         self.x, self.y = place
         self.theta = 0.0
-        self.last_node, self.last_sequence = node, 0
-        self.order_id, self.update_id = "", 0
+        self.last_node = node
+        self.last_sequence = 0
+        self.order_id = ""
+        self.update_id = 0
         self.nodes: list[Node] = []
         """Nodes still to be reached, released or not."""
         self.actions: list[dict[str, str]] = []
         self.errors: list[dict[str, Any]] = []
         self.battery = 80.0
         self.paused = self.driving = self.loaded = self.charging = False
-        self.mode, self.e_stop = "AUTOMATIC", "NONE"
+        self.mode = "AUTOMATIC"
+        self.e_stop = "NONE"
         self.field = False
-        self.localised, self.silent, self.rejects, self.slow = True, False, False, False
+        self.localised = True
+        self.silent = False
+        self.rejects = False
+        self.slow = False
         self.is_news = True
         """Something changed that a state must tell at once."""
 
@@ -63,10 +73,13 @@ class SimVehicle:
             self.theta += max(-TURN * dt, min(TURN * dt, turn))
             if abs(turn) > STRAIGHT:
                 return
-            self.x, self.y = self.x + dx / far * step, self.y + dy / far * step
+            self.x = self.x + dx / far * step
+            self.y = self.y + dy / far * step
             return
-        self.x, self.y = place["x"], place["y"]
-        self.last_node, self.last_sequence = target["nodeId"], target["sequenceId"]
+        self.x = place["x"]
+        self.y = place["y"]
+        self.last_node = target["nodeId"]
+        self.last_sequence = target["sequenceId"]
         self.nodes.pop(0)
         for action in target.get("actions") or ():
             self._report(action, "FINISHED")
@@ -90,8 +103,11 @@ class SimVehicle:
             kept = [node for node in self.nodes if node["sequenceId"] < nodes[0]["sequenceId"]]
             self.nodes = kept + [node for node in nodes if node["sequenceId"] > self.last_sequence]
             return
-        self.order_id, self.nodes, self.actions = id_, nodes[1:], []
-        self.last_node, self.last_sequence = nodes[0]["nodeId"], nodes[0]["sequenceId"]
+        self.order_id = id_
+        self.nodes = nodes[1:]
+        self.actions = []
+        self.last_node = nodes[0]["nodeId"]
+        self.last_sequence = nodes[0]["sequenceId"]
 
     def _reason_against(self, id_: str, nodes: Sequence[Node]) -> tuple[str, str] | None:
         if self.rejects:

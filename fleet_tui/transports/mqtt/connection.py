@@ -14,7 +14,9 @@ from fleet_tui.transports.reasons import refusal
 
 LOG = logging.getLogger(__name__)
 
-FIRST_DELAY, LONGEST_DELAY, JITTER = 1.0, 5.0, 0.25
+FIRST_DELAY = 1.0
+LONGEST_DELAY = 5.0
+JITTER = 0.25
 # After a connection of this length the next loss is retried quickly.
 SETTLED_AFTER = 5.0
 
@@ -23,7 +25,8 @@ class BrokerConnection:
     """One connection to a broker that sends now or not at all. Everything runs on the network loop."""
 
     def __init__(self, link: Link, listener: BrokerListener) -> None:
-        self._link, self._listener = link, listener
+        self._link = link
+        self._listener = listener
         # Two clients of one id would throw each other out; the same one after a loss throws out the lost one.
         self._client_id = f"fleet-tui-{secrets.token_hex(6)}"
         self._session: BrokerSession | None = None

@@ -23,7 +23,9 @@ class PahoDriver:
     def __init__(self, client: FedClient, is_awaited: Callable[[], bool], fail: Callable[[], None]) -> None:
         """`is_awaited` tells whether an answer is: then each message is read at once. `fail` is called when
         the client can't go on: its server sends what is not MQTT."""
-        self._client, self._is_awaited, self._fail = client, is_awaited, fail
+        self._client = client
+        self._is_awaited = is_awaited
+        self._fail = fail
         self._loop = asyncio.get_running_loop()
         self._is_listening = False
         self._resting: asyncio.Handle | None = None

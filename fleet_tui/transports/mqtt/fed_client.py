@@ -12,7 +12,8 @@ from paho.mqtt.enums import CallbackAPIVersion
 
 PIECE = 65536
 """Maximum bytes that are read at once."""
-PUBLISH, RETAINED = 0x30, 0x01
+PUBLISH = 0x30
+RETAINED = 0x01
 """First byte of a message with QoS 0 that is no repetition, and its bit for one that the broker had kept."""
 MOST_LENGTH = 4
 """Maximum bytes of a packet's length, each with seven bits of it."""
@@ -33,7 +34,8 @@ class FedClient(mqtt.Client):
             reconnect_on_failure=False,
         )
         self._take = take
-        self._unread, self._lent = bytearray(), bytearray()
+        self._unread = bytearray()
+        self._lent = bytearray()
         """Bytes that have arrived, and those of them that are for paho now."""
         self._is_over = False
 

@@ -6,7 +6,11 @@ STOPPED = "broker not responding"
 NO_ANSWER = "reached, but no answer: not an MQTT broker?"
 LOST = "connection lost"
 
-BAD_ID, NO_SERVICE, BAD_LOGIN, NOT_ALLOWED, OLD_PROTOCOL = 133, 136, 134, 135, 132
+BAD_ID = 133
+NO_SERVICE = 136
+BAD_LOGIN = 134
+NOT_ALLOWED = 135
+OLD_PROTOCOL = 132
 """Reasons for which a broker rejects a connection, as MQTT 5 numbers them."""
 
 

@@ -28,7 +28,8 @@ PORTS = {"mqtt": 1883, "mqtts": 8883}
 KEEPALIVE = 5
 """Seconds without a message after which the broker is told that we live, and tells others that we don't."""
 CONNECT_TIMEOUT = 5.0
-BEAT_EVERY, BEAT_TIMEOUT = 2.0, 5.0
+BEAT_EVERY = 2.0
+BEAT_TIMEOUT = 5.0
 """Seconds between our questions to the broker, and until one without an answer means that it is frozen."""
 NOWHERE = "fleet-tui/heartbeat"
 """A topic to unsubscribe from without a subscription: a broker must answer that, whatever the user's rights,
@@ -42,7 +43,8 @@ class BrokerSession:
     """A connected client. Everything runs on the network loop unless noted otherwise."""
 
     def __init__(self, link: Link, client_id: str, listener: BrokerListener) -> None:
-        self._link, self._listener = link, listener
+        self._link = link
+        self._listener = listener
         self._limit = int(link.max_message_mb * 1e6)
         self._opened: asyncio.Future[str] = asyncio.get_running_loop().create_future()
         """The reason that there is no session, empty if there is one."""

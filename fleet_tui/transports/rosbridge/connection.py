@@ -24,7 +24,9 @@ from fleet_tui.transports.tls import tls_context
 
 LOG = logging.getLogger(__name__)
 
-FIRST_DELAY, LONGEST_DELAY, JITTER = 1.0, 5.0, 0.25
+FIRST_DELAY = 1.0
+LONGEST_DELAY = 5.0
+JITTER = 0.25
 # After a connection of this length the next loss is retried quickly.
 SETTLED_AFTER = 5.0
 CONNECT_TIMEOUT = 5.0
@@ -71,7 +73,8 @@ class _Protocol(comm_asyncio.AsyncioRosBridgeProtocol):  # type: ignore[misc]  #
 
     def onMessageFrameBegin(self, length: int) -> None:  # noqa: N802  # autobahn's name
         # Not the base's: that one fails the connection, and the next one would get the same message.
-        self.frame_length, self.frame_data = length, []
+        self.frame_length = length
+        self.frame_data = []
         self.message_data_total_length += length
 
     def onMessageFrameData(self, payload: bytes) -> None:  # noqa: N802  # autobahn's name
@@ -79,7 +82,8 @@ class _Protocol(comm_asyncio.AsyncioRosBridgeProtocol):  # type: ignore[misc]  #
             super().onMessageFrameData(payload)
         elif not self._head:
             self._head = b"".join([*self.message_data[:1], *self.frame_data[:1], payload])[:HEAD]
-            self.message_data, self.frame_data = [], []
+            self.message_data = []
+            self.frame_data = []
 
     def onMessageEnd(self) -> None:  # noqa: N802  # autobahn's name
         if not self._head:
@@ -123,7 +127,8 @@ class _Factory(comm_asyncio.AsyncioRosBridgeClientFactory):  # type: ignore[misc
         self.listener = listener
         self.limit = int(bridge.max_message_mb * 1e6)
         self.reason = ""
-        self.read_bytes, self.fed_at = 0, 0.0
+        self.read_bytes = 0
+        self.fed_at = 0.0
         self._opened_at = 0.0
         self._reconnect_delay: float = FIRST_DELAY
         self._timer: asyncio.TimerHandle | None = None

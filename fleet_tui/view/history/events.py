@@ -102,8 +102,16 @@ def _of_order(order: PastOrder) -> PastEvent:
     # An order that is done needs no reason.
     reason = [] if order.stage == DONE or not order.reason else [order.reason]
     return PastEvent(
-        *(order.queued, ended, EventKind.ORDER, order.robot, f"order {order.order} {order.way}"),
-        *(order.stage, ", ".join([*reason, *took]), order.operator, order.stage in TROUBLE, begun),
+        order.queued,
+        ended,
+        EventKind.ORDER,
+        order.robot,
+        f"order {order.order} {order.way}",
+        order.stage,
+        ", ".join([*reason, *took]),
+        order.operator,
+        order.stage in TROUBLE,
+        begun,
     )
 
 
@@ -115,16 +123,30 @@ def _of_alarm(alarm: AlarmLife) -> PastEvent:
     seen = [f"acknowledged after {age(alarm.acknowledged - alarm.raised)}"] if alarm.acknowledged else []
     times = [f"{alarm.count} times"] if alarm.count > 1 else []
     return PastEvent(
-        *(alarm.raised, over, EventKind.ALARM, alarm.source, f"{alarm.kind} alarm, {alarm.text}"),
-        *(lasted, ", ".join([*times, *seen]), alarm.operator, True),
+        alarm.raised,
+        over,
+        EventKind.ALARM,
+        alarm.source,
+        f"{alarm.kind} alarm, {alarm.text}",
+        lasted,
+        ", ".join([*times, *seen]),
+        alarm.operator,
+        True,
     )
 
 
 def _of_command(command: PastCommand) -> PastEvent:
     what = f"{command.what} {command.way}".rstrip()
     return PastEvent(
-        *(command.at, None, EventKind.COMMAND, command.robot, what),
-        *(command.stage, command.reason, command.operator, command.stage in TROUBLE),
+        command.at,
+        None,
+        EventKind.COMMAND,
+        command.robot,
+        what,
+        command.stage,
+        command.reason,
+        command.operator,
+        command.stage in TROUBLE,
     )
 
 

@@ -16,7 +16,8 @@ from fleet_tui.text.units import counted
 
 MOST_EDGES = 3
 """Edges whose impact is listed."""
-MOST_SHOWN, MOST_BESIDE = 8, 3
+MOST_SHOWN = 8
+MOST_BESIDE = 3
 """Orders that are listed alone, and beside reasons; the number of others follows."""
 
 

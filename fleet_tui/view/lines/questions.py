@@ -43,7 +43,6 @@ def losses(state: FleetState, request: Request) -> Iterator[str]:
 
 
 def request_text(state: FleetState, request: Request) -> str:
-    """Return the text of a request in one line."""
     first = command_text(state, request.commands[0])
     if len({command.robot for command in request.commands}) > 1:
         return tr(batch_name(state, request.commands))

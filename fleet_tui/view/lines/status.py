@@ -23,7 +23,8 @@ SILENT_AFTER = 2.0
 # Seconds without a first connection after which there is no link; until then the console is connecting.
 STARTING = 2.0
 # The writer ticks ten times a second. Without ticks, ages stop and everything looks live.
-BLIND_AFTER, HUNG_AFTER = 2.0, 10.0
+BLIND_AFTER = 2.0
+HUNG_AFTER = 10.0
 """Seconds without a tick: a busy machine may cause the first, after the second only a restart helps."""
 PAUSED = "PAUSED"
 """The end of the note that robots are paused."""

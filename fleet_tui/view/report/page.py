@@ -76,15 +76,24 @@ def _handover(content: ReportContent) -> list[Element]:
     local, going_on = content.local, content.handover
     orders = [
         [
-            *(order.robot, order.order, *_ends(order.way), order.stage),
-            *(local.moment(order.begun or order.queued, False), order.operator or "another client"),
+            order.robot,
+            order.order,
+            *_ends(order.way),
+            order.stage,
+            local.moment(order.begun or order.queued, False),
+            order.operator or "another client",
         ]
         for order in going_on.orders
     ]
     alarms = [
         [
-            *(alarm.source, alarm.kind, alarm.priority, alarm.text, local.moment(alarm.raised, False)),
-            *("over" if alarm.returned is not None else "holds", alarm.operator or "nobody"),
+            alarm.source,
+            alarm.kind,
+            alarm.priority,
+            alarm.text,
+            local.moment(alarm.raised, False),
+            "over" if alarm.returned is not None else "holds",
+            alarm.operator or "nobody",
         ]
         for alarm in going_on.alarms
     ]
@@ -148,9 +157,12 @@ def _robots(content: ReportContent) -> list[Element]:
     ]
     rows = [
         [
-            *(robot.name, *_counts(robot.orders)),
+            robot.name,
+            *_counts(robot.orders),
             *(_seconds(robot.seconds.get(activity, 0.0)) for activity in ACTIVITIES),
-            *(_percent(robot.last), _percent(robot.low), _seconds(robot.watched)),
+            _percent(robot.last),
+            _percent(robot.low),
+            _seconds(robot.watched),
         ]
         for robot in content.robots
     ]
@@ -203,8 +215,13 @@ def _routes(content: ReportContent) -> list[Element]:
 def _alarms(content: ReportContent) -> list[Element]:
     rows = [
         [
-            *(cause.kind, cause.priority, str(cause.count), str(cause.sources), _seconds(cause.seconds)),
-            *(_seconds(cause.longest), "" if cause.until_seen is None else age(cause.until_seen)),
+            cause.kind,
+            cause.priority,
+            str(cause.count),
+            str(cause.sources),
+            _seconds(cause.seconds),
+            _seconds(cause.longest),
+            "" if cause.until_seen is None else age(cause.until_seen),
         ]
         for cause in content.causes
     ]
@@ -250,8 +267,12 @@ def _losses(content: ReportContent) -> list[Element]:
 def _refusals(content: ReportContent) -> list[Element]:
     rows = [
         [
-            *(content.local.moment(command.at, False), command.operator, command.robot),
-            *(f"{command.what} {command.way}".strip(), command.stage, command.reason),
+            content.local.moment(command.at, False),
+            command.operator,
+            command.robot,
+            f"{command.what} {command.way}".strip(),
+            command.stage,
+            command.reason,
         ]
         for command in content.refusals[-MOST_ROWS:]
     ]

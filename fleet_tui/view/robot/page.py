@@ -35,7 +35,8 @@ BESIDE_FROM = 74
 BELOW_FROM = 30
 """Lines from which it is below the state, as wide as the page."""
 BETWEEN = 1
-LOW_CURVE, HIGH_CURVE = 8, 18
+LOW_CURVE = 8
+HIGH_CURVE = 18
 HOURS_MINUTES = 5
 
 Curve = Callable[[int, int], Sequence[Line]]

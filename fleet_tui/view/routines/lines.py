@@ -13,7 +13,11 @@ from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import counted
 
-HELD, PAUSED, WAITING, RUNNING, NEVER = "held", "paused", "waiting", "running", "never run"
+HELD = "held"
+PAUSED = "paused"
+WAITING = "waiting"
+RUNNING = "running"
+NEVER = "never run"
 
 
 def problem_line(name: str, problem: RoutineProblem) -> str:

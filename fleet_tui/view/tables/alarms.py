@@ -34,7 +34,8 @@ WITH_PRIORITY = 44
 HOURS_MINUTES = 5
 SHORT = 4
 """Cells of a priority in a narrow pane."""
-REST_AT, LEAST_REST = 2, 10
+REST_AT = 2
+LEAST_REST = 10
 """Cells before the rest of a long text, and those that each of its lines has at least."""
 UNBOUNDED = 10_000
 FEW = 4

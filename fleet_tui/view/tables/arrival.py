@@ -102,7 +102,6 @@ def _choice(line: Line, is_here: bool, width: int) -> tuple[Run, ...]:
 
 
 def footer(keys: Sequence[tuple[str, str]]) -> list[Run]:
-    """Return the keys of a screen."""
     return [run for key, text in keys for run in ((f" {key} ", StyleRole.KEY), (f"{text} ", StyleRole.DIM))]
 
 

@@ -15,7 +15,8 @@ from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.news import failed_command, listed, news, shortened_news
 from fleet_tui.view.tables.table import Run, width_of
 
-UNKNOWN, OBSTACLE = "unknown", "obstacle"
+UNKNOWN = "unknown"
+OBSTACLE = "obstacle"
 ODD = (OBSTACLE, Activity.BLOCKED.value, Activity.PAUSED.value)
 """Words of what needs a look, as counted."""
 CALM = (Activity.IDLE, Activity.CHARGING)

@@ -54,7 +54,8 @@ def battery_bar(state: FleetState, robot: Robot) -> Run:
 
 
 CARGO = "▪"
-WITH_WORD, WHOLE_ROUTES = 23, 26
+WITH_WORD = 23
+WHOLE_ROUTES = 26
 """Cells of the last column from which orders without a column of their own have the word that their robot
 drives, and their start, too."""
 _GAP: Run = " ", StyleRole.TEXT

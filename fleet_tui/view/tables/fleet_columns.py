@@ -15,10 +15,15 @@ from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, column
 
 DOT = 2
-STATE, WITH_ORDER, ORDER_MOST = 19, 36, 30
+STATE = 19
+WITH_ORDER = 36
+ORDER_MOST = 30
 """Cells of usual states (longer ones take some of a short order's), of both from which orders have a column
 before them, and of that at most."""
-WHOLE_FLOORS, WITH_BAR, WITH_WAITING, WITH_SEEN = 54, 70, 84, 90
+WHOLE_FLOORS = 54
+WITH_BAR = 70
+WITH_WAITING = 84
+WITH_SEEN = 90
 """Cells of a pane from which floors have their whole names, and from which it has further columns."""
 FLOOR = 2
 """Cells of the floors' column where their names are that short: its head is cut, too."""

@@ -11,11 +11,17 @@ from fleet_tui.view.tables.doing import ODD, UNKNOWN, count_word, counted
 from fleet_tui.view.tables.table import Run, width_of
 
 COUNTED = (
-    *(*ODD, Activity.WAITING.value, Activity.DRIVING.value, Activity.LOADING.value),
-    *(Activity.IDLE.value, Activity.CHARGING.value, UNKNOWN),
+    *ODD,
+    Activity.WAITING.value,
+    Activity.DRIVING.value,
+    Activity.LOADING.value,
+    Activity.IDLE.value,
+    Activity.CHARGING.value,
+    UNKNOWN,
 )
 """What robots online do: first what a person looks for."""
-BESIDE, RANGE = 10, 7
+BESIDE = 10
+RANGE = 7
 """Cells of the title beside the counts, and of `  1-2 of 3` beside its numbers."""
 ALL_IN_VIEW = 12
 """Robots up to which nearly every pane has a row for each: of more the title tells which rows are in view."""

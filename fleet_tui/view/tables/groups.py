@@ -14,7 +14,8 @@ from fleet_tui.view.tables.doing import ODD, count_word, counted
 from fleet_tui.view.tables.fleet_columns import floor_text
 from fleet_tui.view.tables.table import Row, Run
 
-FOLDED, UNFOLDED = "+ ", "- "
+FOLDED = "+ "
+UNFOLDED = "- "
 
 
 class GroupHead(NamedTuple):

@@ -8,7 +8,9 @@ from fleet_tui.text.language import tr
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Button, Run, Table, cut, width_of
 
-CURSOR, MARK, BOTH = "▸", "*", "◆"
+CURSOR = "▸"
+MARK = "*"
+BOTH = "◆"
 NO_MARK = (" ", StyleRole.TEXT)
 SLIDE = 8
 """Cells that long rows slide at once."""
@@ -50,7 +52,8 @@ class Listing:
 
     def choose(self, key: Hashable) -> None:
         """Put the cursor on a row that somebody chose."""
-        self.cursor, self.proposed = key, None
+        self.cursor = key
+        self.proposed = None
 
     def move(self, step: int) -> bool:
         """Move the cursor by rows, at most to the last one that can have it; return False if there are
@@ -61,7 +64,8 @@ class Listing:
             wanted = max(places[0], min(self._place + step, places[-1]))
             ahead = bisect_left(places, wanted) if step > 0 else bisect_right(places, wanted) - 1
             self._place = places[ahead]
-            self.cursor, self.proposed = keys[self._place], None
+            self.cursor = keys[self._place]
+            self.proposed = None
         return bool(keys)
 
     def toggle_mark(self) -> None:

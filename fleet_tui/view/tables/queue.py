@@ -21,11 +21,14 @@ from fleet_tui.view.tables.missions import mission, whose_mission
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import Button, LateRows, Row, Run, Table, column, cut, width_of
 
-CANCEL, CLEAR = "[Cancel]", "[Clear all]"
+CANCEL = "[Cancel]"
+CLEAR = "[Clear all]"
 GAP = "  "
 SHORT = {OrderState.IN_PROCESS: "now"}
-HOURS_MINUTES, WIDE = 5, 60
-LEAST_TITLE, LEAST_NAME = 16, 10
+HOURS_MINUTES = 5
+WIDE = 60
+LEAST_TITLE = 16
+LEAST_NAME = 10
 """Cells that the title must keep beside its button, and of those for the name."""
 
 Clock = Callable[[float], str]

@@ -27,7 +27,8 @@ from fleet_tui.view.tables.table import Row, Run, Table, column
 Event = tuple[float, str, Callable[[], tuple[Run, ...]]]
 """Unix seconds, its robot or other source, and what happened: only the newest ones are written out."""
 
-WHOLE, HOURS_MINUTES = 60, 5
+WHOLE = 60
+HOURS_MINUTES = 5
 """Cells of a pane from which times have seconds, and those of a time without them."""
 LEAST_TEXT = 10
 """Cells that a line of text has at least."""

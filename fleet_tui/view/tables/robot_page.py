@@ -27,7 +27,9 @@ from fleet_tui.view.tables.news import with_commas, without_cause
 from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import Row, Run, Table
 
-NAME, VALUE, AGE = 10, 27, 8
+NAME = 10
+VALUE = 27
+AGE = 8
 """Cells of the columns of names, values and ages."""
 LAST = 5
 """Commands and ended orders that are listed."""

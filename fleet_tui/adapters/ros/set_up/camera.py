@@ -13,7 +13,8 @@ from fleet_tui.text.sanitize import sanitize
 
 MOST_BYTES = 4_000_000
 """Bytes of a compressed picture above which it is not shown."""
-JPEG, PNG = b"\xff\xd8\xff", b"\x89PNG\r\n\x1a\n"
+JPEG = b"\xff\xd8\xff"
+PNG = b"\x89PNG\r\n\x1a\n"
 _BASE64 = 4 / 3
 
 

@@ -35,7 +35,8 @@ class _TransformsMessage(msgspec.Struct, frozen=True):
     transforms: list[Any]
 
 
-_read, _read_one = ros.reader(_TransformsMessage), ros.reader(TransformStamped)
+_read = ros.reader(_TransformsMessage)
+_read_one = ros.reader(TransformStamped)
 
 
 def read_transforms(msg: object) -> list[TransformStamped]:

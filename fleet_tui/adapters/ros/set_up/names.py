@@ -3,7 +3,8 @@
 from collections.abc import Mapping
 from typing import Any
 
-TWIST, STAMPED_TWIST = "geometry_msgs/Twist", "geometry_msgs/TwistStamped"
+TWIST = "geometry_msgs/Twist"
+STAMPED_TWIST = "geometry_msgs/TwistStamped"
 TOPICS: Mapping[str, tuple[str, str]] = {
     "initial_pose": ("", "geometry_msgs/PoseWithCovarianceStamped"),
     "scan": ("", "sensor_msgs/LaserScan"),

@@ -32,7 +32,8 @@ from fleet_tui.model.set_up import commands
 if TYPE_CHECKING:
     from fleet_tui.model.set_up.streams import StreamValue
 
-XY, YAW = 0.25, (math.pi / 12) ** 2
+XY = 0.25
+YAW = (math.pi / 12) ** 2
 """RViz's variances of a pose set by hand: square metres of x and of y, square radians."""
 ALL_GOALS: Mapping[str, object] = {"stamp": {"secs": 0, "nsecs": 0}, "id": ""}
 """The cancellation of every goal: one that was sent as a pose has an id of the robot's own."""
@@ -60,7 +61,9 @@ class SetUpRequests:
     def __init__(self, names: Names, site: Site, frames_are_floors: bool) -> None:
         """`frames_are_floors`: the frame of a pose names its floor; otherwise it is that of the robot's own
         poses, and goals are orders."""
-        self._names, self._site, self._frames_are_floors = names, site, frames_are_floors
+        self._names = names
+        self._site = site
+        self._frames_are_floors = frames_are_floors
         table = names.table
         keys = {POSE: "topics.initial_pose", LOCALISE: "services.localise", SETTLE: "services.settle"}
         keys[DRIVE] = "topics.drive"

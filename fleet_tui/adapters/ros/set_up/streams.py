@@ -14,7 +14,8 @@ from fleet_tui.errors import WireError
 from fleet_tui.model.set_up.streams import LaserScan, PlannedPath
 from fleet_tui.text.limits import LONGEST_NAME, truncate
 
-MOST_BEAMS, MOST_POSES = 20_000, 20_000
+MOST_BEAMS = 20_000
+MOST_POSES = 20_000
 """Beams of a scan, and poses of a path, above which a message is rejected."""
 FINEST = 0.05
 """Metres between two points of a path: a planner has one for each cell."""
@@ -48,7 +49,8 @@ class _PathPlace(msgspec.Struct, frozen=True):
     pose: _PathPosition
 
 
-_read_scan, _read_path = ros.reader(_ScanMessage), ros.reader(_PathMessage)
+_read_scan = ros.reader(_ScanMessage)
+_read_path = ros.reader(_PathMessage)
 
 
 def read_scan(msg: object) -> LaserScan:

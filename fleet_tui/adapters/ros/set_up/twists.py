@@ -33,7 +33,8 @@ class StampedTwist(msgspec.Struct):
     twist: Twist
 
 
-_read, _read_stamped = reader(Twist), reader(StampedTwist)
+_read = reader(Twist)
+_read_stamped = reader(StampedTwist)
 
 
 def is_stamped(type_: str) -> bool | None:

@@ -35,7 +35,9 @@ class Drive:
     loop."""
 
     def __init__(self, link: str, bridge: Link, writer: Writer, topic: str, caps: Caps) -> None:
-        self._link, self._writer, self._topic = link, writer, topic
+        self._link = link
+        self._writer = writer
+        self._topic = topic
         self._session = DriveSession(caps, topic)
         self._connection = Connection(bridge, self)
         self._calls = Calls(self._connection)

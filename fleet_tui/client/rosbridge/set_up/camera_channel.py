@@ -50,8 +50,10 @@ class CameraChannel:
         """`adapters` by robot; `subscriber` of the same bridge knows the types of topics."""
         self._bridge = replace(bridge, max_message_mb=min(bridge.max_message_mb, LARGEST_MB))
         self._cameras = [feed for feed in feeds if feed.stream_key == CAMERA]
-        self._adapters, self._subscriber = adapters, subscriber
-        self._reading, self._sink = reading, sink
+        self._adapters = adapters
+        self._subscriber = subscriber
+        self._reading = reading
+        self._sink = sink
         self._connection: Connection | None = None
         self._calls: Calls | None = None
         self._questions: set[asyncio.Task[None]] = set()

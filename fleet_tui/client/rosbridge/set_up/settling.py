@@ -32,7 +32,10 @@ class Settling:
         send: Callable[[Command], Sent],
         advance: Callable[[int, Stage, str], None],
     ) -> None:
-        self._store, self._answers, self._send, self._advance = store, answers, send, advance
+        self._store = store
+        self._answers = answers
+        self._send = send
+        self._advance = advance
         self._losses = 0
 
     def on_lost(self) -> None:

@@ -16,7 +16,8 @@ class StreamWriter:
     """Writes the streams of one bridge. On the network loop."""
 
     def __init__(self, store: Store) -> None:
-        self._store, self._streams = store, store.streams
+        self._store = store
+        self._streams = store.streams
         self._mounts = Mounts(store.streams)
 
     def wants(self, robot: str, key: str) -> bool:

@@ -22,7 +22,8 @@ from fleet_tui.model.set_up.commands import (
 from fleet_tui.rules.commands.pauses import STANDS_AFTER, stopped
 from fleet_tui.rules.commands.set_up.mode import is_in_mode
 
-SET_WITHIN, SET_TURN = 0.5, math.radians(15.0)
+SET_WITHIN = 0.5
+SET_TURN = math.radians(15.0)
 """Metres and radians within which a reported pose is the one that was set."""
 
 

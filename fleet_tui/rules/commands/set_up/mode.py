@@ -2,7 +2,8 @@
 
 from fleet_tui.model.robot import Robot
 
-MAPPING_MODE, NAVIGATION_MODE = "mapping", "navigation"
+MAPPING_MODE = "mapping"
+NAVIGATION_MODE = "navigation"
 """Words of this console for the two modes. Any other word is the robot's own."""
 
 

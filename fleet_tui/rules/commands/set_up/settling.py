@@ -8,7 +8,8 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.set_up.confirmation import believed, difference, difference_text
 from fleet_tui.text.units import counted
 
-SAME, SAME_TURN = 0.02, math.radians(1.0)
+SAME = 0.02
+SAME_TURN = math.radians(1.0)
 """Metres and radians within which a pose counts as unchanged: a particle filter at rest jitters."""
 
 

@@ -23,7 +23,8 @@ SHOWN_ITEMS = 12
 """Number of list items that are shown."""
 DEEPEST = 30
 LONGEST_STRING = 300
-LINE, BINARY_LINE = 200, 24
+LINE = 200
+BINARY_LINE = 24
 """Characters of a line of non-JSON text, bytes of one of binary data."""
 LONGEST_COPY = 50_000
 """Number of characters that are copied: terminals take about 75,000 bytes."""

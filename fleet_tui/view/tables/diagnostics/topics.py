@@ -23,7 +23,9 @@ PARTS = 0.7
 """Share of them from which the whole parts at its end stand for it."""
 BAD = 8
 """Cells of the number of bad messages, if there are any."""
-FIXED, SIZES, WHY = 47, 20, 10
+FIXED = 47
+SIZES = 20
+WHY = 10
 """Cells of state, age and rates with their gaps, of bytes and messages, which a narrow pane has not, and from
 which a reason is shown."""
 SLOW = 0.5
