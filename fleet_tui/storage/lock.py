@@ -26,8 +26,11 @@ def lock(handle: int, within: float = 0.0) -> bool:
 
 
 def is_locked(handle: int) -> bool:
-    """Tell whether another open file of the same name holds the lock."""
-    return not _try(handle, fcntl.LOCK_SH)
+    """Tell whether another open file of the same name holds the lock, also where nobody can tell."""
+    try:
+        return not _try(handle, fcntl.LOCK_SH)
+    except OSError:
+        return True
 
 
 def _try(handle: int, kind: int) -> bool:

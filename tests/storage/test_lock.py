@@ -62,6 +62,19 @@ def test_it_is_waited_for_as_long_as_was_said(tmp_path: Path) -> None:
     os.close(second)
 
 
+def test_where_files_can_not_be_locked_nobody_gets_a_lock_and_each_is_taken_for_held(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(_handle: int, _kind: int) -> None:
+        raise OSError(37, "No locks available")
+
+    assert LockFile(tmp_path / "lock").take("ana")
+    monkeypatch.setattr("fleet_tui.storage.lock.fcntl.flock", refuse)
+    with pytest.raises(OSError, match="No locks"):
+        LockFile(tmp_path / "lock").take("eva")
+    assert owner_of(tmp_path / "lock") == "ana"
+
+
 @pytest.mark.parametrize("opening", [open_private, open_shared])
 def test_no_name_blocks_and_the_shared_one_leads_nowhere_else(tmp_path: Path, opening: object) -> None:
     os.mkfifo(tmp_path / "lock")
