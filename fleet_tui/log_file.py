@@ -6,7 +6,6 @@ import logging.handlers
 import os
 import queue
 from collections import deque
-from contextlib import suppress
 from copy import copy
 from pathlib import Path
 from typing import Any
@@ -74,8 +73,10 @@ class _LogFile(logging.Handler):
 
     def emit(self, record: logging.LogRecord) -> None:
         """Write it; a full disk costs the line, and the next one recovers."""
-        with suppress(OSError):
+        try:
             self._file.append(f"{self.format(record)}\n".encode(errors="backslashreplace"))
+        except Exception:  # noqa: BLE001  # as logging's own handlers do: the thread must not end by it
+            self.handleError(record)
 
 
 class _LogQueue(logging.handlers.QueueHandler):
