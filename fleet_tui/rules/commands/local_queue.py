@@ -13,6 +13,7 @@ from fleet_tui.model.order import Order, Stop
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SendGoal
 from fleet_tui.rules.commands.goals import own_ids
+from fleet_tui.rules.commands.masters import own_mode
 
 PREFIX = "k"
 """Prefix of the ids of orders that are kept here: a robot's goals have hexadecimal ones."""
@@ -197,6 +198,8 @@ def _reasons(state: FleetState, robot: Robot) -> Iterator[str]:
         # On another floor the same ids are other places.
         if one.before.floor and robot.floor and one.before.floor != robot.floor:
             yield f"order {one.order_id} is for {one.before.floor}, {robot.name} is on {robot.floor}"
+        # Whoever gave it saw no emergency stop and no fatal error: a new order would be asked about.
+        yield from (problem.text for problem in own_mode(state, robot, one.command))
     sent = [one for one in orders_of(state, robot) if one.stage is not Stage.WAITING]
     before = max(sent, key=lambda one: one.time_of(Stage.SENT) or one.issued_at, default=None)
     if before is None or not before.is_decided or before.has_open_order or before.at <= robot.released_at:

@@ -2,13 +2,24 @@
 
 from typing import Any
 
+import pytest
 from msgspec.structs import replace
 
-from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot
+from fleet_tui.model.commands import (
+    CancelOrder,
+    ClearOrders,
+    Command,
+    PauseRobot,
+    PlaceOrder,
+    ResumeRobot,
+    Stage,
+)
 from fleet_tui.model.order import at_vertices
 from fleet_tui.model.problem import Permissions, Problem
 from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.checks import problems
+from fleet_tui.rules.commands.local_queue import next_to_send
+from tests.support.fleets import commanded
 from tests.support.vda_fleet import VehicleSite
 from tests.support.vda_messages import message, node, state
 
@@ -58,3 +69,27 @@ def test_a_pause_of_another_hand_is_lifted_only_after_asking() -> None:
     ours = {**found.state.robots, "agv": replace(found.agv, paused_by_us=True)}
     found.state = replace(found.state, robots=ours)
     assert "paused elsewhere" not in named(found, ResumeRobot("agv"))
+
+
+@pytest.mark.parametrize(
+    ("fields", "told"),
+    [
+        ({"safetyState": {"eStop": "MANUAL"}}, "agv is stopped: e-stop (manual)"),
+        ({"operatingMode": "MANUAL"}, "agv is in mode manual: it takes no orders"),
+        ({"errors": [{"errorType": "lift", "errorLevel": "FATAL"}]}, "agv reports fatal lift"),
+    ],
+)
+def test_an_order_that_waits_here_leaves_after_no_stop_that_nobody_was_asked_about(
+    fields: dict[str, Any], told: str
+) -> None:
+    found = site()
+    found.apply(*commanded(1, ORDER, Stage.WAITING, at=found.now))
+    found.wait(0.1)
+    following = next_to_send(found.state, found.agv)
+    assert following is not None and following.id == 1 and found.agv.held == ""
+    found.read("state", state(**fields))
+    assert next_to_send(found.state, found.agv) is None
+    found.wait(0.1)
+    found.read("state", state())
+    found.wait(0.1)
+    assert next_to_send(found.state, found.agv) is None and found.agv.held == told
