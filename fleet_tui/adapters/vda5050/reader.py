@@ -1,6 +1,7 @@
 """Reads the messages of one broker into events. Only counters change here."""
 
 from collections.abc import Iterable, Iterator, Mapping
+from math import inf
 from typing import cast
 
 from fleet_tui.adapters.adapter import Adapter, Feed, Limit
@@ -24,6 +25,8 @@ KEPT = ("connection", "factsheet")
 """Topics whose kept message counts, whatever its age."""
 DATED = ("state", "visualization")
 """Topics whose kept message is as old as its timestamp: by the clock of the other vehicles."""
+AHEAD = 1.0
+"""Seconds by which a timestamp may be ahead of that clock: beyond, its own clock is wrong."""
 
 
 class MessageReader:
@@ -54,8 +57,10 @@ class MessageReader:
         self._memory = StateMemory()  # the state may be an earlier one now
         self._site: float | None = None
         """The least (arrival - timestamp) of the vehicles' messages that were not kept, in seconds."""
-        self._undated: dict[str, BrokerMessage] = {}
-        """By topic: kept messages, until another vehicle tells the clock."""
+        self._undated: dict[str, tuple[BrokerMessage, float]] = {}
+        """By topic: kept messages and their arrival, until another vehicle tells the clock."""
+        self._heard: dict[tuple[str, str], float] = {}
+        """By robot and topic name: the arrival of the last message that was not kept."""
 
     def whose(self, topic: str) -> tuple[str, VehicleAddress] | None:
         """Return the robot and the address of a topic, None if it is none of a configured vehicle."""
@@ -90,13 +95,15 @@ class MessageReader:
         counter.count_frame(message.payload, False, at)
         if message.kept and address.name not in KEPT:
             if address.name in DATED and (dated := self._sent_at(message, at)) is not None:
-                return self._read(message, robot, address, dated)
+                return self._read_kept(message, robot, address, dated)
             # Its age is unknown: the sender's clock may be any.
             if address.name in DATED:
-                self._undated[message.topic] = message
+                self._undated[message.topic] = message, at
             counter.failed(KEPT_TEXT)
             return (MessageKept(robot, at, f"{address.name}: {KEPT_TEXT}"),)
         self._undated.pop(message.topic, None)
+        if address.name in DATED:
+            self._heard[robot, address.name] = at
         if not message.payload:  # so a kept message is removed
             removed = ConnectionReported(robot, at, VehicleConnection(REMOVED, address.base, ""))
             return (removed,) if address.name == "connection" else ()
@@ -111,19 +118,28 @@ class MessageReader:
                 self._site = lag if self._site is None else min(self._site, lag)
         if self._site is None:
             return
-        for topic, message in list(self._undated.items()):
-            dated, found = self._sent_at(message, at), self.whose(topic)
+        for topic, (message, arrived) in list(self._undated.items()):
+            dated, found = self._sent_at(message, arrived), self.whose(topic)
             if dated is not None and found is not None:
                 del self._undated[topic]
-                yield from self._read(message, *found, dated)
+                yield from self._read_kept(message, *found, dated)
 
-    def _sent_at(self, message: BrokerMessage, at: float) -> float | None:
+    def _read_kept(
+        self, message: BrokerMessage, robot: str, address: VehicleAddress, dated: float
+    ) -> tuple[events.Event, ...]:
+        """Read a kept message, unless its vehicle has sent a newer one: each new link brings it again."""
+        is_old = dated <= self._heard.get((robot, address.name), -inf)
+        return () if is_old else self._read(message, robot, address, dated)
+
+    def _sent_at(self, message: BrokerMessage, arrived: float) -> float | None:
         """Return the monotonic second at which a kept message was sent, None if nothing tells."""
         try:
             stamp = stamp_of(Fields.of(message.payload))
         except (WireError, RecursionError):
             return None
-        return None if stamp is None or self._site is None else min(at, stamp + self._site)
+        if stamp is None or self._site is None or stamp + self._site > arrived + AHEAD:
+            return None
+        return min(arrived, stamp + self._site)
 
     def _read(
         self, message: BrokerMessage, robot: str, address: VehicleAddress, at: float

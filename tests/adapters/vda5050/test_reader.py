@@ -72,6 +72,27 @@ def test_a_kept_state_is_dated_once_another_vehicle_reports() -> None:
     assert site.agv.last_received == site.now - 40.0 and not site.state.is_online(site.agv)
 
 
+AHEAD = "2026-01-02T05:04:05.000Z"
+
+
+def test_a_kept_state_from_a_clock_that_is_ahead_stays_of_unknown_age() -> None:
+    site = two_vehicles()
+    site.read("state", state(timestamp=NOW), base=OTHER)
+    (told,) = site.read("state", state(timestamp=AHEAD), kept=True)
+    assert isinstance(told, MessageKept) and not site.state.is_online(site.agv)
+    site.wait(7200.0)
+    site.read("state", state(timestamp=AHEAD), base=OTHER)
+    assert site.agv.vehicle is None and not site.state.is_online(site.agv), "it does not become new later"
+
+
+def test_a_kept_state_that_a_new_link_brings_again_replaces_no_later_one() -> None:
+    site = two_vehicles()
+    site.read("state", state(timestamp=NOW, lastNodeId="n7"))
+    site.read("state", state(timestamp=OLD, lastNodeId="n1"), kept=True)
+    assert site.agv.vehicle is not None and site.agv.vehicle.value.last_node == "n7"
+    assert site.state.is_fresh(site.agv, "vehicle")
+
+
 def test_a_live_state_leaves_nothing_of_a_kept_one() -> None:
     site = two_vehicles()
     site.read("state", state(timestamp=OLD), kept=True)
