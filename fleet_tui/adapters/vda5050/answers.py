@@ -78,8 +78,9 @@ def _concerns(error: VehicleError, command: Command, id_: str, number: int, vehi
             return "orderId" not in keys and keys.get("topic", ORDER) == ORDER
         return keys.get("topic") == INSTANT_ACTIONS
     is_cancel = isinstance(command, CancelOrder | ClearOrders)
-    # While an order runs it is an old one: there is something to cancel.
-    return is_cancel and error.type == NO_ORDER and not keys and not is_running(vehicle)
+    # It is an old one while an order runs, as there is something to cancel, and once this one is carried out.
+    is_done = any(one.id == id_ and one.status == FINISHED for one in vehicle.actions)
+    return is_cancel and error.type == NO_ORDER and not (keys or is_done or is_running(vehicle))
 
 
 def error_text(error: VehicleError) -> str:

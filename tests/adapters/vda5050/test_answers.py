@@ -112,3 +112,10 @@ def test_a_cancellation_ends_with_the_order(command: Command) -> None:
         )
         is None
     )
+
+
+def test_a_cancellation_that_finished_was_not_rejected_by_the_error_of_an_earlier_one() -> None:
+    earlier = error(type_="noOrderToCancel")
+    assert said(CLEAR, actionStates=action("FINISHED"), errors=[earlier]) == (Stage.ACCEPTED, "")
+    assert said(CLEAR, actionStates=action("FAILED"), errors=[earlier]) == (Stage.REFUSED, "noOrderToCancel")
+    assert said(CLEAR, actionStates=action("WAITING"), errors=[earlier]) == (Stage.REFUSED, "noOrderToCancel")
