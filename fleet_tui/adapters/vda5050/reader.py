@@ -61,6 +61,8 @@ class MessageReader:
         """By topic: kept messages and their arrival, until another vehicle tells the clock."""
         self._heard: dict[tuple[str, str], float] = {}
         """By robot and topic name: the arrival of the last message that was not kept."""
+        self._connections: dict[str, tuple[events.Event, ...]] = {}
+        """By robot: the kept connection, as long as nothing but kept messages has come from it."""
 
     def whose(self, topic: str) -> tuple[str, VehicleAddress] | None:
         """Return the robot and the address of a topic, None if it is none of a configured vehicle."""
@@ -108,6 +110,10 @@ class MessageReader:
             removed = ConnectionReported(robot, at, VehicleConnection(REMOVED, address.base, ""))
             return (removed,) if address.name == "connection" else ()
         read = self._read(message, robot, address, at)
+        if not message.kept:
+            self._connections.pop(robot, None)
+        elif address.name == "connection":
+            self._connections[robot] = tuple(one for one in read if isinstance(one, ConnectionReported))
         return *self._dated_by(read, at), *read
 
     def _dated_by(self, read: Iterable[events.Event], at: float) -> Iterator[events.Event]:
@@ -127,9 +133,11 @@ class MessageReader:
     def _read_kept(
         self, message: BrokerMessage, robot: str, address: VehicleAddress, dated: float
     ) -> tuple[events.Event, ...]:
-        """Read a kept message, unless its vehicle has sent a newer one: each new link brings it again."""
-        is_old = dated <= self._heard.get((robot, address.name), -inf)
-        return () if is_old else self._read(message, robot, address, dated)
+        """Read a kept message, unless its vehicle has sent a newer one: each new link brings it again. It is
+        no sign of life beside a connection that the broker has kept."""
+        if dated <= self._heard.get((robot, address.name), -inf):
+            return ()
+        return *self._read(message, robot, address, dated), *self._connections.get(robot, ())
 
     def _sent_at(self, message: BrokerMessage, arrived: float) -> float | None:
         """Return the monotonic second at which a kept message was sent, None if nothing tells."""

@@ -1,5 +1,7 @@
 """Tests of fleet_tui/adapters/vda5050/reader.py: messages with their topics, counted and read."""
 
+import pytest
+
 from fleet_tui.adapters.vda5050.frames import BrokerMessage, frame_of
 from fleet_tui.model import events
 from fleet_tui.model.vehicles.events import ConnectionReported, MessageKept, VehicleReported
@@ -72,7 +74,7 @@ def test_a_kept_state_is_dated_once_another_vehicle_reports() -> None:
     assert site.agv.last_received == site.now - 40.0 and not site.state.is_online(site.agv)
 
 
-AHEAD = "2026-01-02T05:04:05.000Z"
+AHEAD, RECENT = "2026-01-02T05:04:05.000Z", "2026-01-02T03:03:55.000Z"
 
 
 def test_a_kept_state_from_a_clock_that_is_ahead_stays_of_unknown_age() -> None:
@@ -91,6 +93,19 @@ def test_a_kept_state_that_a_new_link_brings_again_replaces_no_later_one() -> No
     site.read("state", state(timestamp=OLD, lastNodeId="n1"), kept=True)
     assert site.agv.vehicle is not None and site.agv.vehicle.value.last_node == "n7"
     assert site.state.is_fresh(site.agv, "vehicle")
+
+
+@pytest.mark.parametrize("order", [("connection", "state"), ("state", "connection")])
+def test_a_kept_state_is_no_sign_of_life_beside_a_kept_last_will(order: tuple[str, str]) -> None:
+    site = two_vehicles()
+    site.read("state", state(timestamp=NOW), base=OTHER)
+    gone = message(connectionState="CONNECTIONBROKEN")
+    for name in order:
+        site.read(name, gone if name == "connection" else state(timestamp=RECENT), kept=True)
+    assert site.agv.last_received == site.now - 10.0 and not site.state.is_online(site.agv)
+    site.wait(1.0)
+    site.read("visualization", state(timestamp=NOW))
+    assert site.state.is_online(site.agv)
 
 
 def test_a_live_state_leaves_nothing_of_a_kept_one() -> None:
