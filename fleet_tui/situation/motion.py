@@ -2,6 +2,7 @@
 
 from fleet_tui.model.alarm import Priority
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.navigation import ReportedMotion
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.vehicles.vehicle import CurrentAction, Vehicle
 from fleet_tui.situation.fact import Fact
@@ -56,9 +57,15 @@ def stands_since(robot: Robot, given_at: float) -> bool | None:
 def moves_despite_pause(state: FleetState, robot: Robot) -> Fact | None:
     """Find that a robot that is paused does not stand, by the speeds that it reports: it brakes, goes on as
     if there were no pause, or moves again."""
-    if robot.motion is None or not state.is_paused(robot) or stands_since(robot, 0.0):
+    if not state.is_paused(robot) or stands_since(robot, 0.0):
         return None
-    motion, at = robot.motion.value, robot.motion.at
+    if robot.motion is not None:
+        motion, at = robot.motion.value, robot.motion.at
+    elif robot.vehicle is not None and says_driving(state, robot):
+        at = robot.vehicle.at
+        motion = ReportedMotion(True, 0.0)  # since when its states do not tell
+    else:
+        return None
     since = state.began.get((robot.name, STOPPING.name), state.now)
     kind, text, priority = STOPPING, STOPPING.word, Priority.LOW
     evidence = "the robot does not report yet that it stands"

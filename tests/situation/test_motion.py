@@ -127,3 +127,17 @@ def test_how_long_an_action_runs_that_began_before_the_console_is_what_was_seen(
     vehicle = VehicleSite()
     for_seconds(vehicle, 31, **DRIVEN, driving=False, actionStates=PICK)
     assert told_text(vehicle.state, vehicle.agv) == "pick, 31 s (seen)"
+
+
+def test_a_paused_vehicle_that_says_it_drives_is_stopping_and_not_paused() -> None:
+    vehicle = VehicleSite()
+    for_seconds(vehicle, 2, every=1, **DRIVEN, driving=True)
+    vehicle.read("state", state(**DRIVEN, driving=True, paused=True))
+    vehicle.wait(0.1)
+    assert told_text(vehicle.state, vehicle.agv) == "stopping" and does(vehicle) is Activity.DRIVING
+    assert report(vehicle.state)["robots"][0]["paused"] is False
+    for_seconds(vehicle, 6, every=1, **DRIVEN, driving=True, paused=True)
+    assert told_text(vehicle.state, vehicle.agv).startswith("still moving") and "pause" in vehicle.alarms
+    vehicle.read("state", state(**DRIVEN, driving=False, paused=True))
+    vehicle.wait(0.1)
+    assert told_text(vehicle.state, vehicle.agv).startswith("paused") and does(vehicle) is Activity.PAUSED
