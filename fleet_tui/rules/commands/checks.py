@@ -20,7 +20,7 @@ from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.abilities import unaccepted
 from fleet_tui.rules.commands.claims import claimed
-from fleet_tui.rules.commands.local_queue import all_orders, clearable
+from fleet_tui.rules.commands.local_queue import all_orders, clearable, orders_of
 from fleet_tui.rules.commands.masters import VEHICLE_CHECKS
 from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.rules.commands.rights import not_allowed
@@ -121,7 +121,8 @@ def nothing_to_clear(state: FleetState, robot: Robot, command: Command) -> Itera
             return
         old, ours = not state.is_fresh(robot, "queue"), " of this console" * robot.kind.clears_own
         text = f"{robot.name} {f'had no orders{ours} at last report' if old else f'has no orders{ours}'}"
-        yield Problem("nothing to clear", text, blocks=not old)
+        is_on_its_way = not all(one.is_decided for one in orders_of(state, robot))
+        yield Problem("nothing to clear", text, blocks=not (old or is_on_its_way))
 
 
 def cargo(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:

@@ -13,6 +13,9 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.link import CommandPath
 from fleet_tui.model.order import Stop
+from fleet_tui.model.problem import Permissions
+from fleet_tui.model.request import Request
+from fleet_tui.rules.commands.checks import problems
 from tests.support.broker import broker_in
 from tests.support.links import finished, linked
 from tests.support.nav2_site import keeping, record_of
@@ -212,6 +215,26 @@ async def test_a_closed_console_says_so_of_an_order_that_waited(tmp_path: Path) 
         await until(lambda: record_of(store.state, order).is_decided)
         assert record_of(store.state, order).detail == "console closed after it was told to stop charging"
         assert orders(vehicle) == []
+
+
+async def test_an_order_that_waits_for_the_end_of_a_charge_may_be_cleared(tmp_path: Path) -> None:
+    with broker_in(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            await charging(store, vehicle)
+            order = link.submit(ORDER)
+            await vehicle.next("instantActions")
+            (problem,) = problems(store.state, Request((ClearOrders("agv"),)), Permissions())
+            assert "has no orders" in problem.text and not problem.blocks, "asked, not refused"
+            link.submit(ClearOrders("agv"))
+            await store.until(lambda state: record_of(state, order).is_decided)
+            detail = "another command came after it was told to stop charging"
+            assert record_of(store.state, order).detail == detail
+            vehicle.say()
+            await store.until(charge(80.5))
+            assert orders(vehicle) == []
+            (problem,) = problems(store.state, Request((ClearOrders("agv"),)), Permissions())
+            assert problem.blocks, "nothing is on its way any more"
 
 
 async def test_no_order_waits_for_a_state_without_a_link(tmp_path: Path) -> None:
