@@ -42,6 +42,10 @@ class Goal(Struct, frozen=True):
     tokens: tuple[str, ...] = ()
 
 
+STOPS_WITHIN = 3.0
+"""Seconds after a pause in which a robot brakes."""
+
+
 class ReportedMotion(Struct, frozen=True):
     """Whether a robot moves by the speeds that it reports, and since when (monotonic) all of them said so."""
 

@@ -12,7 +12,7 @@ from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.kind import Kind
-from fleet_tui.model.navigation import Blocked, Goal, Progress, ReportedMotion, Servers
+from fleet_tui.model.navigation import STOPS_WITHIN, Blocked, Goal, Progress, ReportedMotion, Servers
 from fleet_tui.model.order import Order, OrderQueue, route_text
 from fleet_tui.model.order_life import GoneOrder, OrderTrace
 from fleet_tui.model.vehicles.vehicle import CurrentAction, Vehicle, VehicleConnection, VehicleFeatures
@@ -70,7 +70,8 @@ class RobotMap(Struct, frozen=True, eq=False):
 class Robot(Struct, frozen=True, eq=False):
     """`number` counts from 1 in the order of the config; `last_received` is the effective time of the last
     telemetry; `floor` is the one named by the frame of its pose; `paused_at` is its pose when it accepted our
-    own pause; `standing` is the pose it has not left, and since when; `place` is coarser: its place of last
+    own pause, `paused_since` when that was given, `locked_by_us` that one also locked its motors;
+    `standing` is the pose it has not left, and since when; `place` is coarser: its place of last
     progress, and since when; `jumps` are the metres of recent impossible jumps of its pose, each with its
     time; `relocated` is the last jump that its localisation made, in words; `misplaced` is why its newest
     pose at which it cannot be is none, `misplaced_since` when such poses began; `pace` its usual speed in m/s
@@ -143,6 +144,8 @@ class Robot(Struct, frozen=True, eq=False):
     kind: Kind = Kind()
     paused: Reading[bool] | None = None
     paused_by_us: bool = False
+    paused_since: float | None = None
+    locked_by_us: bool = False
     paused_at: Pose | None = None
     pause_lost_at: float | None = None
     last_received: float | None = field(default=None, name="heard")  # as recordings have it
@@ -165,6 +168,13 @@ class Robot(Struct, frozen=True, eq=False):
     member: Reading[Member] | None = None
     diagnosed: Reading[str] | None = None
     logged: tuple[Logged, ...] = ()
+
+    @property
+    def moves_on_since_pause(self) -> bool:
+        """Tell whether its speeds show that our pause did not stop it, not only that it still brakes."""
+        if not self.paused_by_us or self.paused_since is None or self.motion is None:
+            return False
+        return self.motion.value.is_moving and self.motion.at - self.paused_since > STOPS_WITHIN
 
     @property
     def has_cargo(self) -> bool:

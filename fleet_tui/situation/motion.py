@@ -2,7 +2,7 @@
 
 from fleet_tui.model.alarm import Priority
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.navigation import ReportedMotion
+from fleet_tui.model.navigation import STOPS_WITHIN, ReportedMotion
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.vehicles.vehicle import CurrentAction, Vehicle
 from fleet_tui.situation.fact import Fact
@@ -12,8 +12,7 @@ from fleet_tui.text.durations import age
 CRAWLS = 0.05
 """Metres per second above which a vehicle that only tells its speed drives."""
 STANDS_FOR = 0.5
-STOPS_WITHIN = 3.0
-"""Seconds of speeds near zero from which a robot stands; seconds after a pause in which it brakes."""
+"""Seconds of speeds near zero from which a robot stands."""
 LOCK = "Pause it again: that locks its motors"
 
 
@@ -78,5 +77,5 @@ def moves_despite_pause(state: FleetState, robot: Robot) -> Fact | None:
     elif motion.is_moving and at - since > STOPS_WITHIN:
         kind, text, priority = STILL_MOVING, STILL_MOVING.word, Priority.HIGH
         evidence = f"the robot reports movement {age(at - since)} after the pause"
-    remedy = LOCK if robot.kind.may_lock and motion.is_moving else ""
+    remedy = LOCK if robot.kind.may_lock and robot.moves_on_since_pause else ""
     return Fact(kind, robot.name, text, priority, since, remedy, evidence=evidence, seen=at)

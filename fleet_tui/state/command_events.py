@@ -79,6 +79,9 @@ def _with_record(state: FleetState, record: CommandRecord) -> FleetState:
 def _after_step(state: FleetState, record: CommandRecord) -> FleetState:
     """Record our own pause: without a topic for it, nothing else is known."""
     robot = state.robots.get(record.command.robot)
+    if robot is not None and record.stage is Stage.SENT and isinstance(record.command, PauseRobot):
+        # A topic among what was sent is that of the lock.
+        return with_robot(state, replace(robot, locked_by_us=robot.locked_by_us or record.name != ""))
     if robot is None or record.stage not in (Stage.ACCEPTED, Stage.CONFIRMED, Stage.LATE):
         return state
     match record.command:
@@ -86,9 +89,12 @@ def _after_step(state: FleetState, record: CommandRecord) -> FleetState:
             # Until it is seen to stop, its place is that of the next pose: of many robots the last one may be
             # from metres before.
             at = robot.pose.value if robot.pose and record.stage is Stage.CONFIRMED else None
-            return with_robot(state, replace(robot, paused_by_us=True, paused_at=at))
+            since = robot.paused_since if robot.paused_by_us else record.issued_at
+            return with_robot(state, replace(robot, paused_by_us=True, paused_since=since, paused_at=at))
         case ResumeRobot():
-            released = replace(robot, paused_by_us=False, paused_at=None, held="", released_at=state.now)
+            released = replace(
+                robot, paused_by_us=False, paused_at=None, locked_by_us=False, held="", released_at=state.now
+            )
             return with_robot(state, released)
         case PlaceOrder(_, stops) if record.order_id is not None:
             return with_robot(state, know_stops(robot, record.order_id, stops, is_ours=True))

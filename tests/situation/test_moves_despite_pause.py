@@ -35,7 +35,7 @@ def driven(state: FleetState, first: float, last: float, speed: Speeds | None) -
 def paused(speed: Speeds | None) -> FleetState:
     """A robot that reported a speed for a second and has just taken our pause."""
     state = driven(nav2(), 0.0, 1.0, speed)
-    return replace(state, robots={R0: replace(state.robots[R0], paused_by_us=True)})
+    return replace(state, robots={R0: replace(state.robots[R0], paused_by_us=True, paused_since=T0 + 1)})
 
 
 def told(state: FleetState) -> list[str]:

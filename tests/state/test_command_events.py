@@ -78,3 +78,15 @@ def test_paused_by_us_until_we_resume() -> None:
 def test_a_pause_that_was_not_accepted_pauses_nothing(stage: Stage) -> None:
     state = reduced(fleet(), *commanded(1, PauseRobot(R0), Stage.SENT, stage))
     assert not state.is_paused(robot(state))
+
+
+def test_a_lock_is_ours_from_its_sending_until_we_resume() -> None:
+    state = reduced(fleet(), *accepted(PauseRobot(R0)))
+    since = robot(state).paused_since
+    assert not robot(state).locked_by_us
+    again = events.CommandIssued(2, PauseRobot(R0), T0 + 5, WALL)
+    state = reduced(state, again, events.CommandAdvanced(2, Stage.SENT, T0 + 5, "", "/tb2/lock"))
+    assert robot(state).locked_by_us
+    state = reduced(state, *commanded(3, PauseRobot(R0), Stage.SENT, Stage.ACCEPTED, at=T0 + 9))
+    assert robot(state).locked_by_us and robot(state).paused_since == since
+    assert not robot(reduced(state, *accepted(ResumeRobot(R0), id_=4))).locked_by_us

@@ -98,10 +98,13 @@ class NavigationAdapter:
             case commands.PauseRobot():
                 if switch := self.pauses.switch("pause", robot.name):
                     return switch
-                moves_on = robot.paused_by_us and robot.motion is not None and robot.motion.value.is_moving
-                lock = [self.pauses.lock(robot.name, True)] if self.pauses.may_lock and moves_on else []
+                # Only for a key: what this console repeats by itself has no id.
+                is_due = command_id != 0 and self.pauses.may_lock and robot.moves_on_since_pause
+                lock = [self.pauses.lock(robot.name, True)] if is_due else []
                 return [*lock, *self._goals.cancel_all(self.names, robot)]
             case commands.ResumeRobot():
+                if robot.locked_by_us and self.pauses.may_lock:
+                    return [self.pauses.lock(robot.name, False)]
                 return self.pauses.switch("resume", robot.name)
             case SetUpCommand():
                 return self.set_up.outgoing(command, robot)

@@ -50,7 +50,7 @@ class Pauses:
         names = self._names
         if self._has_services:
             return (ServiceCall(names.service(key, robot), names.service_type(key), {}),)
-        if self._locks or (self.may_lock and key == "resume"):
+        if self._locks:
             return (self.lock(robot, key == "pause"),)
         return ()
 

@@ -29,6 +29,14 @@ def test_a_pause_service_without_one_to_resume_is_not_called() -> None:
     assert {call.type for call in calls if isinstance(call, ServiceCall)} == {CANCEL_TYPE}
 
 
+def locks(command_id: int, at: float) -> bool:
+    """Whether a pause locks a robot that was paused at second 0 and moves at another."""
+    motion = Reading(ReportedMotion(True, 0.0), at)
+    moving = replace(robot(), paused_by_us=True, paused_since=0.0, motion=motion)
+    it = adapter(topics={"pause_navigation": "/{robot}/lock"})
+    return any(isinstance(one, Publication) for one in it.outgoing(PauseRobot("tb2"), command_id, moving))
+
+
 class TestPauses:
     def test_hold_is_what_stands_in(self) -> None:
         assert adapter().kind.holds and adapter().kind.can(kind.PAUSE)
@@ -45,9 +53,9 @@ class TestPauses:
     def test_a_second_pause_locks_a_robot_that_the_first_one_did_not_stop(self) -> None:
         it = adapter(topics={"pause_navigation": "/{robot}/lock"})
         locked, released = (Publication("/tb2/lock", "std_msgs/Bool", {"data": one}) for one in (True, False))
-        paused = replace(robot(), paused_by_us=True)
+        paused = replace(robot(), paused_by_us=True, paused_since=0.0)
         moving, standing = (
-            replace(paused, motion=Reading(ReportedMotion(is_moving, 0.0), 1.0))
+            replace(paused, motion=Reading(ReportedMotion(is_moving, 0.0), 4.0))
             for is_moving in (True, False)
         )
         assert it.kind.holds and it.kind.may_lock
@@ -55,7 +63,18 @@ class TestPauses:
         assert it.outgoing(PauseRobot("tb2"), 1, moving)[0] == locked
         for one in (replace(moving, paused_by_us=False), standing, paused):
             assert locked not in it.outgoing(PauseRobot("tb2"), 1, one)
-        assert it.outgoing(ResumeRobot("tb2"), 1, moving) == (released,)
+        locked_by_us = replace(moving, locked_by_us=True)
+        assert it.outgoing(ResumeRobot("tb2"), 1, locked_by_us) == [released]
+
+    def test_a_pause_given_twice_while_the_robot_brakes_locks_nothing(self) -> None:
+        assert not locks(1, at=2.9)
+
+    def test_a_pause_that_the_console_repeats_by_itself_locks_nothing(self) -> None:
+        assert locks(1, at=4.0) and not locks(0, at=4.0)
+
+    def test_a_resume_leaves_the_lock_of_another(self) -> None:
+        it = adapter(topics={"pause_navigation": "/{robot}/lock"})
+        assert not it.outgoing(ResumeRobot("tb2"), 1, replace(robot(), paused_by_us=True))
 
     def test_two_services_come_before_hold(self) -> None:
         it = adapter(services={"pause": "/{robot}/hold", "resume": "/{robot}/go"})
