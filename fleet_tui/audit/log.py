@@ -96,7 +96,7 @@ class Audit:
         self._watched: FleetState | None = None
         """The newest state whose changes are in the log."""
         self._changed = threading.Condition()
-        self._worker = Worker("audit", self._write, RETRY, self._end)
+        self._worker = Worker("audit", self._write, None, self._end)
         self._worker.start()
 
     @property
@@ -169,8 +169,7 @@ class Audit:
             # Whatever fails here, dispatch continues.
             LOG.exception("audit")
             self._unread += 1
-        if not self._problem:
-            self._worker.wake()
+        self._worker.wake()
 
     def _wait(self, is_urgent: bool) -> None:
         """Wait until everything is written, or the disk does not respond: a command is sent after this."""
@@ -201,14 +200,16 @@ class Audit:
         self._slow += time.monotonic() - began
 
     def _write(self) -> None:
-        """Write line after line, up to one that can't be written; on the log's own thread."""
+        """Write line after line; on the log's own thread."""
         while (line := self._next()) is not None:
             try:
                 self.file.append(line)
             except Exception as problem:  # noqa: BLE001  # whatever it is, the line must be kept
                 self._failed(line, getattr(problem, "strerror", None) or repr(problem))
-                break
-            self._succeeded()
+                if self._worker.rest(RETRY):
+                    break
+            else:
+                self._succeeded()
 
     def _end(self) -> None:
         self._write()

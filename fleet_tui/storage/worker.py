@@ -10,14 +10,14 @@ LOG = logging.getLogger(__name__)
 
 
 class Worker:
-    """Repeats a step in a thread of its own: every so many seconds, and at once when it is woken, until it is
-    closed; then it does the end. A mistake in one of them costs that one alone."""
+    """Repeats a step in a thread of its own: every so many seconds (None: never by itself), at once when it
+    is woken, until it is closed; then it does the end. A mistake in one of them costs that one alone."""
 
     def __init__(
         self,
         name: str,
         step: Callable[[], object],
-        every: float,
+        every: float | None,
         end: Callable[[], object],
     ) -> None:
         self.name = name
@@ -25,7 +25,7 @@ class Worker:
         self._every = every
         self._end = end
         self._began: float | None = None
-        self._is_closing = False
+        self._closing = threading.Event()
         self._woken = threading.Event()
         self._thread = threading.Thread(target=self._work, name=f"fleet-tui-{name}", daemon=True)
 
@@ -57,20 +57,24 @@ class Worker:
             return False
         return status.rpartition(")")[2].split()[0] == "R"
 
+    def rest(self, seconds: float) -> bool:
+        """Wait within a step; tell whether the worker is to be closed."""
+        return self._closing.wait(seconds)
+
     def close(self, within: float) -> bool:
         """Do the end after the present step; tell whether all was over within so many seconds. It may be
         called again."""
-        self._is_closing = True
+        self._closing.set()
         self._woken.set()
         if self._thread.is_alive():
             self._thread.join(within)
         return not self._thread.is_alive()
 
     def _work(self) -> None:
-        while not self._is_closing:
+        while not self._closing.is_set():
             self._woken.clear()
             self._try(self._step)
-            if not self._is_closing:
+            if not self._closing.is_set():
                 self._woken.wait(self._every)
         self._try(self._end)
 
