@@ -10,6 +10,8 @@ from fleet_tui.storage.handles import open_private
 
 LONGEST_OWNER = 200
 """Bytes of the owner in the file of a lock."""
+LOOKED_AT = 0.05
+"""Seconds in which who only looks at a lock has gone again."""
 LOOK = 0.005
 """Seconds between two tries."""
 
@@ -65,7 +67,7 @@ class LockFile:
         self.release()
         handle = self._opening(self.path, os.O_RDWR | os.O_CREAT)
         try:
-            if not lock(handle):
+            if not lock(handle, LOOKED_AT):
                 return False
             os.ftruncate(handle, 0)
             os.pwrite(handle, owner.encode()[:LONGEST_OWNER], 0)

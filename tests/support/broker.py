@@ -16,6 +16,8 @@ from typing import NamedTuple
 
 import pytest
 
+from tests.support.mqtt_peer import PEERS
+
 PROGRAM = shutil.which("mosquitto", path="/usr/sbin:/usr/local/sbin:/usr/bin:/usr/local/bin")
 if os.environ.get("TEST_BROKER") == "amqtt":
     PROGRAM = None
@@ -117,6 +119,8 @@ def broker_in(
     try:
         yield broker
     finally:
+        for peer in PEERS.pop(broker.port, []):
+            peer.close()
         broker.kill()
 
 

@@ -9,6 +9,9 @@ from paho.mqtt.enums import CallbackAPIVersion
 
 from tests.support.polling import eventually
 
+PEERS = dict[int, list["Peer"]]()
+"""The peers on the broker of each port: one that outlives it would seek it for ever, and slow other tests."""
+
 
 class Told(NamedTuple):
     topic: str
@@ -38,6 +41,7 @@ class Peer:
             self._client.username_pw_set(*login)
         self._client.connect("127.0.0.1", port)
         self._client.loop_start()
+        PEERS.setdefault(port, []).append(self)
         eventually(self._client.is_connected)
         if patterns:
             self._client.subscribe([(pattern, 0) for pattern in patterns])
