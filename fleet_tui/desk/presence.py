@@ -167,7 +167,7 @@ def _remove(path: Path) -> None:
             one.unlink()
 
 
-def _read(path: Path, largest: int = LARGEST) -> bytes:
+def _read(path: Path, largest: int) -> bytes:
     with os.fdopen(open_shared(path, os.O_RDONLY), "rb") as file:
         content = file.read(largest + 1)
     if len(content) > largest:
@@ -178,7 +178,7 @@ def _read(path: Path, largest: int = LARGEST) -> bytes:
 def _presence(path: Path) -> Presence | None:
     """Return the content of a file, None if it is no presence, or another's."""
     try:
-        found = _DECODER.decode(_read(path))
+        found = _DECODER.decode(_read(path, LARGEST))
     except (OSError, msgspec.MsgspecError, UnicodeDecodeError, RecursionError):
         return None
     return found if path.name == f"{PREFIX}{found.id}{SUFFIX}" else None

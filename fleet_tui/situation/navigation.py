@@ -42,10 +42,14 @@ def _logged(robot: Robot) -> Reading[Servers] | None:
 
 def inactive(state: FleetState, robot: Robot) -> Fact | None:
     """Find that the servers that drive a robot are not active: they reject every goal."""
-    told = robot.servers or _logged(robot)
-    if told is None or told.value.is_active or not state.is_online(robot):
+    answered, logged = robot.servers, _logged(robot)
+    if answered is not None and state.now - answered.at <= ASKED_WITHIN:
+        told, evidence = answered, "its lifecycle manager says so: every goal is rejected"
+    elif logged is not None and state.now - logged.at <= LOGGED_WITHIN:
+        told, evidence = logged, "the log of its lifecycle manager says so"
+    else:
         return None
-    if state.now - told.at > (ASKED_WITHIN if told is robot.servers else LOGGED_WITHIN):
+    if told.value.is_active or not state.is_online(robot):
         return None
     servers = told.value
     is_counted = not robot.kind.odometry_topic or robot.odometry_at is not None
@@ -57,6 +61,6 @@ def inactive(state: FleetState, robot: Robot) -> Fact | None:
         Priority.MEDIUM,
         servers.since,
         remedy=remedy,
-        evidence="its lifecycle manager says so: every goal is rejected",
+        evidence=evidence,
         seen=told.at,
     )

@@ -1,5 +1,6 @@
 """What waits for a disk."""
 
+import threading
 from collections import deque
 from typing import TypeVar
 
@@ -12,15 +13,18 @@ class WriteQueue(deque[T]):
     def __init__(self, most: int) -> None:
         super().__init__(maxlen=most)
         self.lost = 0
+        self._lock = threading.Lock()
 
     def append(self, entry: T) -> None:
         """Add the newest entry."""
-        self.lost += len(self) == self.maxlen
-        super().append(entry)
+        with self._lock:
+            self.lost += len(self) == self.maxlen
+            super().append(entry)
 
     def put_back(self, entry: T) -> None:
         """Return the oldest entry, which could not be written; it is lost if others have taken its place."""
-        if len(self) == self.maxlen:
-            self.lost += 1
-        else:
-            self.appendleft(entry)
+        with self._lock:  # the newest would be lost, without a count
+            if len(self) == self.maxlen:
+                self.lost += 1
+            else:
+                self.appendleft(entry)

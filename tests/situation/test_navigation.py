@@ -8,6 +8,7 @@ from fleet_tui.model.events import TimePassed
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation import DOWN, Servers
 from fleet_tui.model.navigation_events import ServersReported
+from fleet_tui.model.robot import Logged
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.situation.navigation import ASKED_WITHIN, inactive, inactive_cause
 from fleet_tui.view.tables.news import news, shortened_news
@@ -68,6 +69,16 @@ def test_what_was_told_long_ago_means_nothing_now() -> None:
     later = T0 + 3 + ASKED_WITHIN + 1
     state = reduced(state, odometry(later), TimePassed(later, WALL + later))
     assert inactive(state, state.robots[R0]) is None
+
+
+def test_the_log_tells_of_a_dead_node_where_the_last_answer_is_old() -> None:
+    state = asked(Servers(True), 3)
+    later = T0 + 3 + ASKED_WITHIN + 1
+    state = reduced(state, odometry(later), TimePassed(later, WALL + later))
+    line = Logged("CRITICAL FAILURE: SERVER bt_navigator IS DOWN", later)
+    fact = inactive(state, replace(state.robots[R0], logged=(line,)))
+    assert fact is not None and fact.text == "Nav2 inactive: bt_navigator down"
+    assert fact.evidence == "the log of its lifecycle manager says so"
 
 
 def test_it_is_over_with_the_next_answer() -> None:

@@ -154,10 +154,9 @@ class Sending:
             found += unattended(self.state, request)
         asked = [command for command in request.commands if not isinstance(command, PauseRobot | ResumeRobot)]
         for name in dict.fromkeys(command.robot for command in asked):
-            robot = self.state.robots[name]
-            if absent := unreported(robot):
+            if absent := unreported(self.state.robots[name]):
                 # The link holds an order for a vehicle's first state, beyond the time limit of this line.
-                is_held = bool(robot.kind.optional) and any(
+                is_held = "state" in absent and any(
                     isinstance(one, PlaceOrder) and one.robot == name for one in asked
                 )
                 found.append(Problem("missing", f"{name}: missing: {', '.join(absent)}", blocks=is_held))

@@ -41,7 +41,7 @@ def _way(state: FleetState, robot: Robot) -> tuple[Place, Place]:
     if here.graph is None or not here.graph.chargers:
         raise CommandError(f"no graph shows a charger on {robot.floor}")
 
-    others = [one for one in state.robots.values() if one is not robot and one.floor == robot.floor]
+    others = [one for one in state.robots.values() if one.name != robot.name and one.floor == robot.floor]
     taken = {charger.id for one in others if (charger := charger_of(state, one)) is not None}
     free = [one for one in here.graph.chargers if one.id not in taken]
     if not free:
