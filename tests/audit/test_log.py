@@ -184,6 +184,7 @@ def test_a_disk_that_does_not_answer_holds_nobody(tmp_path: Path, disk: BadDisk)
     store, audit = Store(known_fleet()), Audit(disk, ANA)
     store.watchers.append(audit.watch)
     give(store, 1, ORDER, Stage.SENT)
+    becomes(lambda: len(lines(disk)) == 2)
     disk.answers.clear()
     for n in range(2, 102):
         give(store, n, ORDER, Stage.SENT)

@@ -5,6 +5,7 @@ import threading
 import pytest
 
 from fleet_tui.storage.worker import Worker
+from tests.support.polling import eventually
 
 LONG = 1000.0
 
@@ -53,7 +54,8 @@ def test_what_hangs_is_known_and_not_waited_for() -> None:
     assert worker.busy_for == 0.0
     worker.start()
     assert begun.wait(30)
-    assert worker.busy_for > 0.0 and not worker.waits_for_processor
+    assert worker.busy_for > 0.0
+    eventually(lambda: not worker.waits_for_processor)
     assert not worker.close(0.01) and worker.is_running and done == []
     answers.set()
     assert worker.close(30.0) and done == ["end"] and worker.busy_for == 0.0
