@@ -11,7 +11,7 @@ from fleet_tui.model.navigation_events import ServersReported
 from fleet_tui.model.robot import Logged
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.situation.navigation import ASKED_WITHIN, inactive, inactive_cause
-from fleet_tui.view.tables.news import news, shortened_news
+from fleet_tui.view.tables.news import in_cells, news, shortened_news
 from tests.support.fleets import R0, T0, WALL, reduced
 from tests.support.nav2_goals import localised, nav2, odometry, unheard
 
@@ -98,3 +98,9 @@ def test_a_missing_pose_is_one_alarm_with_what_waits_for_it() -> None:
     assert [one.text for one in state.alarms if one.holds] == ["Nav2 inactive: no pose yet: set one"]
     told = list(news(state, state.robots[R0]))
     assert shortened_news(told, 24)[0][0] == "no pose yet: set one"
+
+
+def test_a_cause_that_would_be_cut_gives_way_to_what_it_causes() -> None:
+    state = asked(KILLED, 12)
+    told = shortened_news(list(news(state, state.robots[R0])), 18)
+    assert "".join(text for text, _ in in_cells(told, 18)).strip() == "Nav2 inactive…"

@@ -183,8 +183,11 @@ def shortened_news(texts: list[Run], cells: int) -> list[Run]:
     """Return the news of a robot, if more would be cut, with the command that failed without what it was (the
     alarm has it), then one word for a pause, and beside others its sign."""
     if width_of(listed(texts)) > cells:
-        whole = tr(INACTIVE.word) + ": "  # its cause says as much
-        texts = [(text.removeprefix(whole), role) for text, role in texts]
+        whole = tr(INACTIVE.word) + ": "  # its cause says as much, unless that is cut, too
+        causes = [(text.removeprefix(whole), role) for text, role in texts]
+        texts = [
+            cause if width_of([cause]) <= cells else text for text, cause in zip(texts, causes, strict=True)
+        ]
     if width_of(listed(texts)) > cells:
         texts = [(_short(text) if role is StyleRole.ALARM else text, role) for text, role in texts]
     paused = tr("paused")
