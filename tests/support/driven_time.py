@@ -7,6 +7,7 @@ those with another process, from its start on.
 
 import asyncio
 import concurrent.futures.thread
+import gc
 import math
 import os
 import queue
@@ -19,7 +20,7 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from types import CodeType, FrameType
+from types import FrameType
 from typing import Any
 
 import pytest
@@ -227,16 +228,16 @@ class DrivenTime:
         return loop.has_news() if loop else due <= self._stands_at
 
     def _nothing_computes(self) -> bool:
-        threads = threading.enumerate()
-        at_work = [one for one in threads if one in POOLED and _code(one) is not IDLE]
-        return self._computing <= len(at_work) and all(map(self._waits, threads))
+        threads, frames = threading.enumerate(), _frames()
+        at_work = [one for one in threads if one in POOLED and not _is_idle(frames.get(one.ident or 0))]
+        is_done = self._computing <= len(at_work)
+        return is_done and all(self._waits(one, frames.get(one.ident or 0)) for one in threads)
 
-    def _waits(self, thread: threading.Thread) -> bool:
+    def _waits(self, thread: threading.Thread, frame: FrameType | None) -> bool:
         """Tell whether a thread without a loop does nothing: it waits for another, or was there before."""
         ident = thread.ident or 0
         if ident in self._before or ident in self._due or ident == threading.get_ident():
             return True
-        frame = _frame(thread)
         if frame is not None and frame.f_code is _wait.__code__:
             waiter = frame.f_locals.get("waiter")
             return waiter is not None and waiter.locked()
@@ -256,13 +257,20 @@ def _could_run(thread: threading.Thread) -> bool:
     return thread is not threading.current_thread() and told.rpartition(") ")[2][0] in "RD"
 
 
-def _frame(thread: threading.Thread) -> FrameType | None:
-    return sys._current_frames().get(thread.ident or 0)  # Python has no other way in
+def _frames() -> dict[int, FrameType]:
+    """Return what threads do, by their ident; Python has no other way in. Python 3.11 stands for ever if
+    it collects garbage meanwhile and another thread begins or ends (gh-106883)."""
+    collects = gc.isenabled()
+    gc.disable()
+    try:
+        return sys._current_frames()
+    finally:
+        if collects:
+            gc.enable()
 
 
-def _code(thread: threading.Thread) -> CodeType | None:
-    frame = _frame(thread)
-    return frame.f_code if frame else None
+def _is_idle(frame: FrameType | None) -> bool:
+    return frame is not None and frame.f_code is IDLE
 
 
 class _Selector(selectors.EpollSelector):
