@@ -68,6 +68,7 @@ diagnostic_msgs/KeyValue: string key, string value
 diagnostic_msgs/DiagnosticStatus: byte level, string name, string message, string hardware_id, \
 diagnostic_msgs/KeyValue[] values
 diagnostic_msgs/DiagnosticArray: std_msgs/Header header, diagnostic_msgs/DiagnosticStatus[] status
+lifecycle_msgs/State: uint8 id, string label
 rosbridge_msgs/ConnectedClient: string ip_address, time connection_time
 rosbridge_msgs/ConnectedClients: rosbridge_msgs/ConnectedClient[] clients
 OH_ressources/Vertex: int32 id, float64 x, float64 y, string type
@@ -124,7 +125,6 @@ OH_ressources/Cancel_order: string robot, int32 ind -> bool success, string stat
 OH_ressources/Clear_orders: string robot, int32 ind -> bool success, string status
 action_msgs/CancelGoal: action_msgs/GoalInfo goal_info -> int8 return_code, \
 action_msgs/GoalInfo[] goals_canceling
-lifecycle_msgs/State: uint8 id, string label
 lifecycle_msgs/GetState: -> lifecycle_msgs/State current_state
 std_srvs/Empty: ->
 std_srvs/SetBool: bool data -> bool success, string message
