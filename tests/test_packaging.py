@@ -52,6 +52,7 @@ def test_a_wheel_brings_its_languages(wheel: Path, tmp_path: Path) -> None:
     assert told.stdout == "keine Verbindung\n"
 
 
+@pytest.mark.nightly
 def test_a_wheel_brings_the_pages_of_the_documentation_without_pictures(wheel: Path, tmp_path: Path) -> None:
     done = run("-m", "fleet_tui", "docs", "security", site=wheel, cwd=tmp_path)
     assert done.stdout == (ROOT / "SECURITY.md").read_text()

@@ -54,6 +54,7 @@ async def test_where_it_cant_be_written_it_says_so(tmp_path: Path) -> None:
     assert "Errno" not in done.err and "XDG_STATE_HOME" in done.err
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize(
     "line",
     ["doctor --bundle --timeout 1", "record night.gz --timeout 1", "run - --dry-run --timeout 1", "audit"],

@@ -62,7 +62,14 @@ async def test_maps_are_in_it(server: RosbridgeServer, folder: Path) -> None:
     )
 
 
-@pytest.mark.parametrize(("number", "code"), [(signal.SIGTERM, 0), (signal.SIGHUP, 0), (signal.SIGINT, 130)])
+@pytest.mark.parametrize(
+    ("number", "code"),
+    [
+        (signal.SIGTERM, 0),
+        pytest.param(signal.SIGHUP, 0, marks=pytest.mark.nightly),
+        pytest.param(signal.SIGINT, 130, marks=pytest.mark.nightly),
+    ],
+)
 async def test_asked_to_end_it_ends_the_file(
     server: RosbridgeServer, folder: Path, number: signal.Signals, code: int
 ) -> None:

@@ -36,6 +36,7 @@ def command(running: InTerminal) -> None:
     running.until(lambda: b'"change":"sent"' in log.read_bytes(), what="sent")
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize(
     "name", ["SIGTERM", *(pytest.param(one, marks=pytest.mark.nightly) for one in ("SIGHUP", "SIGINT"))]
 )

@@ -83,6 +83,7 @@ def asked(peer: str, path: str, **values: str) -> Any:
         return {}  # not up yet
 
 
+@pytest.mark.nightly
 @needs_prometheus
 def test_every_query_of_the_dashboard_finds_its_figures(prometheus: str) -> None:
     assert len(QUERIES) >= 12

@@ -48,7 +48,14 @@ def driven(server: RosbridgeServer, folder: Path, end: Callable[[InTerminal], ob
     assert speeds(server)[-3:] == [0.0] * 3
 
 
-@pytest.mark.parametrize("name", ["SIGTERM", "SIGHUP", "SIGINT"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param("SIGTERM", marks=pytest.mark.nightly),
+        "SIGHUP",
+        pytest.param("SIGINT", marks=pytest.mark.nightly),
+    ],
+)
 async def test_a_signal_stops_the_robot(server: RosbridgeServer, tmp_path: Path, name: str) -> None:
     def end(running: InTerminal) -> None:
         running.child.send_signal(signal.Signals[name])

@@ -236,6 +236,7 @@ def test_a_question_is_about_the_order_that_was_asked_about(desk: Desk) -> None:
     assert desk.bridge.calls() == []
 
 
+@pytest.mark.nightly
 def test_all_are_paused_from_menus_and_questions_and_ctrl_c_names_the_key_that_quits(desk: Desk) -> None:
     desk.bridge.do(
         lambda server: desk.bridge.robot().take(desk.bridge.id_of("Base"), desk.bridge.id_of("Store"), 0)

@@ -132,14 +132,19 @@ async def end(home: Path, *words: str) -> tuple[int, str]:
     "line",
     [
         "order robot_0 Base Consumidores --yes",
-        "cancel robot_0 1",
-        "clear robot_0 --yes",
-        "pause robot_0",
         "pause --all --timeout 5",
-        "resume robot_0",
-        "goto robot_0 1 1 --yes",
         "run lines",
         "routine run day",
+        *(
+            pytest.param(line, marks=pytest.mark.nightly)
+            for line in (
+                "cancel robot_0 1",
+                "clear robot_0 --yes",
+                "pause robot_0",
+                "resume robot_0",
+                "goto robot_0 1 1 --yes",
+            )
+        ),
     ],
 )
 async def test_who_may_only_view_commands_nothing_from_a_shell(
@@ -195,6 +200,7 @@ async def test_who_may_only_view_commands_nothing_from_the_console(
     assert asked(server) == []
 
 
+@pytest.mark.nightly
 async def test_a_tab_has_the_rights_of_its_user(server: RosbridgeServer, site: Path) -> None:
     async with serving(site, server.url, "--allow-commands") as it, it.tab() as page:
         await page.shows("Consumidores")

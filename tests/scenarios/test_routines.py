@@ -34,6 +34,7 @@ async def fast() -> AsyncIterator[RosbridgeServer]:
     await running.stop()
 
 
+@pytest.mark.nightly
 async def test_held_by_a_lost_link_and_resumed_by_a_person(fast: RosbridgeServer, tmp_path: Path) -> None:
     config = config_file(tmp_path, fast.url, 2, 1)
     routine(tmp_path, MORNING)

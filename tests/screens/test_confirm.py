@@ -1,6 +1,5 @@
 """Questions before something is lost: only y does it."""
 
-import pytest
 from msgspec.structs import replace
 
 from fleet_tui.config.schema import Alarms
@@ -15,17 +14,17 @@ from tests.support.ordering import one_packet, place, sent
 from tests.support.watched_store import config_of
 
 
-@pytest.mark.parametrize("answer", ["n", "escape", "enter", "x", "q"])
-async def test_a_cancel_asks_and_only_y_does_it(server: RosbridgeServer, answer: str) -> None:
+async def test_a_cancel_asks_and_only_y_does_it(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         await place(it)
         await it.shows("Base -> Consumidores", "queue")
-        await it.press("x")
-        await it.shows("Cancel order 1 of robot_0?")
-        await it.press(answer)
-        await it.press("escape")
-        await it.hides("Cancel order 1")
-        assert len(server.bridge.services.calls) == 1
+        for answer in ("n", "escape", "enter", "x", "q"):
+            await it.press("x")
+            await it.shows("Cancel order 1 of robot_0?")
+            await it.press(answer)
+            await it.press("escape")
+            await it.hides("Cancel order 1")
+            assert len(server.bridge.services.calls) == 1, answer
         await it.press("x", "y")
         await it.until(lambda state: not state.robots["robot_0"].orders.orders)
         assert sent(server)[-1] == ("Cancel_order", {"robot": "robot_0", "ind": 1})

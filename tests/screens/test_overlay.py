@@ -35,14 +35,11 @@ async def test_a_dialog_over_a_list_gives_it_back_and_over_nothing_the_map(serve
         assert not rest.programs.is_open and rest.map.has_focus
 
 
-@pytest.mark.parametrize(
-    ("key", "title"), [(":", "Command"), ("?", "Help"), ("enter", "Actions"), ("R", "Question")]
-)
-async def test_every_overlay_has_its_title_in_its_border(
-    server: RosbridgeServer, key: str, title: str
-) -> None:
+async def test_every_overlay_has_its_title_in_its_border(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2)) as it:
         server.world.robots["robot_1"].paused = True
         await it.until(lambda state: state.is_paused(state.robots["robot_1"]))
-        await it.press(key)
-        await it.shows(f"╭─ {title} ─")
+        for key, title in ((":", "Command"), ("?", "Help"), ("enter", "Actions"), ("R", "Question")):
+            await it.press(key)
+            await it.shows(f"╭─ {title} ─")
+            await it.press("escape")

@@ -140,6 +140,7 @@ async def test_a_console_that_is_not_armed_starts_nothing(server: RosbridgeServe
         assert calls(server) == []
 
 
+@pytest.mark.nightly
 async def test_leaving_is_asked_and_the_next_console_takes_it_up(
     server: RosbridgeServer, tmp_path: Path
 ) -> None:

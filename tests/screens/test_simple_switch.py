@@ -9,9 +9,7 @@ from tests.support.console_pilot import console
 from tests.support.watched_store import config_of
 
 
-@pytest.mark.parametrize(
-    ("size", "has_map"), [((80, 24), True), ((60, 24), False), ((120, 40), True), ((120, 20), False)]
-)
+@pytest.mark.parametrize(("size", "has_map"), [((80, 24), True), ((60, 24), False), ((120, 40), True)])
 async def test_it_comes_and_goes_and_pausing_works_within(
     server: RosbridgeServer, size: tuple[int, int], has_map: bool
 ) -> None:

@@ -71,6 +71,7 @@ async def test_a_browser_may_only_watch(server: RosbridgeServer, tmp_path: Path)
     assert "read-only" in said
 
 
+@pytest.mark.nightly
 async def test_a_browser_commands_where_that_is_allowed(server: RosbridgeServer, tmp_path: Path) -> None:
     async with serving(tmp_path, server.url, "--allow-commands") as it:
         async with it.tab() as page:
@@ -130,12 +131,13 @@ async def test_a_page_learns_that_its_console_was_killed(server: RosbridgeServer
         assert await page.closed() == "The console has ended."
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize(
     ("number", "code"),
     [
-        pytest.param(signal.SIGINT, 130, marks=pytest.mark.nightly),
+        (signal.SIGINT, 130),
         (signal.SIGTERM, 0),
-        pytest.param(signal.SIGKILL, -signal.SIGKILL, marks=pytest.mark.nightly),
+        (signal.SIGKILL, -signal.SIGKILL),
     ],
 )
 async def test_however_the_server_ends_so_do_its_consoles(
@@ -203,6 +205,7 @@ async def test_nonsense_from_a_page_changes_nothing(server: RosbridgeServer, tmp
         await page.shows("type to search")
 
 
+@pytest.mark.nightly
 async def test_secrets_are_in_no_argument(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("BRIDGE_WORD", "hunter2")
     async with serving(tmp_path, "ws://127.0.0.1:1") as it, it.tab() as page:

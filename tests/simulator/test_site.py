@@ -22,6 +22,7 @@ from fleet_tui.simulator.kinds import KINDS
 from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.site import MIXED, Crew, SitedBridge, faults_of, site_of
+from tests.support.command_line import run
 from tests.support.mqtt_peer import Peer
 from tests.support.nav2_client import Json, call, listen, until
 from tests.support.polling import HANGS, eventually
@@ -200,6 +201,5 @@ def test_a_port_that_is_taken_ends_all(tmp_path: Path) -> None:
     ],
 )
 def test_what_makes_no_sense_is_a_usage_error(tmp_path: Path, args: tuple[str, ...], words: str) -> None:
-    command = [sys.executable, "-m", "fleet_tui", "sim", "--port", "0", "--kind", "mixed", *args]
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False, timeout=20)
+    done = run("sim", "--port", "0", "--kind", "mixed", *args, cwd=tmp_path)
     assert done.returncode == 2 and words in done.stderr and "Traceback" not in done.stderr

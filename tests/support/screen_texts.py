@@ -9,6 +9,7 @@ import ast
 import re
 from collections.abc import Iterable
 from enum import Enum
+from functools import cache
 from itertools import product
 from pathlib import Path
 
@@ -274,6 +275,7 @@ def words() -> set[str]:
     return set(filter(is_text, map(message, found)))
 
 
+@cache
 def texts() -> set[str]:
     """Return every message that a catalogue has to have."""
     return words() | {text for path in ROOT.rglob("*.py") for text in spoken(path)}

@@ -3,6 +3,8 @@
 import sys
 from pathlib import Path
 
+import pytest
+
 from fleet_tui.text.ascii_fallback import PLAIN
 from fleet_tui.text.sanitize import cell_width
 from tests.support.in_pty import Terminal
@@ -14,6 +16,7 @@ def test_every_sign_takes_the_same_cells() -> None:
         assert str(plain).isascii()
 
 
+@pytest.mark.nightly
 def test_a_linux_console_is_sent_ascii_alone(tmp_path: Path) -> None:
     text = (
         '[rosbridge]\nurl = "ws://127.0.0.1:9"\n[[floors]]\nname = "floor_0"\n[[robots]]\nname = "robot_0"\n'

@@ -235,7 +235,12 @@ async def test_time_that_is_up_leaves_the_outcome_unknown(server: RosbridgeServe
 
 
 @pytest.mark.parametrize(
-    ("number", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, 143), (signal.SIGHUP, 129)]
+    ("number", "code"),
+    [
+        (signal.SIGINT, 130),
+        pytest.param(signal.SIGTERM, 143, marks=pytest.mark.nightly),
+        pytest.param(signal.SIGHUP, 129, marks=pytest.mark.nightly),
+    ],
 )
 async def test_ended_from_outside_it_says_what_is_not_known(
     server: RosbridgeServer, folder: Path, number: signal.Signals, code: int

@@ -4,6 +4,7 @@ import time
 from pathlib import Path
 
 import numpy as np
+import pytest
 from msgspec.structs import replace
 
 from fleet_tui.client.fleet_link import FleetLink
@@ -41,6 +42,7 @@ def _width(state: FleetState) -> int:
     return grid.frame.width if grid else 0
 
 
+@pytest.mark.nightly
 async def test_two_bridges_and_a_large_map(tmp_path: Path, server: RosbridgeServer) -> None:
     other = RosbridgeServer(World(robots=1, floors=1, seed=2, first=1))
     await other.start()

@@ -11,6 +11,7 @@ import pytest
 from fleet_tui.errors import FleetError
 from fleet_tui.simulator.navigating.graph_file import write_graphs
 from fleet_tui.simulator.warehouse import build_floor
+from tests.support.command_line import run
 
 
 def features(file: Path, type_: str) -> list[dict[str, Any]]:
@@ -62,8 +63,7 @@ def test_a_file_that_cannot_be_written_is_named(tmp_path: Path) -> None:
     ],
 )
 def test_what_makes_no_sense_is_a_usage_error(tmp_path: Path, args: tuple[str, ...], words: str) -> None:
-    command = [sys.executable, "-m", "fleet_tui", "sim", "--port", "0", *args]
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    done = run("sim", "--port", "0", *args, cwd=tmp_path)
     assert done.returncode == 2 and words in done.stderr and "Traceback" not in done.stderr
 
 
