@@ -69,7 +69,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
         super().__init__(ansi_color=not colour)
         theme = Theme(**themes[config.ui.theme].textual())
         self._start = self.startup = FirstPaint(self, self.output, theme, colour, self._mount_rest)
-        self._config = config
+        self.config = config
         self._themes = themes
         self._colour = colour
         self.backend = backend or LiveBackend(config, store)
@@ -88,7 +88,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
     def _settings(
         self, keys: dict[str, tuple[str, ...]], drawing: Drawing, terminal: str, message: str
     ) -> ConsoleSettings:
-        config = self._config
+        config = self.config
         return ConsoleSettings(
             keys=keys,
             clock=clock,
@@ -119,7 +119,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
         if not self.is_headless:
             self.keys.watch()
         budget = self.output.budget
-        budget.every = 1 / self._config.ui.ticks_per_second
+        budget.every = 1 / self.config.ui.ticks_per_second
         tick = partial(self._guard.steadily, partial(budget.ticks.timed, self.main.tick))
         self.set_interval(budget.every, partial(self.answer.then, self, tick))
         self.call_after_refresh(self._connect)
@@ -127,7 +127,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
     async def _mount_rest(self) -> None:
         """Mount the map, and the overlays."""
         await self.main.mount_rest()
-        self.use_theme(self._config.ui.theme)
+        self.use_theme(self.config.ui.theme)
         self.main.tick()
 
     def _connect(self) -> None:

@@ -50,14 +50,14 @@ class EntryApp(LeanApp, inherit_bindings=False):
         """Return the choices of a known site, else the first-run screen."""
         if self._start is not None:
             return Arrival(self._roles, self._start, self._end)
-        return FirstRun(self._roles, self._places, self._found, self._address)
+        return FirstRun(self._roles, self._places, self.found, self._address)
 
     def on_ready(self) -> None:
         """Restore the terminal in any case at the end."""
         if not self.is_headless:
             leave_on_signals(asyncio.get_running_loop(), self.exit, self._restore)
 
-    def _found(self, chosen: Chosen) -> None:
+    def found(self, chosen: Chosen) -> None:
         if isinstance(chosen, DiscoveredSite) and (chosen.choices or chosen.lacks):
             self.push_screen(Arrival(self._roles, chosen, self._end))
         else:

@@ -54,7 +54,7 @@ def test_the_console_watches_where_it_was_told_to_and_names_what_is_wrong_with_a
     (tmp_path / "themes" / "mine.toml").write_text("rubbish")
     open_console(config_of("ws://site:9090"), read_only, "ascii", False, demo=True)
     (app,) = opened
-    assert isinstance(app, FleetApp) and app._config.operator.read_only is read_only
+    assert isinstance(app, FleetApp) and app.config.operator.read_only is read_only
     assert bool(app.main.files.refusal) is read_only
     assert app.main.notices.text.startswith("theme ")
 
@@ -132,5 +132,5 @@ def test_a_recording_is_read_only_and_calls_nobody(tmp_path: Path) -> None:
     store = Store(player.state)
     app = replaying(config, player, store, load_themes(None)[0], Drawing.BRAILLE)
     assert app.backend.refusal and isinstance(app.main.session, Replay)
-    assert app._config.operator.read_only
-    assert (app._config.alarms.bell, app._config.alarms.notify) == ([], [])
+    assert app.config.operator.read_only
+    assert (app.config.alarms.bell, app.config.alarms.notify) == ([], [])

@@ -25,7 +25,7 @@ async def test_without_a_site_it_begins_with_the_first_run_and_leaves_with_none(
         assert isinstance(app.screen, FirstRun)
         await pilot.press("ctrl+c")
         assert app.is_running, "as in the console it ends nothing"
-        app._found(None)
+        app.found(None)
     assert app.chosen is None
 
 
@@ -34,7 +34,7 @@ async def test_a_site_with_nothing_open_is_handed_on_at_once(server: RosbridgeSe
     found = await discovered(server.url)
     app = EntryApp(THEME, colour)
     async with app.run_test():
-        app._found(found)
+        app.found(found)
     assert app.chosen is found
 
 
@@ -43,6 +43,6 @@ async def test_what_is_open_is_chosen_first_whether_it_was_known_before_or_found
         assert isinstance(pilot.app.screen, Arrival)
     app = EntryApp(THEME, True)
     async with app.run_test() as pilot:
-        app._found(UNSURE)
+        app.found(UNSURE)
         await pilot.pause()
         assert isinstance(app.screen, Arrival) and app.chosen is None

@@ -55,21 +55,21 @@ class FleetLink:
         self._writer = Writer(store, tap)
         self._ids = itertools.count(secrets.randbelow(ID_SPAN) + 1)
         adapters = adapters_of(config)
-        self._links = {name: link_of(name, config, adapters, self._writer) for name in config.bridges}
+        self.links = {name: link_of(name, config, adapters, self._writer) for name in config.bridges}
         new_id = partial(next, self._ids)
         self._waiting_orders = WaitingOrders(
             queue, store, self._writer.apply, self._send, self._resend, new_id
         )
         self._writer.before_tick.append(self._waiting_orders.tick)
         self._drive: HandDrive | None = None
-        self.counters: Mapping[str, LinkCounter] = {name: link.counter for name, link in self._links.items()}
+        self.counters: Mapping[str, LinkCounter] = {name: link.counter for name, link in self.links.items()}
         """Traffic of each link, updated continuously, for the diagnostics screen."""
 
     def open(self) -> None:
         """Connect, and start the clock ticks."""
         self._writer.start()
         self._writer.loop.call_soon_threadsafe(self._waiting_orders.load)
-        for link in self._links.values():
+        for link in self.links.values():
             link.open()
 
     def post(self, event: Event) -> None:
@@ -123,18 +123,18 @@ class FleetLink:
 
     def _send(self, command_id: int, command: Command, given_at: float) -> None:
         """Send a command. On the loop."""
-        link = self._links[self._store.state.robots[command.robot].link]
+        link = self.links[self._store.state.robots[command.robot].link]
         link.submit_now(command_id, command, given_at)
 
     def _resend(self, command: Command) -> None:
         """Send a command once more. On the loop."""
-        self._links[self._store.state.robots[command.robot].link].resend(command)
+        self.links[self._store.state.robots[command.robot].link].resend(command)
 
     def request_states(self, robots: Iterable[str]) -> None:
         """Ask robots of which no state has arrived for one, before they are commanded."""
         if not self._refusal(Right.DISPATCH):
             for robot in robots:
-                link = self._links[self._store.state.robots[robot].link]
+                link = self.links[self._store.state.robots[robot].link]
                 self._writer.loop.call_soon_threadsafe(link.request_state, robot)
 
     def drive(self, robot: str) -> HandDrive:
@@ -142,7 +142,7 @@ class FleetLink:
         if reason := self._refusal(Right.SETUP):
             raise CommandError(reason)
         self._end_drive("another drive")
-        self._drive = self._links[self._store.state.robots[robot].link].drive(robot)
+        self._drive = self.links[self._store.state.robots[robot].link].drive(robot)
         return self._drive
 
     def _end_drive(self, reason: str) -> None:
@@ -152,18 +152,18 @@ class FleetLink:
     def show_map(self, robot: str, floor: str) -> None:
         """Subscribe to the live map of one robot's floor only; an empty floor for none."""
         wanted = self._store.state.robots[robot].link
-        for name, link in self._links.items():
+        for name, link in self.links.items():
             link.show_map(robot if name == wanted and floor else "", floor)
 
     def subscribe_logs(self, on: bool) -> None:
         """Subscribe to or unsubscribe from the log and diagnostics of all robots."""
-        for link in self._links.values():
+        for link in self.links.values():
             link.subscribe_logs(on)
 
     def close(self) -> None:
         """Close every connection, that of a drive first."""
         self._end_drive("console closed")
-        for link in self._links.values():
+        for link in self.links.values():
             link.close()
         self._writer.loop.call_soon_threadsafe(self._waiting_orders.close)
         self._writer.stop()

@@ -51,7 +51,7 @@ class ProgramRequests:
         self._files = files
         self._ask = ask
         self._open_menu = open_menu
-        self._under_way: set[asyncio.Task[None]] = set()
+        self.under_way: set[asyncio.Task[None]] = set()
 
     def menu(self, name: str, show_log: Callable[[str], None]) -> None:
         """List what can be done with a program."""
@@ -93,8 +93,8 @@ class ProgramRequests:
         self._notices.say(sanitize(f"{name}: {verb} is under way"))
         task = asyncio.ensure_future(self._change(name, verb))
         # The loop alone would let it be collected.
-        self._under_way.add(task)
-        task.add_done_callback(self._under_way.discard)
+        self.under_way.add(task)
+        task.add_done_callback(self.under_way.discard)
 
     async def _change(self, name: str, verb: str) -> None:
         outcome = INTERRUPTED

@@ -71,7 +71,7 @@ class HistoryWriter:
         self._observer = Observer()
         self._seen: set[str] = set()
         self._has_ended_alarms = False
-        self._pruned = -PRUNE_EVERY
+        self.pruned = -PRUNE_EVERY
         self._clock = time.time() - time.monotonic()
         self._worker = Worker("history", self._step, EVERY, self._end)
 
@@ -215,9 +215,9 @@ class HistoryWriter:
         """Remove what is too old, and the oldest while the file is too large. A clock that jumped removes
         nothing."""
         now = time.monotonic()
-        if now - self._pruned < PRUNE_EVERY or not self._turn.is_held:
+        if now - self.pruned < PRUNE_EVERY or not self._turn.is_held:
             return
-        self._pruned = now
+        self.pruned = now
         wall = time.time()
         if abs(wall - now - self._clock) > MOVES_CLOCK:
             return

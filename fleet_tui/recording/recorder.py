@@ -42,7 +42,7 @@ class Recorder:
         self, first: Path, config: Config, store: Store, origin: Origin, limits: PartLimits = USUAL
     ) -> None:
         """Begin. Raises RecordingError if the file can't be created, or exists already."""
-        self._writer = PartWriter(first, config, origin, limits)
+        self.writer = PartWriter(first, config, origin, limits)
         self._store = store
         self._queue: deque[tuple[Any, ...]] = deque()
         self._in = 0
@@ -61,32 +61,32 @@ class Recorder:
     @property
     def problem(self) -> str:
         """Return the reason that nothing is written now, empty while data is written."""
-        if self._writer.files.problem:
-            return self._writer.files.problem
+        if self.writer.files.problem:
+            return self.writer.files.problem
         return "data rate too high" if self._dropped else ""
 
     @property
     def size(self) -> int:
         """Bytes written so far, compressed."""
-        return self._writer.files.size
+        return self.writer.files.size
 
     @property
     def records(self) -> int:
         """Return the number of records written so far."""
-        return self._writer.records
+        return self.writer.records
 
     @property
     def paths(self) -> list[Path]:
         """Return the current files, the oldest first."""
-        return list(self._writer.files.paths)
+        return list(self.writer.files.paths)
 
     def on_received(self, link: str, channel: str, payload: bytes, is_binary: bool, at: float) -> None:
         """Take a frame that arrived at `at`."""
-        self._take(len(payload), self._writer.received, at, link, channel, payload, is_binary)
+        self._take(len(payload), self.writer.received, at, link, channel, payload, is_binary)
 
     def on_sent(self, link: str, channel: str, payload: bytes) -> None:
         """Take a sent frame."""
-        self._take(len(payload), self._writer.sent, time.monotonic(), link, channel, payload)
+        self._take(len(payload), self.writer.sent, time.monotonic(), link, channel, payload)
 
     def on_event(self, event: Event) -> None:
         """Take an event before the store gets it."""
@@ -94,15 +94,15 @@ class Recorder:
         if (
             at >= self._next_keyframe
             or self._since > KEYFRAME_AFTER
-            or self._writer.wants_keyframe
+            or self.writer.wants_keyframe
             or self._dropped
         ):
             self._take_keyframe(at)
-        self._take(0, self._writer.event, at, event)
+        self._take(0, self.writer.event, at, event)
 
     def watch(self, before: FleetState, after: FleetState) -> None:
         """Take the change of a command or an alarm."""
-        self._take(0, self._writer.changed, time.monotonic(), before, after)
+        self._take(0, self.writer.changed, time.monotonic(), before, after)
 
     def _take(self, size: int, *entry: Any) -> None:
         if self._in - self._out > MOST_WAITING or self._dropped or not self._begun:
@@ -119,12 +119,12 @@ class Recorder:
             return
         dropped, self._dropped = self._dropped, 0
         self._begun = True
-        self._writer.wants_keyframe = False
+        self.writer.wants_keyframe = False
         self._next_keyframe = at + KEYFRAME_EVERY
         self._since = 0
         if dropped:
-            self._take(0, self._writer.missed, at, dropped, "received faster than written")
-        self._take(0, self._writer.keyframe, at, self._store.state)
+            self._take(0, self.writer.missed, at, dropped, "received faster than written")
+        self._take(0, self.writer.keyframe, at, self._store.state)
 
     def flush(self, within: float = LAST_WORDS) -> bool:
         """Write everything so far to the files, which are whole until the next write, if the disk takes it.
@@ -135,7 +135,7 @@ class Recorder:
         return done.wait(within)
 
     def _flush(self, done: threading.Event) -> None:
-        self._writer.flush(whole=True)
+        self.writer.flush(whole=True)
         done.set()
 
     def close(self) -> None:
@@ -148,14 +148,14 @@ class Recorder:
         now = time.monotonic()
         if now >= self._flush_at:
             self._flush_at = now + FLUSH_EVERY
-            self._guarded(self._writer.flush)
+            self._guarded(self.writer.flush)
 
     def _end(self) -> None:
         self._drain()
-        self._writer.close()
+        self.writer.close()
 
     def _drain(self) -> None:
-        self._writer.note_time()
+        self.writer.note_time()
         for _ in range(len(self._queue)):
             size, *entry = self._queue.popleft()
             self._guarded(*entry)
@@ -167,4 +167,4 @@ class Recorder:
             call(*what)
         except Exception as problem:
             LOG.exception("recording")
-            self._writer.lose(f"internal error: {problem}")
+            self.writer.lose(f"internal error: {problem}")

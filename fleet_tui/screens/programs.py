@@ -51,7 +51,7 @@ class Programs(ReturningOverlay):
     def __init__(self, watch: ProgramWatch, requests: ProgramRequests) -> None:
         super().__init__(id="programs")
         self._watch = watch
-        self._requests = requests
+        self.requests = requests
         self._log_of = ""
         self._tail = LogTail()
         self._following: asyncio.Task[None] | None = None
@@ -123,7 +123,7 @@ class Programs(ReturningOverlay):
 
     def _choose(self, key: Hashable) -> None:
         if isinstance(key, str):
-            self._requests.menu(key, self.show_log)
+            self.requests.menu(key, self.show_log)
 
     def _tick(self) -> None:
         if self.is_open:

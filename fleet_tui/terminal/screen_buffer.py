@@ -27,7 +27,7 @@ _BLANK = np.uint64(ord(" "))
 _BLOCK = ord("█")
 """Some fonts leave gaps between full blocks: the ground behind them closes those."""
 _TAIL = 0  # the character in the second cell of a wide one
-_CLUSTERS = 0x110000  # characters from here on are those of `_clusters`
+_CLUSTERS = 0x110000  # characters from here on are those of `clusters`
 
 ONE_CELL_EACH = re.compile(
     "[ -~\u00a1-\u00ac\u00ae-\u02ff\u0370-\u0373\u0391-\u0482\u048a-\u04ff\u2010-\u2027\u2030-\u205e"
@@ -60,8 +60,8 @@ class ScreenBuffer:
         self._colours = colours
         self._wanted: NDArray[np.uint64] = np.empty((0, 0), np.uint64)
         self._sent = self._wanted
-        self._looks: dict[Sgr, int] = {}
-        self._clusters: dict[str, int] = {}
+        self.looks: dict[Sgr, int] = {}
+        self.clusters: dict[str, int] = {}
         self._styles: Sequence[Style] = ()
         self._roles: NDArray[np.uint64] = np.empty(0, np.uint64)
         self._blocks = self._roles
@@ -81,9 +81,9 @@ class ScreenBuffer:
         cells = np.concatenate((self._wanted.ravel(), self._sent.ravel()))
         known = cells != _NOTHING
         looks, codes = cells >> _SHIFT, cells & _CODE
-        self._looks, looks[known] = _used(self._looks, looks[known], 0)
+        self.looks, looks[known] = _used(self.looks, looks[known], 0)
         odd = known & (codes >= _CLUSTERS)
-        self._clusters, codes[odd] = _used(self._clusters, codes[odd], _CLUSTERS)
+        self.clusters, codes[odd] = _used(self.clusters, codes[odd], _CLUSTERS)
         cells[known] = (looks << _SHIFT | codes)[known]
         self._wanted, self._sent = cells.reshape(2, *self._wanted.shape)
         self._styles = ()
@@ -135,7 +135,7 @@ class ScreenBuffer:
         return np.array([self._look(look) for look in looks], np.uint64) << _SHIFT
 
     def _look(self, look: Sgr) -> int:
-        return self._looks.setdefault(look, len(self._looks))
+        return self.looks.setdefault(look, len(self.looks))
 
     def _cells(self, text: str) -> list[int]:
         """Return one character number per cell."""
@@ -146,7 +146,7 @@ class ScreenBuffer:
             if width:
                 plain = len(part) == 1
                 codes.append(
-                    ord(part) if plain else self._clusters.setdefault(part, _CLUSTERS + len(self._clusters))
+                    ord(part) if plain else self.clusters.setdefault(part, _CLUSTERS + len(self.clusters))
                 )
                 codes += [_TAIL] * (width - 1)
         return codes
@@ -157,7 +157,7 @@ class ScreenBuffer:
         places = np.flatnonzero(changed)
         if not places.size:
             return ""
-        if max(len(self._looks), len(self._clusters)) > REMEMBERED:
+        if max(len(self.looks), len(self.clusters)) > REMEMBERED:
             self._tidy()
         cells = self._wanted.ravel()[places]
         self._sent[changed] = cells
@@ -171,8 +171,8 @@ class ScreenBuffer:
         width = self._wanted.shape[1]
         codes, looks = (cells & _CODE).astype(np.uint32), cells >> _SHIFT
         starts = _starts(places, codes, looks, width)
-        named = list(self._looks)
-        clusters = list(self._clusters)
+        named = list(self.looks)
+        clusters = list(self.clusters)
         text = np.where(codes < _CLUSTERS, codes, ord("?")).tobytes().decode("utf-32-le", "replace")
         plain = ONE_CELL_EACH.fullmatch(text) and codes.max() < _CLUSTERS
         out, look, cursor = [], PLAIN, -1

@@ -17,16 +17,16 @@ class CellsView(RunsView):
 
     def __init__(self, styles: Mapping[StyleRole, Style] | None = None, *, id: str | None = None) -> None:
         super().__init__(styles, id=id)
-        self._painted: Cells | None = None
+        self.painted: Cells | None = None
 
     def paint(self, cells: Cells) -> None:
         """Show `cells`, which must not be changed any more. Only the differences are sent."""
-        changes = cells.changes(self._painted)
-        self._painted = cells
+        changes = cells.changes(self.painted)
+        self.painted = cells
         self._renew([y for y, _, _ in changes], len(cells.codes))
         if changes:
             self.refresh(*(Region(x, y, end - x, 1) for y, x, end in changes))
 
     def _strip(self, y: int) -> Strip:
-        assert self._painted is not None
-        return CellStrip(self._painted, y, self._styles)
+        assert self.painted is not None
+        return CellStrip(self.painted, y, self._styles)

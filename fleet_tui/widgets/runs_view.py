@@ -30,14 +30,14 @@ class RunsView(Widget):
         self._styles = _by_number(styles or {})
         self._cursor_styles = _by_number({})
         self._rows: Sequence[Sequence[Run]] = []
-        self._strips: list[Strip] = []
+        self.strips: list[Strip] = []
 
     def set_role_styles(self, styles: Mapping[StyleRole, Style]) -> None:
         """Change the theme: the style of every role, at once."""
         ground = Style(bgcolor=styles.get(StyleRole.CURSOR_ROW, Style.null()).bgcolor)
         self._styles = _by_number(styles)
         self._cursor_styles = [style + ground for style in self._styles]
-        self._strips = [self._strip(y) for y in range(len(self._strips))]
+        self.strips = [self._strip(y) for y in range(len(self.strips))]
         self.refresh()
 
     def paint_rows(self, rows: Sequence[Sequence[Run]]) -> None:
@@ -52,10 +52,10 @@ class RunsView(Widget):
 
     def _renew(self, changed: Iterable[int], height: int) -> None:
         """Rebuild the strips of these rows; the others stay."""
-        if height != len(self._strips):
-            self._strips = [Strip([])] * height
+        if height != len(self.strips):
+            self.strips = [Strip([])] * height
         for y in changed:
-            self._strips[y] = self._strip(y)
+            self.strips[y] = self._strip(y)
 
     def _strip(self, y: int) -> Strip:
         row = self._rows[y]
@@ -67,14 +67,14 @@ class RunsView(Widget):
 
     def render_line(self, y: int) -> Strip:
         """Return one row, whole. Before it is painted it has the background, not the terminal's own."""
-        return self._strips[y] if y < len(self._strips) else Strip.blank(self.size.width, self.rich_style)
+        return self.strips[y] if y < len(self.strips) else Strip.blank(self.size.width, self.rich_style)
 
     def render_lines(self, crop: Region) -> list[Strip]:
         """Return the rows as stored, bypassing the cache that would wrap each of them again."""
         # Textual keeps the list of rows to paint until it renders the widget itself, which never happens.
         self._dirty_regions.clear()
-        if crop.x == 0 and crop.size == self.size and crop.height == len(self._strips):
-            return self._strips  # all of them, each as wide as the widget
+        if crop.x == 0 and crop.size == self.size and crop.height == len(self.strips):
+            return self.strips  # all of them, each as wide as the widget
         return [self.render_line(y).crop(crop.x, crop.right) for y in range(crop.y, crop.bottom)]
 
 

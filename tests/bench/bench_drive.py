@@ -54,7 +54,7 @@ async def direct(it: Console) -> list[float]:
     """The same way without the screen: the hand's speeds to the wire."""
     sent: list[float] = []
     taken = []
-    drive = it.app.main.rest.drives._drive
+    drive = it.app.main.rest.drives.drive
     assert drive is not None and drive.state.phase is DrivePhase.READY
     with wiretap(moves, sent):
         for _ in range(PRESSES):

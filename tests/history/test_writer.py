@@ -195,7 +195,7 @@ def test_what_is_too_old_goes_at_the_start(
 ) -> None:
     old = HistoryWriter(tmp_path / "a.sqlite", tmp_path / FILE_NAME, HistoryConfig(days=0.1), store, ANA)
     old.start()
-    eventually(lambda: rows(old.path, "hours") == 0 and old._pruned > 0)
+    eventually(lambda: rows(old.path, "hours") == 0 and old.pruned > 0)
     eventually(lambda: rows(old.path, "links") == 0)  # of 2023
     old.close()
 
@@ -206,7 +206,7 @@ def test_a_clock_that_jumped_removes_nothing(
     history = HistoryWriter(tmp_path / "a.sqlite", tmp_path / FILE_NAME, HistoryConfig(days=0.1), store, ANA)
     history._clock += 86_400.0
     history.start()
-    eventually(lambda: history._pruned > 0 and rows(history.path, "links") == 1)
+    eventually(lambda: history.pruned > 0 and rows(history.path, "links") == 1)
     history.close()
 
 

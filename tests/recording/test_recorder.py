@@ -171,7 +171,7 @@ def test_old_parts_go_and_each_begins_with_all_that_is_known(tmp_path: Path, sto
     for n in range(8):
         ticks(recording, store, 1, T0 + n / 10)
         assert recording.flush()
-        wait(lambda: recording._writer.wants_keyframe)
+        wait(lambda: recording.writer.wants_keyframe)
     recording.close()
     assert len(recording.paths) == 3 and sorted(tmp_path.iterdir()) == recording.paths
     first = recording.paths[0]
@@ -227,7 +227,7 @@ def test_the_disk_is_full_for_a_while(
         ticks(recording, store, 3, T0 + 0.2)
         recording.flush()
         assert len(recording.paths) == 1
-    wait(lambda: recording.flush() and recording._writer.wants_keyframe)
+    wait(lambda: recording.flush() and recording.writer.wants_keyframe)
     ticks(recording, store, 3, T0 + 0.3)
     assert recording.flush() and recording.problem == ""
     recording.close()
@@ -246,7 +246,7 @@ def test_the_folder_is_taken_away(tmp_path: Path, store: Store) -> None:
     recording.path.parent.rmdir()
     recording.flush()
     assert recording.problem == "file removed"
-    wait(lambda: recording.flush() and recording._writer.wants_keyframe)
+    wait(lambda: recording.flush() and recording.writer.wants_keyframe)
     ticks(recording, store, 3)
     assert recording.flush() and recording.problem == ""
     recording.close()

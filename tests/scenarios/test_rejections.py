@@ -113,7 +113,7 @@ async def test_of_two_masters_at_one_moment_the_second_is_rejected(tmp_path: Pat
                 eventually(lambda: any(json.loads(one.payload)["orderId"] == "theirs" for one in other.told))
                 now = time.monotonic()
                 store.apply(CommandIssued(1, FREE, now, time.time()))
-                link._links["broker"].submit_now(1, FREE, now)
+                link.links["broker"].submit_now(1, FREE, now)
 
             await asyncio.wrap_future(asyncio.run_coroutine_threadsafe(overtaken(), network_loop()))
             await store.until(lambda state: state.commands and state.commands[-1].is_decided)

@@ -199,7 +199,7 @@ async def test_a_console_that_quits_stops_the_robot(slow_site: Site) -> None:
     async with driving(slow_site) as it:
         await it.press("w")
         await it.until(lambda _: not is_still(slow_site))
-        drive = it.app.main.rest.drives._drive
+        drive = it.app.main.rest.drives.drive
         assert drive is not None
     assert drive.state.phase is DrivePhase.ENDED
     assert is_still(slow_site)

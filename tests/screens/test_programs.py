@@ -140,7 +140,7 @@ async def test_a_fault_of_our_own_and_a_closed_console_leave_an_outcome(
             monkeypatch.setattr(controller, "change", fails)
             await it.press("j", "enter", "1", "y")
             await it.shows("nav: start not confirmed (internal error: broken)")
-            (task,) = it.app.main.rest.programs._requests._under_way
+            (task,) = it.app.main.rest.programs.requests.under_way
         task.cancel()
         await asyncio.wait({task})
     assert audited(tmp_path) == [

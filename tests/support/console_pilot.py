@@ -53,33 +53,33 @@ class Console:
         done."""
         for key in keys:
             self._pause()
-            self._send(key)
+            self.send(key)
             await self.settled()
 
     async def press_after(self, seconds: float, key: str) -> None:
         """Press a key so many seconds after the last one, when all that that one led to is done."""
         self._key_at += seconds
-        self._send(key, after=0.0)
+        self.send(key, after=0.0)
         await self.settled()
 
     async def type(self, text: str) -> None:
         """Type text a second later, as a person or a paste does: every character is already there."""
         self._pause()
         for letter in text:
-            self._send("space" if letter == " " else letter)
+            self.send("space" if letter == " " else letter)
         await self.settled()
 
     def packet(self, *keys: str) -> None:
         """Send keys that arrive at the same moment, a second later, without waiting for what they lead to."""
         self._pause()
         for key in keys:
-            self._send(key, after=0.0)
+            self.send(key, after=0.0)
 
     def _pause(self) -> None:
         """A person takes a second, also after what a test has waited for."""
         self._key_at = max(self._key_at, time.monotonic()) + 1.0
 
-    def _send(self, key: str, after: float = 0.01) -> None:
+    def send(self, key: str, after: float = 0.01) -> None:
         """Send it as Textual's pilot does, which waits for an idle process: with a fleet it never is."""
         named = _character_to_key(key) if len(key) == 1 and not key.isalnum() else key
         name = _get_unicode_name_from_key(REPLACED_KEYS.get(named, named))
@@ -127,18 +127,18 @@ class Console:
 
     async def shows(self, text: str, pane: str = "") -> None:
         """Wait until a text stands on the screen, or in a pane."""
-        await self._wait(lambda: text in (self.pane(pane) if pane else self.text), text)
+        await self.sees(lambda: text in (self.pane(pane) if pane else self.text), text)
 
     async def hides(self, text: str, pane: str = "") -> None:
         """Wait until a text has gone from the screen, or from a pane."""
-        await self._wait(lambda: text not in (self.pane(pane) if pane else self.text), f"no {text}")
+        await self.sees(lambda: text not in (self.pane(pane) if pane else self.text), f"no {text}")
 
     async def shows_a_label(self) -> None:
         """Wait until the map has labels; a robot's number may cover the end of one of them."""
         labels = ("Base", "Packing", "Dispatch")
-        await self._wait(lambda: any(label in self.pane("map") for label in labels), "a label on the map")
+        await self.sees(lambda: any(label in self.pane("map") for label in labels), "a label on the map")
 
-    async def _wait(self, holds: Callable[[], bool], what: str) -> None:
+    async def sees(self, holds: Callable[[], bool], what: str) -> None:
         def look(_state: FleetState) -> bool:
             self.app.main.tick()
             return holds()

@@ -27,7 +27,7 @@ from fleet_tui.situation import facts
 from fleet_tui.view.help.pages import ALWAYS
 from fleet_tui.view.help.pages import TYPED as TYPED_HELP
 from fleet_tui.view.lines.history import HINTS
-from fleet_tui.view.tables.alarms import _PRIORITIES, _SHORT, SIGNS
+from fleet_tui.view.tables.alarms import PRIORITIES, SHORT_PRIORITIES, SIGNS
 from fleet_tui.view.tables.doing import UNKNOWN
 
 ROOT = Path(__file__).parent.parent.parent / "fleet_tui"
@@ -263,8 +263,8 @@ def words() -> set[str]:
         *PAGES,
         *CLASSES,
         *SIGNS.values(),
-        *_PRIORITIES.values(),
-        *_SHORT.values(),
+        *PRIORITIES.values(),
+        *SHORT_PRIORITIES.values(),
         UNKNOWN,
         *ROLES.values(),
     }

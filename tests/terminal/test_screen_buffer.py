@@ -155,7 +155,7 @@ def test_looks_and_odd_characters_that_are_out_of_view_are_forgotten(monkeypatch
         style = Style(color=f"#{n % 256:02x}{n // 256:02x}80")
         onto.put(0, n % 2, 8, [Segment(f"{n:06d}", style), Segment(cluster, Style(bold=True)), Segment(" ")])
         stream.feed(onto.take())
-        assert max(len(onto._looks), len(onto._clusters)) <= 1024 + 2 * 16
+        assert max(len(onto.looks), len(onto.clusters)) <= 1024 + 2 * 16
     assert [line[:6] for line in terminal.display] == ["002998", "002999"]
     assert terminal.buffer[1][6].data == normalize("NFC", cluster)
     assert (terminal.buffer[0][0].fg, terminal.buffer[1][0].fg) == ("b60b80", "b70b80")

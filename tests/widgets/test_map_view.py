@@ -53,11 +53,11 @@ async def test_nothing_new_refreshes_nothing_and_a_move_only_its_rows() -> None:
 async def test_the_backdrop_is_kept_while_only_robots_move() -> None:
     async with Pane().run_test(size=(100, 30)) as pilot:
         _, view = await started(pilot)
-        behind = view.picture._backdrop
+        behind = view.picture.backdrop
         view.show(moved(SCENE, 7.0, 3.0))
-        assert view.picture._backdrop is behind
+        assert view.picture.backdrop is behind
         view.show(replace(SCENE, vertices=(*SCENE.vertices, SceneVertex("4", 1, 1))))
-        assert view.picture._backdrop is not behind
+        assert view.picture.backdrop is not behind
 
 
 async def test_each_floor_keeps_its_camera_and_an_unmoved_one_refits() -> None:

@@ -50,8 +50,8 @@ def caption(view: MapView) -> str:
 
 
 def roles(view: MapView) -> set[int]:
-    assert view._painted is not None
-    return set(view._painted.roles.ravel().tolist())
+    assert view.painted is not None
+    return set(view.painted.roles.ravel().tolist())
 
 
 def driven(metres: float) -> Scene:
@@ -80,14 +80,14 @@ async def test_the_backdrop_stands_while_the_robot_drives_to_where_its_mission_b
     async with Pane().run_test(size=(100, 30)) as pilot:
         view = await started(pilot, replace(SCENE, mission=Mission(lines, (), (3.0, 5.0, 5.0, 5.0))))
         controls = MapControls(view)
-        behind = view.picture._backdrop
+        behind = view.picture.backdrop
         controls.trails()
         view.show(replace(driven(1.0), mission=Mission(lines, (), (3.0, 5.0, 5.0, 5.0))))
-        assert view.picture._backdrop is behind
+        assert view.picture.backdrop is behind
         view.show(replace(driven(2.5), mission=Mission(lines, (), (5.0, 5.0, 18.0, 8.0))))
-        assert view.picture._backdrop is behind
+        assert view.picture.backdrop is behind
         view.show(replace(driven(2.5), mission=Mission((), lines)))
-        assert view.picture._backdrop is not behind
+        assert view.picture.backdrop is not behind
 
 
 async def test_a_note_that_is_too_long_for_the_caption_is_cut() -> None:

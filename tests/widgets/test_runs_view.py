@@ -32,11 +32,11 @@ async def test_only_rows_that_changed_are_painted_again() -> None:
     view = Watched()
     async with WidgetApp(view).run_test(size=(20, 3)):
         view.paint_rows(rows("one", "two", "three"))
-        strips = list(view._strips)
+        strips = list(view.strips)
         view.regions.clear()
         view.paint_rows(rows("one", "TWO", "three"))
         assert view.regions == [Region(0, 1, 20, 1)]
-        assert [now is before for now, before in zip(view._strips, strips, strict=True)] == [
+        assert [now is before for now, before in zip(view.strips, strips, strict=True)] == [
             True,
             False,
             True,

@@ -52,7 +52,7 @@ class VehicleAdapter:
         self.names = Names(VOCABULARY, profile, site.table)
         self.settings = msgspec.convert(profile.settings.get("vda5050", {}), VehicleSettings)
         self.topics = Topics(self.settings.topic, self.settings.interface)
-        self._site = site
+        self.site = site
         accepts = ROLES[site.role]
         reason = f"{site.role_key} is {site.role}"
         self.kind = Kind(
@@ -72,12 +72,12 @@ class VehicleAdapter:
     def vehicle(self, robot: str) -> tuple[str, str]:
         """Return manufacturer and serial number of a robot: the manufacturer is empty for any, the number its
         name if not configured."""
-        manufacturer, serial = self._site.vehicles.get(robot, ("", ""))
+        manufacturer, serial = self.site.vehicles.get(robot, ("", ""))
         return manufacturer, serial or robot
 
     def owns(self, order_id: str) -> bool:
         """Tell whether a console of this operator on this computer gave an order."""
-        return bool(self._site.console) and order_id.endswith(self._site.console)
+        return bool(self.site.console) and order_id.endswith(self.site.console)
 
     def feeds(self, robot: str, floors: Sequence[str]) -> Iterable[Feed]:
         """Return the topics to subscribe to."""
@@ -122,7 +122,7 @@ class VehicleAdapter:
     ) -> Sequence[Outgoing]:
         """Return the message of a command, without its header, of a pause for a vehicle of which nothing has
         arrived one for each way to write it. Raises CommandError for one that must not be sent."""
-        unique = unique[: -len(self._site.console)] + self._site.console if self._site.console else unique
+        unique = unique[: -len(self.site.console)] + self.site.console if self.site.console else unique
         return [self._addressed(one, robot) for one in self._messages(command, robot, unique)]
 
     def state_request(self, robot: Robot, unique: str) -> Sequence[Publication]:
@@ -166,7 +166,7 @@ class VehicleAdapter:
     def _messages(self, command: commands.Command, robot: Robot, unique: str) -> Sequence[Publication]:
         match command:
             case commands.PlaceOrder(_, stops):
-                return [order(self.settings, self._site.frames, robot, stops, unique)]
+                return [order(self.settings, self.site.frames, robot, stops, unique)]
             case commands.CancelOrder(_, order_id):
                 return [cancel(self.settings, robot, order_id, unique)]
             case commands.ClearOrders():

@@ -23,7 +23,7 @@ class BridgeLink:
     def __init__(self, name: str, config: Config, adapters: Mapping[str, Adapter], writer: Writer) -> None:
         """`adapters` by robot."""
         self.name = name
-        self._writer = writer
+        self.writer = writer
         self._config = config
         self._adapters = adapters
         self._telemetry = Telemetry(name, config, adapters, writer)
@@ -46,9 +46,9 @@ class BridgeLink:
 
     def open(self) -> None:
         """Connect, and stay connected; commands first, so that no subscription delays a pause."""
-        self._writer.loop.call_soon_threadsafe(self._commands.connection.connect)
-        self._writer.loop.call_soon_threadsafe(self._telemetry.connection.connect)
-        self._writer.loop.call_soon_threadsafe(self._lifecycle.open)
+        self.writer.loop.call_soon_threadsafe(self._commands.connection.connect)
+        self.writer.loop.call_soon_threadsafe(self._telemetry.connection.connect)
+        self.writer.loop.call_soon_threadsafe(self._lifecycle.open)
 
     def submit_now(self, command_id: int, command: Command, given_at: float) -> None:
         """Send a command, on the loop; its progress reaches the store as CommandAdvanced."""
@@ -69,23 +69,23 @@ class BridgeLink:
         entry = next(one for one in self._config.robots if one.name == robot)
         limits = drive_of(self._config, entry)
         caps = Caps(limits.max_linear, limits.max_angular)
-        drive = Drive(self.name, self._config.bridge(self.name), self._writer, topic, caps)
+        drive = Drive(self.name, self._config.bridge(self.name), self.writer, topic, caps)
         drive.open()
         return drive
 
     def show_map(self, robot: str, floor: str) -> None:
         """Subscribe to the live map of one robot's floor only; an empty name for none."""
-        self._writer.loop.call_soon_threadsafe(self._telemetry.show_map, robot, floor)
+        self.writer.loop.call_soon_threadsafe(self._telemetry.show_map, robot, floor)
 
     def subscribe_logs(self, on: bool) -> None:
         """Subscribe to or unsubscribe from the robots' log and diagnostics."""
-        self._writer.loop.call_soon_threadsafe(self._telemetry.subscribe_logs, on)
+        self.writer.loop.call_soon_threadsafe(self._telemetry.subscribe_logs, on)
 
     def close(self) -> None:
         """Close all connections."""
-        self._writer.loop.call_soon_threadsafe(self._telemetry.close)
-        self._writer.loop.call_soon_threadsafe(self._commands.close)
-        self._writer.loop.call_soon_threadsafe(self._lifecycle.close)
+        self.writer.loop.call_soon_threadsafe(self._telemetry.close)
+        self.writer.loop.call_soon_threadsafe(self._commands.close)
+        self.writer.loop.call_soon_threadsafe(self._lifecycle.close)
 
 
 LINK = BridgeLink

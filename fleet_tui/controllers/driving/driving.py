@@ -62,7 +62,7 @@ class DriveControls:
         self._passes = passes
         self._clock = clock
         self._tell_releases = tell_releases
-        self._drive: HandDrive | None = None
+        self.drive: HandDrive | None = None
         self._hand = Hand()
         self._share = FIRST
         self._steered = False
@@ -113,7 +113,7 @@ class DriveControls:
                 raise CommandError("another robot is selected")
             if refusal := self._refusal():
                 raise CommandError(refusal)
-            self._drive = self._backend.drive(name)
+            self.drive = self._backend.drive(name)
         except CommandError as problem:
             self._parts.notices.say(sanitize(f"not driven: {problem}"))
             return
@@ -135,7 +135,7 @@ class DriveControls:
     def press(self, key: str) -> None:
         """Take a press of a direction; nothing is kept for a drive that has not begun."""
         self._pressed = self._clock()
-        if self._drive is None or self._drive.state.phase is not DrivePhase.READY:
+        if self.drive is None or self.drive.state.phase is not DrivePhase.READY:
             return
         if key in SIDEWAYS and not self._limits.holonomic:
             self.stop()
@@ -146,7 +146,7 @@ class DriveControls:
 
     def release(self, key: str) -> None:
         """Take the release of a direction, where the terminal tells it."""
-        if self._drive is None:
+        if self.drive is None:
             self._leave_mode()
         self._hand = self._hand.released(key)
         self._steer()
@@ -158,7 +158,7 @@ class DriveControls:
 
     def stop(self) -> None:
         """Stop the robot, and go on driving."""
-        if self._drive is None:
+        if self.drive is None:
             self._leave_mode()
         self._hand = Hand()
         self._steer()
@@ -173,9 +173,9 @@ class DriveControls:
 
     def _end_drive(self, reason: str) -> None:
         mode = self.mode
-        if self._drive is None or mode is None:
+        if self.drive is None or mode is None:
             return
-        drive, self._drive = self._drive, None
+        drive, self.drive = self.drive, None
         drive.end(reason)
         mode.state = drive.state
         self._journal.end(drive.state.reason, self._clock())
@@ -189,7 +189,7 @@ class DriveControls:
 
     def look(self, scene: Scene) -> None:
         """Follow the hand and look for reasons to end, with every picture."""
-        mode, drive, now = self.mode, self._drive, self._clock()
+        mode, drive, now = self.mode, self.drive, self._clock()
         if mode is None:
             return
         late, self._looked = now - self._looked > LATEST, now
@@ -202,7 +202,7 @@ class DriveControls:
                 self._steer()
                 mode.state = drive.state
                 self._journal.sent(drive.state.sent)
-        if self._drive is None and now - self._pressed > LET_GO:
+        if self.drive is None and now - self._pressed > LET_GO:
             self._leave_mode()
 
     def _reason_to_end(self, mode: DriveMode, scene: Scene) -> str:
@@ -214,7 +214,7 @@ class DriveControls:
 
     def _steer(self) -> None:
         """Send what the hand asks for, slower before a wall."""
-        mode, drive, now = self.mode, self._drive, self._clock()
+        mode, drive, now = self.mode, self.drive, self._clock()
         if mode is None or drive is None:
             return
         mode.share = self._share

@@ -41,7 +41,7 @@ class DraftSending:
         self._checks = checks
         self._files = files
         self._route_files = route_files
-        self._doubt = doubt
+        self.doubt = doubt
 
     def start(self) -> None:
         """Offer to send, with the number of warnings and differences."""
@@ -49,7 +49,7 @@ class DraftSending:
         if opened is None:
             return
         floor, robot = opened[0].floor, parts.store.state.robots[parts.navigation.robot]
-        refusal = parts.dispatch.set_up_refusal() or (f"not sent: {self._doubt}" if self._doubt else "")
+        refusal = parts.dispatch.set_up_refusal() or (f"not sent: {self.doubt}" if self.doubt else "")
         if not refusal and not robot.kind.can(GRAPH):
             refusal = robot.kind.lack(GRAPH)
         if not refusal and floor.name not in robot.maps:

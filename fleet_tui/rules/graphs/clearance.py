@@ -61,12 +61,12 @@ def _coarser(mask: _Mask, scale: int) -> _Mask:
     return np.asarray(blocks.any(axis=(1, 3)))
 
 
-def _widened(mask: _Mask, radius: float) -> _Mask:
+def widened(mask: _Mask, radius: float) -> _Mask:
     """Return the cells whose middle is within `radius` of a set one's."""
     found = mask.copy()
     for down in range(int(radius) + 1):
         across = int(math.sqrt(max(radius * radius - down * down, 0.0)))
-        row = _spread(mask, across)
+        row = spread(mask, across)
         if down:
             found[down:] |= row[:-down]
             found[:-down] |= row[down:]
@@ -75,7 +75,7 @@ def _widened(mask: _Mask, radius: float) -> _Mask:
     return found
 
 
-def _spread(mask: _Mask, across: int) -> _Mask:
+def spread(mask: _Mask, across: int) -> _Mask:
     """Return the cells with a set one at most `across` columns away. The reach doubles with each step."""
     found, reach = mask.copy(), 0
     while reach < across:
@@ -109,7 +109,7 @@ def _at_vertices(floor: DocumentFloor, obstacles: _Obstacles, width: float) -> I
     vertices = list(floor.vertices.values())
     places = np.array([obstacles.cells(one.x, one.y) for one in vertices], np.float64).reshape(-1, 2)
     unknown = _hit(obstacles.unknown, places)
-    near = _hit(_widened(obstacles.taken & ~obstacles.unknown, obstacles.radius(width / 2 + MARGIN)), places)
+    near = _hit(widened(obstacles.taken & ~obstacles.unknown, obstacles.radius(width / 2 + MARGIN)), places)
     for n in np.flatnonzero(unknown | near):
         id_ = vertices[n].id
         if unknown[n]:
@@ -120,7 +120,7 @@ def _at_vertices(floor: DocumentFloor, obstacles: _Obstacles, width: float) -> I
 
 
 def _along_edges(floor: DocumentFloor, obstacles: _Obstacles, width: float) -> Iterator[GraphFinding]:
-    blocked = _widened(obstacles.taken, obstacles.radius(width / 2))
+    blocked = widened(obstacles.taken, obstacles.radius(width / 2))
     edges = [edge for edge in floor.edges.values() if _is_drawn(floor, edge)]
     ends = np.array(
         [

@@ -149,7 +149,7 @@ class Diagnostics(PagedOverlay):
         self._keys = keys
         self._controls = DiagnosticsControls(self, pages)
         self._end: Hashable = None
-        self._timer: Timer | None = None
+        self.refreshing: Timer | None = None
         text = tr("filter text; Enter keeps it, Esc clears it")
         super().__init__("diagnostics", self._controls.choose, text)
 
@@ -159,15 +159,15 @@ class Diagnostics(PagedOverlay):
         self.open(self.rows)
         self._controls.begin(robot, None if cause is None else Page[cause.page.upper()])
         self._tick()
-        if self._timer is None:
-            self._timer = self.set_interval(EVERY, self._tick)
+        if self.refreshing is None:
+            self.refreshing = self.set_interval(EVERY, self._tick)
 
     def _tick(self) -> None:
         if self.is_open:
             self.look()
-        elif self._timer is not None:
-            self._timer.stop()
-            self._timer = None
+        elif self.refreshing is not None:
+            self.refreshing.stop()
+            self.refreshing = None
 
     def on_resize(self) -> None:
         """Fill it at its new size."""

@@ -33,10 +33,10 @@ class MapPicture:
         self.scene: Scene | None = None
         self.hint = ""
         """The key of help, for the way to its legend."""
-        self._trails = Trails()
+        self.trails = Trails()
         self._arrangement = Arrangement()
         self._arrangement_of: tuple[str, Camera, MapOptions] | None = None
-        self._backdrop: Backdrop | None = None
+        self.backdrop: Backdrop | None = None
         self._backdrop_of: tuple[Scene, Camera, MapOptions] | None = None
 
     def hatch(self, hatched: bool) -> None:
@@ -54,11 +54,11 @@ class MapPicture:
     def show(self, scene: Scene) -> None:
         """Take the newest scene."""
         self.scene = scene
-        self._trails.note(scene)
+        self.trails.note(scene)
 
     def clear_trails(self) -> None:
         """Restart the trails: another time is shown from now on."""
-        self._trails = Trails()
+        self.trails = Trails()
 
     def cells(self, width: int, height: int, focused: bool) -> Cells | None:
         """Return the picture in this many cells, None without a scene or space."""
@@ -70,7 +70,7 @@ class MapPicture:
         view.height = height - CAPTION_ROWS
         camera = view.camera(scene)
         if self.options.trails:
-            scene = replace(scene, trail=self._trails.of(scene))
+            scene = replace(scene, trail=self.trails.of(scene))
         head = caption_row(self._caption(scene, camera, focused))
         shown = scene.floor, camera, self.look
         if self._arrangement_of != shown:
@@ -96,7 +96,7 @@ class MapPicture:
     def _labelled(self, x: int, y: int) -> Place | None:
         """Return the cell of the vertex whose label covers a cell of the whole picture, None for none."""
         aside = self._arrangement.labels.aside
-        for label in self._backdrop.labels if self._backdrop is not None else ():
+        for label in self.backdrop.labels if self.backdrop is not None else ():
             left, row = aside.get(label.at, label.at)
             if row == y - CAPTION_ROWS and left <= x < left + cell_width(label.text):
                 return label.vertex
@@ -149,10 +149,10 @@ class MapPicture:
         """Return the backdrop of the robots, redrawn only on a change."""
         under = pointed(scene, camera, self.options.cursor) if self.mode.points else None
         key = (scene, camera, replace(self.look, cursor=None, trails=False, pointed=under))
-        if self._backdrop is None or self._backdrop_of is None or not _same(self._backdrop_of, key):
-            self._backdrop = backdrop(*key)
+        if self.backdrop is None or self._backdrop_of is None or not _same(self._backdrop_of, key):
+            self.backdrop = backdrop(*key)
             self._backdrop_of = key
-        return self._backdrop
+        return self.backdrop
 
 
 def _trouble_out_of_view(scene: Scene, camera: Camera) -> str:

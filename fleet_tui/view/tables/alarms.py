@@ -25,8 +25,8 @@ SIGNS = {
     AlarmStage.ACKNOWLEDGED: "△ seen",
     AlarmStage.SHELVED: "◇ shelved",
 }
-_PRIORITIES = {Priority.HIGH: "high  ", Priority.MEDIUM: "medium", Priority.LOW: "low   "}
-_SHORT = {Priority.HIGH: "high", Priority.MEDIUM: "med ", Priority.LOW: "low "}
+PRIORITIES = {Priority.HIGH: "high  ", Priority.MEDIUM: "medium", Priority.LOW: "low   "}
+SHORT_PRIORITIES = {Priority.HIGH: "high", Priority.MEDIUM: "med ", Priority.LOW: "low "}
 
 
 WITH_PRIORITY = 44
@@ -90,9 +90,9 @@ def _signs(alarm: Alarm, shelf: str, is_wide: bool, role: StyleRole) -> list[Run
     sign, priority = SIGNS[alarm.stage], alarm.condition.priority
     if is_wide:
         signs = list(SIGNS.values())[:-1]
-        text = f"{_padded(sign, signs)}{shelf} {_padded(_PRIORITIES[priority], _PRIORITIES.values())}"
+        text = f"{_padded(sign, signs)}{shelf} {_padded(PRIORITIES[priority], PRIORITIES.values())}"
     else:
-        text = f"{sign[0]} {tr(_SHORT[priority])[:SHORT]}{shelf}"
+        text = f"{sign[0]} {tr(SHORT_PRIORITIES[priority])[:SHORT]}{shelf}"
     if alarm.needs_acknowledgement and alarm.holds and alarm.condition.priority is Priority.HIGH:
         chip = text.rstrip()
         return [(chip, StyleRole.ROBOT_ALARM), (text[len(chip) :] + " ", role)]
@@ -180,7 +180,7 @@ def _values(clock: Callable[[float], str]) -> tuple[Value[Alarm], ...]:
     return (
         Value("robot", lambda alarm: alarm.condition.source, lambda alarm: natural(alarm.condition.source)),
         Value("alarm", lambda alarm: tr(alarm.text), lambda alarm: alarm.condition.kind),
-        Value("priority", lambda alarm: tr(_PRIORITIES[alarm.condition.priority].strip())),
+        Value("priority", lambda alarm: tr(PRIORITIES[alarm.condition.priority].strip())),
         Value("stage", lambda alarm: tr(SIGNS[alarm.stage])[2:].strip()),
         Value("time", lambda alarm: clock(_at(alarm)), lambda alarm: -_at(alarm), is_apart=True),
     )

@@ -54,7 +54,7 @@ def test_an_order_leads_over_the_graph_from_the_last_node() -> None:
     assert one.address == "uagv/v2/KIT/0001/order" and one.type == "2.0.0"
     assert one.message["manufacturer"] == "KIT" and one.message["serialNumber"] == "0001"
     assert one.message["orderId"] == one.name and one.message["orderUpdateId"] == 0
-    assert one.name.endswith(found.adapter._site.console)
+    assert one.name.endswith(found.adapter.site.console)
     assert [(part["nodeId"], part["sequenceId"]) for part in nodes(one)] == [("n0", 0), ("n1", 2), ("n2", 4)]
     assert all(part["released"] and part["actions"] == [] for part in nodes(one))
     assert nodes(one)[2]["nodePosition"] == {"x": 5.0, "y": 6.0, "mapId": "hall"}

@@ -117,7 +117,7 @@ def test_an_order_that_grows_has_a_new_target() -> None:
 
 def test_orders_of_this_operator_are_known_after_a_restart() -> None:
     site = VehicleSite()
-    owned = "3fa85f64-5717-4562-b3fc-" + site.adapter._site.console
+    owned = "3fa85f64-5717-4562-b3fc-" + site.adapter.site.console
     site.read("state", state(orderId=owned, nodeStates=[node("a", 2)]))
     assert [goal.is_ours for goal in site.agv.goals["order"]] == [True]
     site.read("state", state(orderId="other", nodeStates=[node("a", 2)]))

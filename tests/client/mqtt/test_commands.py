@@ -175,7 +175,7 @@ async def test_a_frozen_broker_holds_orders_back_but_no_pause(tmp_path: Path) ->
         async with console_on(broker) as (link, store):
             await seen(store, vehicle)
             broker.freeze()
-            connection = link._links["broker"]._telemetry.connection  # type: ignore[attr-defined]  # of a broker
+            connection = link.links["broker"]._telemetry.connection  # type: ignore[attr-defined]  # of a broker
             await store.until(lambda _: connection.silence > commands.LONGEST_SILENCE)
             record = await finished(link, store, ORDER)
             assert record.stage is Stage.NOT_SENT and "no reply from the broker for" in record.detail

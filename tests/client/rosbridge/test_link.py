@@ -41,11 +41,11 @@ async def test_a_command_goes_its_own_way_and_its_progress_is_told(server: Rosbr
         await store.until(lambda state: state.robots["robot_0"].pose)
         now = time.monotonic()
         store.apply(CommandIssued(7, PauseRobot("robot_0"), now, time.time()))
-        link._writer.loop.call_soon_threadsafe(link.submit_now, 7, PauseRobot("robot_0"), now)
+        link.writer.loop.call_soon_threadsafe(link.submit_now, 7, PauseRobot("robot_0"), now)
         state = await store.until(lambda state: state.commands[0].stage is Stage.ACCEPTED)
         assert [step.stage for step in state.commands[0].steps] == [Stage.CHECKED, Stage.SENT, Stage.ACCEPTED]
         advanced = len(store.told(CommandAdvanced))
-        link._writer.loop.call_soon_threadsafe(link.resend, PauseRobot("robot_0"))
+        link.writer.loop.call_soon_threadsafe(link.resend, PauseRobot("robot_0"))
         async with asyncio.timeout(HANGS):
             while len(server.bridge.services.calls) < 2:  # noqa: ASYNC110  # a bridge does not tell
                 await asyncio.sleep(0)

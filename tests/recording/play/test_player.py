@@ -108,10 +108,10 @@ async def test_old_trails_are_forgotten_where_time_jumps(night: Path) -> None:
         await it.press("t", ".", ".")
         assert it.app.main.rest.map.picture.scene is not None
         await it.shows(at(22))
-        assert len(it.app.main.rest.map.picture._trails.of(it.app.main.rest.map.picture.scene))
+        assert len(it.app.main.rest.map.picture.trails.of(it.app.main.rest.map.picture.scene))
         await it.press("<")
         await it.shows(at(12))
-        points = it.app.main.rest.map.picture._trails.of(it.app.main.rest.map.picture.scene)
+        points = it.app.main.rest.map.picture.trails.of(it.app.main.rest.map.picture.scene)
         assert points[:, 0].max(initial=0.0) <= 12.0
 
 

@@ -10,7 +10,7 @@ from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor, Documen
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, build_grid
 from fleet_tui.rules.graphs import clearance as module
-from fleet_tui.rules.graphs.clearance import _spread, _widened, clearance
+from fleet_tui.rules.graphs.clearance import clearance, spread, widened
 
 
 def hall() -> OccupancyGrid:
@@ -59,11 +59,11 @@ def test_off_the_map_and_nowhere() -> None:
 def test_spreading_reaches_just_so_far(row: list[bool], across: int) -> None:
     mask = np.array([row])
     near = [any(row[max(0, n - across) : n + across + 1]) for n in range(9)]
-    assert _spread(mask, across).tolist() == [near]
+    assert spread(mask, across).tolist() == [near]
 
 
 def test_widening_is_round() -> None:
     mask = np.zeros((7, 7), np.bool_)
     mask[3, 3] = True
-    rows = ["".join(".#"[int(cell)] for cell in row) for row in _widened(mask, 2.5)]
+    rows = ["".join(".#"[int(cell)] for cell in row) for row in widened(mask, 2.5)]
     assert rows == [".......", "..###..", ".#####.", ".#####.", ".#####.", "..###..", "......."]

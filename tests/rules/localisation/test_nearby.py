@@ -44,7 +44,7 @@ def scan(pose: Pose) -> Points:
     return placed(seen - np.array((pose.x, pose.y), np.float32), Pose(0.0, 0.0, -pose.yaw))
 
 
-@settings(max_examples=settings.default.max_examples // 4)  # each searches some thousand poses
+@settings(max_examples=settings().max_examples // 4)  # each searches some thousand poses
 @given(
     st.floats(60.0, 180.0), st.floats(60.0, 180.0), headings, st.floats(0.0, 0.9 * REACH), headings, headings
 )

@@ -25,7 +25,7 @@ async def test_a_wrong_field_is_seen_from_the_topic_to_the_raw_text(
 ) -> None:
     async with console(config_of(server.url, 2, 2), size) as it:
         await open_page(it, 2, "Topics 30, 0 with problems")
-        await it._wait(
+        await it.sees(
             lambda: bool(re.search(r"● live +\d\.\d s ago /robot_0/pose +\d+\.\d Hz", pane(it))), "a rate"
         )
         server.bridge.muted.add(BATTERY)
@@ -80,7 +80,7 @@ async def test_log_and_health_are_subscribed_while_it_is_open(server: RosbridgeS
         assert asked(server, "unsubscribe") == OVERHEARD
         await it.press("d", "escape", "d")
         await listens(it, server)
-        assert it.app.main.rest.diagnostics._timer is not None
+        assert it.app.main.rest.diagnostics.refreshing is not None
 
 
 async def test_the_mouse_outside_and_another_overlay_end_it_too(server: RosbridgeServer) -> None:
@@ -90,7 +90,7 @@ async def test_the_mouse_outside_and_another_overlay_end_it_too(server: Rosbridg
         await it.press("f1")
         await it.shows("Diagnostics (d)")
         await it.until(lambda _: not server.bridge.subscribers("/rosout"))
-        await it.until(lambda _: it.app.main.rest.diagnostics._timer is None)
+        await it.until(lambda _: it.app.main.rest.diagnostics.refreshing is None)
 
 
 async def test_what_robots_log_does_not_act_on_the_screen(server: RosbridgeServer) -> None:
@@ -144,8 +144,8 @@ async def test_the_footer_names_no_key_that_does_nothing(server: RosbridgeServer
     async with console(config_of(server.url, 1)) as it:
         for opened in ("d", "o", ":"):
             await it.press(opened)
-            await it._wait(lambda: " F12 pause all" in it.text.splitlines()[-1], "footer")
+            await it.sees(lambda: " F12 pause all" in it.text.splitlines()[-1], "footer")
             footer = it.text.splitlines()[-1]
             assert " F1 help" in footer and not {" o order", " ? help", " menu"} & {*re.split("  +", footer)}
             await it.press("escape")
-            await it._wait(lambda: " o order" in it.text.splitlines()[-1], "footer")
+            await it.sees(lambda: " o order" in it.text.splitlines()[-1], "footer")

@@ -33,7 +33,7 @@ async def test_the_link_with_round_trip_and_rates(server: RosbridgeServer, size:
         await it.shows("● up for")
         await it.shows("● ok")
         assert re.search(r"round trip +\d+(\.\d+)? ms, \d", pane(it))
-        await it._wait(lambda: bool(re.search(r"messages +[234]\d\.\d /s, \d+\.\d kB/s", pane(it))), "rates")
+        await it.sees(lambda: bool(re.search(r"messages +[234]\d\.\d /s, \d+\.\d kB/s", pane(it))), "rates")
         assert "0 reconnects" in pane(it)
         assert "robot_0" in it.text.splitlines()[0] and server.url in it.text.splitlines()[0]
         await server.drop_clients()
@@ -111,7 +111,7 @@ async def test_the_console_on_itself(server: RosbridgeServer, own_log: logging.L
         await open_page(it, 6, "Console")
         await it.shows("something odd", "diagnostics-rows")
         # The pilot's screen has its own loop: one tick of the console's own timer is waited for.
-        await it._wait(lambda: bool(re.search(r"tick +\d+(\.\d+)? ms", pane(it))), "a tick")
+        await it.sees(lambda: bool(re.search(r"tick +\d+(\.\d+)? ms", pane(it))), "a tick")
         assert re.search(r"memory +\d+\.\d MB, peak \d+\.\d MB", pane(it))
         assert re.search(r"process +\d+ threads", pane(it)) and "budget 100 ms" in pane(it)
 

@@ -36,7 +36,7 @@ async def test_typed_and_entered_in_one_packet_it_goes_to_the_exact_number(serve
     async with console(config_of(server.url, 12), wait=False) as it:
         await it.until(lambda _: it.app.main.is_complete)
         for key in ("/", "1", "enter"):
-            it._send(key)
+            it.send(key)
         await it.until(lambda _: it.app.main.navigation.robot == "robot_1")
 
 

@@ -40,16 +40,16 @@ def test_a_cursor_on_a_place_says_its_name() -> None:
 
 def test_the_backdrop_is_kept_until_something_in_it_changes() -> None:
     picture = shown()
-    kept = picture._backdrop
+    kept = picture.backdrop
     for scene in (moved(SCENE, 6.0, 6.0), replace(SCENE, mission=Mission(edge=(2.0, 2.0, 18.0, 8.0)))):
         picture.show(scene)
         picture.cells(100, 30, False)
-        assert picture._backdrop is kept
+        assert picture.backdrop is kept
     for scene in (replace(SCENE, target_vertices=("1",)), replace(SCENE, vertices=SCENE.vertices[:1])):
         picture.show(scene)
         picture.cells(100, 30, True)
-        assert picture._backdrop is not kept
-        kept = picture._backdrop
+        assert picture.backdrop is not kept
+        kept = picture.backdrop
 
 
 def test_what_lies_under_a_cell_is_picked_below_the_caption() -> None:
@@ -66,9 +66,9 @@ def test_trails_are_those_of_the_time_that_is_shown() -> None:
     picture.options = replace(picture.options, trails=True)
     for second in range(10):
         picture.show(replace(moved(SCENE, 2.0 + second, 5.0), at=float(second)))
-    assert picture.scene is not None and len(picture._trails.of(picture.scene))
+    assert picture.scene is not None and len(picture.trails.of(picture.scene))
     picture.clear_trails()
-    assert not len(picture._trails.of(picture.scene))
+    assert not len(picture.trails.of(picture.scene))
     assert picture.scene.robots[0].pose == Pose(11.0, 5.0)
 
 
