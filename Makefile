@@ -9,7 +9,7 @@ TOGETHER := -q -n 4 --maxschedchunk 1
 # Compiled once, not by each of a few hundred processes.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test nightly quick lint types compiled tested unit bench faults typed kills advisories fuzz soak pictures docs lock format dist dist-check clean
+.PHONY: demo test nightly quick lint types compiled tested unit bench coverage faults typed kills advisories fuzz soak pictures docs lock format dist dist-check clean
 
 demo: $(READY)
 	@$(BIN)/fleet-tui demo
@@ -56,6 +56,12 @@ bench: $(READY)
 	@sed -n 's/^\([^ #]*==[^ ]*\).*/\1/p' requirements.lock > $(VENV)/constraints.txt
 	@$(BIN)/pip install --quiet --disable-pip-version-check -c $(VENV)/constraints.txt -e '.[bench]' || echo "measuring without the others"
 	@$(BIN)/python -m tests.bench --json docs/performance.json
+
+# Lines and branches that make test runs, per package: none may fall below its figure.
+coverage: $(READY)
+	@$(BIN)/pip install --quiet --disable-pip-version-check 'pytest-cov>=6,<8'
+	@$(BIN)/pytest $(TOGETHER) --cov=fleet_tui --cov-branch --cov-report=json:$(VENV)/coverage.json > /dev/null
+	@$(BIN)/python -m tests.support.coverage_floors $(VENV)/coverage.json tests/coverage_floors.toml
 
 soak: $(READY)
 	@$(BIN)/python -m tests.bench.soak --minutes $(or $(MINUTES),10)
