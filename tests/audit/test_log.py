@@ -109,10 +109,7 @@ def becomes(holds: Callable[[], object]) -> None:
         time.sleep(0.002)
 
 
-def test_a_full_disk_is_said_and_what_was_not_written_is_written_later(
-    tmp_path: Path, disk: BadDisk, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(module, "RETRY", 0.01)
+def test_a_full_disk_is_said_and_what_was_not_written_is_written_later(tmp_path: Path, disk: BadDisk) -> None:
     disk.full = True
     store, audit = Store(known_fleet()), Audit(disk, ANA)
     store.watchers.append(audit.watch)
@@ -139,10 +136,7 @@ def test_a_disk_is_not_tried_at_every_record(tmp_path: Path, disk: BadDisk) -> N
     assert [one.change for one in read(tmp_path)] == ["one", "two", "closed"]
 
 
-def test_a_slow_disk_has_the_end_of_every_command(
-    tmp_path: Path, disk: BadDisk, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(module, "LAST_CHANCE", 0.2)
+def test_a_slow_disk_has_the_end_of_every_command(tmp_path: Path, disk: BadDisk) -> None:
     disk.seconds = 0.05
     store, audit = Store(known_fleet()), Audit(disk, ANA)
     store.watchers.append(audit.watch)
@@ -338,7 +332,6 @@ def test_an_error_of_our_own_stops_no_dispatch(tmp_path: Path, monkeypatch: pyte
 def test_an_error_of_our_own_does_not_end_the_writing(
     tmp_path: Path, disk: BadDisk, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(module, "RETRY", 0.01)
     with monkeypatch.context() as patched:
         patched.setattr(disk, "append", lambda _line: 1 / 0)
         audit = Audit(disk, ANA)

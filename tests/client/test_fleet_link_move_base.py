@@ -19,7 +19,6 @@ from fleet_tui.rules.commands.local_queue import ANOTHER_CLIENT, foreign, waitin
 from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.move_base.faults import CONNECTS
 from fleet_tui.transports.loop import network_loop
-from fleet_tui.transports.rosbridge import connection
 from tests.support.links import finished, linked
 from tests.support.move_base_site import MoveBaseSite, move_base_site
 from tests.support.nav2_site import keeping, nav2_ready, reached
@@ -30,10 +29,8 @@ NEVER = {"secs": 0, "nsecs": 0}
 
 
 @pytest.fixture(autouse=True)
-def soon(monkeypatch: pytest.MonkeyPatch) -> None:
+def soon() -> None:
     """A lost connection comes back at once."""
-    monkeypatch.setattr(connection, "FIRST_DELAY", 0.05)
-    monkeypatch.setattr(connection, "LONGEST_DELAY", 0.2)
 
 
 @pytest.fixture

@@ -16,7 +16,6 @@ from fleet_tui.rules.commands.set_up.checks import map_of
 from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.oh_ressources.profile import profile
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.transports.rosbridge import connection
 from fleet_tui.view.set_up.scan_match import scan_match
 from tests.support.links import finished, linked
 from tests.support.nav2_site import Site, nav2_ready, nav2_site
@@ -52,8 +51,7 @@ async def test_a_scan_is_subscribed_while_it_is_watched(slow_site: Site) -> None
         await store.until(lambda _: not subscribed(slow_site.server, SCAN))
 
 
-async def test_a_scan_comes_again_after_the_link(slow_site: Site, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(connection, "FIRST_DELAY", 0.05)
+async def test_a_scan_comes_again_after_the_link(slow_site: Site) -> None:
     async with linked(slow_site.config) as (_, store):
         await store.until(nav2_ready)
         store.streams.watch(R0, "scan")

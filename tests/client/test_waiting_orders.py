@@ -25,7 +25,6 @@ from fleet_tui.rules.commands.local_queue import ANOTHER_CLIENT, waiting, waitin
 from fleet_tui.simulator.nav2.navigation import SPIN, TO_POSE
 from fleet_tui.simulator.ros.goals import CANCELED
 from fleet_tui.state.store import Store
-from fleet_tui.transports.rosbridge import connection
 from tests.support.fleets import T0, commanded, fleet, link_up, of_kinds, place_order, pose, reduced, tick
 from tests.support.kinds import KEEPING
 from tests.support.links import finished, linked, phase
@@ -39,10 +38,8 @@ FOREIGN_STOPPED = "stopped, also another client's goal {goal}, not resumable fro
 
 
 @pytest.fixture(autouse=True)
-def soon(monkeypatch: pytest.MonkeyPatch) -> None:
+def soon() -> None:
     """A lost connection comes back at once."""
-    monkeypatch.setattr(connection, "FIRST_DELAY", 0.05)
-    monkeypatch.setattr(connection, "LONGEST_DELAY", 0.2)
 
 
 def held(reason: str) -> Holds:

@@ -27,11 +27,8 @@ async def running(store: WatchedStore) -> AsyncIterator[Writer]:
     running.stop()
 
 
-async def test_garbage_is_looked_for_while_it_runs(
-    running: Writer, store: WatchedStore, monkeypatch: pytest.MonkeyPatch
-) -> None:
+async def test_garbage_is_looked_for_while_it_runs(running: Writer, store: WatchedStore) -> None:
     """Python by itself waits for a million new objects: for a console at work that is 10 minutes and more."""
-    monkeypatch.setattr(writer, "TIDY_EVERY", 0.0)
     looks = gc.get_stats()[2]["collections"]
     running.start()
     await store.until(lambda _: gc.get_stats()[2]["collections"] > looks + 1)
@@ -83,10 +80,7 @@ async def test_what_arrived_while_it_did_not_run_is_read_before_anything_counts_
     await store.until(lambda state: state.behind < 0.2)
 
 
-async def test_a_stop_within_a_tick_is_known_too(
-    running: Writer, store: WatchedStore, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(writer, "STALL", 0.2)
+async def test_a_stop_within_a_tick_is_known_too(running: Writer, store: WatchedStore) -> None:
     stops = [0.35]
     running.before_tick.append(lambda _now: time.sleep(stops.pop() if stops else 0.0))
     running.start()

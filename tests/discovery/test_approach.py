@@ -4,10 +4,7 @@ import asyncio
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager
 
-import pytest
-
 from fleet_tui.config.schema import Link
-from fleet_tui.discovery import approach
 from fleet_tui.discovery.approach import STEPS, Approach
 from fleet_tui.discovery.finding import Finding, Verdict
 from fleet_tui.discovery.wire import BridgeConnection
@@ -81,9 +78,7 @@ async def test_a_web_server_is_no_bridge() -> None:
     assert step == "websocket" and "correct host, port and path in rosbridge.url" in detail
 
 
-async def test_a_port_that_accepts_and_stays_silent_is_frozen(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(approach, "PATIENCE", 0.2)
-    monkeypatch.setattr(approach, "PROBE", 0.1)
+async def test_a_port_that_accepts_and_stays_silent_is_frozen() -> None:
 
     async def silent(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         await reader.read()
@@ -94,9 +89,7 @@ async def test_a_port_that_accepts_and_stays_silent_is_frozen(monkeypatch: pytes
     assert step == "websocket" and "does not respond" in detail and "if it is not rosbridge" in detail
 
 
-async def test_a_bridge_whose_master_is_gone_or_that_answers_no_call(
-    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
-) -> None:
+async def test_a_bridge_whose_master_is_gone_or_that_answers_no_call(server: RosbridgeServer) -> None:
     server.bridge.services.master_alive = False
     step, detail = failed(await walked(server.url))
     assert step == "rosbridge" and "start roscore, then the robot nodes" in detail

@@ -34,7 +34,6 @@ class Begun:
 def begun(monkeypatch: pytest.MonkeyPatch) -> Begun:
     begun = Begun()
     monkeypatch.setattr(awaiting, "start_discovery", begun.start)
-    monkeypatch.setattr(awaiting, "QUIET", 0.0)
     return begun
 
 

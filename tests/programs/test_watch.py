@@ -12,8 +12,7 @@ from tests.support.polling import until
 from tests.support.stand_ins import with_status
 
 
-async def test_one_that_hangs_holds_up_no_other(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(watching, "EVERY", 0.01)
+async def test_one_that_hangs_holds_up_no_other(tmp_path: Path) -> None:
     hangs = ProgramEntry("hangs", start=["a"], stop=["b"], status=["sleep", "60"])
     watch = ProgramWatch([hangs, with_status(tmp_path)], tmp_path)
     watch.open()

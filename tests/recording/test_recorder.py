@@ -106,11 +106,8 @@ class Everything(WatchedStore):
         self.states.append(self.state)
 
 
-async def test_a_replay_is_at_every_instant_what_the_run_was(
-    server: RosbridgeServer, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+async def test_a_replay_is_at_every_instant_what_the_run_was(server: RosbridgeServer, tmp_path: Path) -> None:
     """Begun in the middle of a run, with commands, alarms and live maps, over keyframes and parts."""
-    monkeypatch.setattr(recorder, "KEYFRAME_EVERY", 0.5)
     config, path = config_of(server.url, 2, 2), tmp_path / "x.jsonl.gz"
     store, taps = Everything(initial_state(config, time.monotonic())), Taps()
     link = FleetLink(config, store, taps)

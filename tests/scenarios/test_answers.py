@@ -36,9 +36,8 @@ async def test_refused(server: RosbridgeServer) -> None:
         assert calls(server) == ["Execute_order"]
 
 
-async def test_late_and_seen_before(server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_late_and_seen_before(server: RosbridgeServer) -> None:
     """The queue shows the order while its answer is on the way: that ends it, the answer adds nothing."""
-    monkeypatch.setattr(wire, "LATE", 4 * NO_ANSWER_AFTER)
     plant(server, "late")
     async with console(hasty(server.url)) as it:
         await place(it)

@@ -8,7 +8,6 @@ from typing import Any
 import pytest
 
 from fleet_tui.model.geometry import Pose
-from fleet_tui.simulator import actions
 from fleet_tui.simulator.actions import ActionDesk
 from fleet_tui.simulator.frames import Frame
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
@@ -86,10 +85,7 @@ async def test_a_client_cancels_its_own_goals_alone(desk: Desk) -> None:
     assert client.told[-1]["status"] == 5
 
 
-async def test_goals_that_come_to_nothing_fail_with_their_reason(
-    desk: Desk, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(actions, "SOUGHT", 0.001)
+async def test_goals_that_come_to_nothing_fail_with_their_reason(desk: Desk) -> None:
     client = Listener()
     for more in (
         {"action_type": "no_msgs/action/No"},

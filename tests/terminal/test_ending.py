@@ -107,7 +107,6 @@ async def test_a_signal_leaves_in_order_with_a_last_resort(
 async def test_a_terminal_that_goes_away_is_a_hang_up(
     terminal: Pty, usual_signals: None, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(ending, "LOOK_EVERY", 0.01)
     resorts: list[int] = []
     monkeypatch.setattr(ending, "end_within", lambda _seconds, code, _restore: resorts.append(code))
     left = asyncio.Event()

@@ -21,8 +21,7 @@ async def test_a_units_log_is_printed(stand_ins: StandIns) -> None:
     assert "--follow" not in stand_ins.calls[-1]
 
 
-async def test_a_log_that_follows_ends_when_it_is_quiet(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(printing, "QUIET", 0.3)
+async def test_a_log_that_follows_ends_when_it_is_quiet() -> None:
     lines: list[str] = []
     assert await print_log(with_log("sh", "-c", "echo a; sleep 60"), False, lines.append, lines.append) == 0
     assert lines == ["a"]

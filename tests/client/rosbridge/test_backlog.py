@@ -9,7 +9,6 @@ from typing import cast
 import pytest
 
 from fleet_tui.adapters.ros.reading import FrameReader
-from fleet_tui.client.rosbridge import backlog
 from fleet_tui.client.rosbridge.backlog import BEHIND, LONGEST_PIECE, Backlog, Frame
 from fleet_tui.transports.rosbridge.connection import Connection
 from tests.support.polling import HANGS
@@ -96,10 +95,7 @@ async def test_a_pose_keeps_its_place_before_another_report_of_its_robot(line: L
     assert line.taken == [b"1", b"2", b"3", b"4"] and line.read.counter.overtaken == 0
 
 
-async def test_behind_only_the_newest_of_each_topic_is_taken_the_longest_waiting_first(
-    line: Line, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(backlog, "GATHER", 0.0)
+async def test_behind_only_the_newest_of_each_topic_is_taken_the_longest_waiting_first(line: Line) -> None:
     line.far.send(b"1")
     line.backlog.age(1.0)
     line.backlog.age(1.0 + BEHIND)

@@ -129,8 +129,6 @@ async def test_a_bridge_that_answers_no_call_gets_all_subscriptions_at_once(
     server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(subscriber, "AT_ONCE", 10)
-    monkeypatch.setattr(subscriber, "ROSAPI_TIMEOUT", 0.05)
-    monkeypatch.setattr(subscriber, "PER_TOPIC", 0.0)
     monkeypatch.setattr(subscriber, "OWN_WORD", "/rosapi/get_time")
     server.bridge.services.silent_services.add("/rosapi/get_time")
     async with linked(large(server)) as (_, store):

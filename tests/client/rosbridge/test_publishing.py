@@ -37,8 +37,7 @@ def sent() -> Sent:
 
 
 @pytest.fixture
-def publisher(sent: Sent, monkeypatch: pytest.MonkeyPatch) -> Publishing:
-    monkeypatch.setattr(publishing, "KNOWN_AFTER", 0.05)
+def publisher(sent: Sent) -> Publishing:
     return Publishing(cast("Connection", sent), [("/robot_0/lock", "std_msgs/Bool")])
 
 
@@ -78,10 +77,7 @@ async def test_nothing_is_repeated_on_another_connection(publisher: Publishing, 
     assert sent.published() == ["goal"]
 
 
-async def test_a_pause_does_not_wait_until_a_large_fleet_is_advertised(
-    sent: Sent, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(publishing, "BETWEEN", 0.02)
+async def test_a_pause_does_not_wait_until_a_large_fleet_is_advertised(sent: Sent) -> None:
     topics = [(f"/robot_{n}/cancel", "std_msgs/Bool") for n in range(100)]
     publisher = Publishing(cast("Connection", sent), topics)
     publisher.start()

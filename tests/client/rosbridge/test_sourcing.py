@@ -1,10 +1,8 @@
 """A bridge that was started without the robots' messages: said by the console, and asked before an order."""
 
-import pytest
 from msgspec.structs import replace
 
 from fleet_tui.adapters.profile import Profile
-from fleet_tui.client.rosbridge import sourcing
 from fleet_tui.model.events import MessagesUnsourced
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
@@ -18,10 +16,7 @@ from tests.support.links import linked
 from tests.support.watched_store import config_of
 
 
-async def test_a_bridge_without_the_messages_is_told_with_the_remedy(
-    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(sourcing, "LOOK_AFTER", 2.0)
+async def test_a_bridge_without_the_messages_is_told_with_the_remedy(server: RosbridgeServer) -> None:
     play(server, [("unsourced", "robot_0"), ("unsourced", "robot_1")])
     async with linked(config_of(server.url, 2)) as (_, store):
         state = await store.until(lambda state: state.links["rosbridge"].unsourced)
@@ -35,10 +30,7 @@ async def test_a_bridge_without_the_messages_is_told_with_the_remedy(
         assert ("queue unheard", False) in [(problem.check, problem.blocks) for problem in found]
 
 
-async def test_a_bridge_that_has_them_is_not_suspected(
-    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(sourcing, "LOOK_AFTER", 1.0)
+async def test_a_bridge_that_has_them_is_not_suspected(server: RosbridgeServer) -> None:
     server.bridge.muted.update(["/robot_0/queue", "/robot_0/floor_0/graph"])
     async with linked(config_of(server.url, 2)) as (_, store):
         await store.until(lambda _: store.told(MessagesUnsourced))
@@ -46,10 +38,8 @@ async def test_a_bridge_that_has_them_is_not_suspected(
 
 
 async def test_a_node_that_was_only_slow_is_no_longer_suspected_when_it_speaks(
-    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+    server: RosbridgeServer,
 ) -> None:
-    monkeypatch.setattr(sourcing, "LOOK_AFTER", 1.0)
-    monkeypatch.setattr(sourcing, "RETRY_AFTER", 0.1)
     server.bridge.muted.update(
         f"/robot_0/{name}" for name in ("queue", "floor_0/graph", "floor_0/labeled_vertices")
     )
@@ -59,9 +49,8 @@ async def test_a_node_that_was_only_slow_is_no_longer_suspected_when_it_speaks(
         await store.until(lambda state: not state.links["rosbridge"].unsourced)
 
 
-async def test_robots_that_speak_only_on_change_are_not_suspected(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_robots_that_speak_only_on_change_are_not_suspected() -> None:
     """Collision monitors, of which nothing comes while nothing is in the way."""
-    monkeypatch.setattr(sourcing, "LOOK_AFTER", 1.0)
     server = RosbridgeServer(Nav2Fleet(2, 1, seed=1, quiet=True), dialect=ROS2)
     await server.start()
     config = replace(config_of(server.url, 2), profile=Profile(kind="nav2"))

@@ -77,16 +77,14 @@ async def test_faults_of_the_answer(name: str, ids: list[str], carried_out: int)
             assert came[0]["values"]["status"].startswith("REJECTED")
 
 
-async def test_a_late_answer_comes_in_the_end(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(wire, "LATE", 0.2)
+async def test_a_late_answer_comes_in_the_end() -> None:
     async with served("late") as (_, client):
         assert await answers(client) == []
         async with asyncio.timeout(HANGS):
             assert json.loads(await client.recv())["id"] == "call:1"
 
 
-async def test_a_frozen_node_takes_the_order_when_it_wakes(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(wire, "LATE", 0.2)
+async def test_a_frozen_node_takes_the_order_when_it_wakes() -> None:
     async with served("late-call") as (server, client):
         assert await answers(client) == []
         assert server.world.robots["robot_0"].orders == []
@@ -95,8 +93,7 @@ async def test_a_frozen_node_takes_the_order_when_it_wakes(monkeypatch: pytest.M
         assert len(server.world.robots["robot_0"].orders) == 1
 
 
-async def test_a_command_is_obeyed_long_after_its_answer(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(wire, "OBEYS", 0.2)
+async def test_a_command_is_obeyed_long_after_its_answer() -> None:
     async with served("obeys-late") as (server, client):
         robot = server.world.robots["robot_0"]
         (answer,) = await answers(client)
@@ -116,8 +113,7 @@ async def test_a_command_is_obeyed_long_after_its_answer(monkeypatch: pytest.Mon
                 await client.recv()
 
 
-async def test_services_that_are_no_longer_registered(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(wire, "GONE", 0.0)
+async def test_services_that_are_no_longer_registered() -> None:
     async with served("unregistered") as (server, client):
         await client.send(json.dumps({"op": "subscribe", "topic": "/robot_0/pose"}))
         async with asyncio.timeout(HANGS):

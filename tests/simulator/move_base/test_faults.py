@@ -7,7 +7,7 @@ import pytest
 from websockets.asyncio.client import ClientConnection
 from websockets.exceptions import ConnectionClosed
 
-from fleet_tui.simulator.faults import parse_faults, wire
+from fleet_tui.simulator.faults import parse_faults
 from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.move_base.faults import FAULTS
 from fleet_tui.simulator.move_base.fleet import MoveBaseFleet
@@ -133,10 +133,7 @@ async def test_what_is_not_heard_has_no_effect(
     assert fleet.navigation["robot_0"].busy is (name == "refuse-cancel")
 
 
-async def test_what_is_heard_late_is_done_late(
-    server: RosbridgeServer, client: ClientConnection, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(wire, "LATE", 0.3)
+async def test_what_is_heard_late_is_done_late(server: RosbridgeServer, client: ClientConnection) -> None:
     plant(server, "late")
     await listen(client, STATUS)
     began = asyncio.get_running_loop().time()
@@ -170,7 +167,6 @@ class TestFirstLost:
         client: ClientConnection,
         other: ClientConnection,
         fleet: MoveBaseFleet,
-        monkeypatch: pytest.MonkeyPatch,
     ) -> None:
         plant(server, "first-lost")
         for topic in (GOAL, CANCEL):

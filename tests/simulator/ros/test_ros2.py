@@ -11,7 +11,7 @@ import pytest
 from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed
 
-from fleet_tui.simulator.faults import parse_faults, wire
+from fleet_tui.simulator.faults import parse_faults
 from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.bridge_client import call, frames_before_an_answer, read, read_until, send
@@ -208,9 +208,8 @@ class TestQualityOfService:
             assert 0.2 < asyncio.get_running_loop().time() - begun < 30.0
 
     async def test_a_volatile_publisher_never_serves_one_who_asks_for_latched_values(
-        self, server: RosbridgeServer, client: ClientConnection, monkeypatch: pytest.MonkeyPatch
+        self, server: RosbridgeServer, client: ClientConnection
     ) -> None:
-        monkeypatch.setattr(wire, "AGAIN", 0.05)
         play(server, parse_faults("volatile-maps:robot_0", server.world.robots))
         async with connect(server.url) as other:
             await send(client, "subscribe", topic=GRAPH, qos=LATCHED)

@@ -6,10 +6,8 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.client.rosbridge.set_up import camera_channel
 from fleet_tui.model.set_up.streams import CameraImage
 from fleet_tui.simulator.senses.camera import NAME, TYPE
-from fleet_tui.transports.rosbridge import connection
 from tests.support.links import linked
 from tests.support.nav2_site import Site, nav2_ready, nav2_site
 from tests.support.watched_store import WatchedStore
@@ -50,8 +48,7 @@ async def test_a_camera_is_subscribed_over_its_own_connection_while_it_is_watche
         await store.until(lambda _: requests(site, "unsubscribe"))
 
 
-async def test_a_camera_comes_again_after_the_link(site: Site, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(connection, "FIRST_DELAY", 0.05)
+async def test_a_camera_comes_again_after_the_link(site: Site) -> None:
     async with linked(site.config) as (_, store):
         await store.until(nav2_ready)
         store.streams.watch(R0, "camera")
@@ -62,7 +59,6 @@ async def test_a_camera_comes_again_after_the_link(site: Site, monkeypatch: pyte
 
 
 async def test_an_old_bridge_is_asked_for_json(site: Site, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(camera_channel, "CBOR_PATIENCE", 0.3)
     monkeypatch.setattr(type(site.server.bridge.dialect), "never_cbor", (TYPE,))
     async with linked(site.config) as (_, store):
         await store.until(nav2_ready)

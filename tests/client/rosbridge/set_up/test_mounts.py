@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.client.rosbridge.set_up import mounts
 from fleet_tui.client.rosbridge.set_up.mounts import Mounts
 from fleet_tui.config.schema import Config
 from fleet_tui.model.geometry import Pose
@@ -83,10 +82,7 @@ async def test_a_scan_is_placed_by_frames_that_are_subscribed_until_then(site: R
     assert asked[0]["queue_length"] >= 10 and asked[0]["throttle_rate"] == 0
 
 
-async def test_without_frames_it_is_sought_for_a_while_and_then_unknown(
-    site: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(mounts, "LOOK_FOR", 1.0)
+async def test_without_frames_it_is_sought_for_a_while_and_then_unknown(site: RosbridgeServer) -> None:
     site.bridge.muted.add(TOPIC)
     async with linked(named(site)) as (_, store):
         await store.until(lambda state: state.robots[R0].pose)

@@ -13,7 +13,6 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.set_up.commands import Settle
 from fleet_tui.simulator.ros_types import ServiceError
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.transports.rosbridge import connection
 from tests.support.links import finished, linked
 from tests.support.nav2_site import Site, nav2_ready, nav2_site
 from tests.support.watched_store import config_of
@@ -92,8 +91,7 @@ async def test_a_call_that_fails_is_the_last(site: Site) -> None:
     assert record.detail == f"call 2 of at most 5: Service {SERVICE} does not exist"
 
 
-async def test_nothing_is_called_after_the_link_was_lost(site: Site, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(connection, "FIRST_DELAY", 0.05)
+async def test_nothing_is_called_after_the_link_was_lost(site: Site) -> None:
     async with linked(site.config) as (link, store):
         await store.until(nav2_ready)
         await store.until(lambda state: state.robots[R0].located)
