@@ -39,7 +39,7 @@ from fleet_tui.terminal.detect import (
     need_terminal,
 )
 from fleet_tui.terminal.lean_app import LeanApp
-from fleet_tui.terminal.plain_driver import PlainDriver
+from fleet_tui.terminal.terminal_driver import PlainDriver
 from fleet_tui.themes import FleetTheme, load_themes
 from fleet_tui.view.map.drawing import Drawing
 

@@ -17,7 +17,7 @@ from fleet_tui.languages import ENGLISH, use_language
 from fleet_tui.recording.play.start import playing
 from fleet_tui.state.store import Store
 from fleet_tui.terminal.lean_app import LeanApp
-from fleet_tui.terminal.plain_driver import PlainDriver
+from fleet_tui.terminal.terminal_driver import PlainDriver
 from fleet_tui.text.language import tr
 from fleet_tui.themes import load_themes
 from fleet_tui.view.map.drawing import Drawing

@@ -25,8 +25,8 @@ from fleet_tui.model.link import Phase
 from fleet_tui.recording.part_files import PartLimits
 from fleet_tui.recording.recorder import Recorder
 from fleet_tui.recording.taps import Taps
-from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.units import age
 
 FINE = 0
 NO_LINK = 3

@@ -1,13 +1,46 @@
 """Writes a configuration to a file of mode 600: the names in it may be confidential."""
 
+import json
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Protocol
 
-from fleet_tui.config.as_toml import as_toml
-from fleet_tui.config.schema import Config, expanded
+import msgspec
+
+from fleet_tui.config.schema import NOT_IN_FILE, Config, expanded
 from fleet_tui.config.trust import written_file
 from fleet_tui.errors import FleetError
 from fleet_tui.storage.whole_file import write_whole
+
+
+def _value(value: object) -> str:
+    """Return a value on one line. JSON's strings, numbers and lists are valid TOML."""
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(_lines(value)) + "}"
+    if isinstance(value, list | tuple):
+        return "[" + ", ".join(map(_value, value)) + "]"
+    return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+def _key(name: str) -> str:
+    return _value(name)
+
+
+def _lines(table: Mapping[str, object]) -> list[str]:
+    return [f"{_key(key)} = {_value(value)}" for key, value in table.items() if value is not None]
+
+
+def as_toml(config: Config) -> str:
+    """Return the text of a file that parses to this configuration."""
+    text = []
+    for name, part in msgspec.to_builtins(config, enc_hook=str).items():
+        if name in NOT_IN_FILE:
+            continue
+        head, tables = (f"[[{name}]]", part) if isinstance(part, list) else (f"[{name}]", [part])
+        for table in tables:
+            text += [head, *_lines(table), ""]
+    return "\n".join(text)
+
 
 USUAL = "config.toml"
 

@@ -16,9 +16,9 @@ from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.routes.charging import way_to_charger
 from fleet_tui.rules.sites import of_site, sites_of
 from fleet_tui.state.store import Store
-from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.units import age
 from fleet_tui.view.tables.alarms import unacknowledged
 from fleet_tui.widgets.rows_pane import RowsPane
 

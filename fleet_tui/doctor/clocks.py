@@ -7,7 +7,7 @@ from fleet_tui.discovery.facts import BridgeFacts
 from fleet_tui.discovery.finding import Finding, Verdict, milliseconds
 from fleet_tui.situation.facts import LATE_LINK
 from fleet_tui.situation.links import LATE_FROM
-from fleet_tui.text.durations import age
+from fleet_tui.text.units import age
 
 # seconds of a round trip or of a call under load; between the best and the worst
 SLOW = 0.3

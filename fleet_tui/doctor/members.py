@@ -5,8 +5,7 @@ from collections.abc import Iterator
 from fleet_tui.discovery.facts import BridgeFacts
 from fleet_tui.discovery.finding import Finding, Verdict
 from fleet_tui.model.fleets.events import MemberReported, StatusReported, TaskReported
-from fleet_tui.text.durations import age
-from fleet_tui.text.units import counted
+from fleet_tui.text.units import age, counted
 
 
 def member_findings(robot: str, facts: BridgeFacts, offline_after: float) -> Iterator[Finding]:

@@ -12,7 +12,7 @@ from fleet_tui.model.fleets.facility import Facility
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.robot import Reading, Robot
-from fleet_tui.text.durations import age, duration
+from fleet_tui.text.units import age, duration
 
 CONTACT = 3.0
 """Seconds of contact, or of a stop, from which an obstacle blocks a robot: shorter ones are usual."""

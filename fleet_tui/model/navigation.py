@@ -5,7 +5,7 @@ import math
 from msgspec import Struct
 
 from fleet_tui.model.order import OrderState, Stop
-from fleet_tui.text.durations import duration
+from fleet_tui.text.units import duration
 
 
 class Goal(Struct, frozen=True):

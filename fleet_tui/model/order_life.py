@@ -13,7 +13,7 @@ from msgspec.structs import replace
 
 from fleet_tui.model.commands import ORDER_ENDS, Stage
 from fleet_tui.model.order import BEGUN, Order, OrderQueue, OrderState
-from fleet_tui.text.durations import age
+from fleet_tui.text.units import age
 
 ARRIVES = 2.0
 """Metres from its last vertex within which a robot must have been to count as having driven the order."""

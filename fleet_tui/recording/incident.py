@@ -25,7 +25,7 @@ from fleet_tui.audit.file import FILE_NAME
 from fleet_tui.audit.log import encode
 from fleet_tui.audit.reader import AuditReader
 from fleet_tui.config.access import without_secrets
-from fleet_tui.config.as_toml import as_toml
+from fleet_tui.config.saving import as_toml
 from fleet_tui.config.schema import Config
 from fleet_tui.model.audit_record import AuditRecord
 

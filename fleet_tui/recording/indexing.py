@@ -9,7 +9,7 @@ import msgspec
 
 from fleet_tui.config.check import checked
 from fleet_tui.recording.gzip_members import Lines, open_plain
-from fleet_tui.recording.part_names import parts_beside
+from fleet_tui.recording.part_files import parts_beside
 from fleet_tui.recording.recording import LAST_SECOND, Instant, KeyframeLocation, Recording
 from fleet_tui.recording.records import VERSION, Keyframe, Lost, Mark, RecordingError, RecordingHeader, decode
 

@@ -11,12 +11,11 @@ from pathlib import Path
 from fleet_tui.audit.log import new_origin
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import FleetError
-from fleet_tui.recording.part_files import PartLimits
-from fleet_tui.recording.part_names import parts_beside
+from fleet_tui.recording.part_files import PartLimits, parts_beside
 from fleet_tui.recording.recorder import Recorder
 from fleet_tui.recording.taps import Taps
 from fleet_tui.state.store import Store
-from fleet_tui.text.durations import age
+from fleet_tui.text.units import age
 
 LOG = logging.getLogger(__name__)
 

@@ -4,8 +4,7 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 from fleet_tui.actions import DriveActions
-from fleet_tui.controllers.driving.driving import DriveControls
-from fleet_tui.controllers.driving.journal import DriveJournal
+from fleet_tui.controllers.driving.driving import DriveControls, DriveJournal
 from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.keys import KEYS, Pane
 from fleet_tui.keys.drive import PASSES, WHILE_HELD

@@ -16,7 +16,7 @@ from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.lookup import HERE, Place, is_still, matches, order_of, places, starts_here
 from fleet_tui.screens.ordering.choices import changed, hindrance
-from fleet_tui.screens.ordering.picture import is_same, picture_of
+from fleet_tui.screens.ordering.form import is_same, picture_of
 from fleet_tui.screens.overlay import OnceButton
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize

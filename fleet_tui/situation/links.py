@@ -5,8 +5,7 @@ from fleet_tui.model.fleet import FleetState, behind_text
 from fleet_tui.model.link import NO_WAY, LinkState, Phase
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import BEHIND, LATE_LINK
-from fleet_tui.text.durations import duration
-from fleet_tui.text.units import counted
+from fleet_tui.text.units import counted, duration
 
 LATE_FROM = 1.0
 """Seconds from which this console, or a bridge, counts as late."""

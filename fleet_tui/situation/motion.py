@@ -7,7 +7,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.model.vehicles.vehicle import CurrentAction, Vehicle
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import DESPITE_PAUSE, STILL_MOVING, STOPPING
-from fleet_tui.text.durations import age
+from fleet_tui.text.units import age
 
 CRAWLS = 0.05
 """Metres per second above which a vehicle that only tells its speed drives."""

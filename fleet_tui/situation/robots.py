@@ -22,7 +22,7 @@ from fleet_tui.situation.facts import (
     STOP,
 )
 from fleet_tui.situation.links import is_late
-from fleet_tui.text.durations import age
+from fleet_tui.text.units import age
 
 BAD_FOR = 10.0
 """Seconds without bad data until it counts as over."""

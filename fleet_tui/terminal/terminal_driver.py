@@ -7,6 +7,8 @@ from typing import Any
 
 from textual.drivers.linux_driver import LinuxDriver
 
+from fleet_tui.text.ascii_fallback import PLAIN
+
 
 class TerminalDriver(LinuxDriver):
     """Starts again only what a suspension has ended. After a SIGSTOP Textual would read keys and write a
@@ -31,3 +33,11 @@ class TerminalDriver(LinuxDriver):
             with suppress(termios.error):
                 termios.tcsetattr(self.fileno, termios.TCSANOW, self._modes)
         self._loop.call_soon_threadsafe(self.repaint)
+
+
+class PlainDriver(TerminalDriver):
+    """The driver for a terminal, with ASCII glyphs."""
+
+    def write(self, data: str) -> None:
+        """Send text, every glyph in ASCII. Each takes one cell, as before."""
+        super().write(data.translate(PLAIN))

@@ -10,7 +10,7 @@ import msgspec
 import pytest
 
 from fleet_tui.recording.indexing import open_recording
-from fleet_tui.recording.part_names import part_path
+from fleet_tui.recording.part_files import part_path
 from fleet_tui.recording.records import EventRecord, Keyframe, Lost, Record, RecordingError, encode
 from tests.support.fleets import T0, WALL
 from tests.support.night_recordings import night, tick

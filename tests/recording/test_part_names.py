@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.recording.part_names import part_path, parts_beside
+from fleet_tui.recording.part_files import part_path, parts_beside
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,7 @@ from fleet_tui.model.navigation_events import (
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.situation.facts import ADRIFT
 from fleet_tui.situation.robots import adrift
-from fleet_tui.text.durations import age
+from fleet_tui.text.units import age
 from fleet_tui.view.tables.news import news
 from tests.support.fleets import R0, T0, WALL, fleet, link_up, of_kinds, reduced
 

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fleet_tui.text.durations import age, duration
+from fleet_tui.text.units import age, duration
 
 
 @pytest.mark.parametrize(

@@ -3,11 +3,14 @@
 import hashlib
 import re
 from collections.abc import Iterable
+from typing import Any
 
-from fleet_tui.adapters.move_base import messages
+import msgspec
+
 from fleet_tui.adapters.parts import read_all
 from fleet_tui.adapters.ros import messages as ros
 from fleet_tui.adapters.ros.facts import pose_of
+from fleet_tui.adapters.ros.messages import PoseStamped, Stamp
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros_navigation.reading import Read
 from fleet_tui.errors import WireError
@@ -16,6 +19,40 @@ from fleet_tui.model.navigation import Goal
 from fleet_tui.model.navigation_events import Alive, GoalsReported, LocalisationReported, TargetReported
 from fleet_tui.model.order import OrderState
 from fleet_tui.text.limits import MOST_ORDERS, truncate
+
+
+class ActionlibGoalId(msgspec.Struct, frozen=True):
+    """actionlib_msgs/GoalID. An empty id means all goals."""
+
+    id: str
+    stamp: Stamp = Stamp()
+
+
+class ActionlibGoalStatus(msgspec.Struct, frozen=True):
+    """actionlib_msgs/GoalStatus."""
+
+    goal_id: ActionlibGoalId
+    status: int
+    text: str = ""
+
+
+class ActionlibStatusArray(msgspec.Struct, frozen=True):
+    """actionlib_msgs/GoalStatusArray, its goals unread: one bad one must not cost the others."""
+
+    status_list: list[Any]
+
+
+class MoveBaseFeedback(msgspec.Struct, frozen=True):
+    """move_base_msgs/MoveBaseFeedback: the robot's pose."""
+
+    base_position: PoseStamped
+
+
+class ActionFeedback(msgspec.Struct, frozen=True):
+    """move_base_msgs/MoveBaseActionFeedback."""
+
+    feedback: MoveBaseFeedback
+
 
 ACTION = "move_base"
 """The one action that such robots have."""
@@ -56,8 +93,8 @@ REPLACED = re.compile(r"because another goal was rec(?:ie|ei)ved")
 def read_status(names: Names) -> Read:
     """Read an actionlib_msgs/GoalStatusArray, sent five times a second."""
     read, read_one = (
-        ros.reader(messages.ActionlibStatusArray, names.paths("status")),
-        ros.reader(messages.ActionlibGoalStatus),
+        ros.reader(ActionlibStatusArray, names.paths("status")),
+        ros.reader(ActionlibGoalStatus),
     )
 
     def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
@@ -74,7 +111,7 @@ def read_status(names: Names) -> Read:
     return facts
 
 
-def _goal(one: messages.ActionlibGoalStatus) -> Goal:
+def _goal(one: ActionlibGoalStatus) -> Goal:
     state, id_ = STATES.get(one.status), one.goal_id.id
     if state is OrderState.CANCELLED and REPLACED.search(one.text):
         state = OrderState.REPLACED
@@ -115,7 +152,7 @@ def read_target(names: Names) -> Read:
 
 def read_feedback(names: Names) -> Read:
     """Read a move_base_msgs/MoveBaseActionFeedback."""
-    read = ros.reader(messages.ActionFeedback, names.paths("feedback"))
+    read = ros.reader(ActionFeedback, names.paths("feedback"))
 
     def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
         placed = read(msg).feedback.base_position

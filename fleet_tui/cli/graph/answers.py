@@ -15,6 +15,21 @@ from fleet_tui.graph_files.reading import format_named
 from fleet_tui.maps.graph_storage import load_graph_file
 from fleet_tui.model.graphs.document import GraphDocument
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.units import counted
+
+
+def graph_counts(document: GraphDocument) -> str:
+    """Return the numbers of floors, vertices, edges and labels."""
+    floors = document.floors.values()
+    return ", ".join(
+        (
+            counted(len(floors), "floor"),
+            counted(sum(len(floor.vertices) for floor in floors), "vertex", "vertices"),
+            counted(sum(len(floor.edges) for floor in floors), "edge"),
+            counted(sum(len(floor.labels) for floor in floors), "label"),
+        )
+    )
+
 
 Made = TypeVar("Made")
 

@@ -97,7 +97,7 @@ def lint(**options: Any) -> int:
 @reading
 def diff(**options: Any) -> int:
     """List the changes from graph file A to B, by id. Exit code 0: none, 1: a difference, 2: unreadable."""
-    from fleet_tui.cli.graph.diff import diff as run
+    from fleet_tui.cli.graph.lint import diff as run
 
     return run(click.echo, **options)
 

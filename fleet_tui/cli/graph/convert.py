@@ -7,8 +7,7 @@ from pathlib import Path
 import click
 from msgspec.structs import replace
 
-from fleet_tui.cli.graph.answers import GraphAnswers, answered, load
-from fleet_tui.cli.graph.counts import graph_counts
+from fleet_tui.cli.graph.answers import GraphAnswers, answered, graph_counts, load
 from fleet_tui.errors import GraphError
 from fleet_tui.graph_files.graph_file import GraphFile, MissingChoiceError, WriteChoices
 from fleet_tui.graph_files.losses import losses

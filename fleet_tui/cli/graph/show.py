@@ -4,8 +4,7 @@ import os
 import sys
 from collections.abc import Callable
 
-from fleet_tui.cli.graph.answers import GraphAnswers, load
-from fleet_tui.cli.graph.counts import graph_counts
+from fleet_tui.cli.graph.answers import GraphAnswers, graph_counts, load
 from fleet_tui.cli.graph.map_image import map_grid
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graphs.document import DocumentFloor, of_floor

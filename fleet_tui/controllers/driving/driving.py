@@ -6,20 +6,83 @@ from collections.abc import Callable, Mapping
 from fleet_tui.adapters.profile import DriveConfig
 from fleet_tui.backend import Backend
 from fleet_tui.controllers.dispatch import Ask
-from fleet_tui.controllers.driving.clearance import ClearanceAhead
-from fleet_tui.controllers.driving.journal import DriveJournal
+from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.map import MapControls
 from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.errors import CommandError
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.set_up.driving import STILL, DrivePhase, HandDrive, Steering
+from fleet_tui.model.set_up.driving import STILL, DrivePhase, HandDrive, Speeds, Steering
+from fleet_tui.rules.commands.set_up.checks import map_of
 from fleet_tui.rules.driving.entry import drive_refusal
 from fleet_tui.rules.driving.hold import Hand
 from fleet_tui.rules.driving.speed import FIRST, Caps, faster, slowed, wanted
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.units import age
 from fleet_tui.view.map.map_picture import MapPicture
 from fleet_tui.view.map.modes.drive import DriveMode
 from fleet_tui.view.map.scene import Scene
+
+EVERY = 0.1
+"""Seconds between two looks at the map in the same direction."""
+
+
+class ClearanceAhead:
+    """Keeps the newest clearance in metres."""
+
+    def __init__(self) -> None:
+        self._at = 0.0
+        self._ways = (0.0, 0.0)
+        self._metres = 0.0
+        self._known = False
+
+    def of(self, state: FleetState, robot: Robot, speeds: Speeds, now: float) -> float | None:
+        """Return the clearance at a monotonic second, None if it does not drive ahead or has no map."""
+        # With numpy, whose import takes longer than the first picture.
+        from fleet_tui.rules.driving.clearance import USUAL_SIZE, clearance
+
+        ways = speeds.ahead, speeds.sideways
+        grid = map_of(state, robot, robot.floor) if robot.floor is not None else None
+        if grid is None or robot.pose is None or ways == (0.0, 0.0):
+            self._known = False
+            return None
+        if not self._known or ways != self._ways or now - self._at >= EVERY:
+            found = clearance(grid, robot.pose.value, robot.size or USUAL_SIZE, speeds)
+            self._known = found is not None
+            self._metres = found or 0.0
+            self._at = now
+            self._ways = ways
+        return self._metres if self._known else None
+
+
+class DriveJournal:
+    """Writes the begin and the end of each drive."""
+
+    def __init__(self, files: ConsoleFiles) -> None:
+        self._files = files
+        self._robot = ""
+        self._began = 0.0
+        self._linear = 0.0
+        self._angular = 0.0
+
+    def begin(self, robot: str, at: float) -> None:
+        """Note that a drive begins at a monotonic second."""
+        self._robot = robot
+        self._began = at
+        self._linear = 0.0
+        self._angular = 0.0
+        self._files.log("drive begun", robot)
+
+    def sent(self, speeds: Speeds) -> None:
+        """Take the speeds of the newest frame."""
+        self._linear = max(self._linear, speeds.linear)
+        self._angular = max(self._angular, abs(speeds.turning))
+
+    def end(self, reason: str, at: float) -> None:
+        """Note the end of the drive."""
+        most = f"at most {self._linear:.2f} m/s and {self._angular:.2f} rad/s"
+        self._files.log("drive ended", f"{self._robot}: {reason}, after {age(at - self._began)}, {most}")
+
 
 SIDEWAYS = ("q", "e")
 LATEST = 1.5

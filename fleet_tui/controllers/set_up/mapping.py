@@ -21,8 +21,8 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetMapping
 from fleet_tui.model.set_up.survey import survey
 from fleet_tui.rules.commands.set_up.mode import mapping_text
-from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.units import age
 from fleet_tui.view.map.map_picture import MapPicture
 from fleet_tui.view.map.scene import Scene
 

@@ -34,7 +34,7 @@ from fleet_tui.situation.robots import (
     silence,
 )
 from fleet_tui.situation.robots import bad_data as find_bad_data
-from fleet_tui.text.durations import age
+from fleet_tui.text.units import age
 
 FIRST_LINK = 10.0
 """Seconds that a first connection, which nothing refuses, may take: on a busy machine it is slow."""

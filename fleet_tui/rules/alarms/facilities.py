@@ -8,7 +8,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.fleets.facility import DOOR, LANES, LIFT, Facility
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
-from fleet_tui.text.durations import age
+from fleet_tui.text.units import age
 
 SILENT_AFTER = 5.0
 """Seconds after which the state of a facility is said with its age: each is sent at least once a second."""

@@ -13,7 +13,7 @@ from fleet_tui.rules.localisation.misplaced import misplaced_for_long
 from fleet_tui.rules.localisation.uncertainty import FOUND_BELOW, LOST_ABOVE, uncertainty
 from fleet_tui.situation.navigation import NO_ODOMETRY, inactive
 from fleet_tui.situation.robots import absence, adrift, drives_on
-from fleet_tui.text.durations import age
+from fleet_tui.text.units import age
 
 STARTS_WITHIN = 10.0
 """Seconds in which a navigation becomes active by itself."""

@@ -19,7 +19,6 @@ from fleet_tui.model.problem import Permissions, Problem
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.abilities import unaccepted
-from fleet_tui.rules.commands.claims import claimed
 from fleet_tui.rules.commands.local_queue import all_orders, clearable, orders_of
 from fleet_tui.rules.commands.masters import VEHICLE_CHECKS
 from fleet_tui.rules.commands.pauses import own_pause_text
@@ -34,8 +33,15 @@ from fleet_tui.rules.commands.route_checks import (
 )
 from fleet_tui.rules.commands.set_up import checks as set_up
 from fleet_tui.situation.robots import absence
-from fleet_tui.text.durations import age
 from fleet_tui.text.limits import some
+from fleet_tui.text.units import age
+
+
+def claimed(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
+    """Check that no other console of the desk has claimed the robot."""
+    if names := state.desk.other_holders(robot.name):
+        yield Problem("claimed", f"{robot.name} is claimed by {' and '.join(names)}", blocks=False)
+
 
 _NOT_POSITIVE = re.compile(r"-[0-9]+|0+", re.ASCII)
 SAME_WITHIN = 1.0

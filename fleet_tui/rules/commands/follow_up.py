@@ -32,7 +32,7 @@ from fleet_tui.rules.commands.order_ends import (
 )
 from fleet_tui.rules.commands.order_search import find_order
 from fleet_tui.rules.commands.pauses import is_overtaken
-from fleet_tui.text.durations import age
+from fleet_tui.text.units import age
 
 ANSWER_WITHIN = 1.0
 """Seconds for the robot's own report on the end of a goal, which is separate from its status."""

@@ -9,7 +9,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.model.vehicles.vehicle import HIGH
 from fleet_tui.rules.commands.goals import active
 from fleet_tui.rules.commands.shared_ways import shared_way
-from fleet_tui.text.durations import age
+from fleet_tui.text.units import age
 
 QUIET_FOR = 60.0
 """Seconds without a command of another master control after which this console may be one."""

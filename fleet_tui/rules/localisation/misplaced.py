@@ -11,7 +11,7 @@ from fleet_tui.model.grid import FREE, OCCUPIED, OccupancyGrid
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.commands.set_up.mode import mapping_text
 from fleet_tui.rules.localisation.off_route import is_off_route
-from fleet_tui.text.durations import age
+from fleet_tui.text.units import age
 
 SIZE = 1.0, 1.0
 """Length and width in metres of a robot that tells none."""

@@ -13,7 +13,7 @@ from fleet_tui.model.order import Order
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.rules.routes.ways import Spot, routes_of
-from fleet_tui.text.durations import age
+from fleet_tui.text.units import age
 
 SPEED = 0.5
 """Metres per second of the guess while no robot was seen to drive, a usual speed of indoor robots."""

@@ -23,7 +23,7 @@ from fleet_tui.model.routines.blocks import (
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.rules.language.words import vertex_of
 from fleet_tui.rules.routes.order_draft import SPEED, Draft, draft_route
-from fleet_tui.text.durations import age
+from fleet_tui.text.units import age
 
 MOST_ENTRIES = 200
 """Instructions of one robot in a timeline."""

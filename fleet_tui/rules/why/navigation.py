@@ -11,7 +11,7 @@ from fleet_tui.rules.localisation.uncertainty import uncertainty
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, mission
 from fleet_tui.situation.navigation import inactive
 from fleet_tui.situation.robots import adrift, drives_on
-from fleet_tui.text.durations import age
+from fleet_tui.text.units import age
 
 
 def blocked(state: FleetState, robot: Robot) -> Reason | None:

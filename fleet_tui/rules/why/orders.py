@@ -32,7 +32,7 @@ from fleet_tui.rules.why.traffic import in_the_way, next_stop, vertex_here
 from fleet_tui.situation.links import is_late
 from fleet_tui.situation.robots import last_contact
 from fleet_tui.text.details import detail_text
-from fleet_tui.text.durations import age
+from fleet_tui.text.units import age
 
 REJECTED = "Check that its navigation is active: `fleet-tui doctor` asks it"
 SHORT = 20.0

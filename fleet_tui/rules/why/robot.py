@@ -27,8 +27,7 @@ from fleet_tui.situation.facts import BAD_DATA
 from fleet_tui.situation.motion import moves_despite_pause, says_driving
 from fleet_tui.situation.navigation import NO_ODOMETRY
 from fleet_tui.situation.robots import absence, last_contact, silent
-from fleet_tui.text.durations import age, duration
-from fleet_tui.text.units import ago
+from fleet_tui.text.units import age, ago, duration
 
 WRONG_POSE = "Set its pose to where it stands, or check its localisation"
 NO_POSE = "Check the robot's localisation: its node, its laser, the topic's name"

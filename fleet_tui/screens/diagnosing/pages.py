@@ -13,8 +13,8 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.ros_logs import LogLine, Severity
 from fleet_tui.rules.alarms.trouble import in_trouble
 from fleet_tui.terminal.budget import Budget, memory
-from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
+from fleet_tui.text.units import age
 from fleet_tui.view.tables.diagnostics.console import OwnFacts, console_table
 from fleet_tui.view.tables.diagnostics.health import health_table
 from fleet_tui.view.tables.diagnostics.links import Links, link_table

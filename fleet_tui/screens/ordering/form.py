@@ -31,11 +31,29 @@ from fleet_tui.screens.ordering.choices import (
 )
 from fleet_tui.screens.ordering.fields import OrderFields
 from fleet_tui.screens.ordering.legs import SIGN, Legs
-from fleet_tui.screens.ordering.picture import is_same, picture_of
 from fleet_tui.screens.ordering.proposal import Proposal
 from fleet_tui.screens.ordering.sending import Give, GiveAnyone, OrderSending
 from fleet_tui.screens.overlay import MouseButton, ReturningOverlay
 from fleet_tui.text.language import tr
+
+Picture = tuple[tuple[object, ...], tuple[object, ...]]
+"""Values, and the graphs and labels, each of which is replaced as a whole."""
+
+
+def picture_of(state: FleetState, robot: Robot | None) -> Picture:
+    """Return that of a robot, or of all for an order that any robot may drive."""
+    robots = [robot] if robot is not None else list(state.robots.values())
+    maps = tuple(
+        part for one in robots for known in one.maps.values() for part in (known.graph, known.labels)
+    )
+    values = () if robot is None else (robot.name, robot.floor, starts_here(robot), robot.kind)
+    return (*values, len(maps)), maps
+
+
+def is_same(one: Picture, other: Picture) -> bool:
+    """Tell whether two pictures have the same values and the very same maps."""
+    return one[0] == other[0] and all(part is same for part, same in zip(one[1], other[1], strict=True))
+
 
 NEXT = "Enter  next"
 SEND = "Enter  send"

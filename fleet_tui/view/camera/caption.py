@@ -2,9 +2,9 @@
 
 from typing import NamedTuple
 
-from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
+from fleet_tui.text.units import age
 
 OLD = 2.0
 GONE = 10.0

@@ -9,9 +9,9 @@ from fleet_tui.model.commands import FAILURES, Stage
 from fleet_tui.model.history.facts import LinkChange, Note
 from fleet_tui.model.history.lives import AlarmLife, PastCommand, PastOrder
 from fleet_tui.text.details import detail_text
-from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.units import age
 
 TROUBLE = frozenset(stage.value for stage in FAILURES)
 DONE = Stage.DONE.value

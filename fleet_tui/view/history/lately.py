@@ -8,9 +8,9 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.link import Phase
 from fleet_tui.rules.history.activity import activities
-from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import fit
+from fleet_tui.text.units import age
 from fleet_tui.view.history.bars import BARS, bars_of, legend_of
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Row, Table, column

@@ -6,9 +6,9 @@ from dataclasses import replace
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.totals import BlockedPlace
-from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import fit, sanitize
+from fleet_tui.text.units import age
 from fleet_tui.view.map.floor_scene import floor_scene
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.map_picture import CAPTION_ROWS, MapPicture

@@ -8,9 +8,9 @@ from fleet_tui.model.history.totals import ChargeTotal
 from fleet_tui.rules.battery.forecast import BatteryForecast
 from fleet_tui.rules.battery.history import BatterySample
 from fleet_tui.rules.history.division import Division
-from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import fit, sanitize
+from fleet_tui.text.units import age
 from fleet_tui.view.history.bars import bars_of, legend_of, level
 from fleet_tui.view.history.events import EventKind, PastEvent, matching
 from fleet_tui.view.history.shift import ShownShift

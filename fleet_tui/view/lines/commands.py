@@ -10,9 +10,9 @@ from fleet_tui.model.set_up.commands import SetUpCommand
 from fleet_tui.rules.commands.batches import TOGETHER, pauses, summary
 from fleet_tui.rules.commands.rivals import rivals_text
 from fleet_tui.text.details import detail_text
-from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.units import age
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.missions import way
 from fleet_tui.view.tables.table import Run, cut, width_of

@@ -12,9 +12,9 @@ from fleet_tui.rules.commands.pauses import is_held, is_moving
 from fleet_tui.rules.sites import alarms_by_site, site_of, sites_of
 from fleet_tui.situation.facts import LATE_LINK
 from fleet_tui.situation.links import LATE_FROM, is_late
-from fleet_tui.text.durations import age, duration
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, fit_words, sanitize
+from fleet_tui.text.units import age, duration
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, width_of
 

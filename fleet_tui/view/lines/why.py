@@ -19,10 +19,9 @@ from fleet_tui.rules.why.reason import Reason, Strength, stationary_since
 from fleet_tui.rules.why.robot import moves
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.situation.motion import says_driving
-from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
-from fleet_tui.text.units import ago
+from fleet_tui.text.units import age, ago
 from fleet_tui.view.lines.hints import hidden_keys
 
 if TYPE_CHECKING:  # numpy

@@ -4,7 +4,7 @@ import math
 from functools import lru_cache
 
 from fleet_tui.model.graph import Role
-from fleet_tui.text.durations import age
+from fleet_tui.text.units import age
 from fleet_tui.view.map.scene import SceneRobot
 from fleet_tui.view.roles import StyleRole
 

@@ -11,7 +11,6 @@ from fleet_tui.view.map.cells import Cells
 from fleet_tui.view.map.glyphs import is_special, robot_glyph, robot_number, robot_roles, robot_tag
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.places import Place, seen_robots
-from fleet_tui.view.map.placing.beyond import beyond
 from fleet_tui.view.map.placing.chips import ChipSize
 from fleet_tui.view.map.placing.crowds import COUNT, crowd_chips, is_crowd
 from fleet_tui.view.map.placing.labels import Backdrop, LabelPlaces, move_aside
@@ -19,6 +18,32 @@ from fleet_tui.view.map.placing.occupancy import CellOccupancy
 from fleet_tui.view.map.placing.texts import Runs, Text, text_of, texts_of
 from fleet_tui.view.map.scene import Scene, SceneRobot
 from fleet_tui.view.roles import StyleRole
+
+_AWAY = tuple("⇠⇢⇡⇣"), tuple("<>^v")
+"""Left, right, up, down: other arrows than those of headings; by whether only ASCII is drawn."""
+
+
+def beyond(
+    occupancy: CellOccupancy, scene: Scene, camera: Camera, plain: bool
+) -> list[tuple[int, int, str, StyleRole]]:
+    """Occupy and return the chips at the edge, as far as they have space there."""
+    chips = list[tuple[int, int, str, StyleRole]]()
+    for robot in scene.robots:
+        pixel = scene.frame.to_pixel(robot.pose.x, robot.pose.y) if robot.misplaced else (math.nan, math.nan)
+        if not all(map(math.isfinite, pixel)):
+            continue
+        x, y = camera.to_cell(*pixel)
+        left, right, up, down = _AWAY[plain]
+        aside = left if x < 0 else right if x >= camera.width else ""
+        away = aside or (up if y < 0 else down if y >= camera.height else "")
+        text = away + robot_tag(robot, plain, has_age=False)
+        x = max(0, min(x, camera.width - len(text)))
+        y = max(0, min(y, camera.height - 1))
+        if away and occupancy.has_room(x, y, len(text)):
+            occupancy.take(x, y, len(text))
+            chips.append((x, y, text, robot_roles(robot)[1]))
+    return chips
+
 
 LARGE = 90
 """Cells of the view's width from which an alarm is told beside its robot, and the age of each offline one."""

@@ -3,9 +3,9 @@
 from collections.abc import Callable, Sequence
 
 from fleet_tui.model.programs.program import ProgramRow, ProgramState
-from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import fit, sanitize
+from fleet_tui.text.units import age
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
 

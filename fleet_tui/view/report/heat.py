@@ -8,7 +8,7 @@ from msgspec import Struct
 
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.history.totals import BlockedPlace
-from fleet_tui.text.durations import age
+from fleet_tui.text.units import age
 from fleet_tui.view.report.html import element
 
 LARGEST = 0.03

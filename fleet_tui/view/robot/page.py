@@ -10,9 +10,9 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.battery.forecast import BatteryForecast
 from fleet_tui.rules.why.complaints import Complaint
-from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.units import age
 from fleet_tui.view.robot.sections import (
     STATE,
     Clock,

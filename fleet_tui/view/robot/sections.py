@@ -13,16 +13,15 @@ from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.routes.remaining import metres_left
 from fleet_tui.rules.why.complaints import Complaint
 from fleet_tui.rules.why.traffic import stops_left
-from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.units import age
 from fleet_tui.view.robot.vehicle import factsheet_rows, vehicle_rows
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import SIGNS
 from fleet_tui.view.tables.doing import page_texts
-from fleet_tui.view.tables.missions import way, whose_mission
+from fleet_tui.view.tables.missions import progress_text, way, whose_mission
 from fleet_tui.view.tables.news import with_commas
-from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.robot_page import NAME, command_rows, ended_rows, named, value_rows
 from fleet_tui.view.tables.table import Run, cut, width_of
 

@@ -8,10 +8,9 @@ from fleet_tui.model.routines.lane import Gate, Lane, LaneNote, LanePhase
 from fleet_tui.model.routines.row import RoutineRow
 from fleet_tui.rules.routines.positions import block_at
 from fleet_tui.rules.routines.timeline import TimelineEntry
-from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
-from fleet_tui.text.units import counted
+from fleet_tui.text.units import age, counted
 
 HELD = "held"
 PAUSED = "paused"

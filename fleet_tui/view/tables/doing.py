@@ -8,9 +8,9 @@ from fleet_tui.rules.history.activity import activities
 from fleet_tui.situation.facts import DRIVES_ON
 from fleet_tui.situation.motion import action_text, running_action
 from fleet_tui.situation.robots import obstacle
-from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.units import age
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.news import failed_command, listed, news, shortened_news
 from fleet_tui.view.tables.table import Run, width_of

@@ -13,18 +13,17 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.trouble import acknowledged, by_urgency, shelved, to_look_at
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.history.activity import activities
-from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, fit, fit_words
+from fleet_tui.text.units import age
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrangement import RowArrangement, Value
 from fleet_tui.view.tables.doing import CALM, missing, state_texts, with_progress, word
 from fleet_tui.view.tables.fleet_columns import BAR, Columns, floor_text
 from fleet_tui.view.tables.fleet_counts import fleet_counts
 from fleet_tui.view.tables.groups import GroupHead, head_row
-from fleet_tui.view.tables.missions import FOREIGN, destinations, mission, whose_mission
+from fleet_tui.view.tables.missions import FOREIGN, destinations, mission, progress_text, whose_mission
 from fleet_tui.view.tables.news import failed_command, in_cells, is_on_its_way, listed, news
-from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, width_of
 
 

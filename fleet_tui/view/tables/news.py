@@ -20,9 +20,9 @@ from fleet_tui.situation.facts import BAD_DATA, INACTIVE, SILENT
 from fleet_tui.situation.motion import moves_despite_pause
 from fleet_tui.situation.navigation import inactive
 from fleet_tui.situation.robots import absence, adrift, bad_data, drives_on, last_contact, obstacle
-from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.units import age
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, width_of
 

@@ -10,15 +10,14 @@ from fleet_tui.model.order import Order, OrderState, natural, vertices_of
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.commands.order_search import find_order
-from fleet_tui.text.durations import age
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
+from fleet_tui.text.units import age
 from fleet_tui.view.lines.commands import stage_text
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrangement import RowArrangement, Value
 from fleet_tui.view.tables.fleet import CARGO
-from fleet_tui.view.tables.missions import mission, whose_mission
-from fleet_tui.view.tables.progress import progress_text
+from fleet_tui.view.tables.missions import mission, progress_text, whose_mission
 from fleet_tui.view.tables.table import Button, LateRows, Row, Run, Table, column, cut, width_of
 
 CANCEL = "[Cancel]"

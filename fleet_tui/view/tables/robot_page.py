@@ -14,17 +14,16 @@ from fleet_tui.rules.why.place import place_text
 from fleet_tui.situation.facts import AGE_UNKNOWN
 from fleet_tui.situation.links import is_late
 from fleet_tui.situation.robots import adrift
-from fleet_tui.text.durations import age, duration
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.units import age, duration
 from fleet_tui.view.lines.commands import command_text, stage_text
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import FEW
 from fleet_tui.view.tables.doing import page_texts
 from fleet_tui.view.tables.fleet_columns import floor_text
-from fleet_tui.view.tables.missions import whose_mission
+from fleet_tui.view.tables.missions import progress_text, whose_mission
 from fleet_tui.view.tables.news import with_commas, without_cause
-from fleet_tui.view.tables.progress import progress_text
 from fleet_tui.view.tables.table import Row, Run, Table
 
 NAME = 10

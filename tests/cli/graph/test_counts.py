@@ -1,6 +1,6 @@
 """Counts as text."""
 
-from fleet_tui.cli.graph.counts import graph_counts
+from fleet_tui.cli.graph.answers import graph_counts
 from fleet_tui.model.graphs.document import GraphDocument
 from tests.support.graph_files import line_graph
 

@@ -1,6 +1,6 @@
 """Lines of a service about its links."""
 
-from fleet_tui.cli.history.following import Following
+from fleet_tui.cli.history.collecting import Following
 from tests.support.fleets import T0, fleet, link_lost, link_up, reduced
 
 

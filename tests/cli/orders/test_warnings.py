@@ -1,6 +1,6 @@
 """Warnings of the command line before something is lost."""
 
-from fleet_tui.cli.orders.warnings import losses, unattended
+from fleet_tui.cli.orders.sending import losses, unattended
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.request import Request
 from fleet_tui.model.set_up.commands import SetPose, Settle

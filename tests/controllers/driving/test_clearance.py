@@ -3,7 +3,7 @@
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.controllers.driving.clearance import EVERY, ClearanceAhead
+from fleet_tui.controllers.driving.driving import EVERY, ClearanceAhead
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.set_up.driving import STILL, Speeds
 from fleet_tui.rules.driving import clearance as rule

@@ -6,8 +6,7 @@ import pytest
 from msgspec.structs import replace
 
 from fleet_tui.adapters.profile import DriveConfig
-from fleet_tui.controllers.driving.driving import LATEST, LET_GO, DriveControls
-from fleet_tui.controllers.driving.journal import DriveJournal
+from fleet_tui.controllers.driving.driving import LATEST, LET_GO, DriveControls, DriveJournal
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.map import MapControls
 from fleet_tui.controllers.parts import SetUpParts

@@ -1,6 +1,6 @@
 """The record of a drive in the audit log."""
 
-from fleet_tui.controllers.driving.journal import DriveJournal
+from fleet_tui.controllers.driving.driving import DriveJournal
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.model.set_up.driving import Speeds
 

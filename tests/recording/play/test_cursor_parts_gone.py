@@ -8,7 +8,7 @@ import pytest
 from fleet_tui.model.events import TimePassed
 from fleet_tui.recording import indexing
 from fleet_tui.recording.gzip_members import open_plain
-from fleet_tui.recording.part_names import part_path
+from fleet_tui.recording.part_files import part_path
 from fleet_tui.recording.records import Keyframe, RecordingError
 from tests.support.fleets import LINK, T0, WALL, link_up
 from tests.support.recordings import header, written

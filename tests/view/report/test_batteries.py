@@ -1,7 +1,7 @@
 """Battery curves."""
 
 from fleet_tui.model.history.totals import ChargeTotal
-from fleet_tui.view.report.batteries import HEIGHT, WIDTH, batteries
+from fleet_tui.view.report.page import HEIGHT, WIDTH, batteries
 
 
 def test_a_curve_has_gaps_where_nobody_watched_and_says_its_levels() -> None:

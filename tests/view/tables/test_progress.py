@@ -7,7 +7,7 @@ from fleet_tui.model.kind import Kind
 from fleet_tui.model.navigation import Progress
 from fleet_tui.model.robot import Reading
 from fleet_tui.view.tables.fleet import fleet_table
-from fleet_tui.view.tables.progress import progress_text
+from fleet_tui.view.tables.missions import progress_text
 from tests.support.fleets import R0, T0, fleet, link_up, of_kinds, pose, queue, reduced, text_of, tick
 from tests.support.vda_fleet import VehicleSite
 from tests.support.vda_messages import node, state

@@ -18,9 +18,8 @@ from fleet_tui.model.set_up.commands import (
     StoreMap,
 )
 from fleet_tui.rules.commands.set_up.confirmation import believed, difference_text, present_graph
-from fleet_tui.text.durations import age
 from fleet_tui.text.sanitize import sanitize
-from fleet_tui.text.units import counted
+from fleet_tui.text.units import age, counted
 
 OLD = 5.0
 """Seconds after which the age of a pose is said."""

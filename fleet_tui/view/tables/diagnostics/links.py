@@ -7,10 +7,9 @@ from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.link import CommandPath, LinkState, Phase
 from fleet_tui.situation.facts import LATE_LINK
 from fleet_tui.situation.links import is_late
-from fleet_tui.text.durations import age, duration
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
-from fleet_tui.text.units import ago, milliseconds, size_text
+from fleet_tui.text.units import age, ago, duration, milliseconds, size_text
 from fleet_tui.view.history.bars import level
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Row, Run, Table

@@ -6,8 +6,8 @@ import pytest
 
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.view.map.camera import Camera
-from fleet_tui.view.map.placing.beyond import beyond
 from fleet_tui.view.map.placing.occupancy import CellOccupancy
+from fleet_tui.view.map.robots import beyond
 from fleet_tui.view.map.scene import Scene, SceneRobot
 
 At = tuple[int, int, str]
