@@ -50,7 +50,7 @@ unit: $(READY)
 nightly: $(READY)
 	@$(BIN)/pytest $(TOGETHER) -m nightly
 	@FLEET_TUI_EXAMPLES=$(or $(EXAMPLES),2000) $(BIN)/pytest -q -n 2 --timeout 0 $(PURE)
-	@$(MAKE) --no-print-directory faults kills typed soak fuzz bench
+	@$(MAKE) --no-print-directory coverage faults kills typed soak fuzz bench
 
 bench: $(READY)
 	@sed -n 's/^\([^ #]*==[^ ]*\).*/\1/p' requirements.lock > $(VENV)/constraints.txt
@@ -60,7 +60,7 @@ bench: $(READY)
 # Lines and branches that make test runs, per package: none may fall below its figure.
 coverage: $(READY)
 	@$(BIN)/pip install --quiet --disable-pip-version-check 'pytest-cov>=6,<8'
-	@$(BIN)/pytest $(TOGETHER) --cov=fleet_tui --cov-branch --cov-report=json:$(VENV)/coverage.json > /dev/null
+	@$(BIN)/pytest $(TOGETHER) --cov=fleet_tui --cov-branch --cov-report=json:$(VENV)/coverage.json
 	@$(BIN)/python -m tests.support.coverage_floors $(VENV)/coverage.json tests/coverage_floors.toml
 
 soak: $(READY)
