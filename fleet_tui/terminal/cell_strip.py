@@ -1,24 +1,14 @@
 """A row of cells as a Textual strip."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 from rich.segment import Segment
 from rich.style import Style
 from textual.strip import Strip
 
+from fleet_tui.terminal.row_strip import RowStrip
 from fleet_tui.view.map.cells import Cells, Codes, Roles
-
-
-class RowStrip(Strip):
-    """Uncut it holds no reference to itself: a cycle would be garbage that is collected minutes later."""
-
-    __slots__ = ()
-
-    def divide(self, cuts: Iterable[int]) -> Sequence[Strip]:
-        """Return the parts between cuts."""
-        cuts = list(cuts)
-        return [self] if cuts == [self.cell_length] else super().divide(cuts)
 
 
 class CellStrip(RowStrip):

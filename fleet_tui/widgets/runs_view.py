@@ -9,7 +9,7 @@ from textual.geometry import Region
 from textual.strip import Strip
 from textual.widget import Widget
 
-from fleet_tui.terminal.cell_strip import RowStrip
+from fleet_tui.terminal.row_strip import RowStrip
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.listing import BOTH, CURSOR
 from fleet_tui.view.tables.table import Run, width_of

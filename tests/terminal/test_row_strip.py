@@ -9,7 +9,8 @@ from rich.segment import Segment
 from rich.style import Style
 from textual.strip import Strip
 
-from fleet_tui.terminal.cell_strip import CellStrip, RowStrip
+from fleet_tui.terminal.cell_strip import CellStrip
+from fleet_tui.terminal.row_strip import RowStrip
 from fleet_tui.view.map.cells import Cells
 
 

@@ -1,40 +1,24 @@
 """The adapter of robots with move_base."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 
 import msgspec
 
 from fleet_tui.adapters.adapter import Feed, Site
 from fleet_tui.adapters.move_base import reading
 from fleet_tui.adapters.move_base.goals import cancel, cancel_all, cancel_own, order
+from fleet_tui.adapters.move_base.probes import probes
 from fleet_tui.adapters.move_base.settings import MoveBaseSettings
 from fleet_tui.adapters.move_base.vocabulary import VOCABULARY
-from fleet_tui.adapters.probes import BridgeProbe, Diagnosis, Probe
+from fleet_tui.adapters.probes import Probe
 from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros.set_up.saving import judge_saved
 from fleet_tui.adapters.ros_navigation import feeds
 from fleet_tui.adapters.ros_navigation.base import GoalMessages, NavigationAdapter
 from fleet_tui.adapters.ros_navigation.kinds import kind_of_goals
-from fleet_tui.adapters.ros_navigation.probes import message_probes
 from fleet_tui.adapters.service_outcome import judge
 from fleet_tui.model import commands
 from fleet_tui.model.set_up.commands import StoreMap
-
-
-def probes(names: Names, robot: str) -> Iterator[Probe]:
-    """Return the checks of one robot, and of its bridge."""
-    yield BridgeProbe("distribution", judge_bridge)
-    yield from message_probes(names, robot)
-
-
-def judge_bridge(ros: int, distro: str) -> Diagnosis:
-    """Judge the bridge by its ROS version."""
-    if ros == 2:
-        remedy = "move_base needs ROS 1: correct the url, or the kind (nav2?)"
-        return Diagnosis("fail", f"ROS 2 bridge{f' ({distro})' if distro else ''}", remedy)
-    return Diagnosis("ok", distro or "not reported by the bridge")
-
 
 GOALS = GoalMessages(order, cancel, cancel_own, cancel_all)
 

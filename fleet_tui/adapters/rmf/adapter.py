@@ -11,6 +11,7 @@ from fleet_tui.adapters.rmf import facilities, requests
 from fleet_tui.adapters.rmf.answers import read_dispatches, read_responses
 from fleet_tui.adapters.rmf.fleets import Read, read_fleets, read_statuses
 from fleet_tui.adapters.rmf.graphs import read_graphs
+from fleet_tui.adapters.rmf.probes import probes
 from fleet_tui.adapters.rmf.tasks import read_tasks
 from fleet_tui.adapters.rmf.vocabulary import VOCABULARY
 from fleet_tui.adapters.ros.names import Names
@@ -22,24 +23,6 @@ from fleet_tui.model.set_up.commands import SetUpCommand
 
 if TYPE_CHECKING:
     from fleet_tui.model.set_up.streams import StreamValue
-from collections.abc import Iterator
-
-from fleet_tui.adapters.probes import BridgeProbe, Diagnosis, ListenerProbe
-
-
-def probes(names: Names) -> Iterator[Probe]:
-    """Return the checks of a fleet."""
-    yield BridgeProbe("distribution", judge_bridge)
-    if topic := names.topic("requests", ""):
-        yield ListenerProbe("requests", topic, names.type("requests"), "orders")
-
-
-def judge_bridge(ros: int, distro: str) -> Diagnosis:
-    """Judge the bridge by its generation: Open-RMF runs on ROS 2."""
-    if ros == 1:
-        return Diagnosis("fail", "ROS 1 bridge", "Open-RMF needs a ROS 2 bridge: correct the url or the kind")
-    return Diagnosis("ok", distro or "not reported by the bridge")
-
 
 EACH = 100
 """Messages that a bridge keeps for this console: each is of another fleet or task."""

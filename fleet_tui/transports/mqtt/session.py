@@ -16,44 +16,11 @@ from paho.mqtt.reasoncodes import ReasonCode
 from fleet_tui.config.access import secret
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError
+from fleet_tui.transports.mqtt import reasons
 from fleet_tui.transports.mqtt.driver import PahoDriver
 from fleet_tui.transports.mqtt.fed_client import FedClient
 from fleet_tui.transports.mqtt.listener import BrokerListener
 from fleet_tui.transports.tls import tls_context
-
-STOPPED = "broker not responding"
-NO_ANSWER = "reached, but no answer: not an MQTT broker?"
-LOST = "connection lost"
-
-BAD_ID = 133
-NO_SERVICE = 136
-BAD_LOGIN = 134
-NOT_ALLOWED = 135
-OLD_PROTOCOL = 132
-"""Reasons for which a broker rejects a connection, as MQTT 5 numbers them."""
-
-
-def rejected(code: int, link: Link) -> str:
-    """Return the reason for which a broker rejected the connection."""
-    match code:
-        case _ if code in (BAD_LOGIN, NOT_ALLOWED):
-            is_known = bool(link.user_file or link.user_env)
-            remedy = "correct user_file and password_file" if is_known else "set user_file and password_file"
-            return f"access denied: {remedy}"
-        case _ if code == NO_SERVICE:
-            return "broker unavailable: it accepts no clients now"
-        case _ if code == BAD_ID:
-            return "broker rejects the client id: it admits only configured clients"
-        case _ if code == OLD_PROTOCOL:
-            return "broker does not accept MQTT 3.1.1"
-    return f"broker rejects the connection (reason {code})"
-
-
-def dropped(link: Link) -> str:
-    """Return the reason of a connection that ended before the broker's first answer."""
-    remedy = "client_cert required?" if link.is_secure else "not an MQTT broker, or mqtts://?"
-    return f"connection dropped at once: {remedy}"
-
 
 LOG = logging.getLogger(__name__)
 
@@ -112,7 +79,7 @@ class BrokerSession:
         try:
             reason = await asyncio.wait_for(asyncio.shield(self._opened), CONNECT_TIMEOUT)
         except TimeoutError:
-            reason = NO_ANSWER
+            reason = reasons.NO_ANSWER
         if reason:
             raise LinkError(reason)
         self._beating = asyncio.ensure_future(self._beat())
@@ -152,7 +119,7 @@ class BrokerSession:
         if self._beating is not None:
             self._beating.cancel()
         self._driver.close()
-        _settle(self._ended, LOST)
+        _settle(self._ended, reasons.LOST)
 
     def _is_awaited(self) -> bool:
         """Tell whether the broker owes us an answer, whose time is measured."""
@@ -160,14 +127,14 @@ class BrokerSession:
 
     def _fail(self) -> None:
         """End a connection whose server sends what is not MQTT."""
-        _settle(self._opened, NO_ANSWER)
-        _settle(self._ended, LOST)
+        _settle(self._opened, reasons.NO_ANSWER)
+        _settle(self._ended, reasons.LOST)
 
     async def _beat(self) -> None:
         """Ask the broker for a sign of life, again and again."""
         while not self._ended.done():
             if self.silence > BEAT_TIMEOUT:
-                _settle(self._ended, STOPPED)
+                _settle(self._ended, reasons.STOPPED)
                 return
             code, number = self._client.unsubscribe(NOWHERE)
             if not code and number is not None:
@@ -178,13 +145,13 @@ class BrokerSession:
     def _on_connect(
         self, _client: mqtt.Client, _data: Any, _flags: mqtt.ConnectFlags, code: ReasonCode, _more: Any
     ) -> None:
-        _settle(self._opened, rejected(code.value, self._link) if code.value else "")
+        _settle(self._opened, reasons.rejected(code.value, self._link) if code.value else "")
 
     def _on_disconnect(
         self, _client: mqtt.Client, _data: Any, _flags: mqtt.DisconnectFlags, _code: ReasonCode, _more: Any
     ) -> None:
-        _settle(self._opened, dropped(self._link))
-        _settle(self._ended, LOST)
+        _settle(self._opened, reasons.dropped(self._link))
+        _settle(self._ended, reasons.LOST)
 
     def _on_message(self, _client: mqtt.Client, _data: Any, message: mqtt.MQTTMessage) -> None:
         try:

@@ -1,6 +1,6 @@
 """Probes of a robot with move_base."""
 
-from fleet_tui.adapters.move_base.adapter import judge_bridge
+from fleet_tui.adapters.move_base.probes import judge_bridge
 from fleet_tui.adapters.probes import BridgeProbe, MessageProbe
 from tests.support.move_base_adapter import adapter
 

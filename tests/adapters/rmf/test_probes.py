@@ -1,7 +1,7 @@
 """Checks of fleets of Open-RMF."""
 
 from fleet_tui.adapters.probes import ListenerProbe
-from fleet_tui.adapters.rmf.adapter import judge_bridge, probes
+from fleet_tui.adapters.rmf.probes import judge_bridge, probes
 from tests.support.rmf import adapter
 
 
