@@ -102,11 +102,25 @@ class Approach:
                 context = await asyncio.to_thread(tls_context, self._bridge)
                 _, writer = await asyncio.open_connection(self._host, self._port, ssl=context)
         except (OSError, TimeoutError, FleetError) as problem:
+            if not isinstance(problem, ssl.SSLCertVerificationError) and await self._speaks_http():
+                return "no TLS on this port: it answers without", f"use ws:// in {self._key}"
             return self._why(problem), f"correct the certificate or its settings in {link_key(self._name)}"
         certificate = writer.get_extra_info("peercert") or {}
         version = writer.get_extra_info("ssl_object").version()
         writer.close()
         return f"{version}, certificate trusted until {certificate.get('notAfter', 'an unknown date')}"
+
+    async def _speaks_http(self) -> bool:
+        """Tell whether a port answers without TLS, for a configuration with it."""
+        try:
+            async with asyncio.timeout(PROBE):
+                reader, writer = await asyncio.open_connection(self._host, self._port)
+                writer.write(f"GET / HTTP/1.1\r\nHost: {self._host}\r\n\r\n".encode())
+                answer = await reader.readexactly(5)
+        except (OSError, TimeoutError, EOFError):
+            return False
+        writer.close()
+        return answer == b"HTTP/"
 
     async def _speaks_tls(self) -> bool:
         """Tell whether a port expects TLS, for a configuration without it."""
@@ -142,6 +156,6 @@ class Approach:
             if self._wire.lost:
                 return self._wire.lost, "see the rosbridge log"
             return FROZEN, f"if it is not rosbridge, correct {self._key}"
-        if "unable to communicate" in answer.lower():
+        if "unable to communicate with master" in answer.lower():
             return f"no ROS master ({answer})", "start roscore, then the robot nodes"
         return f"reply to a call in {milliseconds(time.monotonic() - began)}"

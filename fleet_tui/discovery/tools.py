@@ -8,6 +8,15 @@ START_BRIDGE = {
 }
 START_ROSAPI = {1: "rosrun rosapi rosapi_node", 2: "ros2 run rosapi rosapi_node"}
 LOOK_FOR_NODE = {1: "rosnode ping", 2: "ros2 node list"}
+SAME_GRAPH = {
+    1: "start the robots with ROS_MASTER_URI of this bridge's master, or correct their names",
+    2: "start robots and rosbridge with the same ROS_DOMAIN_ID and RMW_IMPLEMENTATION, in a network that"
+    " carries multicast, or correct the robots' names",
+}
+STAYS_LISTED = {
+    1: "; a node that was killed stays listed until rosnode cleanup",
+    2: "; a node that was killed stays listed for 20 s",
+}
 LATCHED = {1: "latched", 2: "with durability transient local"}
 
 

@@ -7,9 +7,11 @@ from fleet_tui.adapters.adapter import Adapter
 from fleet_tui.config.schema import Config
 from fleet_tui.discovery.facts import BridgeFacts, RosapiFacts, TopicFacts
 from fleet_tui.discovery.finding import Finding, Verdict, listed
-from fleet_tui.discovery.tools import LOOK_FOR_NODE, named, rosapi_remedy
+from fleet_tui.discovery.tools import LOOK_FOR_NODE, SAME_GRAPH, STAYS_LISTED, named, rosapi_remedy
 from fleet_tui.doctor.lifecycle import inactive_findings
+from fleet_tui.doctor.names import robots_on, without_namespace
 from fleet_tui.rules.sourcing import Listening, unsourced_package
+from fleet_tui.text.units import counted
 
 FEWEST_TOPICS = 2  # of a node that counts as silent: a single one is listed as a topic
 
@@ -61,10 +63,43 @@ def causes_of(config: Config, facts: BridgeFacts) -> list[Cause]:
     """Return the faults of a bridge or a node rather than of one topic, in the order in which to fix them."""
     if is_half_dead(facts):
         return [_half_dead(facts)]
+    if (elsewhere := _all_elsewhere(config, facts)) is not None:
+        return [elsewhere]
     unsourced = list(_unsourced(facts))
     explained = {topic for cause in unsourced for topic in cause.topics}
     idle = [Cause(finding, finding.measured) for finding in inactive_findings(facts)]
     return [*idle, *unsourced, *_unregistered(config, facts), *_silent_nodes(facts, explained)]
+
+
+def _all_elsewhere(config: Config, facts: BridgeFacts) -> Cause | None:
+    """Find a bridge that sees none of its robots, nor any that could be one of them."""
+    robots = [robot.name for robot in config.robots if facts.of(robot.name)]
+    if not robots or any(map(facts.knows, robots)):
+        return None
+    if any(robots_on(facts.adapters[name].names, facts.rosapi) - {*robots} for name in robots):
+        return None
+    names = frozenset(one.topic for one in facts.topics)
+    finding = Finding(
+        facts.name,
+        "robots",
+        Verdict.FAIL,
+        f"none of the {counted(len(robots), 'robot')} is on this bridge: {listed(robots)}",
+        named(SAME_GRAPH, facts.rosapi.ros),
+        {"robots": robots},
+    )
+    return Cause(finding, "no robot on this bridge", names)
+
+
+def namespace_finding(facts: BridgeFacts) -> Finding | None:
+    """Return what is told of a robot without a namespace that nobody configured."""
+    asked = {one.topic for one in facts.topics}
+    for adapter in facts.adapters.values():
+        topics = without_namespace(adapter.names, facts.rosapi)
+        if topics and asked.isdisjoint(topics):
+            measured = f"a robot without a namespace is on this bridge, too: {listed(topics)}"
+            remedy = "fleet-tui config init writes its names; or start it in a namespace of its own"
+            return Finding(facts.name, "namespace", Verdict.WARN, measured, remedy, {"topics": topics})
+    return None
 
 
 def _unregistered(config: Config, facts: BridgeFacts) -> Iterator[Cause]:
@@ -72,7 +107,7 @@ def _unregistered(config: Config, facts: BridgeFacts) -> Iterator[Cause]:
     connected."""
     if facts.rosapi.problem:
         return
-    received = {one.wanted.robot for one in facts.topics if one.count}
+    received = {one.wanted.robot for one in facts.topics if one.count and not one.wanted.is_shared}
     robots = [robot.name for robot in config.robots if robot.name in received]
     robots = [robot for robot in robots if not _has_services(facts.adapters[robot], robot, facts.rosapi)]
     if not robots:
@@ -132,7 +167,7 @@ def _silent_node(facts: BridgeFacts, node: str, topics: list[TopicFacts], robots
             Verdict.FAIL,
             f"{node} silent: no messages in {waited:.1f} s on the {len(names)} topics it publishes:"
             f" {listed(names)}",
-            f"check that it runs ({look}), or restart it",
+            f"check that it runs ({look}), or restart it{STAYS_LISTED.get(facts.rosapi.ros, '')}",
             {"node": node, "topics": len(names)},
         ),
         f"node {node} silent",

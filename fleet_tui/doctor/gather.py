@@ -10,9 +10,11 @@ from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.schema import Config
 from fleet_tui.discovery.facts import BridgeFacts, RosapiFacts
+from fleet_tui.discovery.finding import nearest
 from fleet_tui.discovery.rosapi import (
     ANSWER_WITHIN,
     ask_publishers,
+    ask_service_types,
     ask_services,
     ask_subscribers,
     clock_ahead,
@@ -56,6 +58,9 @@ async def _look_up(
     services += [one.service for one in probes if isinstance(one, LifecycleProbe | ServiceProbe)]
     rosapi = await ask_publishers(wire, rosapi, named, until)
     rosapi = await ask_services(wire, rosapi, services, until)
+    # One that is near and of its type may be the intended one.
+    near = {name for one in services if one not in rosapi.services for name in nearest(one, rosapi.services)}
+    rosapi = await ask_service_types(wire, rosapi, near - {*services}, until)
     heard = [one.topic for one in probes if isinstance(one, ListenerProbe)]
     rosapi = await ask_subscribers(wire, rosapi, heard, until)
     if all(map(rosapi.has, named)):

@@ -4,6 +4,7 @@ import re
 from collections.abc import Collection, Iterable, Mapping
 from difflib import get_close_matches
 
+from fleet_tui.adapters.adapter import Adapter
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros.type_names import plain_type, same_type
 from fleet_tui.config.schema import Config
@@ -21,6 +22,21 @@ def robots_on(names: Names, rosapi: RosapiFacts) -> set[str]:
             if name and topic == before + name + after and "/" not in name:
                 found.add(name)
     return found
+
+
+def without_namespace(names: Names, rosapi: RosapiFacts) -> list[str]:
+    """Return the topics of a robot of this kind that has no namespace, none if there is no such robot."""
+    bare = {
+        key: template.removeprefix("/{robot}")
+        for key, (template, _) in names.vocabulary.topics.items()
+        if template.startswith("/{robot}/") and key not in names.vocabulary.floor_topics
+    }
+    found = {
+        key: topic
+        for key, topic in bare.items()
+        if rosapi.has(topic) and same_type(rosapi.topics.get(topic, ""), names.type(key))
+    }
+    return list(found.values()) if found.keys() & {"pose", "odometry"} and len(found) > 1 else []
 
 
 def near_topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> str:
@@ -58,13 +74,22 @@ def _floor_in(names: Names, facts: TopicFacts, topic: str) -> str:
     return found.group(1) if found else ""
 
 
-def near_service(table: str, robot: str, key: str, service: str, free: Collection[str]) -> str:
-    """Return the free name that a robot's service may have now, as written in the profile's table."""
-    near = nearest(service, (name for name in free if name.startswith(f"/{robot}/")), 1)
+def near_service(
+    adapter: Adapter, robot: str, key: str, service: str, expected: str, rosapi: RosapiFacts
+) -> str:
+    """Return the name that a robot's service may have now, as written in the profile's table: one of its
+    type."""
+    own = {name for _, name, _ in adapter.services(robot)}
+    fitting = (
+        name
+        for name, type_ in rosapi.services.items()
+        if name.startswith(f"/{robot}/") and name not in own and same_type(type_ or "", expected)
+    )
+    near = nearest(service, fitting, 1)
     if not near:
         return ""
     template = near[0].replace(f"/{robot}/", "/{robot}/")
-    return f'did you mean {near[0]}? Set [{table}.services] {key} = "{template}"'
+    return f'did you mean {near[0]}? Set [{adapter.names.table}.services] {key} = "{template}"'
 
 
 def spelling_finding(config: Config, facts: BridgeFacts) -> Finding | None:

@@ -22,7 +22,7 @@ from fleet_tui.discovery.finding import Finding, Verdict
 from fleet_tui.discovery.wire import BridgeConnection
 from fleet_tui.doctor.broker_facts import BrokerFacts, facts_of_broker
 from fleet_tui.doctor.brokers import broker_findings
-from fleet_tui.doctor.causes import causes_of, rosapi_finding
+from fleet_tui.doctor.causes import causes_of, namespace_finding, rosapi_finding
 from fleet_tui.doctor.clocks import clock_findings, load_finding, round_trip_finding
 from fleet_tui.doctor.floors import FloorFiles, floor_findings, place_finding, placed_grid
 from fleet_tui.doctor.gather import gather
@@ -86,9 +86,7 @@ def bridge_findings(config: Config, facts: BridgeFacts) -> Iterator[Finding]:
         remedy = "see the rosbridge log; the results below use earlier messages"
         yield Finding(facts.name, "link", Verdict.FAIL, f"lost while measuring: {facts.lost}", remedy)
     yield from bridge_probes(facts)
-    spelling = spelling_finding(config, facts)
-    if spelling is not None:
-        yield spelling
+    yield from filter(None, (spelling_finding(config, facts), namespace_finding(facts)))
     causes = causes_of(config, facts)
     yield from (cause.finding for cause in causes)
     robots = [robot for robot in config.robots if facts.of(robot.name)]

@@ -37,9 +37,8 @@ def _service(robot: str, key: str, service: str, expected: str, facts: BridgeFac
         return Finding(robot, f"service {key}", verdict, measured, remedy, values, out_of_time)
 
     if service not in rosapi.services:
-        free = rosapi.services.keys() - {name for _, name, _ in adapter.services(robot)}
         start = f"start the node that provides it, or correct [{table}.services] {key}"
-        remedy = near_service(table, robot, key, service, free) or start
+        remedy = near_service(adapter, robot, key, service, expected, rosapi) or start
         return finding(Verdict.FAIL, f"{service} is not on the bridge", remedy)
     if there is None:
         return finding(Verdict.SKIPPED, "type not checked: out of time", "use a longer --timeout", True)

@@ -36,6 +36,8 @@ def listener_finding(robot: str, probe: ListenerProbe, facts: BridgeFacts) -> Fi
     fitting = [name for name, type_ in rosapi.topics.items() if same_type(type_, probe.type)]
     own = [name for name in fitting if name.startswith(f"/{robot}/") and name != probe.topic]
     near = nearest(probe.topic, own, 1)
+    if not near and probe.key not in facts.adapters[robot].names.profile.topics:
+        return finding(Verdict.SKIPPED, f"nobody listens on {probe.topic}: no {probe.lost}")
     meant = f"did you mean {near[0]}? Otherwise " if near else ""
     start = f'start the node that listens, or set [{table}.topics] {probe.key} = "" if not used'
     return finding(Verdict.WARN, f"nobody listens on {probe.topic}: no {probe.lost}", meant + start)
@@ -53,11 +55,13 @@ def service_finding(robot: str, probe: ServiceProbe, facts: BridgeFacts) -> Find
         return Finding(robot, check, verdict, measured, remedy, values, late)
 
     if service not in rosapi.services:
-        known = {name for _, name, _ in adapter.services(robot)}
         off = ", ".join(f'{one} = ""' for one in probe.keys)
         start = f"start the node that offers it, or set [{table}.services] {off} if not used"
-        remedy = near_service(table, robot, key, service, rosapi.services.keys() - known) or start
-        return finding(Verdict.WARN, f"{service} is not on the bridge: no {probe.lost}", remedy)
+        missing = f"{service} is not on the bridge: no {probe.lost}"
+        remedy = near_service(adapter, robot, key, service, probe.type, rosapi)
+        if not remedy and adapter.names.profile.services.keys().isdisjoint(probe.keys):
+            return finding(Verdict.SKIPPED, missing)
+        return finding(Verdict.WARN, missing, remedy or start)
     if there is None:
         return finding(Verdict.SKIPPED, NOT_CHECKED, LONGER, late=True)
     if there and not same_type(there, probe.type):

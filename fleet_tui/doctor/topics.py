@@ -48,6 +48,9 @@ def robot_findings(
 def _robot(
     config: Config, robot: RobotEntry, topics: list[TopicFacts], facts: BridgeFacts, causes: Sequence[Cause]
 ) -> Finding:
+    everything = next((cause for cause in causes if all(one.topic in cause.topics for one in topics)), None)
+    if topics and everything is not None:
+        return Finding(robot.name, "robot", Verdict.SKIPPED, f"{everything.short}: see above")
     if not facts.knows(robot.name):
         known = {other.name for other in config.robots}
         others = nearest(robot.name, robots_on(facts.adapters[robot.name].names, facts.rosapi) - known)
@@ -131,16 +134,18 @@ def _missing(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
         return _finding(facts, Verdict.WARN, measured, remedy)
     if key == "map_metadata" and (floor is None or not floor.map or floor.map.endswith((".yaml", ".yml"))):
         return _finding(facts, Verdict.WARN, measured, remedy)
-    table = bridge.adapters[wanted.robot].names.table
+    names = bridge.adapters[wanted.robot].names
     heard = {one.wanted.key for one in bridge.of(wanted.robot) if one.count}
     if key == "pose" and wanted.silent and heard and "tf" not in heard:  # transforms are judged themselves
-        named = remedy or f"correct [{table}.topics] {key}"
-        check = f"{ADRIFT.alarm.action}; if it runs, {named}"
+        other = remedy or f"correct [{names.table}.topics] {key}"
+        check = f"{ADRIFT.alarm.action}; if it runs, {other}"
         return _finding(facts, Verdict.FAIL, f"{ADRIFT.word}: {measured}", check)
+    if wanted.silent and not remedy and key not in names.profile.topics:
+        return _finding(facts, Verdict.SKIPPED, f"{measured}: not needed")
     if wanted.silent:
-        none = f'start the node that publishes it, or set [{table}.topics] {key} = "" if not used'
+        none = f'start the node that publishes it, or set [{names.table}.topics] {key} = "" if not used'
         return _finding(facts, Verdict.WARN, measured, remedy or none)
-    start = f"start the node that publishes it, or correct [{table}.topics] {key}"
+    start = f"start the node that publishes it, or correct [{names.table}.topics] {key}"
     return _finding(facts, Verdict.FAIL, measured, remedy or start)
 
 

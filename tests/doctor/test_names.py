@@ -1,14 +1,16 @@
 """Names that were probably meant, written as the configuration wants them."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 
-from fleet_tui.discovery.facts import BridgeFacts, TopicFacts
+from fleet_tui.discovery.facts import BridgeFacts, RosapiFacts, TopicFacts
 from fleet_tui.doctor.names import near_service, near_topic, robots_on, spelling_finding
 from tests.support.bridge_facts import well, with_rosapi
 from tests.support.watched_store import config_of
 
 CONFIG = config_of("ws://site:9090", 2, 2)
 WELL = well(CONFIG)
+TRIGGER = "std_srvs/Trigger"
 
 
 def renamed(old: str, new: str) -> tuple[TopicFacts, BridgeFacts]:
@@ -32,12 +34,22 @@ def test_a_renamed_floor_is_proposed_as_a_name_of_the_floor() -> None:
 def test_nothing_is_proposed_where_nothing_is_near() -> None:
     one, bridge = renamed("/robot_0/battery", "/zzz")
     assert near_topic(CONFIG, replace(one, wanted=one.wanted._replace(type="x/Y")), bridge) == ""
-    assert near_service("profile", "robot_0", "pause", "/robot_0/pause", ["/robot_1/pause"]) == ""
+    assert near_pause({"/robot_1/pause": TRIGGER}) == ""
+
+
+def near_pause(services: Mapping[str, str]) -> str:
+    rosapi = RosapiFacts(services=services)
+    adapter = WELL.adapters["robot_0"]
+    return near_service(adapter, "robot_0", "pause", "/robot_0/pause", TRIGGER, rosapi)
 
 
 def test_a_near_service_is_proposed_for_every_robot() -> None:
-    found = near_service("profile", "robot_0", "pause", "/robot_0/pause", ["/robot_0/pause_it"])
+    found = near_pause({"/robot_0/pause_it": TRIGGER})
     assert found == 'did you mean /robot_0/pause_it? Set [profile.services] pause = "/{robot}/pause_it"'
+
+
+def test_a_service_of_another_type_is_not_proposed_however_near_its_name() -> None:
+    assert near_pause({"/robot_0/pause_map": "nav_msgs/SetMap"}) == ""
 
 
 def test_robots_of_a_bridge_are_found_by_the_names_of_their_topics() -> None:

@@ -202,3 +202,28 @@ async def test_something_else_listens_there(plant: str, tmp_path: Path) -> None:
 
 def test_every_promise_is_planted() -> None:
     assert set(promised()) == {*PLANTS, *OTHER_SERVERS, *ROS_2_PLANTS, *NAV2_PLANTS, TAKEN_TOO_EARLY}
+
+
+STOCK_LACKS = ("scan", "camera/image_raw/compressed", "collision_monitor_state", "plan")
+SERVICES_STOCK_LACKS = (
+    "map_saver/save_map",
+    "slam_toolbox/serialize_map",
+    "slam_toolbox/set_localization_mode",
+    "route_server/set_route_graph",
+    "request_nomotion_update",
+)
+
+
+async def test_a_stock_robot_lacks_nothing_that_nobody_configured(
+    nav2: RosbridgeServer, tmp_path: Path
+) -> None:
+    services = nav2.bridge.services
+    for end in STOCK_LACKS:
+        del nav2.bridge.topics[f"/robot_0/{end}"], services.types[f"/robot_0/{end}"]
+    for end in SERVICES_STOCK_LACKS:
+        del services.offered[f"/robot_0/{end}"]
+    services.offered["/robot_0/set_map"] = ServiceType("nav_msgs/srv/SetMap", {})  # amcl's: it saves none
+    said = list[str]()
+    config = nav2_config(nav2.url, tmp_path)
+    code = await asyncio.to_thread(doctor, config, TIMEOUT, False, said.append)
+    assert code == 0 and re.fullmatch(r"\d+ ok, 9 skipped", said[-1]), "\n".join(said)

@@ -27,7 +27,9 @@ def test_a_service_that_is_missing_is_looked_for_under_another_name() -> None:
     services = without(WELL.rosapi.services, PAUSE)
     gone = judged(with_rosapi(WELL, services=services))["service pause"]
     assert gone.verdict is Verdict.FAIL and "correct [profile.services] pause" in gone.remedy
-    near = judged(with_rosapi(WELL, services={**services, f"{PAUSE}_it": None}))["service pause"]
+    near = judged(with_rosapi(WELL, services={**services, f"{PAUSE}_it": "std_srvs/Trigger"}))[
+        "service pause"
+    ]
     assert near.remedy.startswith(f"did you mean {PAUSE}_it?")
 
 

@@ -145,6 +145,26 @@ def _renamed_and_listened_to(server: RosbridgeServer) -> None:
     only_listened_to(server, "/robot_0/queue")
 
 
+def _elsewhere(server: RosbridgeServer) -> None:
+    """The robots run where the bridge does not see them."""
+    services = server.bridge.services
+    for there in (server.bridge.topics, services.types, services.offered):
+        for name in [name for name in there if name.startswith("/robot_")]:
+            del there[name]
+
+
+def _secure(server: RosbridgeServer, config: Config) -> Config:
+    return msgspec.structs.replace(config, rosbridge=Link(server.url.replace("ws://", "wss://")))
+
+
+def _alone(server: RosbridgeServer) -> None:
+    """One more robot, without a namespace."""
+    for end in ("odom", "amcl_pose", "battery_state"):
+        topic = server.bridge.topics[f"/robot_0/{end}"]
+        server.bridge.topics[f"/{end}"] = replace(topic, name=f"/{end}")
+        server.bridge.services.types[f"/{end}"] = topic.type
+
+
 def _slip_and_listened_to(server: RosbridgeServer, config: Config) -> Config:
     keys = ("pose", "queue", "battery", "floor_0/graph")
     only_listened_to(server, *(f"/robot_00/{key}" for key in keys))
@@ -161,6 +181,16 @@ def _unregistered(server: RosbridgeServer) -> None:
 
 def _frozen_rosapi(server: RosbridgeServer) -> None:
     server.bridge.services.silent_services.update(server.bridge.services.rosapi.services)
+
+
+def _killed_rosapi(server: RosbridgeServer) -> None:
+    """As a bridge of ROS 1 answers: the master still lists its services."""
+
+    def fail(service: str, _args: Message) -> Message:
+        raise ServiceError(f"Unable to communicate with service [{service}], address [rosrpc://site:41000]")
+
+    services = server.bridge.services
+    services.answers |= {name: partial(fail, name) for name in services.rosapi.services}
 
 
 def _failing_rosapi(server: RosbridgeServer) -> None:
@@ -207,8 +237,10 @@ NO_GRAPH = [FloorEntry("floor_0", graph="routes.geojson"), FloorEntry("floor_1")
 PLANTS: dict[str, Plant] = {
     "an unknown host": in_the_config(rosbridge=Link("ws://robot-server.invalid:9090")),
     "a dead port": in_the_config(rosbridge=Link("ws://127.0.0.1:9")),
+    "TLS where none is spoken": _secure,
     "no ROS master": on_the_server(_no_master),
     "no rosapi": on_the_server(_no_rosapi),
+    "robots at another ROS master": on_the_server(_elsewhere),
     "a misspelt robot name": in_the_config(robots=ONE_ROBOT),
     "a misspelt floor name": in_the_config(floors=[FloorEntry("floor_00"), FloorEntry("floor_1")]),
     "a silent robot": on_the_server(_silent),
@@ -217,6 +249,7 @@ PLANTS: dict[str, Plant] = {
     "a misspelt robot name that an open console uses too": _slip_and_listened_to,
     "a message package that the bridge lacks": on_the_server(_unsourced),
     "a frozen rosapi": on_the_server(_frozen_rosapi),
+    "a rosapi that was killed": on_the_server(_killed_rosapi),
     "a rosapi with an internal error": on_the_server(_failing_rosapi),
     "nodes that the ROS master does not know": on_the_server(_unregistered),
     "a dead node": on_the_server(_dead_node),
@@ -285,6 +318,7 @@ def _unsourced_on_ros_2(server: RosbridgeServer) -> None:
 
 
 ROS_2_PLANTS: dict[str, Plant] = {
+    "on ROS 2 robots of another domain": on_the_server(_elsewhere),
     "on ROS 2 a message package that the bridge lacks": on_the_server(_unsourced_on_ros_2),
     "on ROS 2 floor topics published volatile, repeatedly": on_the_server(_volatile),
     "on ROS 2 a map larger than the bridge's messages": on_the_server(_small_messages),
@@ -362,6 +396,7 @@ NAV2_PLANTS: dict[str, Plant] = {
     "with Nav2 the bridge of Humble": _with_fault("humble"),
     "with Nav2 a message package that the bridge lacks": _with_fault("unsourced"),
     "with Nav2 a misspelt robot name": in_the_config(robots=[RobotEntry("robot_00")]),
+    "with Nav2 a second robot, without a namespace": on_the_server(_alone),
     "with Nav2 no odometry": _with_fault("no-odom"),
     "with Nav2 a silent robot": _with_fault("silent"),
     "with Nav2 a bridge whose ROS thread has ended": _with_fault("half-dead"),

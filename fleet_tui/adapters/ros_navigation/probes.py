@@ -41,8 +41,10 @@ def judge_localisation(count: int, event: Event | None) -> Diagnosis:
     return Diagnosis("ok", around)
 
 
-def judge_transforms(count: int, event: Event | None) -> Diagnosis:
+def judge_transforms(count: int, event: Event | None) -> Diagnosis | None:
     """Judge whether a localisation corrects a robot's odometry in its transforms."""
+    if not count:
+        return None
     if isinstance(event, OriginReported):
         return Diagnosis("ok", "by transforms")
     return Diagnosis("fail", f"{ADRIFT.word}: no transform from map to odom", ADRIFT.alarm.action)
