@@ -132,7 +132,7 @@ class BridgeConnection:
         self.arrived = asyncio.Event()
         """Set whenever a message has arrived, and when no more will."""
         self._settled = asyncio.Event()
-        self._calls = Calls(self.connection, LOOKUPS)
+        self._calls = Calls(self.connection, asyncio.Semaphore(LOOKUPS))
         self._decoder = ThreadPoolExecutor(1, thread_name_prefix="fleet-tui-decode")
 
     async def connect(self, within: float) -> str:

@@ -2,12 +2,12 @@
 
 import asyncio
 import itertools
-from collections.abc import Mapping
-from contextlib import nullcontext
+from collections.abc import AsyncIterator, Mapping
+from contextlib import asynccontextmanager
 from dataclasses import dataclass
 
 from fleet_tui.adapters.ros import operations
-from fleet_tui.client.patience import awake
+from fleet_tui.client.patience import awake, timed
 from fleet_tui.errors import LinkError
 from fleet_tui.transports.rosbridge.connection import Connection
 
@@ -25,10 +25,10 @@ OWN_WORD = "/rosapi/fleet_tui_heartbeat"
 """A service that no node offers: the bridge itself reports the error, in 1-2 ms, also without ROS."""
 
 
-def is_lookup(service: str) -> bool:
-    """Tell whether a service looks something up in the graph of ROS: four such questions at once have killed
-    a rosapi of ROS 2."""
-    return service.startswith("/rosapi/") and service not in (TIME, OWN_WORD)
+def rosapi_places() -> asyncio.Semaphore:
+    """Return the places for questions at one rosapi, of all connections of its bridge together: four at once
+    have killed one of ROS 2."""
+    return asyncio.Semaphore(2)
 
 
 class NoAnswerError(LinkError):
@@ -47,9 +47,10 @@ class PendingCall:
 class Calls:
     """The open calls on one connection. Everything here runs on the network loop."""
 
-    def __init__(self, connection: Connection, lookups_at_once: int = 2) -> None:
+    def __init__(self, connection: Connection, places: asyncio.Semaphore) -> None:
+        """`places` at the bridge's rosapi: a question waits for one."""
         self._connection = connection
-        self._lookups = asyncio.Semaphore(lookups_at_once)
+        self._places = places
         self._pending: dict[str, asyncio.Future[operations.ServiceResponse]] = {}
         self._ids = itertools.count(1)
 
@@ -85,14 +86,37 @@ class Calls:
     async def call(
         self, service: str, args: Mapping[str, object], within: float
     ) -> operations.ServiceResponse:
-        """Send a call and wait for its answer; a look-up in rosapi waits for its turn. Raises the errors of
-        `start` and `wait`."""
-        async with self._lookups if is_lookup(service) else nullcontext():
-            call = self.start(service, args, within)
+        """Send a call and wait for its answer. Raises the errors of `start` and `wait`."""
+        _, response = await self.timed(service, args, within)
+        return response
+
+    async def timed(
+        self, service: str, args: Mapping[str, object], within: float, kept: float = 0.0
+    ) -> tuple[float, operations.ServiceResponse]:
+        """Send a call and wait for its answer; return the seconds of running between them, too. The bridge
+        keeps the call for `kept` seconds if these are more. Raises the errors of `start` and `wait`."""
+        async with self._place(service, within):
+            call = self.start(service, args, max(within, kept))
             try:
-                return await self.wait(call, within)
+                return await timed(self.wait(call, within))
             finally:
                 self.forget(call)
+
+    @asynccontextmanager
+    async def _place(self, service: str, within: float) -> AsyncIterator[None]:
+        """Hold a place at rosapi for a question to it. Raises NoAnswerError if none gets free in time."""
+        if not service.startswith("/rosapi/") or service == OWN_WORD:
+            yield
+            return
+        try:
+            async with asyncio.timeout(within):
+                await self._places.acquire()
+        except TimeoutError:
+            raise NoAnswerError(f"from {service}: rosapi left others unanswered for {within:g} s") from None
+        try:
+            yield
+        finally:
+            self._places.release()
 
     def on_response(self, response: operations.ServiceResponse) -> bool:
         """Take an answer; False if no caller waits for it (any more)."""

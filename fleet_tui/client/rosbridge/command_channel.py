@@ -52,11 +52,12 @@ class CommandChannel:
         timeout: float,
         telemetry: Telemetry,
         advertised: Iterable[tuple[str, str]],
+        places: asyncio.Semaphore,
         asks_node: bool = True,
     ) -> None:
         """`timeout` of an answer in seconds; `telemetry` of the same bridge, whose silence counts here;
-        `advertised`: names and types of topics on which commands may be published; `asks_node` as for
-        Pulse."""
+        `advertised`: names and types of topics on which commands may be published; `places` as for Calls,
+        `asks_node` as for Pulse."""
         self._link = link
         self._goals = Goals(link, bridge, adapters, writer, self._advance)
         self._adapters = adapters
@@ -67,7 +68,7 @@ class CommandChannel:
         self._under_way: set[asyncio.Task[None]] = set()
         self._in_turn = asyncio.Lock()
         self.connection = Connection(bridge, self)
-        self._calls = Calls(self.connection)
+        self._calls = Calls(self.connection, places)
         self._publishing = Publishing(self.connection, advertised)
         self._answers = Answers(self._calls, self._services, adapters, writer, timeout, self._advance)
         self._settling = Settling(writer.store, self._answers, self._send_now, self._advance)

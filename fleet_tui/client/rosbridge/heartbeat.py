@@ -5,7 +5,6 @@ import time
 from collections.abc import Callable
 
 from fleet_tui.adapters.ros.operations import ServiceResponse
-from fleet_tui.client.patience import timed
 from fleet_tui.client.rosbridge.calls import OWN_WORD, Calls, NoAnswerError
 from fleet_tui.client.rosbridge.pulse import Pulse
 from fleet_tui.client.rosbridge.services import Services
@@ -136,7 +135,7 @@ class Heartbeat:
         """Ask once; tell whether a node answered. Raises NoAnswerError if not even the bridge did, LinkError
         without a connection."""
         answer = await self._pulse.of_ros(QUICK)
-        took, _ = answer or await timed(self._calls.call(OWN_WORD, {}, TIMEOUT))
+        took, _ = answer or await self._calls.timed(OWN_WORD, {}, TIMEOUT)
         self._round_trips.take(took, time.monotonic())
         # Upstream issue 1144: its ROS thread has ended, the rest of it goes on.
         if answer is None and self._pulse.is_mute and self._silence() > HALF_DEAD_AFTER:

@@ -35,15 +35,16 @@ class Lifecycle:
         probes: Mapping[str, LifecycleProbe],
         services: Services,
         writer: Writer,
+        places: asyncio.Semaphore,
     ) -> None:
         """`probes` by robot; `services` as rosapi lists them: what is not there is not called, which would be
-        an error in the log of the site."""
+        an error in the log of the site; `places` as for Calls."""
         self._link = link
         self._probes = probes
         self._services = services
         self._writer = writer
         self._connection = Connection(bridge, self)
-        self._calls = Calls(self._connection)
+        self._calls = Calls(self._connection, places)
         self._task: asyncio.Task[None] | None = None
 
     def open(self) -> None:

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 
 from fleet_tui.adapters.adapter import Adapter
 from fleet_tui.adapters.probes import LifecycleProbe
+from fleet_tui.client.rosbridge.calls import rosapi_places
 from fleet_tui.client.rosbridge.command_channel import CommandChannel
 from fleet_tui.client.rosbridge.driving.drive import Drive
 from fleet_tui.client.rosbridge.lifecycle import Lifecycle
@@ -26,7 +27,8 @@ class BridgeLink:
         self.writer = writer
         self._config = config
         self._adapters = adapters
-        self._telemetry = Telemetry(name, config, adapters, writer)
+        self._places = rosapi_places()
+        self._telemetry = Telemetry(name, config, adapters, writer, self._places)
         timeout = config.alarms.no_answer_after
         bridge = config.bridge(name)
         self.counter = self._telemetry.counter
@@ -39,9 +41,9 @@ class BridgeLink:
             for one in adapters[robot.name].probes(robot.name)
             if isinstance(one, LifecycleProbe)
         }
-        self._lifecycle = Lifecycle(name, bridge, probes, self._telemetry.services, writer)
+        self._lifecycle = Lifecycle(name, bridge, probes, self._telemetry.services, writer, self._places)
         self._commands = CommandChannel(
-            name, bridge, adapters, writer, timeout, self._telemetry, advertised, asks_node
+            name, bridge, adapters, writer, timeout, self._telemetry, advertised, self._places, asks_node
         )
 
     def open(self) -> None:
@@ -69,7 +71,8 @@ class BridgeLink:
         entry = next(one for one in self._config.robots if one.name == robot)
         limits = drive_of(self._config, entry)
         caps = Caps(limits.max_linear, limits.max_angular)
-        drive = Drive(self.name, self._config.bridge(self.name), self.writer, topic, caps)
+        bridge = self._config.bridge(self.name)
+        drive = Drive(self.name, bridge, self.writer, topic, caps, self._places)
         drive.open()
         return drive
 

@@ -4,7 +4,6 @@ log of its site: an unknown service is one each time."""
 from collections.abc import Mapping
 
 from fleet_tui.adapters.ros.operations import ServiceResponse
-from fleet_tui.client.patience import timed
 from fleet_tui.client.rosbridge.calls import OWN_WORD, TIME, Calls, NoAnswerError
 
 OF_NODE: Mapping[str, Mapping[str, object]] = {
@@ -36,7 +35,7 @@ class Pulse:
             if service in self._absent or service == skip:
                 continue
             try:
-                took, response = await timed(self._calls.call(service, args, patience))
+                took, response = await self._calls.timed(service, args, patience)
             except NoAnswerError:
                 continue
             if response.result:

@@ -8,7 +8,6 @@ import msgspec
 
 from fleet_tui.adapters.ros.messages import TimeAnswer
 from fleet_tui.adapters.ros.operations import ServiceResponse
-from fleet_tui.client.patience import timed
 from fleet_tui.client.rosbridge.calls import OWN_WORD, TIME, Calls, NoAnswerError
 from fleet_tui.client.rosbridge.pulse import Pulse
 from fleet_tui.errors import LinkError
@@ -89,11 +88,7 @@ class Soundings:
 
     async def _ask(self, service: str, within: float) -> tuple[float, ServiceResponse]:
         # The bridge gets more time: its word that it gave a call up would come sooner than a late answer.
-        call = self._calls.start(service, {}, LONGEST)
-        try:
-            return await timed(self._calls.wait(call, within))
-        finally:
-            self._calls.forget(call)
+        return await self._calls.timed(service, {}, within, kept=LONGEST)
 
 
 def _stamp(response: ServiceResponse) -> float | None:

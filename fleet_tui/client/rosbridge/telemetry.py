@@ -59,7 +59,15 @@ CHECK_EVERY = 0.2
 class Telemetry:
     """Receives a bridge's topics. Everything runs on the network loop unless noted otherwise."""
 
-    def __init__(self, link: str, config: Config, adapters: Mapping[str, Adapter], writer: Writer) -> None:
+    def __init__(
+        self,
+        link: str,
+        config: Config,
+        adapters: Mapping[str, Adapter],
+        writer: Writer,
+        places: asyncio.Semaphore,
+    ) -> None:
+        """`places` as for Calls."""
         self._link = link
         self._writer = writer
         self._logged = set[str]()
@@ -70,8 +78,7 @@ class Telemetry:
         self._decoder = ThreadPoolExecutor(1, thread_name_prefix="fleet-tui-decode")
         bridge, feeds = config.bridge(link), feeds_of(config, adapters, link)
         self.connection = Connection(bridge, self)
-        # Beside those that precede a command, on its own connection.
-        self._calls = Calls(self.connection, lookups_at_once=1)
+        self._calls = Calls(self.connection, places)
         self._streams, limit = writer.store.streams, limit_of(config, link)
         self._sink = StreamWriter(writer.store)
         self._reading = FrameReader(
@@ -87,7 +94,9 @@ class Telemetry:
         for feed in feeds:
             if len(feed.robots) == 1:
                 self._own_topics[feed.robot].add(feed.address)
-        self._pictures = CameraChannel(bridge, feeds, adapters, self._subscriber, self._reading, self._sink)
+        self._pictures = CameraChannel(
+            bridge, feeds, adapters, self._subscriber, self._reading, self._sink, places
+        )
         has_actions = any(adapters[robot].names.vocabulary.actions for feed in feeds for robot in feed.robots)
         self.services = Services(self._calls, services_of(config, adapters, link), has_actions)
         self._sourcing = Sourcing(

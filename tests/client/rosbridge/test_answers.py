@@ -9,7 +9,7 @@ import pytest
 from fleet_tui.adapters.adapter import ServiceCall
 from fleet_tui.adapters.ros.operations import ServiceResponse
 from fleet_tui.client.rosbridge.answers import Answers, decoded
-from fleet_tui.client.rosbridge.calls import Calls, PendingCall
+from fleet_tui.client.rosbridge.calls import Calls, PendingCall, rosapi_places
 from fleet_tui.client.rosbridge.services import Services
 from fleet_tui.client.writer import Writer
 from fleet_tui.model.commands import PauseRobot, Stage
@@ -34,7 +34,7 @@ class Waiting:
     """Answers that are waited for, and what is reported of commands."""
 
     def __init__(self) -> None:
-        self.calls = Calls(cast("Connection", Deaf()))
+        self.calls = Calls(cast("Connection", Deaf()), rosapi_places())
         self.told: list[tuple[int, Stage, str]] = []
         self.answers = Answers(
             self.calls,

@@ -8,7 +8,7 @@ from typing import Any, cast
 import pytest
 
 from fleet_tui.adapters.ros.operations import ServiceResponse
-from fleet_tui.client.rosbridge.calls import Calls, LinkLostError, NoAnswerError
+from fleet_tui.client.rosbridge.calls import OWN_WORD, Calls, LinkLostError, NoAnswerError, rosapi_places
 from fleet_tui.errors import LinkError
 from fleet_tui.transports.rosbridge.connection import Connection
 
@@ -33,7 +33,7 @@ def sent() -> Sent:
 
 @pytest.fixture
 def calls(sent: Sent) -> Calls:
-    return Calls(cast("Connection", sent))
+    return Calls(cast("Connection", sent), rosapi_places())
 
 
 def answer(id_: str, values: object = None) -> ServiceResponse:
@@ -52,20 +52,44 @@ async def test_answers_find_their_calls_in_any_order_and_once(calls: Calls, sent
     assert not calls.on_response(answer(one.id)) and not calls.on_response(answer("call:99"))
 
 
-async def test_what_is_looked_up_in_rosapi_waits_for_its_turn_and_no_other_call_does(
-    sent: Sent,
+async def test_what_is_asked_of_rosapi_waits_for_its_turn_and_no_other_call_does(
+    calls: Calls, sent: Sent
 ) -> None:
-    calls = Calls(cast("Connection", sent), lookups_at_once=1)
-    asked = ["/rosapi/topics", "/rosapi/services", "/rosapi/get_time", "/robot_0/pause"]
+    asked = ["/rosapi/topics", "/rosapi/services", "/rosapi/get_time", OWN_WORD, "/robot_0/pause"]
     open_calls = [asyncio.ensure_future(calls.call(service, {}, 5.0)) for service in asked]
     await asyncio.sleep(0)
-    assert [frame["service"] for frame in sent.frames] == [asked[0], *asked[2:]]
+    assert [frame["service"] for frame in sent.frames] == [*asked[:2], *asked[3:]]
     calls.on_response(answer(sent.frames[0]["id"]))
     await open_calls[0]
-    assert sent.frames[-1]["service"] == asked[1]
+    assert sent.frames[-1]["service"] == asked[2]
     for frame in sent.frames[1:]:
         calls.on_response(answer(frame["id"]))
     await asyncio.gather(*open_calls)
+
+
+async def test_a_question_that_gets_no_place_at_rosapi_ends_in_time_and_is_not_sent(
+    calls: Calls, sent: Sent
+) -> None:
+    unanswered = [asyncio.ensure_future(calls.call("/rosapi/topics", {}, 60.0)) for _ in range(2)]
+    await asyncio.sleep(0)
+    with pytest.raises(NoAnswerError, match="left others unanswered"):
+        await calls.call("/rosapi/get_time", {}, 0.7)
+    assert len(sent.frames) == 2
+    for frame in sent.frames:
+        calls.on_response(answer(frame["id"]))
+    await asyncio.gather(*unanswered)
+
+
+async def test_the_time_of_an_answer_begins_when_its_question_is_sent(calls: Calls, sent: Sent) -> None:
+    before = [asyncio.ensure_future(calls.call("/rosapi/topics", {}, 60.0)) for _ in range(2)]
+    timed = asyncio.ensure_future(calls.timed("/rosapi/get_time", {}, 60.0))
+    await asyncio.sleep(30.0)
+    for sent_before in list(sent.frames):
+        calls.on_response(answer(sent_before["id"]))
+    await asyncio.gather(*before)
+    await asyncio.sleep(1.0)
+    calls.on_response(answer(sent.frames[-1]["id"]))
+    assert (await timed)[0] < 2.0
 
 
 async def test_a_call_without_an_answer_may_be_waited_for_again(calls: Calls) -> None:

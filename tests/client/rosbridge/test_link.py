@@ -12,6 +12,8 @@ from fleet_tui.config.start import initial_state
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.events import CommandAdvanced, CommandIssued
 from fleet_tui.model.link import CommandPath
+from fleet_tui.simulator.calls import Call
+from fleet_tui.simulator.frames import Frame
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.links import path
 from tests.support.polling import HANGS
@@ -59,3 +61,34 @@ async def test_closing_leaves_no_connection_behind(server: RosbridgeServer) -> N
     async with asyncio.timeout(HANGS):
         while server.bridge.subscribers("/robot_0/pose"):  # noqa: ASYNC110  # nobody tells that a client left
             await asyncio.sleep(0)
+
+
+class Outstanding:
+    """Delays the answers of rosapi, and counts the questions that wait for one."""
+
+    def __init__(self, server: RosbridgeServer, seconds: float) -> None:
+        self._seconds = seconds
+        self._now = 0
+        self.most = 0
+        self.asked = 0
+        services = server.bridge.services
+        services.deliveries |= dict.fromkeys(services.rosapi.services, self._deliver)
+
+    def _deliver(self, call: Call, frame: Frame) -> None:
+        self.asked += 1
+        self._now += 1
+        self.most = max(self.most, self._now)
+        asyncio.get_running_loop().call_later(self._seconds, self._answer, call, frame)
+
+    def _answer(self, call: Call, frame: Frame) -> None:
+        self._now -= 1
+        call.reply(frame)
+
+
+async def test_two_questions_at_once_go_to_rosapi_over_all_connections_of_a_bridge(
+    server: RosbridgeServer,
+) -> None:
+    outstanding = Outstanding(server, 0.1)
+    async with opened(server) as (_, store):
+        await store.until(lambda state: path(CommandPath.ALIVE)(state) and outstanding.asked > 10)
+    assert outstanding.most == 2

@@ -6,7 +6,7 @@ from typing import Any, cast
 import pytest
 
 from fleet_tui.adapters.ros.operations import ServiceResponse
-from fleet_tui.client.rosbridge.calls import Calls
+from fleet_tui.client.rosbridge.calls import Calls, rosapi_places
 from fleet_tui.client.rosbridge.rosapi import topic_types
 from fleet_tui.errors import LinkError
 from fleet_tui.transports.rosbridge.connection import Connection
@@ -34,7 +34,7 @@ class LostConnection:
     ],
 )
 async def test_what_rosapi_lists(values: Any, result: bool, types: dict[str, str]) -> None:
-    calls = Calls(cast("Connection", OpenConnection()))
+    calls = Calls(cast("Connection", OpenConnection()), rosapi_places())
     asked = asyncio.ensure_future(topic_types(calls))
     await asyncio.sleep(0)
     assert calls.on_response(ServiceResponse("call:1", values, result))
@@ -42,4 +42,4 @@ async def test_what_rosapi_lists(values: Any, result: bool, types: dict[str, str
 
 
 async def test_without_a_link_nothing_is_known() -> None:
-    assert await topic_types(Calls(cast("Connection", LostConnection()))) == {}
+    assert await topic_types(Calls(cast("Connection", LostConnection()), rosapi_places())) == {}

@@ -55,13 +55,16 @@ class Drive:
     nothing is ever sent after a reconnection. `steer` and `end` from any thread, all else on the network
     loop."""
 
-    def __init__(self, link: str, bridge: Link, writer: Writer, topic: str, caps: Caps) -> None:
+    def __init__(
+        self, link: str, bridge: Link, writer: Writer, topic: str, caps: Caps, places: asyncio.Semaphore
+    ) -> None:
+        """`places` as for Calls."""
         self._link = link
         self._writer = writer
         self._topic = topic
         self._session = DriveSession(caps, topic)
         self._connection = Connection(bridge, self)
-        self._calls = Calls(self._connection)
+        self._calls = Calls(self._connection, places)
         self._type = ""
         """Empty until the topic is advertised."""
         self._steering = Steering()

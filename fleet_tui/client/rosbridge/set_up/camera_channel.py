@@ -46,8 +46,11 @@ class CameraChannel:
         subscriber: Subscriber,
         reading: FrameReader,
         sink: StreamSink,
+        places: asyncio.Semaphore,
     ) -> None:
-        """`adapters` by robot; `subscriber` of the same bridge knows the types of topics."""
+        """`adapters` by robot; `subscriber` of the same bridge knows the types of topics; `places` as for
+        Calls."""
+        self._places = places
         self._bridge = replace(bridge, max_message_mb=min(bridge.max_message_mb, LARGEST_MB))
         self._cameras = [feed for feed in feeds if feed.stream_key == CAMERA]
         self._adapters = adapters
@@ -77,7 +80,7 @@ class CameraChannel:
             self._disconnect()
         elif self._connection is None:
             self._connection = Connection(self._bridge, self)
-            self._calls = Calls(self._connection)
+            self._calls = Calls(self._connection, self._places)
             self._connection.connect()
         elif self._connection.is_connected:
             for feed in wanted - before:
