@@ -1,8 +1,10 @@
 """What robots themselves say they do: it comes before any guess from their poses."""
 
 from fleet_tui.model.alarm import Priority
+from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.navigation import STOPS_WITHIN, ReportedMotion
+from fleet_tui.model.navigation import STOPS_WITHIN, Goal, ReportedMotion
+from fleet_tui.model.order import BEGUN
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.vehicles.vehicle import CurrentAction, Vehicle
 from fleet_tui.situation.fact import Fact
@@ -13,6 +15,10 @@ CRAWLS = 0.05
 """Metres per second above which a vehicle that only tells its speed drives."""
 STANDS_FOR = 0.5
 """Seconds of speeds near zero from which a robot stands."""
+STANDS_AFTER = 1.0
+"""Seconds without movement after which a robot counts as standing, and within which it counted as moving."""
+SELDOM = 2.0
+"""Seconds between the poses of robots that nobody looks at, at most by the usual configuration."""
 LOCK = "Pause it again: that locks its motors"
 
 
@@ -53,10 +59,53 @@ def stands_since(robot: Robot, given_at: float) -> bool | None:
     return not motion.is_moving and robot.motion.at - max(motion.since, given_at) >= STANDS_FOR
 
 
+def is_moving(robot: Robot, now: float) -> bool:
+    """Tell whether its poses showed it moving within the last STANDS_AFTER seconds, or if they come seldom,
+    its newest one did."""
+    if robot.standing is None:
+        return False
+    still = now - robot.standing.at
+    return still < STANDS_AFTER or (robot.still_for < STANDS_AFTER and still < STANDS_AFTER + SELDOM)
+
+
+def _driving_goal(state: FleetState, robot: Robot) -> Goal | None:
+    """Return another client's goal that drives a robot that was seen to pause: this console keeps back only
+    its own ones."""
+    if not (robot.kind.holds and robot.paused_by_us and state.is_fresh(robot, "queue")):
+        return None
+    goals = (goal for listed in robot.goals.values() for goal in listed)
+    found = (one for one in goals if one.state in BEGUN and not one.is_ours and not one.is_ending)
+    return next(found, None) if _was_seen_to_pause(state, robot) else None
+
+
+def _was_seen_to_pause(state: FleetState, robot: Robot) -> bool:
+    """Tell whether of its pauses and resumes that were confirmed the newest is a pause: a further one may be
+    on its way, or have failed."""
+    seen = (
+        one.command
+        for one in reversed(state.commands)
+        if one.command.robot == robot.name and one.stage is Stage.CONFIRMED
+    )
+    newest = next((one for one in seen if isinstance(one, PauseRobot | ResumeRobot)), None)
+    return isinstance(newest, PauseRobot)
+
+
 def moves_despite_pause(state: FleetState, robot: Robot) -> Fact | None:
-    """Find that a robot that is paused does not stand, by the speeds that it reports: it brakes, goes on as
-    if there were no pause, or moves again."""
-    if not state.is_paused(robot) or stands_since(robot, 0.0):
+    """Find that a robot that is paused does not stand: another client's goal drives it, or by the speeds that
+    it reports it brakes, goes on as if there were no pause, or moves again."""
+    if not state.is_paused(robot):
+        return None
+    if (goal := _driving_goal(state, robot)) is not None:
+        return Fact(
+            DESPITE_PAUSE,
+            robot.name,
+            DESPITE_PAUSE.word if is_moving(robot, state.now) else "another goal despite pause",
+            Priority.MEDIUM,
+            goal.begun_at or state.now,
+            remedy="Pause it again to cancel that goal, or ask who sends it goals",
+            evidence="another client sent a goal after the pause; a pause holds only this console's goals",
+        )
+    if stands_since(robot, 0.0):
         return None
     if robot.motion is not None:
         motion, at = robot.motion.value, robot.motion.at

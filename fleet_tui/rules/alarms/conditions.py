@@ -19,11 +19,11 @@ from fleet_tui.rules.alarms.vehicles import VEHICLE_RULES
 from fleet_tui.rules.battery.charging import LOOK_AT_CHARGER, charger_of, charging_remedy, charging_reported
 from fleet_tui.rules.causes import cause_of_standing
 from fleet_tui.rules.commands.failures import failed_commands
-from fleet_tui.rules.commands.pauses import drives_despite_pause, is_held
+from fleet_tui.rules.commands.pauses import is_held
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.situation import links
 from fleet_tui.situation.fact import Fact
-from fleet_tui.situation.facts import BAD_DATA, SILENT
+from fleet_tui.situation.facts import BAD_DATA, DESPITE_PAUSE, SILENT
 from fleet_tui.situation.motion import moves_despite_pause, running_action, says_driving
 from fleet_tui.situation.robots import (
     absence,
@@ -98,13 +98,14 @@ def battery(state: FleetState, robot: Robot, active: ActiveConditions) -> Condit
 def pause(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
     """Raise after a pause for longer than the limit."""
     last_word = robot.paused.value if robot.paused is not None else robot.paused_by_us
-    if drives_despite_pause(state, robot):
-        return None
     if not last_word or not (state.is_paused(robot) or was_active(active, robot.name, robot.link, "pause")):
         return None
     since = state.began.get((robot.name, "pause"), state.now)
-    if (fact := moves_despite_pause(state, robot)) is not None and fact.priority is Priority.HIGH:
+    fact = moves_despite_pause(state, robot)
+    if fact is not None and fact.priority is Priority.HIGH:
         return _condition(fact._replace(remedy=fact.action), fact.since)
+    if fact is not None and fact.kind is DESPITE_PAUSE:
+        return _condition(fact, math.inf)  # it needs no alarm, and is not paused for long
     text = f"paused for {age(state.now - since)}"
     if not state.is_paused(robot) and robot.paused is not None:
         text = f"pause last reported {age(state.now - robot.paused.at)} ago"

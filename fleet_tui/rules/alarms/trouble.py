@@ -12,7 +12,6 @@ from fleet_tui.rules.alarms.vehicles import priority_of
 from fleet_tui.rules.battery.charging import CHARGES, ON_ITS_WAY
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.order_ends import seen_end
-from fleet_tui.rules.commands.pauses import drives_despite_pause
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
 from fleet_tui.situation.facts import BAD_DATA
@@ -150,7 +149,7 @@ def is_odd(state: FleetState, robot: Robot) -> bool:
         is_bad = fact is not None and fact.kind is BAD_DATA
         return is_gone or is_bad or unexplained_end(state, robot) is not None
     is_held = state.is_paused(robot) and own_pause(state, robot) is None
-    is_held = is_held or drives_despite_pause(state, robot) or _moves_again(state, robot)
+    is_held = is_held or _moves_again(state, robot)
     is_held = is_held or obstacle(state, robot) is not None
     is_held = is_held or inactive(state, robot) is not None
     unknown = is_missing(state, robot, "pose") or bad_data(state, robot) is not None

@@ -28,8 +28,9 @@ from fleet_tui.model.set_up.commands import SetUpCommand
 from fleet_tui.rules.commands.goals import own_ids
 from fleet_tui.rules.commands.local_queue import is_bid
 from fleet_tui.rules.commands.order_search import find_order, queue_since
-from fleet_tui.rules.commands.pauses import WAITS, instead_of_pause, is_moving, pause_seen
+from fleet_tui.rules.commands.pauses import WAITS, instead_of_pause, pause_seen
 from fleet_tui.rules.commands.set_up.confirmation import instead_of_set_up, set_up_seen
+from fleet_tui.situation.motion import is_moving
 
 BIDDING = 15.0
 """Seconds for which fleets may bid for an order to any robot, before one has it."""

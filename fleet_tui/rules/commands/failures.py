@@ -17,6 +17,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetUpCommand
 from fleet_tui.rules.causes import cause_of_end, remedy_of
 from fleet_tui.rules.commands.batches import batches
+from fleet_tui.situation.facts import STILL_MOVING
 from fleet_tui.situation.robots import drives_on as find_drives_on
 from fleet_tui.text.details import detail_text
 
@@ -31,6 +32,17 @@ CARRIED_OUT = "Do not repeat the command: the robot has carried it out"
 DRIVES_ON = "It still has the order: pause it, or stop it at the robot, then cancel again"
 MANY = 5
 """Failed commands to at least this many robots given together are one alarm."""
+
+
+def _has_own_alarm(state: FleetState, record: commands.CommandRecord) -> bool:
+    """Tell whether a pause was not confirmed because its robot moves on: that is an alarm by itself."""
+    key = (record.command.robot, STILL_MOVING.name)
+    if (
+        not isinstance(record.command, commands.PauseRobot)
+        or record.stage is not commands.Stage.NOT_CONFIRMED
+    ):
+        return False
+    return any(alarm.key == key and alarm.first_text == STILL_MOVING.word for alarm in state.alarms)
 
 
 def has_failed(record: commands.CommandRecord) -> bool:
@@ -59,7 +71,9 @@ def _request_text(robot: Robot, command: commands.Command) -> str:
 def failed_commands(state: FleetState) -> Iterator[Condition]:
     """Return commands that failed a short while ago: an alarm for each robot, or for each link on which one
     request to many robots failed."""
-    fresh = [record for record in state.commands if has_failed(record) and state.now - record.at < FAILED_FOR]
+    failures = (record for record in state.commands if has_failed(record))
+    news = (record for record in failures if state.now - record.at < FAILED_FOR)
+    fresh = [record for record in news if not _has_own_alarm(state, record)]
     if not fresh:
         return
     given = {record.id: len(batch) for batch in batches(state.commands) for record in batch}

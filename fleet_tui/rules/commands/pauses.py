@@ -3,64 +3,25 @@
 from fleet_tui.model.commands import CommandRecord, PauseRobot, ResumeRobot, Stage, Step
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation import Goal
-from fleet_tui.model.order import BEGUN
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.goals import active, own_ids
 from fleet_tui.rules.commands.local_queue import orders_of, waiting
-from fleet_tui.situation.facts import DESPITE_PAUSE
-from fleet_tui.situation.motion import moves_despite_pause, stands_since
-
-STANDS_AFTER = 1.0
-"""Seconds without movement after which a robot counts as standing, and within which it counted as moving."""
-SELDOM = 2.0
-"""Seconds between the poses of robots that nobody looks at, at most by the usual configuration."""
-
+from fleet_tui.situation.motion import STANDS_AFTER, moves_despite_pause, stands_since
 
 WAITS = frozenset({Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
 """Text of a pause that telemetry decides."""
 
 
-def is_moving(robot: Robot, now: float) -> bool:
-    """Tell whether its poses showed it moving within the last STANDS_AFTER seconds, or if they come seldom,
-    its newest one did."""
-    if robot.standing is None:
-        return False
-    still = now - robot.standing.at
-    return still < STANDS_AFTER or (robot.still_for < STANDS_AFTER and still < STANDS_AFTER + SELDOM)
-
-
-def drives_despite_pause(state: FleetState, robot: Robot) -> bool:
-    """Tell whether another client's goal drives a robot that was seen to pause: this console keeps back only
-    its own ones."""
-    if not (robot.kind.holds and robot.paused_by_us and state.is_fresh(robot, "queue")):
-        return False
-    goals = (goal for goal in active(robot.goals) if goal.state in BEGUN and not goal.is_ours)
-    return _was_seen_to_pause(state, robot) and any(not goal.is_ending for goal in goals)
-
-
 def is_held(state: FleetState, robot: Robot) -> bool:
     """Tell whether it is known to be paused, nothing drives it all the same, and it stands, as far as it
     reports a speed."""
-    is_free = state.is_paused(robot) and not drives_despite_pause(state, robot)
-    return is_free and moves_despite_pause(state, robot) is None
-
-
-def _was_seen_to_pause(state: FleetState, robot: Robot) -> bool:
-    """Tell whether of its pauses and resumes that were confirmed the newest is a pause: a further one may be
-    on its way, or have failed."""
-    seen = (
-        one.command
-        for one in reversed(state.commands)
-        if one.command.robot == robot.name and one.stage is Stage.CONFIRMED
-    )
-    newest = next((one for one in seen if isinstance(one, PauseRobot | ResumeRobot)), None)
-    return isinstance(newest, PauseRobot)
+    return state.is_paused(robot) and moves_despite_pause(state, robot) is None
 
 
 def own_pause_text(state: FleetState, robot: Robot) -> str:
     """Return the pause state of a robot that does not report it, as far as this console knows."""
-    if drives_despite_pause(state, robot):
-        return DESPITE_PAUSE.word if is_moving(robot, state.now) else "another goal despite pause"
+    if (fact := moves_despite_pause(state, robot)) is not None:
+        return fact.text
     if robot.kind.holds:
         return "stopped, goal kept here" if waiting(state, robot) else "stopped, no goal to keep"
     return "paused (by us)"

@@ -11,7 +11,7 @@ from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.alarms.navigation import lacks_odometry
 from fleet_tui.rules.battery.charging import charger_of, charging_remedy, charging_reported
 from fleet_tui.rules.commands.newest import own_pause
-from fleet_tui.rules.commands.pauses import STANDS_AFTER, drives_despite_pause, is_held, own_pause_text
+from fleet_tui.rules.commands.pauses import is_held, own_pause_text
 from fleet_tui.rules.localisation.jumps import recent_jumps
 from fleet_tui.rules.localisation.misplaced import (
     OFF_ROUTE,
@@ -24,7 +24,7 @@ from fleet_tui.rules.movement import JUMPS_WITHIN
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, name_of, stationary_since
 from fleet_tui.situation import links
 from fleet_tui.situation.facts import BAD_DATA
-from fleet_tui.situation.motion import moves_despite_pause, says_driving
+from fleet_tui.situation.motion import STANDS_AFTER, moves_despite_pause, says_driving
 from fleet_tui.situation.navigation import NO_ODOMETRY
 from fleet_tui.situation.robots import absence, last_contact, silent
 from fleet_tui.text.units import age, ago, duration
@@ -111,19 +111,10 @@ def paused(state: FleetState, robot: Robot) -> Reason | None:
     return Reason("paused", by, since=since, seen=robot.paused.at, keys=("resume",))
 
 
-def despite_pause(state: FleetState, robot: Robot) -> Reason | None:
-    """Report that it drives although it is paused: a pause that keeps goals keeps only those from here."""
-    if not drives_despite_pause(state, robot):
-        return None
-    evidence = "another client sent a goal after the pause; a pause holds only this console's goals"
-    remedy = "Pause it again to cancel that goal, or ask who sends it goals"
-    return Reason(own_pause_text(state, robot), evidence, keys=("pause",), remedy=remedy)
-
-
 def not_stopped(state: FleetState, robot: Robot) -> Reason | None:
-    """Report that it is paused and does not stand: it brakes, or moves on."""
+    """Report that it is paused and does not stand: it brakes, moves on, or is driven by another client."""
     fact = moves_despite_pause(state, robot)
-    if fact is None or drives_despite_pause(state, robot):
+    if fact is None:
         return None
     keys, remedy = fact.kind.keys, fact.action if fact.priority is not Priority.LOW else ""
     return Reason(fact.text, fact.evidence, since=fact.since, seen=fact.seen, keys=keys, remedy=remedy)

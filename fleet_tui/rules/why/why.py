@@ -41,7 +41,6 @@ from fleet_tui.rules.why.reason import Reason, Rule, Strength
 from fleet_tui.rules.why.robot import (
     battery,
     charges,
-    despite_pause,
     jumps,
     late_link,
     misplaced,
@@ -70,7 +69,6 @@ ASTRAY: tuple[Rule, ...] = (
     jumps,
     estimated,
     off_graph,
-    despite_pause,
     not_stopped,
     not_active,
     still_driving,
@@ -84,7 +82,6 @@ RULES: tuple[Rule, ...] = (
     misplaced,
     off_graph,
     estimated,
-    despite_pause,
     not_stopped,
     still_driving,
     paused,

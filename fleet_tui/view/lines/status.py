@@ -8,10 +8,11 @@ from fleet_tui.model.fleet import FleetState, behind_text
 from fleet_tui.model.kind import PAUSE
 from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
 from fleet_tui.rules.alarms.trouble import to_look_at
-from fleet_tui.rules.commands.pauses import is_held, is_moving
+from fleet_tui.rules.commands.pauses import is_held
 from fleet_tui.rules.sites import alarms_by_site, site_of, sites_of
 from fleet_tui.situation.facts import LATE_LINK
 from fleet_tui.situation.links import LATE_FROM, is_late
+from fleet_tui.situation.motion import is_moving
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, fit_words, sanitize
 from fleet_tui.text.units import age, duration

@@ -12,13 +12,12 @@ from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.alarms.trouble import acknowledged, in_trouble
-from fleet_tui.rules.commands.pauses import STANDS_AFTER
 from fleet_tui.rules.why.complaints import Complaint
 from fleet_tui.rules.why.place import place_text
 from fleet_tui.rules.why.reason import Reason, Strength, stationary_since
 from fleet_tui.rules.why.robot import moves
 from fleet_tui.rules.why.why import reasons
-from fleet_tui.situation.motion import says_driving
+from fleet_tui.situation.motion import STANDS_AFTER, says_driving
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age, ago

@@ -9,7 +9,7 @@ from fleet_tui.rules.alarms.members import issue_text
 from fleet_tui.rules.alarms.trouble import AGING, in_trouble, shelved, unexplained_end
 from fleet_tui.rules.alarms.vehicles import priority_of, sorted_errors
 from fleet_tui.rules.commands.newest import own_pause
-from fleet_tui.rules.commands.pauses import drives_despite_pause, own_pause_text
+from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.rules.commands.rivals import rivals
 from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.localisation.jumps import is_jumping
@@ -46,7 +46,7 @@ def _old(state: FleetState, robot: Robot, unheard: Fact | None) -> Iterator[Run]
 
 def _paused(state: FleetState, robot: Robot) -> Run:
     fact = moves_despite_pause(state, robot)
-    if fact is not None and not drives_despite_pause(state, robot):
+    if fact is not None:
         return tr(fact.text), StyleRole.ALARM if fact.priority is Priority.HIGH else StyleRole.WARN
     if robot.paused is None:
         return tr(own_pause_text(state, robot)), StyleRole.WARN
@@ -61,14 +61,9 @@ def without_cause(alarm: Alarm, text: str) -> str:
 
 def failed_command(state: FleetState, robot: Robot, short: bool = False) -> Iterator[Run]:
     """Return the alarms of a command and of an order that failed, as far as there are any; `short`: without
-    the name of the order, which stands before what happened to it. That a paused robot still moves is more
-    than that its pause is not confirmed."""
+    the name of the order, which stands before what happened to it."""
     keys = (robot.name, "command"), (robot.name, "order")
-    pause = moves_despite_pause(state, robot)
-    is_more = pause is not None and pause.priority is Priority.HIGH
     for alarm in state.alarms:
-        if is_more and alarm.key == keys[0]:
-            continue
         if alarm.key in keys and alarm.holds and alarm.stage is not AlarmStage.SHELVED:
             is_of_order = alarm.key == keys[1] or without_cause(alarm, alarm.text) != alarm.text
             if is_of_order and (fact := drives_on(state, robot)) is not None:

@@ -21,8 +21,8 @@ from fleet_tui.model.set_up.commands import (
     StoreMap,
 )
 from fleet_tui.rules.commands.local_queue import waiting
-from fleet_tui.rules.commands.pauses import is_moving
 from fleet_tui.rules.commands.set_up.mode import mapping_text
+from fleet_tui.situation.motion import is_moving
 
 FARTHEST = 1e6
 """Metres from the origin of a map beyond which a pose is a slip of the keyboard."""

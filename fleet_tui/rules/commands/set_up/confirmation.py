@@ -19,8 +19,9 @@ from fleet_tui.model.set_up.commands import (
     StoreMap,
     counts_text,
 )
-from fleet_tui.rules.commands.pauses import STANDS_AFTER, stopped
+from fleet_tui.rules.commands.pauses import stopped
 from fleet_tui.rules.commands.set_up.mode import is_in_mode
+from fleet_tui.situation.motion import STANDS_AFTER
 
 SET_WITHIN = 0.5
 SET_TURN = math.radians(15.0)
