@@ -5,6 +5,7 @@ import math
 from msgspec import Struct
 
 from fleet_tui.model.order import OrderState, Stop
+from fleet_tui.model.set_up.driving import Speeds
 from fleet_tui.text.units import duration
 
 
@@ -47,10 +48,12 @@ STOPS_WITHIN = 3.0
 
 
 class ReportedMotion(Struct, frozen=True):
-    """Whether a robot moves by the speeds that it reports, and since when (monotonic) all of them said so."""
+    """Whether a robot moves by the speeds that it reports, and since when (monotonic) all of them said so.
+    `mean` is that of the newest ones, each as far as it matters."""
 
     is_moving: bool
     since: float
+    mean: Speeds = Speeds()
 
 
 DOWN = "down"

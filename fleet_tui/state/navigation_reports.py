@@ -126,19 +126,40 @@ def _take_odometry(robot: Robot, event: navigation_events.OdometryReported, site
 
 REST_METRES = 0.02
 REST_RADIANS = 0.02
+SMOOTHED_OVER = 1.0
+MATTERS = 3.0
 GAP = 5.0
-"""Metres and radians per second below which a robot stands; seconds without a report after which nobody knows
-what it did between."""
+"""Metres and radians per second below which a robot stands, seconds over which their noise is averaged, and
+the multiple of them that counts: it must not take long to forget a drive. Seconds without a report after
+which nobody knows what it did between."""
+
+
+def _is_moving(speed: Speeds) -> bool:
+    return speed.linear >= REST_METRES or abs(speed.turning) >= REST_RADIANS
+
+
+def _mean(before: Reading[ReportedMotion] | None, speed: Speeds, at: float) -> Speeds:
+    weight = 1.0 if before is None else min(1.0, (at - before.at) / SMOOTHED_OVER)
+    known = Speeds() if before is None else before.value.mean
+    limits = Speeds(REST_METRES, REST_METRES, REST_RADIANS)
+    return Speeds(
+        *(
+            old + (max(-MATTERS * limit, min(MATTERS * limit, new)) - old) * weight
+            for old, new, limit in zip(known, speed, limits, strict=True)
+        )
+    )
 
 
 def _with_motion(robot: Robot, speed: Speeds, at: float) -> Robot:
-    is_moving = speed.linear >= REST_METRES or abs(speed.turning) >= REST_RADIANS
     before = robot.motion
+    mean = _mean(before, speed, at)
+    # At rest speeds are noise about zero; one that brakes stands before the mean says so.
+    is_moving = _is_moving(speed) and _is_moving(mean)
     if before is None and not is_moving:
         return robot
     is_same = before is not None and before.value.is_moving is is_moving and at - before.at <= GAP
     since = before.value.since if before is not None and is_same else at
-    return replace(robot, motion=Reading(ReportedMotion(is_moving, since), at))
+    return replace(robot, motion=Reading(ReportedMotion(is_moving, since, mean), at))
 
 
 def _take_origin(robot: Robot, event: navigation_events.OriginReported) -> Robot:

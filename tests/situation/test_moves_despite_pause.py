@@ -1,5 +1,8 @@
 """A paused robot that does not stand, by the speeds that it reports."""
 
+from collections.abc import Callable
+from random import Random
+
 import pytest
 from msgspec.structs import replace
 
@@ -23,11 +26,14 @@ from tests.support.nav2_goals import localised, nav2
 AHEAD, SPINS, STANDS, CREEPS = Speeds(0.5), Speeds(turning=-1.0), Speeds(), Speeds(0.019, 0.0, 0.019)
 
 
-def driven(state: FleetState, first: float, last: float, speed: Speeds | None) -> FleetState:
+def driven(
+    state: FleetState, first: float, last: float, speed: Speeds | Callable[[], Speeds] | None
+) -> FleetState:
     """A robot that reports a speed ten times a second, from one second to another after T0."""
     for tenth in range(round(first * 10), round(last * 10) + 1):
         at = T0 + tenth / 10
-        state = reduced(state, OdometryReported(R0, at, Pose(0.0, 0.0), at, speed=speed))
+        newest = speed() if callable(speed) else speed
+        state = reduced(state, OdometryReported(R0, at, Pose(0.0, 0.0), at, speed=newest))
         state = reduced(state, localised(at, 0.0), TimePassed(at, WALL + at))
     return state
 
@@ -77,6 +83,26 @@ def test_one_that_moves_on_after_three_seconds_is_told_everywhere_in_red() -> No
     why = reasons(state, robot(state))[0]
     assert (why.name, why.remedy) == ("still moving", "Stop it by its own controls, or by its emergency stop")
     assert f"{R0}: still moving" in attention(state)
+
+
+@pytest.mark.parametrize("turning", [0.0, 1.0])
+def test_the_noise_of_its_speeds_at_rest_is_no_movement(turning: float) -> None:
+    noise = Random(1)
+
+    def measured() -> Speeds:
+        return Speeds(noise.gauss(0.0, 0.02), turning=noise.gauss(0.0, 0.03))
+
+    state = driven(paused(Speeds(turning=turning)), 1.1, 2.0, Speeds(turning=turning))
+    state = driven(state, 2.1, 4.0, measured)
+    for second in range(4, 20):
+        state = driven(state, second + 0.1, second + 1, measured)
+        assert told(state) == ["stopped, no goal to keep"] and not state.alarms, second
+
+
+def test_a_slow_drive_is_movement_however_noisy_its_speeds_are() -> None:
+    noise = Random(1)
+    state = driven(paused(AHEAD), 1.1, 6.0, lambda: Speeds(0.05 + noise.gauss(0.0, 0.01)))
+    assert told(state) == [STILL_MOVING.word]
 
 
 def test_the_alarm_is_over_as_it_stands_and_not_as_if_the_pause_had_ended() -> None:
