@@ -17,6 +17,11 @@ LATE_CONTROLLER = (
     "bt_navigator_navigate_to_pose_rclcpp_node",
     "Timed out while waiting for action server to acknowledge goal request for follow_path",
 )
+DEAD_CONTROLLER = (
+    "lifecycle_manager_navigation",
+    "CRITICAL FAILURE: SERVER controller_server IS DOWN after not receiving a heartbeat for 4000 ms. Shutting"
+    " down related nodes.",
+)
 GENERIC = (
     "late",
     "slow-answer",
@@ -58,7 +63,7 @@ def _silent_aborts(navigation: "SimNavigation", age: float) -> float:
     """Abort as a behaviour tree does whose controller is late: no code, no text, a warning in the log."""
     if age < AWHILE:
         return age
-    navigation.warnings.append(LATE_CONTROLLER)
+    navigation.warn(*LATE_CONTROLLER)
     navigation.abort(0, "")
     return 0.0
 
@@ -106,6 +111,7 @@ def _node_down(server: "RosbridgeServer", robot: str) -> None:
     """Kill the controller: the manager takes all other nodes down."""
     navigation = _fleet(server, robot).navigation[robot]
     navigation.active = False
+    navigation.warn(*DEAD_CONTROLLER, is_error=True)
     del server.bridge.services.offered[f"/{robot}/controller_server/get_state"]
 
 

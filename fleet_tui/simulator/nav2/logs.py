@@ -34,9 +34,9 @@ class Nav2Changes:
         self._statuses = statuses
 
     def _goals(self, name: str, navigation: SimNavigation, statuses: dict[bytes, int]) -> Iterator[Line]:
-        while navigation.warnings:
-            node, text = navigation.warnings.pop(0)
-            yield WARN, f"/{name}/{node}", text
+        while navigation.complaints:
+            level, node, text = navigation.complaints.pop(0)
+            yield level, f"/{name}/{node}", text
         for goal in navigation.servers[TO_POSE].goals.values():
             before, statuses[goal.id] = self._statuses.get(goal.id), goal.status
             if before == goal.status:

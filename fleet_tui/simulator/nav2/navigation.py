@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from fleet_tui.model.geometry import Pose
+from fleet_tui.simulator.logs import ERROR, WARN
 from fleet_tui.simulator.navigating.poses import FRAME, flat, stamped
 from fleet_tui.simulator.navigating.robot import NavigatingRobot
 from fleet_tui.simulator.ros.goals import ABORTED, CANCELED, CANCELING, SUCCEEDED, ActionServer, ServedGoal
@@ -69,8 +70,8 @@ class SimNavigation:
         """The number of goals that are rejected from now on."""
         self.received: list[Message] = []
         """Every goal that reached a server, legs of tours too; the newest last."""
-        self.warnings: list[tuple[str, str]] = []
-        """Nodes and texts of warnings that are to be logged."""
+        self.complaints: list[tuple[int, str, str]] = []
+        """Levels, nodes and texts of what its nodes are to log."""
         self.publishes = True
         """False: no feedback is sent."""
         self.distro = "jazzy"
@@ -104,6 +105,10 @@ class SimNavigation:
         """Abort the current drive."""
         if self._current is not None:
             self.robot.fail(code, message)
+
+    def warn(self, node: str, text: str, is_error: bool = False) -> None:
+        """Log a warning of one of its nodes, or an error."""
+        self.complaints.append((ERROR if is_error else WARN, node, text))
 
     def state_of(self, node: str) -> str:
         """The lifecycle state of one of its nodes, all of which start one after the other."""
@@ -236,7 +241,7 @@ class SimNavigation:
 
 
 def _spun(goal: ServedGoal) -> Message:
-    return {"total_elapsed_time": {"sec": int(goal.age), "nanosec": 0}, "error_code": 0}
+    return {"total_elapsed_time": {"sec": int(goal.age), "nanosec": 0}, "error_code": 0, "error_msg": ""}
 
 
 def _result(code: int = 0, message: str = "") -> Message:
