@@ -233,7 +233,8 @@ class CommandRecord(Struct, frozen=True):
     `order_serial` identify the order in the robot's queue that it placed; `name` is the name that this
     console gave it on the wire, empty if the robot names it. `leg` is the stop that it leads to now, for
     orders whose stops this console sends one by one. `answer`: the robot's answer to this console on the
-    end of a goal. `turn` sorts the orders that wait here, None: by `issued_at`."""
+    end of a goal. `turn` sorts the orders that wait here, None: by `issued_at`. `earlier_goals`: the ids of
+    the goals by which it was driven so far, to a stop on the way or until a pause."""
 
     id: int
     command: Command
@@ -247,6 +248,7 @@ class CommandRecord(Struct, frozen=True):
     name: str = ""
     leg: int = 0
     turn: float | None = None
+    earlier_goals: tuple[str, ...] = ()
 
     @property
     def stage(self) -> Stage:

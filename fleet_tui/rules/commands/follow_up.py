@@ -128,8 +128,10 @@ def _corrected(state: FleetState, robot: Robot, record: CommandRecord) -> Comman
 
 
 def _waiting(state: FleetState, robot: Robot, record: CommandRecord, why: str) -> CommandRecord:
+    assert record.order_id is not None
     kept = record.advanced(Step(Stage.WAITING, state.now, f"order {record.order_id}: {why}"))
-    return replace(kept, order_id=next_id(state, robot), order_serial=None)
+    goals = (*record.earlier_goals, record.order_id)
+    return replace(kept, order_id=next_id(state, robot), order_serial=None, earlier_goals=goals)
 
 
 def _is_of_several_stops(record: CommandRecord) -> bool:

@@ -22,7 +22,8 @@ HELD_BY_OTHERS = (ANOTHER_CLIENT, "someone else drives")
 """The second is that of older recordings."""
 
 _WELL = frozenset({Stage.DONE})
-_GOING = frozenset({Stage.CHECKED, Stage.SENT, Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
+GOING = frozenset({Stage.CHECKED, Stage.SENT, Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
+"""Stages of an order that has left, and that its robot may have taken."""
 
 
 def orders_of(state: FleetState, robot: Robot) -> list[CommandRecord]:
@@ -52,7 +53,7 @@ def orders_to_save(state: FleetState, robot: Robot) -> Iterator[tuple[CommandRec
         if isinstance(one.command, PlaceOrder):
             if one.stage is Stage.WAITING:
                 yield one, one.command.stops[one.leg :]
-            elif one.has_further_leg(robot.kind) and (one.has_open_order or one.stage in _GOING):
+            elif one.has_further_leg(robot.kind) and (one.has_open_order or one.stage in GOING):
                 yield one, one.command.stops[one.leg + 1 :]
 
 
@@ -106,7 +107,7 @@ def next_id(state: FleetState, robot: Robot) -> str:
 def foreign(state: FleetState, robot: Robot) -> list[Order]:
     """Return the active orders from other clients, as far as this console knows its own."""
     known = {one.order_id for one in orders_of(state, robot)}
-    unknown = any(one.stage in _GOING for one in orders_of(state, robot))
+    unknown = any(one.stage in GOING for one in orders_of(state, robot))
     return [] if unknown else [order for order in robot.orders.open if order.id not in known]
 
 
@@ -117,7 +118,7 @@ def is_busy(state: FleetState, robot: Robot, command_id: int) -> bool:
         bool(robot.orders.open)
         or (robot.kind.holds and robot.paused_by_us)
         or any(
-            one.stage is Stage.WAITING or one.stage in _GOING or one.has_open_order
+            one.stage is Stage.WAITING or one.stage in GOING or one.has_open_order
             for one in orders_of(state, robot)
             if one.id != command_id
         )
@@ -132,7 +133,7 @@ def next_to_send(state: FleetState, robot: Robot) -> CommandRecord | None:
     if state.links[robot.link].phase is not Phase.UP or robot.orders.open:
         return None
     others = (one for one in orders_of(state, robot) if one.stage is not Stage.WAITING)
-    if any(one.stage in _GOING or one.has_open_order for one in others):
+    if any(one.stage in GOING or one.has_open_order for one in others):
         return None
     # An event between two ticks may hold the queue from the next one on.
     return None if next(_reasons(state, robot), "") else kept[0]

@@ -71,6 +71,13 @@ def seen_end(state: FleetState, robot: Robot, gone: GoneOrder) -> ExplainedEnd:
     return end._replace(is_open=end.is_open or waits)
 
 
+def ended_orders(state: FleetState, robot: Robot) -> list[GoneOrder]:
+    """Return the orders that ended, the newest last. A goal that led to a stop on the way, or that a pause of
+    this console ended, is a part of an order that goes on."""
+    parts = {id_ for one in state.commands if one.command.robot == robot.name for id_ in one.earlier_goals}
+    return [gone for gone in robot.gone if gone.order.id not in parts]
+
+
 def placed_by(state: FleetState, robot: Robot, order: Order) -> CommandRecord | None:
     """Return the command of this console that placed an order, None for another client's."""
     found = (

@@ -1,17 +1,19 @@
 """The history that a sequence of fleet states tells: it remembers only what it needs for the next one."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import partial
 
 from fleet_tui.model.alarm import Key
-from fleet_tui.model.commands import CORRECTABLE, Stage
+from fleet_tui.model.commands import CORRECTABLE, ORDER_ENDS, CommandRecord, PlaceOrder, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Charge, LaterCause, LinkChange, OrderChange, Span
 from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.order import Order, route_text
+from fleet_tui.model.order_life import OrderTrace
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.told import told
-from fleet_tui.rules.commands.order_ends import placed_by, seen_end
+from fleet_tui.rules.commands.local_queue import GOING
+from fleet_tui.rules.commands.order_ends import ended_orders, placed_by, seen_end
 from fleet_tui.rules.history.activity import activity, may_do_anything
 from fleet_tui.rules.why.reason import name_of
 
@@ -41,7 +43,7 @@ class Observer:
         self._spans: dict[str, Span] = {}
         self._told: dict[str, float] = {}
         self._charges: dict[str, Charge] = {}
-        self._robots: dict[str, Robot] = {}
+        self._traces: dict[str, Mapping[str, OrderTrace]] = {}
         self._links: dict[str, bool] = {}
         self._causes: dict[Key, str] = {}
         self._ends: dict[str, dict[_Gone, Stage]] = {}
@@ -57,7 +59,6 @@ class Observer:
             yield from self._orders(state, robot)
             yield from self._span(state, robot)
             yield from self._charge(state, robot)
-            self._robots[robot.name] = robot
         yield from self._later_causes(state)
 
     def finish(self) -> Iterator[Fact]:
@@ -82,24 +83,27 @@ class Observer:
 
     def _orders(self, state: FleetState, robot: Robot) -> Iterator[OrderChange]:
         yield from self._order_ends(state, robot)
-        before = self._robots.get(robot.name)
-        if before is not None and before.traces is robot.traces:
+        traces = self._traces.get(robot.name)
+        if traces is robot.traces or _is_sending(state, robot):
             return
-        traces = before.traces if before else {}
+        self._traces[robot.name] = robot.traces
         for id_, trace in robot.traces.items():
-            known = traces.get(id_)
+            record = placed_by(state, robot, trace.order)
+            if record is not None and record.earlier_goals:
+                continue  # it was told with its first goal
+            known = traces.get(id_) if traces else None
             if known is not None and not _is_same(known.order, trace.order):
                 known = None
             begun = state.now if trace.began_at is None else trace.began_at
             if known is None:
                 taken = state.now if trace.order.taken_at is None else trace.order.taken_at
-                yield _change(state, robot, trace.order, min(taken, begun), QUEUED)
+                yield _change(state, robot, trace.order, record, min(taken, begun), QUEUED)
             if trace.begun and not (known and known.begun):
-                yield _change(state, robot, trace.order, begun, BEGUN)
+                yield _change(state, robot, trace.order, record, begun, BEGUN)
 
     def _order_ends(self, state: FleetState, robot: Robot) -> Iterator[OrderChange]:
         told, now = self._ends.get(robot.name, {}), dict[_Gone, Stage]()
-        for gone in robot.gone:
+        for gone in ended_orders(state, robot):
             key = gone.order.id, gone.at
             before = told.get(key)
             if before is not None and before not in CORRECTABLE:
@@ -110,7 +114,14 @@ class Observer:
                 continue
             now[key] = end.stage
             if before is not end.stage:
-                yield _change(state, robot, gone.order, gone.at, end.stage.value, end.reason)
+                record = placed_by(state, robot, gone.order)
+                yield _change(state, robot, gone.order, record, gone.at, end.stage.value, end.reason)
+        for record in state.commands:
+            if record.command.robot == robot.name and _ended_between_goals(record):
+                key = record.earlier_goals[0], record.at
+                now[key] = record.stage
+                if key not in told:
+                    yield _end_between_goals(state, robot, record)
         if now or told:
             self._ends[robot.name] = now
 
@@ -151,6 +162,27 @@ def _until(span: Span, now: float) -> Span:
     return Span(span.robot, span.activity, span.began, max(span.began, now), span.floor, span.x, span.y)
 
 
+def _is_sending(state: FleetState, robot: Robot) -> bool:
+    """Tell whether a goal of this console has left, and is not known by its id yet: it may be listed."""
+    return robot.kind.keeps_goals and any(
+        one.command.robot == robot.name and isinstance(one.command, PlaceOrder) and one.stage in GOING
+        for one in state.commands
+    )
+
+
+def _ended_between_goals(record: CommandRecord) -> bool:
+    """Tell whether an order ended while the console kept its next goal, or as that was not taken."""
+    return bool(record.earlier_goals) and record.is_decided and record.order_serial is None
+
+
+def _end_between_goals(state: FleetState, robot: Robot, record: CommandRecord) -> OrderChange:
+    assert isinstance(record.command, PlaceOrder)
+    order = Order(record.earlier_goals[0], record.command.stops, None, "", 0)
+    end = record.stage if record.stage in ORDER_ENDS else Stage.FAILED
+    reason = record.detail if end is record.stage else f"{record.stage.value}: {record.detail}"
+    return _change(state, robot, order, record, record.at, end.value, reason)
+
+
 def _is_same(one: Order, other: Order) -> bool:
     return (one.serial, one.stops) == (other.serial, other.stops)
 
@@ -164,9 +196,16 @@ def _wall(state: FleetState, at: float) -> float:
 
 
 def _change(
-    state: FleetState, robot: Robot, order: Order, at: float, stage: str, reason: str = ""
+    state: FleetState,
+    robot: Robot,
+    order: Order,
+    record: CommandRecord | None,
+    at: float,
+    stage: str,
+    reason: str = "",
 ) -> OrderChange:
+    """`record` placed it; None for another client's."""
     way = order.label or route_text(order.stops, partial(name_of, robot))
-    record = placed_by(state, robot, order)
     request = record.id if record else None
-    return OrderChange(robot.name, order.id, way, _wall(state, at), stage, robot.floor or "", reason, request)
+    name = record.earlier_goals[0] if record and record.earlier_goals else order.id
+    return OrderChange(robot.name, name, way, _wall(state, at), stage, robot.floor or "", reason, request)

@@ -15,7 +15,7 @@ from fleet_tui.model.order_life import GoneOrder
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.told import told
 from fleet_tui.rules.commands.batches import pauses, summary
-from fleet_tui.rules.commands.order_ends import seen_end
+from fleet_tui.rules.commands.order_ends import ended_orders, placed_by, seen_end
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, fit, folded, sanitize
 from fleet_tui.view.lines.commands import TROUBLE, command_text, stage_text
@@ -118,12 +118,14 @@ def _batch(state: FleetState, batch: list[CommandRecord]) -> tuple[Run, ...]:
 
 def _orders(state: FleetState, is_narrow: bool) -> Iterator[Event]:
     for robot in state.robots.values():
-        for gone in robot.gone:
+        for gone in ended_orders(state, robot):
             at = state.wall - (state.now - gone.at)
             if gone is not robot.gone[-1] or not _is_alarm(state, robot, gone):
                 yield at, robot.name, partial(_order, state, robot, gone, is_narrow)
         for trace in robot.traces.values():
-            if trace.began_at is not None:
+            record = placed_by(state, robot, trace.order)
+            goes_on = record is not None and record.earlier_goals != ()
+            if trace.began_at is not None and not goes_on:
                 began = partial(_begun, state, robot, trace.order, is_narrow)
                 yield state.wall - (state.now - trace.began_at), robot.name, began
 

@@ -9,7 +9,7 @@ from fleet_tui.model.commands import FAILURES, ORDER_ENDS
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.classes import action_of
-from fleet_tui.rules.commands.order_ends import seen_end
+from fleet_tui.rules.commands.order_ends import ended_orders, seen_end
 from fleet_tui.rules.why.place import place_text
 from fleet_tui.situation.facts import AGE_UNKNOWN
 from fleet_tui.situation.links import is_late
@@ -165,7 +165,7 @@ def _orders(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
 
 def ended_rows(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
     """Yield the last orders that left the queue, each with its end."""
-    for gone in reversed(robot.gone[-LAST:]):
+    for gone in reversed(ended_orders(state, robot)[-LAST:]):
         text = whose_mission(state, robot, gone.order)
         end = seen_end(state, robot, gone).stage
         role = StyleRole.WARN if end in FAILURES else StyleRole.TEXT
