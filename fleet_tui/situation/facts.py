@@ -132,6 +132,13 @@ INACTIVE = FactKind(
     keys=("pose", "diagnostics"),
     page="log",
 )
+NAVIGATION_SILENT = INACTIVE._replace(
+    word="navigation silent",
+    alarm=INACTIVE.alarm._replace(
+        action="Restart the robot's navigation (move_base, bt_navigator), then give the order again"
+    ),
+    keys=("clear", "order"),
+)
 STOPPING = FactKind(
     "pause",
     "stopping",
@@ -170,6 +177,7 @@ FACTS = (
     STOP,
     DRIVES_ON,
     INACTIVE,
+    NAVIGATION_SILENT,
     STOPPING,
     STILL_MOVING,
     DESPITE_PAUSE,

@@ -1,13 +1,16 @@
 """Facts about the servers that drive a robot: whether they are active, and what they wait for."""
 
+import math
 import re
 
 from fleet_tui.model.alarm import Priority
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import Phase
 from fleet_tui.model.navigation import DOWN, Servers
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.situation.fact import Fact
-from fleet_tui.situation.facts import INACTIVE
+from fleet_tui.situation.facts import INACTIVE, NAVIGATION_SILENT
+from fleet_tui.text.durations import age
 
 NO_ODOMETRY = "Check its wheel odometry: the node of its base, the topic's name"
 ASKED_WITHIN = 30.0
@@ -64,3 +67,68 @@ def inactive(state: FleetState, robot: Robot) -> Fact | None:
         evidence=evidence,
         seen=told.at,
     )
+
+
+CEASED_AFTER = 10.0
+"""Seconds without feedback, which comes many times a second while a goal is driven, until it has ceased."""
+NO_FEEDBACK = (
+    "no feedback on its order, while the robot itself reports: its navigation server has probably crashed, or"
+    " was stopped"
+)
+NO_LIST = (
+    "its goals are not listed any more, while the robot itself reports: its navigation server has probably"
+    " crashed, or was stopped"
+)
+
+
+def silent_navigation(state: FleetState, robot: Robot) -> Fact | None:
+    """Find that the server that drives a robot says nothing of its order any more, though the robot reports:
+    it crashed, or was stopped. That it answers again ends it only with a movement."""
+    order, ceased = robot.orders.current, _ceased(state, robot)
+    if ceased is not None and order is not None:
+        since, evidence = ceased
+        text = f"navigation silent for {age(state.now - since)} ({robot.order_text(order)})"
+    elif _is_unsteady(state, robot) and robot.place is not None:
+        since = robot.place.at
+        text = f"navigation silent again and again, no movement for {age(state.now - since)}"
+        evidence = (
+            "it answers each order for a moment, and the robot does not move: its navigation server has "
+            "probably crashed each time"
+        )
+    else:
+        return None
+    return Fact(
+        NAVIGATION_SILENT,
+        robot.name,
+        text,
+        Priority.MEDIUM,
+        since,
+        remedy=NAVIGATION_SILENT.alarm.action,
+        short=NAVIGATION_SILENT.word,
+        evidence=evidence,
+    )
+
+
+def _ceased(state: FleetState, robot: Robot) -> tuple[float, str] | None:
+    """Return the time (monotonic) since which a robot that reports otherwise gives no feedback on its current
+    order, or lists none; None while it does, if it never did, and if silence has another cause."""
+    order, link = robot.orders.current, state.links[robot.link]
+    if order is None or link.phase is not Phase.UP:
+        return None
+    if not state.is_online(robot) or not state.is_fresh(robot, "pose"):
+        return None
+    if robot.queue is not None and robot.kind.keeps_goals and state.is_old(robot, "queue"):
+        return max(robot.queue.at, link.since), NO_LIST
+    if math.isinf(robot.kind.silence_of("progress", 0.0)):
+        return None  # sent on change only
+    if robot.progress is None or robot.progress.value.goal != order.id:
+        return None
+    since = max(robot.progress.at, link.since)
+    return (since, NO_FEEDBACK) if state.now - since - state.behind >= CEASED_AFTER else None
+
+
+def _is_unsteady(state: FleetState, robot: Robot) -> bool:
+    """Tell whether its navigation fell silent and it has not moved since: a server that is started again
+    answers each new order for a moment, and crashes again."""
+    began, place = state.began.get((robot.name, "navigation")), robot.place
+    return began is not None and place is not None and place.at <= began and bool(robot.orders.open)

@@ -20,11 +20,11 @@ from fleet_tui.rules.battery.charging import LOOK_AT_CHARGER, charger_of, chargi
 from fleet_tui.rules.causes import cause_of_standing
 from fleet_tui.rules.commands.failures import failed_commands
 from fleet_tui.rules.commands.pauses import is_held
-from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.situation import links
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import BAD_DATA, DESPITE_PAUSE, SILENT
 from fleet_tui.situation.motion import moves_despite_pause, running_action, says_driving
+from fleet_tui.situation.navigation import silent_navigation
 from fleet_tui.situation.robots import (
     absence,
     is_blocked_for_long,
@@ -132,7 +132,7 @@ def stuck(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
     known = state.is_fresh(robot, "pose")
     # An obstacle explains it only where that is an alarm: contact that comes and goes may never be one.
     explained = not known or is_blocked_for_long(state, robot)
-    explained = explained or feedback_ceased_at(state, robot) is not None or is_unsteady(state, robot)
+    explained = explained or silent_navigation(state, robot) is not None
     if explained and not was_active(active, robot.name, robot.link, "stuck"):
         return None
     cause, driven = cause_of_standing(state, robot), robot.order_text(order)

@@ -1,5 +1,7 @@
 """Alarm rules for navigating robots: lost on its map, silent, orders held or failed."""
 
+import math
+
 from fleet_tui.model.alarm import Condition, Priority
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
@@ -8,10 +10,9 @@ from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
 from fleet_tui.rules.causes import cause_of_end, remedy_of
 from fleet_tui.rules.commands.failures import FAILED_FOR
 from fleet_tui.rules.commands.local_queue import HELD_BY_OTHERS, orders_to_save
-from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.localisation.misplaced import misplaced_for_long
 from fleet_tui.rules.localisation.uncertainty import FOUND_BELOW, LOST_ABOVE, uncertainty
-from fleet_tui.situation.navigation import NO_ODOMETRY, inactive
+from fleet_tui.situation.navigation import NO_ODOMETRY, inactive, silent_navigation
 from fleet_tui.situation.robots import absence, adrift, drives_on
 from fleet_tui.text.units import age
 
@@ -87,21 +88,15 @@ def held_orders(state: FleetState, robot: Robot, _active: ActiveConditions) -> C
 
 
 def silent(state: FleetState, robot: Robot, _active: ActiveConditions) -> Condition | None:
-    """Raise while its navigation is not active, or once the feedback on the current order has ceased: it
-    crashed, or was stopped. That it answers again ends it only with a movement."""
-    if (fact := inactive(state, robot)) is not None:
-        due = fact.since + STARTS_WITHIN
-        return Condition(
-            robot.name, fact.kind.name, fact.priority, fact.text, fact.kind.over, due, remedy=fact.remedy
-        )
-    since, order = feedback_ceased_at(state, robot), robot.orders.current
-    if since is not None and order is not None:
-        text = f"navigation silent for {age(state.now - since)} ({robot.order_text(order)})"
-    elif is_unsteady(state, robot) and robot.place is not None:
-        text = f"navigation silent again and again, no movement for {age(state.now - robot.place.at)}"
-    else:
+    """Raise while its navigation is not active, or once it says nothing of the current order any more."""
+    fact = inactive(state, robot)
+    due = fact.since + STARTS_WITHIN if fact is not None else -math.inf
+    fact = fact or silent_navigation(state, robot)
+    if fact is None:
         return None
-    return Condition(robot.name, "navigation", Priority.MEDIUM, text, "navigation reports again")
+    return Condition(
+        robot.name, fact.kind.name, fact.priority, fact.text, fact.kind.over, due, remedy=fact.remedy
+    )
 
 
 def failed_order(state: FleetState, robot: Robot, _active: ActiveConditions) -> Condition | None:

@@ -3,15 +3,12 @@
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.causes import HELD_FAST
 from fleet_tui.rules.commands.local_queue import orders_to_save
-from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.localisation.uncertainty import uncertainty
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, mission
-from fleet_tui.situation.navigation import inactive
+from fleet_tui.situation.navigation import inactive, silent_navigation
 from fleet_tui.situation.robots import adrift, drives_on
-from fleet_tui.text.units import age
 
 
 def blocked(state: FleetState, robot: Robot) -> Reason | None:
@@ -76,29 +73,12 @@ def not_active(state: FleetState, robot: Robot) -> Reason | None:
 
 
 def silent(state: FleetState, robot: Robot) -> Reason | None:
-    """Report that its navigation gives no feedback on the current order any more."""
-    since, order = feedback_ceased_at(state, robot), robot.orders.current
-    if since is not None and order is not None:
-        cause = f"navigation silent for {age(state.now - since)}"
-        evidence = (
-            f"no feedback on {mission(robot, order)}, while the robot itself reports: its navigation server "
-            "has probably crashed, or was stopped"
-        )
-    elif is_unsteady(state, robot):
-        cause = "navigation silent again and again"
-        evidence = (
-            "it answers each order for a moment, and the robot does not move: its navigation server has "
-            "probably crashed each time"
-        )
-    else:
+    """Report that its navigation says nothing of the current order any more."""
+    if (fact := silent_navigation(state, robot)) is None:
         return None
+    keys, page = fact.kind.keys, fact.kind.page
     return Reason(
-        cause,
-        evidence,
-        Strength.LIKELY,
-        keys=("clear", "order"),
-        remedy=CLASSES["navigation"].action,
-        page="log",
+        fact.short, fact.evidence, Strength.LIKELY, since=fact.since, keys=keys, remedy=fact.remedy, page=page
     )
 
 

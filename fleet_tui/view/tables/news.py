@@ -11,14 +11,13 @@ from fleet_tui.rules.alarms.vehicles import priority_of, sorted_errors
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.rules.commands.rivals import rivals
-from fleet_tui.rules.feedback import feedback_ceased_at, is_unsteady
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
 from fleet_tui.rules.localisation.uncertainty import uncertainty
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import BAD_DATA, INACTIVE, SILENT
 from fleet_tui.situation.motion import moves_despite_pause
-from fleet_tui.situation.navigation import inactive
+from fleet_tui.situation.navigation import inactive, silent_navigation
 from fleet_tui.situation.robots import absence, adrift, bad_data, drives_on, last_contact, obstacle
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
@@ -130,8 +129,8 @@ def _ended(state: FleetState, robot: Robot) -> Iterator[Run]:
 def _navigation(state: FleetState, robot: Robot) -> Iterator[Run]:
     if (servers := inactive(state, robot)) is not None:
         yield tr(servers.text), StyleRole.ALARM
-    elif feedback_ceased_at(state, robot) is not None or is_unsteady(state, robot):
-        yield tr("navigation silent"), StyleRole.ALARM
+    elif (silence := silent_navigation(state, robot)) is not None:
+        yield tr(silence.short), StyleRole.ALARM
     if uncertainty(state, robot) is not None:
         yield tr("pose uncertain"), StyleRole.WARN
     if (estimate := adrift(state, robot)) is not None:
