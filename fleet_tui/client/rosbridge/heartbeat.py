@@ -25,6 +25,8 @@ LOOK_EVERY = 8
 HALF_DEAD_AFTER = 1.5
 """Seconds without a message on any topic after which a bridge of which no node answers is half dead."""
 NO_REPLY = "no reply from the bridge to calls"
+NO_NODE = "ROS knows no node, not even the bridge: start rosapi, or restart the bridge and the robots' nodes"
+"""As after a restart of the ROS master: what was connected before goes on."""
 
 
 class Heartbeat:
@@ -109,6 +111,8 @@ class Heartbeat:
         elif absent:
             wrong = f"no services of {some(absent)}: restart its node, or correct [profile.services]"
             self._set(CommandPath.UNREGISTERED, wrong)
+        elif self._pulse.knows_no_node and self._services.are_unseen:
+            self._set(CommandPath.UNREGISTERED, NO_NODE)
         else:
             self._set(CommandPath.ALIVE)
 
@@ -129,6 +133,8 @@ class Heartbeat:
             beats += 1
             if beats % LOOK_EVERY == 0:
                 self._services.query()
+                if self._pulse.knows_no_node:
+                    self._pulse.restart()
             await asyncio.sleep(AGAIN if not is_answered and self._pulse.is_mute else EVERY)
 
     async def _ask(self) -> bool:

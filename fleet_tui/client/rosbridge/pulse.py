@@ -51,6 +51,11 @@ class Pulse:
         asked = self._questions.keys() & OF_NODE.keys() or {TIME}
         return not asked <= self._absent
 
+    @property
+    def knows_no_node(self) -> bool:
+        """Tell whether neither rosapi nor the bridge's own node is there, as far as both were asked."""
+        return OF_NODE.keys() <= self._questions.keys() <= self._absent
+
 
 def is_unknown(values: object) -> bool:
     """Tell whether an answer is the bridge's word that there is no such service."""

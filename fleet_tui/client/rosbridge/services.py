@@ -67,6 +67,11 @@ class Services:
         return bool(self._missing) and self._missing == self._seen
 
     @property
+    def are_unseen(self) -> bool:
+        """Tell whether the robots need services, and none of them was ever seen."""
+        return bool(self._wanted) and not self._seen
+
+    @property
     def without_any(self) -> list[str]:
         """The robots that send messages but never had a service, by name."""
         return sorted(self._absent & self._active)

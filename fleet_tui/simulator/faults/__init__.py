@@ -24,6 +24,10 @@ FAULTS: Faults = {
     "dies": ("the node takes an order and dies before replying", wire.dies),
     "throws": ("orders raise an exception in the node and are not taken", wire.throws),
     "unregistered": (f"after {wire.GONE:g} s its services do not exist, telemetry flows", wire.unregistered),
+    "lost-master": (
+        "the ROS master was restarted without rosapi: its services do not exist, telemetry flows",
+        wire.lost_master,
+    ),
     "frozen-rosapi": ("rosapi never replies, everything else does", wire.frozen_rosapi),
     "overloaded": (
         f"the bridge carries {wire.CARRIED:g} messages/s, the rest queues up",

@@ -134,6 +134,15 @@ def unregistered(server: "RosbridgeServer", robot: str) -> None:
     server.bridge.services.fleet_of(robot).troubles.append(step)
 
 
+def lost_master(server: "RosbridgeServer", robot: str) -> None:
+    """Restart the ROS master without rosapi: no service is known any more, not even the bridge's own."""
+    services = server.bridge.services
+    services.rosapi_alive = False
+    services.answers.clear()
+    for service in _services(server, robot):
+        del services.offered[service]
+
+
 def frozen_rosapi(server: "RosbridgeServer", _robot: str) -> None:
     """Freeze rosapi's node."""
     server.bridge.services.silent_services.update(server.bridge.services.rosapi.services)

@@ -89,6 +89,19 @@ async def test_a_master_that_is_back_without_its_nodes_is_told_until_they_are(
         await store.until(path(CommandPath.ALIVE))
 
 
+async def test_a_console_that_comes_after_a_restart_of_the_master_says_that_no_command_gets_through(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(heartbeat, "EVERY", 0.1)
+    own = dict(server.bridge.services.answers)
+    play(server, [("lost-master", "robot_0")])
+    async with linked(config_of(server.url, 1)) as (_, store):
+        state = await store.until(path(CommandPath.UNREGISTERED))
+        assert f"rosbridge: {heartbeat.NO_NODE}" in attention(state)
+        server.bridge.services.answers.update(own)
+        await store.until(path(CommandPath.ALIVE))
+
+
 async def test_a_bridge_whose_nodes_answer_is_asked_nothing_that_is_an_error_in_the_log_of_its_site(
     ros_2: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
