@@ -34,7 +34,7 @@ CBOR_PATIENCE_ROS2 = 8.0
 
 
 class Subscriber:
-    """Subscribes on one connection, and again for robots that stay silent."""
+    """Subscribes on one connection, and again to topics that stay silent."""
 
     def __init__(
         self,
@@ -54,7 +54,8 @@ class Subscriber:
         self._adapters = adapters
         self._pacing = pacing
         self._robots = {robot for feed in self._feeds for robot in feed.robots}
-        self._renewals = Renewals(self._robots, len(self._feeds))
+        regular = (feed.address for feed in self._feeds if _is_regular(feed))
+        self._renewals = Renewals({*regular, *self._robots}, len(self._feeds))
         self.types: dict[str, str] = {}
         """Type by topic, as last listed by rosapi; empty if it does not answer."""
         self._refused: set[str] = set()
@@ -145,7 +146,7 @@ class Subscriber:
 
     def check(self, now: float, last_message: Mapping[str, float]) -> None:
         """Subscribe again to topics that should come faster or slower by now, of the same id, which replaces
-        the earlier one, and for robots that have been silent for long; `last_message` is by robot, in
+        the earlier one, and to topics that have been silent for long; `last_message` is by robot, in
         monotonic seconds."""
         if self._task is None or not self._connection.is_connected:
             return
@@ -154,14 +155,21 @@ class Subscriber:
                 self._subscribe(feed)
         if not self._task.done():
             return
-        silent, release_time = self._renewals.due(now, last_message)
+        counters = self._reading.counter.topics.items()
+        heard = {topic: one.at for topic, one in counters if one.at is not None}
+        silent, release_time = self._renewals.due(now, {**heard, **last_message})
         if silent:
             LOG.info("silent, subscribing again: %s", " ".join(sorted(silent)))
             self._task = asyncio.ensure_future(self._renew(silent, release_time))
 
-    async def _renew(self, robots: Set[str], release_time: float) -> None:
-        # A topic of several robots is fine if any of them sends: the others would lose messages meanwhile.
-        renewed = [one for one in self._of(robots) if robots >= set(one.robots)]
+    async def _renew(self, silent: Set[str], release_time: float) -> None:
+        """`silent` are topics, and robots of which nothing came: of what a topic sends on a change nobody
+        else knows whether it should have come, and one of several robots is fine if any of them sends."""
+        renewed = [
+            one
+            for one in self._of(self._robots)
+            if one.address in silent or (not _is_regular(one) and silent >= set(one.robots))
+        ]
         for wanted in renewed:
             self._unsubscribe(wanted)
         await asyncio.sleep(release_time)
@@ -250,3 +258,8 @@ class Subscriber:
             self._subscribe(wanted)
             if self._is_ros2:
                 self._latched.start(PER_TOPIC)
+
+
+def _is_regular(feed: Feed) -> bool:
+    """Tell whether the messages of a topic come one after the other, so that its silence is a fault."""
+    return not (feed.silent or feed.latched or feed.on_demand)

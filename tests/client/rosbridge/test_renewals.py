@@ -1,4 +1,4 @@
-"""Silent robots are subscribed again, ever more seldom."""
+"""Silent topics are subscribed again, ever more seldom."""
 
 from fleet_tui.client.rosbridge.renewals import FIRST_RENEWAL, LONGEST_INTERVAL, PER_TOPIC, Renewals
 
@@ -26,3 +26,12 @@ def test_the_wait_has_a_limit_and_ends_with_a_message() -> None:
     assert waits == sorted(waits) and waits[-1] <= LONGEST_INTERVAL + 1.0
     assert renewals.due(now + FIRST_RENEWAL, {"a": now + 0.1})[0] == set()
     assert renewals.due(now + FIRST_RENEWAL + 0.2, {"a": now + 0.1})[0] == {"a"}
+
+
+def test_a_topic_is_silent_by_its_own_rhythm() -> None:
+    renewals = Renewals({"a"}, 0)
+    renewals.start(0.0)
+    assert renewals.due(1.0, {"a": 0.5})[0] == set()
+    assert renewals.due(7.0, {"a": 6.5})[0] == set()
+    assert renewals.due(24.0, {"a": 6.5})[0] == set(), "it paused for six seconds before"
+    assert renewals.due(25.0, {"a": 6.5})[0] == {"a"}

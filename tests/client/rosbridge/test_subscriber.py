@@ -52,3 +52,19 @@ async def test_a_topic_of_another_type_is_not_subscribed_and_said(server: Rosbri
         "/robot_0/battery has type std_msgs/Float32, not std_msgs/Int8" in state.robots["robot_0"].last_fault
     )
     assert "/robot_0/battery" not in asked
+
+
+async def test_a_topic_that_died_alone_is_subscribed_again_without_the_others(
+    server: RosbridgeServer,
+) -> None:
+    """As after a restart of roscore, when another client held it: the other topics of its robot are back."""
+    async with linked(config_of(server.url, 1)) as (_, store):
+        await store.until(ready)
+        server.bridge.received.clear()
+        server.bridge.orphaned.add("/robot_0/battery")
+        await store.until(lambda _: not server.bridge.orphaned)
+        battery = store.state.robots["robot_0"].battery
+        assert battery is not None
+        await store.until(lambda state: state.robots["robot_0"].battery is not battery)
+        asked = {one["topic"] for one in server.bridge.received if one["op"] == "subscribe"}
+    assert asked == {"/robot_0/battery"}
