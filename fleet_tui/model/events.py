@@ -179,6 +179,14 @@ class MessagesUnsourced(Struct, frozen=True, tag=True):
     package: str
 
 
+class TopicsDropped(Struct, frozen=True, tag=True):
+    """Robots of whose topics the bridge lost its own subscriptions, though nodes publish them; none if it has
+    all again."""
+
+    link: str
+    robots: tuple[str, ...]
+
+
 class SubscriptionsAdvanced(Struct, frozen=True, tag=True):
     """A bridge has handled `done` of `total` subscriptions since its connection was opened."""
 
@@ -241,6 +249,7 @@ Event = (
     | MessageArrived
     | CommandPathChanged
     | MessagesUnsourced
+    | TopicsDropped
     | SubscriptionsAdvanced
     | BridgeAnswered
     | CommandIssued

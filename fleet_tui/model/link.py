@@ -40,10 +40,10 @@ class LinkState(Struct, frozen=True):
     it last answered a question over the connection for telemetry, asked at `asked_at`, `late` those of which
     not this console but the bridge is the cause; `clock` is (our time - time by the clock of its site) at
     its last answer that told it, at `clock_at`, None without one, `drift` the seconds by which that grows in
-    each of ours, and `drifted` those by which it has grown so; `unsourced` is the package whose messages
-    the bridge lacks; `site` is the one that it belongs to; `topics` are the subscriptions that were
-    requested of a bridge with many, of which `waiting_topics` are not handled yet, `subscribed_at` the time
-    of the last handled one."""
+    each of ours, and `drifted` those by which it has grown so; `unsourced` is the package whose messages the
+    bridge lacks, `dropped` are the robots of whose topics it lost its own subscriptions; `site` is the one
+    that it belongs to; `topics` are the subscriptions that were requested of a bridge with many, of which
+    `waiting_topics` are not handled yet, `subscribed_at` the time of the last handled one."""
 
     name: str
     url: str
@@ -68,6 +68,7 @@ class LinkState(Struct, frozen=True):
     drift: float = 0.0
     drifted: float = 0.0
     unsourced: str = ""
+    dropped: tuple[str, ...] = ()
     site: str = ""
     topics: int = 0
     waiting_topics: int = 0
@@ -89,6 +90,10 @@ class LinkState(Struct, frozen=True):
     def is_half_dead(self) -> bool:
         """Tell whether nothing of its robots can arrive though it is connected."""
         return self.command_path is CommandPath.DEAD and self.command_reason == HALF_DEAD
+
+    def hides(self, robot: str) -> bool:
+        """Tell whether nothing of a robot can arrive though it is connected: its silence is not its own."""
+        return self.is_half_dead or robot in self.dropped
 
     @property
     def is_starting(self) -> bool:

@@ -181,6 +181,7 @@ class _Names(NamedTuple):
                 | events.MessageArrived(link=link)
                 | events.CommandPathChanged(link=link)
                 | events.MessagesUnsourced(link=link)
+                | events.TopicsDropped(link=link)
                 | events.SubscriptionsAdvanced(link=link)
                 | events.BridgeAnswered(link=link)
                 | events.FrameRejected(link=link)

@@ -38,15 +38,15 @@ class TopicDesk:
         self._talk = talk
         self.subscribe_delay = subscribe_delay
         self.topics = {topic.name: topic for topic in topics}
-        self.services = ServiceDesk(fleets, dialect, self.topics, self._asked)
+        self.orphaned: set[str] = set()
+        """Topics that are silent, as after a restart of roscore, until no client is subscribed."""
+        self.services = ServiceDesk(fleets, dialect, self.topics, self._known)
         self.received: deque[Operation] = deque(maxlen=REMEMBERED)
         """Every operation that arrived; the newest last."""
         self.max_message_size = dialect.max_message_size
         """Maximum bytes of a message to a client, None: no limit."""
         self.muted: set[str] = set()
         """Topics that are not published."""
-        self.orphaned: set[str] = set()
-        """Topics that are silent, as after a restart of roscore, until no client is subscribed."""
         self.started = time.monotonic()
         """The start time of the bridge, monotonic."""
         self.forget_subscriptions()
@@ -147,6 +147,10 @@ class TopicDesk:
     @property
     def _age(self) -> float:
         return time.monotonic() - self.started
+
+    def _known(self) -> Mapping[str, str]:
+        """Return the subscriptions that ROS knows of, with the types that were asked for."""
+        return {name: type_ for name, type_ in self._asked().items() if name not in self.orphaned}
 
     def _asked(self) -> Mapping[str, str]:
         return self.channels.types()

@@ -16,6 +16,21 @@ LATE_LINK = FactKind(
     ),
     keys=("diagnostics",),
 )
+LOST_SUBSCRIPTIONS = FactKind(
+    "messages",
+    "rosbridge lost its subscriptions",
+    "topics arrive again",
+    AlarmClass(
+        "high",
+        "rosbridge runs without the robots' message package, or lost its own subscriptions, as by a restart"
+        " of the ROS master",
+        "these robots' messages cannot be read, or do not arrive",
+        "Restart rosbridge; of a lacking package source the robots' workspace before",
+        10,
+    ),
+    keys=("diagnostics",),
+    page="link",
+)
 BEHIND = FactKind(
     "behind",
     "this console is behind",
@@ -165,6 +180,7 @@ DESPITE_PAUSE = STILL_MOVING._replace(
 
 FACTS = (
     LATE_LINK,
+    LOST_SUBSCRIPTIONS,
     BEHIND,
     SILENT,
     NEVER_SEEN,

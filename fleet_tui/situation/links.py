@@ -4,7 +4,8 @@ from fleet_tui.model.alarm import Priority
 from fleet_tui.model.fleet import FleetState, behind_text
 from fleet_tui.model.link import NO_WAY, LinkState, Phase
 from fleet_tui.situation.fact import Fact
-from fleet_tui.situation.facts import BEHIND, LATE_LINK
+from fleet_tui.situation.facts import BEHIND, LATE_LINK, LOST_SUBSCRIPTIONS
+from fleet_tui.text.limits import some
 from fleet_tui.text.units import counted, duration
 
 LATE_FROM = 1.0
@@ -34,6 +35,21 @@ def late_link(state: FleetState, link: LinkState) -> Fact | None:
     priority = Priority.HIGH if told else Priority.MEDIUM
     since = state.began.get((link.name, LATE_LINK.name), state.now)
     return Fact(LATE_LINK, link.name, text, priority, since)
+
+
+def lost_subscriptions(link: LinkState) -> Fact | None:
+    """Find that a bridge is not subscribed any more to what nodes publish, as ROS has it."""
+    if link.phase is not Phase.UP or not link.dropped:
+        return None
+    return Fact(
+        LOST_SUBSCRIPTIONS,
+        link.name,
+        f"rosbridge lost its subscriptions of {some(link.dropped)}: restart it",
+        Priority.HIGH,
+        link.since,
+        remedy=RESTART_BRIDGE,
+        evidence="nodes publish its topics, and the bridge is not among their subscribers",
+    )
 
 
 def behind(state: FleetState) -> Fact | None:

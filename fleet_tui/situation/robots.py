@@ -21,7 +21,7 @@ from fleet_tui.situation.facts import (
     SILENT,
     STOP,
 )
-from fleet_tui.situation.links import is_late
+from fleet_tui.situation.links import RESTART_BRIDGE, is_late
 from fleet_tui.text.units import age
 
 BAD_FOR = 10.0
@@ -65,7 +65,7 @@ def absence(state: FleetState, robot: Robot) -> Fact | None:
 def silence(state: FleetState, robot: Robot) -> Fact:
     """Return the fact that a robot sends nothing, as it is if nothing comes until it is one."""
     since, link = silent_from(state, robot), state.links[robot.link]
-    is_certain = not link.is_half_dead and (not is_late(link) or state.now > since)
+    is_certain = not link.hides(robot.name) and (not is_late(link) or state.now > since)
     known = robot.connection.value if robot.connection is not None else None
     last = _last_word(state, robot)
     if last is not None:
@@ -100,6 +100,7 @@ def silence(state: FleetState, robot: Robot) -> Fact:
         text,
         Priority.MEDIUM,
         since,
+        remedy=RESTART_BRIDGE if link.hides(robot.name) else "",
         # Behind a late bridge that of the map, if something else has come since.
         short=f"pose {age(state.now - pose.at)} old" if pose and is_behind and not is_certain else text,
         evidence=evidence,
@@ -118,7 +119,7 @@ def silent(state: FleetState, robot: Robot) -> Fact | None:
     late by. One that sends only what nobody can read does speak."""
     fact = absence(state, robot)
     link = state.links[robot.link]
-    if fact is None or fact.kind.name != SILENT.name or link.phase is not Phase.UP or link.is_half_dead:
+    if fact is None or fact.kind.name != SILENT.name or link.phase is not Phase.UP or link.hides(robot.name):
         return None
     return fact if state.now > fact.since else None
 

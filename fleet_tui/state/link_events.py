@@ -14,6 +14,7 @@ LinkEvent = (
     | events.MessageArrived
     | events.CommandPathChanged
     | events.MessagesUnsourced
+    | events.TopicsDropped
     | events.SubscriptionsAdvanced
     | events.BridgeAnswered
     | events.FrameRejected
@@ -40,6 +41,7 @@ def _change_link(state: FleetState, event: events.LinkChanged) -> FleetState:
             outage=event.at - link.since if returns else link.outage if same_side else 0.0,
             was_up=link.was_up or event.phase is Phase.UP,
             unsourced=link.unsourced if event.phase is Phase.UP else "",
+            dropped=link.dropped if event.phase is Phase.UP else (),
             waiting_topics=link.waiting_topics if event.phase is Phase.UP else 0,
             lag=link.lag if event.phase is Phase.UP else 0.0,
         ),
@@ -71,6 +73,8 @@ def apply_to_link(state: FleetState, event: LinkEvent) -> FleetState:
             return _with_link(state, replace(changed, commands_connected=event.connected))
         case events.MessagesUnsourced():
             return _with_link(state, replace(link, unsourced=truncate(event.package)))
+        case events.TopicsDropped():
+            return _with_link(state, replace(link, dropped=event.robots))
         case events.SubscriptionsAdvanced(_, at, done, total):
             return _with_link(
                 state, replace(link, topics=total, waiting_topics=total - done, subscribed_at=at)

@@ -213,6 +213,7 @@ def apply(state: FleetState, event: events.Event) -> FleetState:
             | events.MessageArrived()
             | events.CommandPathChanged()
             | events.MessagesUnsourced()
+            | events.TopicsDropped()
             | events.SubscriptionsAdvanced()
             | events.BridgeAnswered()
             | events.FrameRejected()

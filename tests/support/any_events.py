@@ -270,6 +270,9 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
         events.LinkChanged, st.just(LINK), AT, st.sampled_from(Phase), st.text(max_size=9), st.none() | AT
     ),
     events.MessageArrived: st.builds(events.MessageArrived, st.just(LINK), AT),
+    events.TopicsDropped: st.builds(
+        events.TopicsDropped, st.just(LINK), st.lists(st.sampled_from(["robot_0", "robot_1"])).map(tuple)
+    ),
     events.MessagesUnsourced: st.builds(events.MessagesUnsourced, st.just(LINK), st.text(max_size=9)),
     events.BridgeAnswered: st.builds(
         events.BridgeAnswered, st.just(LINK), AT, st.floats(0.0, 60.0), st.none() | NUMBERS

@@ -3,6 +3,7 @@
 import logging
 
 from fleet_tui.client.rosbridge.calls import Calls
+from fleet_tui.client.rosbridge.set_up.listeners import ask, is_bridge
 from fleet_tui.errors import LinkError
 
 LOG = logging.getLogger(__name__)
@@ -25,6 +26,14 @@ async def topic_types(calls: Calls) -> dict[str, str]:
     if not isinstance(topics, list) or not isinstance(types, list):
         return {}
     return {str(topic): str(type_) for topic, type_ in zip(topics, types, strict=False)}
+
+
+async def lacks_bridge(calls: Calls, topic: str) -> bool:
+    """Tell whether a node publishes a topic, and no bridge is subscribed to it, as far as rosapi tells."""
+    if not await publishers(calls, topic):
+        return False
+    nodes = await ask(calls, "subscribers", {"topic": topic}, "subscribers", ROSAPI_TIMEOUT)
+    return isinstance(nodes, list) and not any(map(is_bridge, nodes))
 
 
 async def publishers(calls: Calls, topic: str) -> int:

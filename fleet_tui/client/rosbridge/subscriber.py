@@ -4,7 +4,7 @@ topics that stay silent. Everything runs on the network loop."""
 import asyncio
 import logging
 import time
-from collections.abc import Callable, Iterable, Mapping, Set
+from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from contextlib import suppress
 
 from fleet_tui.adapters.adapter import Adapter, Feed
@@ -17,7 +17,7 @@ from fleet_tui.client.rosbridge.latched import Latched
 from fleet_tui.client.rosbridge.log_subscription import LogSubscription
 from fleet_tui.client.rosbridge.pacing import Pacing
 from fleet_tui.client.rosbridge.renewals import PER_TOPIC, Renewals
-from fleet_tui.client.rosbridge.rosapi import ROSAPI_TIMEOUT, topic_types
+from fleet_tui.client.rosbridge.rosapi import ROSAPI_TIMEOUT, lacks_bridge, topic_types
 from fleet_tui.errors import LinkError
 from fleet_tui.model import events
 from fleet_tui.transports.rosbridge.connection import Connection
@@ -31,6 +31,10 @@ AT_ONCE = 50
 CBOR_PATIENCE = 20.0
 # A bridge of ROS 2 is never too old, but sends no CBOR larger than its max_message_size: only pieces of JSON.
 CBOR_PATIENCE_ROS2 = 8.0
+SETTLES_WITHIN = 1.0
+"""Seconds in which the subscriptions of a bridge are known to ROS."""
+MOST_ASKED = 3
+"""Topics of which rosapi is asked who subscribes to them: the cause is the same for all."""
 
 
 class Subscriber:
@@ -59,6 +63,9 @@ class Subscriber:
         self.types: dict[str, str] = {}
         """Type by topic, as last listed by rosapi; empty if it does not answer."""
         self._refused: set[str] = set()
+        self._renewed: dict[str, float] = {}
+        """By topic, when it was subscribed again because it was silent."""
+        self._dropped: Set[str] = frozenset()
         self._as_json: set[str] = set()
         """Maps that never arrived as CBOR."""
         self._json_timer: asyncio.TimerHandle | None = None
@@ -74,6 +81,8 @@ class Subscriber:
         self._reading.maps_received.clear()
         self._refused.clear()
         self._renewals.start(now)
+        self._renewed.clear()
+        self._dropped = frozenset()
         self._subscribed.clear()
         self._latched.begin()
         self._pacing.begin(now)
@@ -157,6 +166,11 @@ class Subscriber:
             return
         counters = self._reading.counter.topics.items()
         heard = {topic: one.at for topic, one in counters if one.at is not None}
+        back = {topic for topic, at in self._renewed.items() if heard.get(topic, 0.0) > at}
+        for topic in back:
+            del self._renewed[topic]
+        if self._dropped & back:
+            self._report_dropped(self._dropped - back)
         silent, release_time = self._renewals.due(now, {**heard, **last_message})
         if silent:
             LOG.info("silent, subscribing again: %s", " ".join(sorted(silent)))
@@ -176,6 +190,23 @@ class Subscriber:
         self.types = await topic_types(self._calls)
         for wanted in renewed:
             self._subscribe(wanted)
+        again = [one.address for one in renewed if _is_regular(one) and one.address in self._renewed]
+        now = time.monotonic()
+        self._renewed.update({one.address: now for one in renewed if _is_regular(one)})
+        await self._look_for_lost(again)
+
+    async def _look_for_lost(self, topics: Sequence[str]) -> None:
+        """Report the topics that stayed silent though they were subscribed again, if the bridge is not
+        subscribed to them in ROS: another client may hold them as they are."""
+        await asyncio.sleep(SETTLES_WITHIN)
+        silent = [topic for topic in topics if topic in self._renewed]
+        if silent and all([await lacks_bridge(self._calls, topic) for topic in silent[:MOST_ASKED]]):
+            self._report_dropped(self._dropped | {*silent})
+
+    def _report_dropped(self, topics: Set[str]) -> None:
+        self._dropped = frozenset(topics)
+        robots = {robot for feed in self._feeds if feed.address in topics for robot in feed.robots}
+        self._report(events.TopicsDropped(self._reading.counter.name, tuple(sorted(robots))))
 
     def _of(self, robots: Set[str]) -> list[Feed]:
         return [

@@ -7,6 +7,7 @@ from fleet_tui.situation.facts import (
     BEHIND,
     INACTIVE,
     LATE_LINK,
+    LOST_SUBSCRIPTIONS,
     OBSTACLE,
     OLD_STAMPS,
     SILENT,
@@ -29,13 +30,7 @@ CLASSES = {
         "Restart the robots' nodes or the ROS master; pause a robot by its own controls",
         1,
     ),
-    "messages": AlarmClass(
-        "high",
-        "rosbridge runs without the robots' message package",
-        "these robots' messages cannot be read",
-        "Source the robots' workspace and restart rosbridge",
-        10,
-    ),
+    LOST_SUBSCRIPTIONS.name: LOST_SUBSCRIPTIONS.alarm,
     OBSTACLE.name: OBSTACLE.alarm,
     STOP.name: STOP.alarm,
     "e-stop": AlarmClass(

@@ -201,7 +201,7 @@ def offline(state: FleetState, robot: Robot, active: ActiveConditions) -> Condit
     if fact is None or fact.kind.name != SILENT.name:
         return None
     link = state.links[robot.link]
-    if state.is_online(robot) if raised else (link.phase is not Phase.UP or link.is_half_dead):
+    if state.is_online(robot) if raised else (link.phase is not Phase.UP or link.hides(robot.name)):
         return None
     return _condition(fact, (last or 0.0) + limit if raised else fact.since)
 
@@ -219,7 +219,10 @@ def late(state: FleetState, link: LinkState, _active: ActiveConditions) -> Condi
 
 
 def unsourced(state: FleetState, link: LinkState, _active: ActiveConditions) -> Condition | None:
-    """Raise if the bridge can't read the robots' messages: the commonest mistake in setting it up."""
+    """Raise if the bridge can't read the robots' messages: the commonest mistake in setting it up; or if it
+    lost its subscriptions."""
+    if (fact := links.lost_subscriptions(link)) is not None:
+        return _condition(fact, -math.inf)
     if link.phase is not Phase.UP or not link.unsourced:
         return None
     return Condition(link.name, "messages", Priority.HIGH, link.unsourced_text, "message types available")

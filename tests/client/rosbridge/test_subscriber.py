@@ -1,9 +1,18 @@
 """Subscriptions: the most urgent first, of the right type, and each again after a drop."""
 
-import msgspec
+import json
 
+import msgspec
+import pytest
+from websockets.asyncio.client import connect
+
+from fleet_tui.cli.status.report import attention
+from fleet_tui.client.rosbridge import renewals
 from fleet_tui.model.link import Phase
+from fleet_tui.rules.why.why import reasons
 from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.situation.facts import LOST_SUBSCRIPTIONS
+from fleet_tui.situation.links import RESTART_BRIDGE
 from tests.support.links import linked, phase, ready
 from tests.support.watched_store import config_of
 
@@ -68,3 +77,31 @@ async def test_a_topic_that_died_alone_is_subscribed_again_without_the_others(
         await store.until(lambda state: state.robots["robot_0"].battery is not battery)
         asked = {one["topic"] for one in server.bridge.received if one["op"] == "subscribe"}
     assert asked == {"/robot_0/battery"}
+
+
+async def test_a_bridge_that_lost_its_subscriptions_is_to_blame_and_no_robot(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """After a restart of roscore, while another client holds every topic."""
+    monkeypatch.setattr(renewals, "FIRST_RENEWAL", 6.0)
+    async with linked(config_of(server.url, 2)) as (_, store), connect(server.url) as other:
+        await store.until(ready)
+        held = [name for name in server.bridge.subscribed() if name.startswith("/robot_0/")]
+        for topic in held:
+            await other.send(json.dumps({"op": "subscribe", "topic": topic}))
+        await other.send('{"op":"call_service","id":"c","service":"/rosapi/get_time"}')
+        while json.loads(await other.recv()).get("id") != "c":
+            pass
+        server.bridge.orphaned.update(held)
+        state = await store.until(
+            lambda state: any(one.condition.kind == "messages" and one.holds for one in state.alarms)
+        )
+        alarm = next(one for one in state.alarms if one.condition.kind == "messages")
+        assert alarm.text == "rosbridge lost its subscriptions of robot_0: restart it"
+        silent = [one.condition.remedy for one in state.alarms if one.condition.kind == "offline"]
+        assert set(silent) <= {RESTART_BRIDGE}
+        why = reasons(state, state.robots["robot_0"])[0]
+        assert (why.name, why.remedy) == (LOST_SUBSCRIPTIONS.word, RESTART_BRIDGE)
+        assert any("lost its subscriptions" in line for line in attention(state))
+        server.bridge.orphaned.clear()
+        await store.until(lambda state: not state.links["rosbridge"].dropped)
