@@ -187,6 +187,14 @@ class TopicsDropped(Struct, frozen=True, tag=True):
     robots: tuple[str, ...]
 
 
+class TopicNotAllowed(Struct, frozen=True, tag=True):
+    """An allow-list of the bridge lacks a topic of some robots."""
+
+    link: str
+    topic: str
+    robots: tuple[str, ...]
+
+
 class SubscriptionsAdvanced(Struct, frozen=True, tag=True):
     """A bridge has handled `done` of `total` subscriptions since its connection was opened."""
 
@@ -250,6 +258,7 @@ Event = (
     | CommandPathChanged
     | MessagesUnsourced
     | TopicsDropped
+    | TopicNotAllowed
     | SubscriptionsAdvanced
     | BridgeAnswered
     | CommandIssued

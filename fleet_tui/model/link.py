@@ -1,5 +1,6 @@
 """The state of one bridge, as shown to an operator."""
 
+from collections.abc import Mapping
 from enum import Enum
 
 from msgspec import Struct, field
@@ -41,9 +42,10 @@ class LinkState(Struct, frozen=True):
     not this console but the bridge is the cause; `clock` is (our time - time by the clock of its site) at
     its last answer that told it, at `clock_at`, None without one, `drift` the seconds by which that grows in
     each of ours, and `drifted` those by which it has grown so; `unsourced` is the package whose messages the
-    bridge lacks, `dropped` are the robots of whose topics it lost its own subscriptions; `site` is the one
-    that it belongs to; `topics` are the subscriptions that were requested of a bridge with many, of which
-    `waiting_topics` are not handled yet, `subscribed_at` the time of the last handled one."""
+    bridge lacks, `dropped` are the robots of whose topics it lost its own subscriptions, `not_allowed` the
+    topics with their robots that its allow-list lacks; `site` is the one that it belongs to; `topics` are
+    the subscriptions that were requested of a bridge with many, of which `waiting_topics` are not handled
+    yet, `subscribed_at` the time of the last handled one."""
 
     name: str
     url: str
@@ -69,6 +71,7 @@ class LinkState(Struct, frozen=True):
     drifted: float = 0.0
     unsourced: str = ""
     dropped: tuple[str, ...] = ()
+    not_allowed: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     site: str = ""
     topics: int = 0
     waiting_topics: int = 0
@@ -93,7 +96,8 @@ class LinkState(Struct, frozen=True):
 
     def hides(self, robot: str) -> bool:
         """Tell whether nothing of a robot can arrive though it is connected: its silence is not its own."""
-        return self.is_half_dead or robot in self.dropped
+        is_barred = any(robot in robots for robots in self.not_allowed.values())
+        return self.is_half_dead or robot in self.dropped or is_barred
 
     @property
     def is_starting(self) -> bool:

@@ -182,6 +182,7 @@ class _Names(NamedTuple):
                 | events.CommandPathChanged(link=link)
                 | events.MessagesUnsourced(link=link)
                 | events.TopicsDropped(link=link)
+                | events.TopicNotAllowed(link=link)
                 | events.SubscriptionsAdvanced(link=link)
                 | events.BridgeAnswered(link=link)
                 | events.FrameRejected(link=link)

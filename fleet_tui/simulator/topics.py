@@ -4,13 +4,14 @@ import asyncio
 import time
 from collections import deque
 from collections.abc import Iterable, Mapping, Sequence
+from fnmatch import fnmatchcase
 from functools import partial
 from typing import Any
 
 from fleet_tui.simulator.channels import Channels, resolve
 from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.frames import OutgoingFrame, Payload
-from fleet_tui.simulator.logs import ERROR, INFO, ROSOUT, Talk
+from fleet_tui.simulator.logs import ERROR, INFO, ROSOUT, WARN, Talk
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.services import REMEMBERED, ServiceDesk
@@ -47,6 +48,8 @@ class TopicDesk:
         """Maximum bytes of a message to a client, None: no limit."""
         self.muted: set[str] = set()
         """Topics that are not published."""
+        self.allowed: dict[str, Sequence[str]] = {}
+        """Patterns of the topics and of the services that clients may use, by these words; without: all."""
         self.started = time.monotonic()
         """The start time of the bridge, monotonic."""
         self.forget_subscriptions()
@@ -116,6 +119,15 @@ class TopicDesk:
         if self.dialect.logs_operations:
             id_ = f"[id: {operation['id']}] " if "id" in operation else ""
             self._log(client, ERROR, f"{id_}{operation.get('op')}: {text}")
+
+    def refuses(self, client: Client, what: str, name: str) -> bool:
+        """Tell whether an allow-list does not admit a `topic` or a `service`: the log alone tells so."""
+        patterns = self.allowed.get(what)
+        if patterns is None or any(fnmatchcase(resolve(name), pattern) for pattern in patterns):
+            return False
+        cancelled = "subscription to" if what == "topic" else "service call for"
+        self._log(client, WARN, f"No match found for {what}, cancelling {cancelled}: {name}")
+        return True
 
     def _log(self, client: Client, level: int, text: str) -> None:
         line = self._talk.say(time.time(), level, "/rosbridge_websocket", f"[Client {client.id}] {text}")

@@ -31,6 +31,12 @@ LOST_SUBSCRIPTIONS = FactKind(
     keys=("diagnostics",),
     page="link",
 )
+NOT_ALLOWED = LOST_SUBSCRIPTIONS._replace(
+    word="not allowed by the bridge",
+    alarm=LOST_SUBSCRIPTIONS.alarm._replace(
+        action="Add these topics to topics_glob of rosbridge, or take that list away, and restart it"
+    ),
+)
 BEHIND = FactKind(
     "behind",
     "this console is behind",
@@ -181,6 +187,7 @@ DESPITE_PAUSE = STILL_MOVING._replace(
 FACTS = (
     LATE_LINK,
     LOST_SUBSCRIPTIONS,
+    NOT_ALLOWED,
     BEHIND,
     SILENT,
     NEVER_SEEN,

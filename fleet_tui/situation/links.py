@@ -4,7 +4,7 @@ from fleet_tui.model.alarm import Priority
 from fleet_tui.model.fleet import FleetState, behind_text
 from fleet_tui.model.link import NO_WAY, LinkState, Phase
 from fleet_tui.situation.fact import Fact
-from fleet_tui.situation.facts import BEHIND, LATE_LINK, LOST_SUBSCRIPTIONS
+from fleet_tui.situation.facts import BEHIND, LATE_LINK, LOST_SUBSCRIPTIONS, NOT_ALLOWED
 from fleet_tui.text.limits import some
 from fleet_tui.text.units import counted, duration
 
@@ -39,7 +39,7 @@ def late_link(state: FleetState, link: LinkState) -> Fact | None:
 
 def lost_subscriptions(link: LinkState) -> Fact | None:
     """Find that a bridge is not subscribed any more to what nodes publish, as ROS has it."""
-    if link.phase is not Phase.UP or not link.dropped:
+    if link.phase is not Phase.UP or not link.dropped or link.unsourced:
         return None
     return Fact(
         LOST_SUBSCRIPTIONS,
@@ -50,6 +50,29 @@ def lost_subscriptions(link: LinkState) -> Fact | None:
         remedy=RESTART_BRIDGE,
         evidence="nodes publish its topics, and the bridge is not among their subscribers",
     )
+
+
+def not_allowed(link: LinkState) -> Fact | None:
+    """Find that an allow-list of a bridge lacks topics of its robots: it drops these subscriptions."""
+    if link.phase is not Phase.UP or not link.not_allowed:
+        return None
+    topics = some([*link.not_allowed])
+    return Fact(
+        NOT_ALLOWED,
+        link.name,
+        f"the bridge does not allow {topics} (topics_glob)",
+        Priority.HIGH,
+        link.since,
+        remedy=NOT_ALLOWED.alarm.action,
+        evidence=f"its log says so of {topics}",
+    )
+
+
+def hidden(link: LinkState, robot: str) -> Fact | None:
+    """Find why nothing of a robot arrives though its bridge is connected, none if it may be the robot."""
+    if robot in link.dropped:
+        return lost_subscriptions(link)
+    return not_allowed(link) if link.hides(robot) else None
 
 
 def behind(state: FleetState) -> Fact | None:

@@ -21,7 +21,7 @@ from fleet_tui.situation.facts import (
     SILENT,
     STOP,
 )
-from fleet_tui.situation.links import RESTART_BRIDGE, is_late
+from fleet_tui.situation.links import hidden, is_late
 from fleet_tui.text.units import age
 
 BAD_FOR = 10.0
@@ -100,7 +100,7 @@ def silence(state: FleetState, robot: Robot) -> Fact:
         text,
         Priority.MEDIUM,
         since,
-        remedy=RESTART_BRIDGE if link.hides(robot.name) else "",
+        remedy=found.remedy if (found := hidden(link, robot.name)) is not None else "",
         # Behind a late bridge that of the map, if something else has come since.
         short=f"pose {age(state.now - pose.at)} old" if pose and is_behind and not is_certain else text,
         evidence=evidence,

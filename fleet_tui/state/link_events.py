@@ -15,6 +15,7 @@ LinkEvent = (
     | events.CommandPathChanged
     | events.MessagesUnsourced
     | events.TopicsDropped
+    | events.TopicNotAllowed
     | events.SubscriptionsAdvanced
     | events.BridgeAnswered
     | events.FrameRejected
@@ -42,6 +43,7 @@ def _change_link(state: FleetState, event: events.LinkChanged) -> FleetState:
             was_up=link.was_up or event.phase is Phase.UP,
             unsourced=link.unsourced if event.phase is Phase.UP else "",
             dropped=link.dropped if event.phase is Phase.UP else (),
+            not_allowed=link.not_allowed if event.phase is Phase.UP else {},
             waiting_topics=link.waiting_topics if event.phase is Phase.UP else 0,
             lag=link.lag if event.phase is Phase.UP else 0.0,
         ),
@@ -75,6 +77,9 @@ def apply_to_link(state: FleetState, event: LinkEvent) -> FleetState:
             return _with_link(state, replace(link, unsourced=truncate(event.package)))
         case events.TopicsDropped():
             return _with_link(state, replace(link, dropped=event.robots))
+        case events.TopicNotAllowed():
+            topics = {**link.not_allowed, truncate(event.topic): event.robots}
+            return _with_link(state, replace(link, not_allowed=topics))
         case events.SubscriptionsAdvanced(_, at, done, total):
             return _with_link(
                 state, replace(link, topics=total, waiting_topics=total - done, subscribed_at=at)

@@ -37,6 +37,7 @@ UNHEARD = {
     "ros2-actions.jsonl.gz": "goals and their answers only",
     "ros2-badjson.jsonl.gz": "requests that are no JSON, planted by the client",
     "ros2-fragments.jsonl.gz": "one answer in fragments",
+    "ros2-globs.jsonl.gz": "topics of no robot, one of them not allowed",
     "ros2-publish.jsonl.gz": "what a probe heard, of no robot",
     "ros2-qos.jsonl.gz": "topics of no robot",
     "ros2-restart-with-qos.jsonl.gz": "one latched graph",

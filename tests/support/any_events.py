@@ -273,6 +273,9 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
     events.TopicsDropped: st.builds(
         events.TopicsDropped, st.just(LINK), st.lists(st.sampled_from(["robot_0", "robot_1"])).map(tuple)
     ),
+    events.TopicNotAllowed: st.builds(
+        events.TopicNotAllowed, st.just(LINK), st.text(max_size=9), st.just(("robot_0",))
+    ),
     events.MessagesUnsourced: st.builds(events.MessagesUnsourced, st.just(LINK), st.text(max_size=9)),
     events.BridgeAnswered: st.builds(
         events.BridgeAnswered, st.just(LINK), AT, st.floats(0.0, 60.0), st.none() | NUMBERS

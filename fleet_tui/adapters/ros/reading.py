@@ -193,6 +193,8 @@ class FrameReader:
             if (about := logs.complaint(line)) and about[0] in self.counter.topics:
                 self._warn(f"bridge did not subscribe {truncate(about[0])}: {about[1]}")
                 self.counter.topics[about[0]].not_subscribed = f"bridge: {about[1]}"
+            if (feed := self._feeds.get(logs.not_allowed(line))) is not None:
+                yield events.TopicNotAllowed(self._link, feed.address, feed.robots)
         else:
             found = logs.diagnoses(msg, at)
             self.counter.take_health(found)

@@ -197,7 +197,10 @@ class Subscriber:
 
     async def _look_for_lost(self, topics: Sequence[str]) -> None:
         """Report the topics that stayed silent though they were subscribed again, if the bridge is not
-        subscribed to them in ROS: another client may hold them as they are."""
+        subscribed to them in ROS: another client may hold them as they are. On ROS 2, which has no master,
+        the bridge itself did not subscribe, and its log says why."""
+        if self._is_ros2:
+            return
         await asyncio.sleep(SETTLES_WITHIN)
         silent = [topic for topic in topics if topic in self._renewed]
         if silent and all([await lacks_bridge(self._calls, topic) for topic in silent[:MOST_ASKED]]):

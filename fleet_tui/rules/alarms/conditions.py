@@ -219,9 +219,9 @@ def late(state: FleetState, link: LinkState, _active: ActiveConditions) -> Condi
 
 
 def unsourced(state: FleetState, link: LinkState, _active: ActiveConditions) -> Condition | None:
-    """Raise if the bridge can't read the robots' messages: the commonest mistake in setting it up; or if it
-    lost its subscriptions."""
-    if (fact := links.lost_subscriptions(link)) is not None:
+    """Raise if the bridge can't read the robots' messages: the commonest mistake in setting it up; if it
+    lost its subscriptions, or allows none."""
+    if (fact := links.lost_subscriptions(link) or links.not_allowed(link)) is not None:
         return _condition(fact, -math.inf)
     if link.phase is not Phase.UP or not link.unsourced:
         return None

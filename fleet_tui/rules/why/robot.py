@@ -65,7 +65,7 @@ def no_link(state: FleetState, robot: Robot) -> Reason | None:
         return Reason(
             "rosbridge half dead", evidence, keys=DIAGNOSE, remedy=links.RESTART_BRIDGE, page="link"
         )
-    if link.hides(robot.name) and (fact := links.lost_subscriptions(link)) is not None:
+    if not state.is_online(robot) and (fact := links.hidden(link, robot.name)) is not None:
         keys, page = fact.kind.keys, fact.kind.page
         return Reason(fact.kind.word, fact.evidence, keys=keys, remedy=fact.remedy, page=page)
     if link.phase is Phase.UP:

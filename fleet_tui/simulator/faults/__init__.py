@@ -24,6 +24,7 @@ FAULTS: Faults = {
     "dies": ("the node takes an order and dies before replying", wire.dies),
     "throws": ("orders raise an exception in the node and are not taken", wire.throws),
     "unregistered": (f"after {wire.GONE:g} s its services do not exist, telemetry flows", wire.unregistered),
+    "topics-glob": ("the bridge's allow-list lacks its topics (topics_glob)", wire.topics_glob),
     "lost-master": (
         "the ROS master was restarted without rosapi: its services do not exist, telemetry flows",
         wire.lost_master,

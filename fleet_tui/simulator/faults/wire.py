@@ -134,6 +134,12 @@ def unregistered(server: "RosbridgeServer", robot: str) -> None:
     server.bridge.services.fleet_of(robot).troubles.append(step)
 
 
+def topics_glob(server: "RosbridgeServer", robot: str) -> None:
+    """Allow clients no topic of a robot."""
+    others = [f"/{name}/*" for name in server.bridge.services.robots if name != robot]
+    server.bridge.allowed["topic"] = ("/rosout", "/diagnostics", *others)
+
+
 def lost_master(server: "RosbridgeServer", robot: str) -> None:
     """Restart the ROS master without rosapi: no service is known any more, not even the bridge's own."""
     services = server.bridge.services

@@ -31,6 +31,7 @@ GENERIC = (
     "frozen-rosapi",
     "dead-rosapi",
     "half-dead",
+    "topics-glob",
     "overloaded",
     "unregistered",
 )

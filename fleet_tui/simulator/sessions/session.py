@@ -58,9 +58,14 @@ class Session:
             self._bridge.complain(self.client, operation, problem)
             return
         try:
-            await self._perform(operation)
+            if not self._is_refused(operation):
+                await self._perform(operation)
         except BridgeError as error:
             self._bridge.complain(self.client, operation, str(error))
+
+    def _is_refused(self, operation: Operation) -> bool:
+        what = {"subscribe": "topic", "call_service": "service"}.get(operation["op"])
+        return what is not None and self._bridge.refuses(self.client, what, operation[what])
 
     async def _perform(self, operation: Operation) -> None:
         match operation["op"]:

@@ -17,10 +17,12 @@ from fleet_tui.adapters.ros.logs import (
     diagnoses,
     log_line,
     logged_errors,
+    not_allowed,
 )
 from fleet_tui.errors import WireError
 from fleet_tui.model.ros_logs import Health, Severity
 from tests.support.fleets import T0
+from tests.support.transcripts import frames, parsed, recording
 
 ROS1_LOG = {
     "header": {"seq": 7, "stamp": {"secs": 1, "nsecs": 2}, "frame_id": ""},
@@ -167,3 +169,13 @@ def test_only_errors_of_the_diagnostics_are_told_with_their_part() -> None:
     parts = [status(level, name=f"robot_1: part {level}") for level in range(4)]
     found = diagnosed_errors(diagnoses(wire({"header": {}, "status": parts}), T0), SEVERAL)
     assert [(one.robot, one.text, one.is_diagnosed) for one in found] == [("robot_1", "part 2: low", True)]
+
+
+def test_a_bridge_tells_in_its_log_which_topic_its_allow_list_lacks() -> None:
+    lines = [
+        frame["msg"]
+        for frame in map(parsed, frames(recording("ros2-globs.jsonl.gz"), "in"))
+        if "msg" in frame
+    ]
+    logged = [log_line(msgspec.Raw(json.dumps(msg)), T0) for msg in lines if "level" in msg]
+    assert [topic for topic in map(not_allowed, logged) if topic] == ["/s0/pose"]

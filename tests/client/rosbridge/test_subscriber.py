@@ -10,8 +10,9 @@ from fleet_tui.cli.status.report import attention
 from fleet_tui.client.rosbridge import renewals
 from fleet_tui.model.link import Phase
 from fleet_tui.rules.why.why import reasons
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.situation.facts import LOST_SUBSCRIPTIONS
+from fleet_tui.situation.facts import LOST_SUBSCRIPTIONS, NOT_ALLOWED
 from fleet_tui.situation.links import RESTART_BRIDGE
 from tests.support.links import linked, phase, ready
 from tests.support.watched_store import config_of
@@ -105,3 +106,19 @@ async def test_a_bridge_that_lost_its_subscriptions_is_to_blame_and_no_robot(
         assert any("lost its subscriptions" in line for line in attention(state))
         server.bridge.orphaned.clear()
         await store.until(lambda state: not state.links["rosbridge"].dropped)
+
+
+async def test_a_topic_that_an_allow_list_lacks_blames_the_list_and_no_robot(ros_2: RosbridgeServer) -> None:
+    play(ros_2, [("topics-glob", "robot_0")])
+    async with linked(config_of(ros_2.url, 2)) as (_, store):
+        state = await store.until(
+            lambda state: any(one.condition.kind == "messages" and one.holds for one in state.alarms)
+        )
+        alarm = next(one.condition for one in state.alarms if one.condition.kind == "messages")
+        assert alarm.text.startswith("the bridge does not allow /robot_0/") and "topics_glob" in alarm.remedy
+        later = state.now + 20.0
+        state = await store.until(lambda state: state.now > later)
+        assert not any(one.condition.source == "robot_0" for one in state.alarms)
+        why = reasons(state, state.robots["robot_0"])[0]
+        assert (why.name, why.remedy) == (NOT_ALLOWED.word, NOT_ALLOWED.alarm.action)
+        assert any("does not allow" in line for line in attention(state))
