@@ -67,7 +67,7 @@ class Subscriber:
         """By topic, when it was subscribed again because it was silent."""
         self._dropped: Set[str] = frozenset()
         self._as_json: set[str] = set()
-        """Maps that never arrived as CBOR."""
+        """Maps that never arrived as CBOR on this connection."""
         self._json_timer: asyncio.TimerHandle | None = None
         self._map: Feed | None = None
         self._watched: frozenset[Feed] = frozenset()
@@ -80,6 +80,7 @@ class Subscriber:
         """Subscribe to all topics: the bridge keeps nothing from before. `now` is monotonic, in seconds."""
         self._reading.maps_received.clear()
         self._refused.clear()
+        self._as_json.clear()
         self._renewals.start(now)
         self._renewed.clear()
         self._dropped = frozenset()
