@@ -10,7 +10,7 @@ from fleet_tui.model.navigation import DOWN, Servers
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import INACTIVE, NAVIGATION_SILENT
-from fleet_tui.text.durations import age
+from fleet_tui.text.units import age
 
 NO_ODOMETRY = "Check its wheel odometry: the node of its base, the topic's name"
 ASKED_WITHIN = 30.0
