@@ -102,7 +102,6 @@ class FleetApp(LeanApp, inherit_bindings=False):
             programs=config.programs,
             drive={robot.name: drive_of(config, robot) for robot in config.robots},
             routines=config.routine_folder,
-            bridge_urls=config.bridge_urls,
             doubt=config.doubt,
             picture_limit=1000 * config.camera.kB_per_s,
         )

@@ -218,11 +218,6 @@ class Config(msgspec.Struct, frozen=True):
     def routine_folder(self) -> Path:
         return self.beside(self.routines.folder).absolute()
 
-    @property
-    def bridge_urls(self) -> dict[str, str]:
-        """Return the URL of each robot's bridge, without secrets."""
-        return {robot.name: self.bridges[robot.link].shown for robot in self.robots}
-
     def bridge(self, name: str) -> Link:
         """Return one bridge, its files with absolute paths."""
         return self._whole(self.bridges[name], LINK_FILES)

@@ -18,7 +18,7 @@ class ConsoleSettings(Struct, frozen=True):
     a change of size; `hatched`: colours don't tell unknown ground from floor; `terminal`: its description in
     help; `message`: the first notice; `programs`: of the configuration; `drive`: limits
     by robot; `picture_limit`: bytes a second to the terminal above which pictures of cameras come less often;
-    `routines`: their folder; `bridge_urls` by robot; `doubt`: of the configuration."""
+    `routines`: their folder; `doubt`: of the configuration."""
 
     keys: Mapping[str, tuple[str, ...]]
     clock: Callable[[float], str]
@@ -32,6 +32,5 @@ class ConsoleSettings(Struct, frozen=True):
     programs: Sequence[ProgramEntry] = ()
     drive: Mapping[str, DriveConfig] = {}
     routines: Path = Path()
-    bridge_urls: Mapping[str, str] = {}
     doubt: str = ""
     picture_limit: float = 60_000.0

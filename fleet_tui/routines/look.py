@@ -1,6 +1,6 @@
 """Looks at the routines of a folder: their files, and their last or present runs."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable
 from pathlib import Path
 
 from msgspec import Struct
@@ -18,12 +18,10 @@ from fleet_tui.text.units import counted
 
 
 class RoutinePlace(Struct, frozen=True):
-    """The folders of the routines and of their progress, the URL of each robot's bridge, and the reason that
-    none may run."""
+    """The folders of the routines and of their progress, and the reason that none may run."""
 
     folder: Path
     state: Path
-    urls: Mapping[str, str]
     refusal: str = ""
 
     def read(self, name: str) -> RoutineFile:
@@ -49,6 +47,11 @@ def plans_of(state: FleetState, file: RoutineFile) -> dict[str, LanePlan]:
     return found
 
 
+def bridge_urls(state: FleetState, robots: Iterable[str]) -> dict[str, str]:
+    """Return the URL of each robot's bridge, without secrets."""
+    return {robot: state.links[state.robots[robot].link].url for robot in robots}
+
+
 def _row(place: RoutinePlace, state: FleetState, name: str) -> RoutineRow:
     try:
         file = place.read(name)
@@ -62,7 +65,7 @@ def _row(place: RoutinePlace, state: FleetState, name: str) -> RoutineRow:
         plans,
         tuple(lane for lane in lanes if lane.robot in plans and fits(plans[lane.robot], lane)),
         progress.at if progress is not None else 0.0,
-        _owner(place, progress),
+        _owner(place, state, progress),
         _problem(file),
     )
 
@@ -73,9 +76,10 @@ def _problem(file: RoutineFile) -> str:
     return f"line {found[0].line}: {found[0].text}{more}" if found else ""
 
 
-def _owner(place: RoutinePlace, progress: RoutineProgress | None) -> str:
+def _owner(place: RoutinePlace, state: FleetState, progress: RoutineProgress | None) -> str:
     """Return the process that leads the robots of an open run, empty if it has ended."""
     if progress is None or progress.is_over:
         return ""
-    owners = (owner_of(place.state, lane.robot, place.urls.get(lane.robot, "")) for lane in progress.lanes)
+    urls = bridge_urls(state, (lane.robot for lane in progress.lanes if lane.robot in state.robots))
+    owners = (owner_of(place.state, robot, url) for robot, url in urls.items())
     return next((owner for owner in owners if owner), "")

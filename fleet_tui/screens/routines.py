@@ -38,8 +38,7 @@ def routines_overlay(
 ) -> "Routines":
     """Return the overlay for the routines of a console's configuration."""
     settings = screen.settings
-    folder, urls = state_folder() / "routines", settings.bridge_urls
-    place = RoutinePlace(settings.routines, folder, urls, settings.doubt)
+    place = RoutinePlace(settings.routines, state_folder() / "routines", settings.doubt)
     parts = screen.store, screen.dispatch, screen.notices
     led = LedRoutines(place, *parts, screen.files, in_background)
     return Routines(place, RoutineRequests(place, *parts, led, ask, open_menu, in_background), led, ask)

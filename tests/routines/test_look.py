@@ -9,11 +9,11 @@ from fleet_tui.routines.owner import RobotLocks
 from fleet_tui.routines.progress import RoutineProgress, progress_path, save_progress
 from tests.support.routines import MORNING, two_robots
 
-URLS = {"robot_0": "ws://a", "robot_1": "ws://a"}
+URLS = {"robot_0": "ws://site:9090", "robot_1": "ws://site:9090"}
 
 
 def test_each_file_with_its_last_run_and_its_owner(tmp_path: Path) -> None:
-    place = RoutinePlace(tmp_path / "routines", tmp_path / "state", URLS)
+    place = RoutinePlace(tmp_path / "routines", tmp_path / "state")
     place.folder.mkdir()
     assert look_at_all(place, two_robots()) == []
     (place.folder / "day.routine").write_text(MORNING)

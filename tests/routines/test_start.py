@@ -12,7 +12,7 @@ from tests.support.routines import two_robots
 
 def examined(folder: Path, text: str) -> Examined:
     (folder / "day.routine").write_text(text)
-    return examine(RoutinePlace(folder, folder, {}), two_robots(), "day")
+    return examine(RoutinePlace(folder, folder), two_robots(), "day")
 
 
 def test_a_good_one_has_a_timeline_and_a_question(tmp_path: Path) -> None:
@@ -39,7 +39,7 @@ def test_a_mistake_in_the_text_comes_before_the_fleet(tmp_path: Path, text: str,
 
 
 def test_one_that_cannot_be_read(tmp_path: Path) -> None:
-    found = examine(RoutinePlace(tmp_path, tmp_path, {}), two_robots(), "absent")
+    found = examine(RoutinePlace(tmp_path, tmp_path), two_robots(), "absent")
     assert found.file is None and found.problems[0].startswith("unknown routine 'absent'")
 
 

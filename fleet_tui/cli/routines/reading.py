@@ -19,7 +19,7 @@ Say = Callable[..., None]
 
 def place_of(config: Config) -> RoutinePlace:
     """Return the folders of the routines of a configuration."""
-    return RoutinePlace(config.routine_folder, state_folder() / "routines", config.bridge_urls, config.doubt)
+    return RoutinePlace(config.routine_folder, state_folder() / "routines", config.doubt)
 
 
 def named_routine(config: Config, name: str) -> RoutineFile:

@@ -33,6 +33,7 @@ from fleet_tui.model.routines.lane import (
 )
 from fleet_tui.routines.clock import clock_text
 from fleet_tui.routines.files import RoutineFile
+from fleet_tui.routines.look import bridge_urls
 from fleet_tui.routines.owner import RobotLocks
 from fleet_tui.routines.progress import RoutineProgress, progress_path, resumable, save_progress
 from fleet_tui.routines.run import RoutineRun, RunParts
@@ -77,9 +78,9 @@ def run_routine(config: Config, name: str, options: RunOptions, say: Say) -> int
                 say(problem_line(file.name, problem), err=True)
             say(sanitize(f"{file.name}: not started"), err=True)
             return NOT_DONE
-        urls, operator = config.bridge_urls, operator_name(config)
+        operator = operator_name(config)
         owner = f"{operator} (process {os.getpid()}, routine {file.name})"
-        locks = RobotLocks(path.parent, {robot: urls[robot] for robot in robots}, owner)
+        locks = RobotLocks(path.parent, bridge_urls(given.state, robots), owner)
         locks.claim()
         try:
             return _Running(given, file, options, say).run(path, operator, before)

@@ -23,7 +23,7 @@ from fleet_tui.model.routines.lane import (
     OrderWithheld,
 )
 from fleet_tui.routines.files import RoutineFile
-from fleet_tui.routines.look import RoutinePlace, plans_of
+from fleet_tui.routines.look import RoutinePlace, bridge_urls, plans_of
 from fleet_tui.routines.owner import RobotLocks
 from fleet_tui.routines.progress import RoutineProgress, progress_path, resumable, save_progress
 from fleet_tui.routines.run import RoutineRun, RunParts
@@ -64,7 +64,7 @@ class LedRoutines:
         # It may have been disarmed during the question.
         if refusal := self._dispatch.set_up_refusal(Right.DISPATCH):
             raise RoutineError(refusal)
-        urls = {robot: self._place.urls[robot] for robot in plans_of(self._store.state, file)}
+        urls = bridge_urls(self._store.state, plans_of(self._store.state, file))
         owner = f"{self._files.operator or 'a console'} (process {os.getpid()}, routine {file.name})"
         path = progress_path(self._place.state, file.path)
         before = resumable(path, file) if is_left else None

@@ -6,7 +6,7 @@ import click
 import msgspec
 import pytest
 
-from fleet_tui.cli.routines.reading import named_routine, place_of
+from fleet_tui.cli.routines.reading import named_routine
 from fleet_tui.config.load import from_text
 from tests.support.routine_files import ONE_ROBOT, routine
 
@@ -15,6 +15,5 @@ def test_it_is_beside_the_configuration(tmp_path: Path) -> None:
     config = msgspec.structs.replace(from_text(ONE_ROBOT), path=tmp_path / "config.toml")
     routine(tmp_path, "for robot_0\nwait 1 s\nend\n")
     assert named_routine(config, "day").path == tmp_path / "routines" / "day.routine"
-    assert place_of(config).urls == {"robot_0": "ws://127.0.0.1:9090"}
     with pytest.raises(click.UsageError, match="unknown routine 'dya', did you mean day"):
         named_routine(config, "dya")

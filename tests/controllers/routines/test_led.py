@@ -29,7 +29,7 @@ class LedDesk(Desk):
 
     def __init__(self, folder: Path, permissions: Permissions | None = None) -> None:
         super().__init__(two_robots(), permissions or Permissions())
-        self.place = RoutinePlace(folder, folder / "state", {"robot_0": "ws://a"})
+        self.place = RoutinePlace(folder, folder / "state")
         parts = self.place, self.store, self.dispatch, self.notices
         self.led = LedRoutines(*parts, ConsoleFiles(), at_once)
 
@@ -67,7 +67,7 @@ def test_a_console_without_permission_starts_nothing_and_lets_nothing_follow(
 
 def test_robots_that_another_one_leads_are_left_to_it(tmp_path: Path, file: RoutineFile) -> None:
     desk = LedDesk(tmp_path)
-    RobotLocks(desk.place.state, desk.place.urls, "ana (process 3)").claim()
+    RobotLocks(desk.place.state, {"robot_0": "ws://site:9090"}, "ana (process 3)").claim()
     with pytest.raises(RoutineError, match="robot_0 is led by ana"):
         desk.led.start(file, False)
     assert desk.led.runs == {}

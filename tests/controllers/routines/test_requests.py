@@ -22,7 +22,7 @@ class RequestDesk(Desk):
 
     def __init__(self, folder: Path) -> None:
         super().__init__(two_robots())
-        self.place = RoutinePlace(folder, folder / "state", {"robot_0": "ws://a", "robot_1": "ws://a"})
+        self.place = RoutinePlace(folder, folder / "state")
         self.opened = list[tuple[str, Sequence[Entry]]]()
         self.texts = list[str]()
         self.questions = list[tuple[str, Callable[[], None]]]()
@@ -90,7 +90,7 @@ def test_one_that_another_process_leads_can_only_be_checked(desk: RequestDesk) -
 
 
 def test_robots_that_are_led_elsewhere_and_problems_are_told(desk: RequestDesk) -> None:
-    RobotLocks(desk.place.state, {"robot_1": "ws://a"}, "ana (process 3)").claim()
+    RobotLocks(desk.place.state, {"robot_1": "ws://site:9090"}, "ana (process 3)").claim()
     desk.start()
     assert "day: not started: robot_1 is led by ana (process 3)" in desk.notices.text
     desk.place.folder.joinpath("day.routine").write_text("for robot_0\ngo\nend\n")
