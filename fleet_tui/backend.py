@@ -68,6 +68,9 @@ class OpenLinks(Protocol):
     def counters(self) -> "Mapping[str, LinkCounter]":
         """Return the counters of each link. They change all the time."""
 
+    def extend(self, config: Config) -> None:
+        """Add the robots and floors that a configuration has besides. Not on the loop: it is waited for."""
+
     def submit_all(self, commands: Sequence[Command]) -> object:
         """Send the commands of a request now or not at all."""
 

@@ -1,9 +1,10 @@
 """Opens the console: terminal capabilities, themes, log, then the app."""
 
+import asyncio
 import logging
 import os
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import ExitStack
 from functools import partial
 from pathlib import Path
@@ -16,6 +17,7 @@ from fleet_tui.audit.elsewhere import watched_commands
 from fleet_tui.audit.log import auditing, operator_name
 from fleet_tui.backend import LiveBackend, OpenLinks, connect_live
 from fleet_tui.config.access import access_problems
+from fleet_tui.config.check import checked
 from fleet_tui.config.fleet import watching
 from fleet_tui.config.load import looked_for, user_folder
 from fleet_tui.config.saving import Saving
@@ -44,6 +46,7 @@ from fleet_tui.themes import FleetTheme, load_themes
 from fleet_tui.view.map.drawing import Drawing
 
 if TYPE_CHECKING:
+    from fleet_tui.adapters.vda5050.discovery import SeenVehicle
     from fleet_tui.discovery.site import DiscoveredSite
     from fleet_tui.entry import Chosen
     from fleet_tui.recording.play.player import Player
@@ -79,7 +82,8 @@ def open_console(
     arrived = _first_steps(config) if demo else _arrived(config, site)
     with ExitStack() as until_the_end:
         files = _files(config, store, demo, saving, until_the_end)
-        backend = LiveBackend(config, store, partial(_connect, files, None if demo else state_folder()))
+        connect = partial(_connect, files, None if demo else state_folder(), site, until_the_end)
+        backend = LiveBackend(config, store, connect)
         until_the_end.enter_context(watched_commands(state_folder(), store, backend.post))
         make = partial(FleetApp, config, store, backend=backend, files=files)
         _to_the_end(_ready(config, drawing, debug, make, arrived))
@@ -142,19 +146,53 @@ def _files(
 def _connect(
     files: ConsoleFiles,
     folder: Path | None,
+    site: "DiscoveredSite | None",
+    until_the_end: ExitStack,
     config: Config,
     store: Store,
     on_ready: Callable[[OpenLinks], None],
 ) -> None:
-    """Connect to the fleet once the files are open."""
+    """Connect to the fleet once the files are open. On the address of a broker, add later vehicles."""
     assert files.recordings is not None
 
     def ready(links: OpenLinks) -> None:
         on_ready(links)
         if files.desk is not None:
             files.desk.start(links.post)
+        if site is not None and site.bridge.is_broker:
+            from fleet_tui.discovery.vehicles import watch_vehicles
+            from fleet_tui.transports.loop import network_loop
+
+            add = LaterVehicles(files, config, links).add
+            watch = asyncio.run_coroutine_threadsafe(watch_vehicles(site.bridge, add), network_loop())
+            until_the_end.callback(watch.cancel)
 
     recorded(files.recordings, folder, config, store, ready)
+
+
+class LaterVehicles:
+    """Adds the vehicles that appear on a broker to a console that was opened on its address."""
+
+    def __init__(self, files: ConsoleFiles, config: Config, links: OpenLinks) -> None:
+        self._files = files
+        self._config = config
+        self._links = links
+
+    def add(self, vehicles: "Sequence[SeenVehicle]") -> None:
+        """Add those that are not known, and their maps as floors. Not on the loop."""
+        from fleet_tui.discovery.vehicles import with_vehicles
+
+        config = with_vehicles(self._config, vehicles)
+        if config == self._config:
+            return
+        if problems := checked(config):
+            LOG.warning("vehicles not added: %s", problems[0])
+            return
+        assert self._files.recordings is not None
+        self._files.recordings.extend(config, partial(self._links.extend, config))
+        if self._files.saving is not None:
+            self._files.saving.extend(config)
+        self._config = config
 
 
 def ask_first(site: "DiscoveredSite | None", drawing: str | None) -> "Chosen":

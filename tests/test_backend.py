@@ -22,6 +22,9 @@ class CalledLinks:
         self.calls: list[object] = []
         self.counters: Mapping[str, LinkCounter] = {}
 
+    def extend(self, config: Config) -> None:
+        self.calls.append(config)
+
     def submit_all(self, commands: Sequence[Command]) -> None:
         self.calls += commands
 

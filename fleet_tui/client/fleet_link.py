@@ -1,5 +1,6 @@
 """All links of a configuration as one: commands go to the robot's own link."""
 
+import asyncio
 import itertools
 import logging
 import secrets
@@ -16,6 +17,7 @@ from fleet_tui.config.access import access_problems
 from fleet_tui.config.fleet import adapters_of, watching
 from fleet_tui.config.rights import own_rights
 from fleet_tui.config.schema import Config
+from fleet_tui.config.start import extended
 from fleet_tui.errors import CommandError, ConfigError
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.counters import LinkCounter
@@ -71,6 +73,16 @@ class FleetLink:
         self._writer.loop.call_soon_threadsafe(self._waiting_orders.load)
         for link in self.links.values():
             link.open()
+
+    def extend(self, config: Config) -> None:
+        """Add the robots and floors that a configuration has besides. Not on the loop: it is waited for."""
+        asyncio.run_coroutine_threadsafe(self._extend(config), self._writer.loop).result()
+
+    async def _extend(self, config: Config) -> None:
+        self._store.put(extended(self._store.state, config))
+        adapters = adapters_of(config)
+        for link in self._links.values():
+            link.extend(config, adapters)
 
     def post(self, event: Event) -> None:
         """Apply an event from outside the link to the store."""

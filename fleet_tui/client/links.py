@@ -25,6 +25,9 @@ class RobotLink(Protocol):
     def open(self) -> None:
         """Connect, and stay connected."""
 
+    def extend(self, config: Config, adapters: Mapping[str, Adapter]) -> None:
+        """Add the robots that a configuration has besides, on the loop, once they are in the state."""
+
     def submit_now(self, command_id: int, command: Command, given_at: float) -> None:
         """Send a command, on the loop; its progress reaches the store as CommandAdvanced."""
 

@@ -62,6 +62,11 @@ class Saving:
         self.path = "" if source is not None else str(config.path)
         """The file in which it is, empty where it is in none."""
 
+    def extend(self, config: Config) -> None:
+        """Write this configuration instead: it has more robots or floors."""
+        self._config = config
+        self._source = None
+
     def write(self, name: str) -> Path:
         """Write it, overwriting any file, and return the path. Raises FleetError."""
         if self._config.withheld:

@@ -1,5 +1,7 @@
 """The fleet state before any message."""
 
+from msgspec.structs import replace
+
 from fleet_tui.config.fleet import adapters_of
 from fleet_tui.config.schema import Config
 from fleet_tui.model.fleet import FleetState, Floor, Limits
@@ -34,6 +36,20 @@ def initial_state(config: Config, now: float) -> FleetState:
         ),
         now=now,
     )
+
+
+def extended(state: FleetState, config: Config) -> FleetState:
+    """Return the state with the floors and robots that a configuration has besides, and its frames."""
+    new = initial_state(config, state.now)
+    floors = {
+        name: replace(state.floors.get(name, floor), frame_id=floor.frame_id)
+        for name, floor in new.floors.items()
+    }
+    known = {
+        name: replace(robot, maps={**new.robots[name].maps, **robot.maps})
+        for name, robot in state.robots.items()
+    }
+    return replace(state, floors=floors, robots={**new.robots, **known})
 
 
 def _robots(config: Config) -> dict[str, Robot]:

@@ -15,6 +15,8 @@ FIRST = "# fleet-tui: discovered on this {}. Validate with `fleet-tui check`."
 ROLE = '# role = "watch"   # or "pause", or "master": what this console may command'
 BROKER = "broker"
 """The name of the link to a broker."""
+UNKNOWN_FLOOR = "floor_0"
+"""The name of the one floor where no pose has named a map."""
 NO_ROBOTS = "# No robot topics found. Name the robots here and their topics in [profile.topics]."
 
 
@@ -93,7 +95,7 @@ def _floors(found: Found, frames: Mapping[str, str], placed: Mapping[str, str]) 
     strange = [frame for frame in strange_frames(found, frames) if frame not in placed.values()]
     if not floors:
         yield "# No floor topics found: floors are named after the pose frames."
-        named = {_floor_name(frame, n): frame for n, frame in enumerate(strange)} or {"floor_0": ""}
+        named = {floor_name(frame, n): frame for n, frame in enumerate(strange)} or {UNKNOWN_FLOOR: ""}
         floors, strange = list(named), []
         needs_graph = {floor for floor in floors if any(map(_has_no_graph, found))}
         placed = {**{floor: frame for floor, frame in named.items() if frame not in ("", floor)}, **placed}
@@ -114,7 +116,7 @@ def _floors(found: Found, frames: Mapping[str, str], placed: Mapping[str, str]) 
         yield ""
 
 
-def _floor_name(frame: str, number: int) -> str:
+def floor_name(frame: str, number: int) -> str:
     """Return the name of a floor by the frame of its poses, which may be any text."""
     return frame if NAME.fullmatch(frame) else f"floor_{number}"
 

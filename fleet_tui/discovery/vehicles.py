@@ -2,13 +2,17 @@
 
 import asyncio
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
+
+from msgspec.structs import replace
 
 from fleet_tui.adapters.vda5050.discovery import SeenVehicle, has_header, named
 from fleet_tui.adapters.vda5050.fields import Fields
 from fleet_tui.adapters.vda5050.state import pose_of
 from fleet_tui.adapters.vda5050.topics import Topics
-from fleet_tui.config.schema import Link
+from fleet_tui.config.entries import FloorEntry, RobotEntry
+from fleet_tui.config.schema import Config, Link
+from fleet_tui.discovery.config_text import BROKER, UNKNOWN_FLOOR, floor_name
 from fleet_tui.discovery.questions import Watch
 from fleet_tui.errors import LinkError, WireError
 from fleet_tui.transports.mqtt.connection import BrokerConnection
@@ -20,6 +24,11 @@ NO_VEHICLE = (
     "no message of a vehicle (+/+/+/+/connection, .../state): start the vehicles, check the user's read"
     " access, or listen longer: fleet-tui config init --from-live ADDRESS --wait 35"
 )
+WATCH_EVERY = 2.0
+"""Seconds between looks for further vehicles: each time the recordings begin anew."""
+MOST_VEHICLES = 1000
+MOST_FLOORS = 50
+"""Beyond these a program makes up names."""
 SETTLED = 2.0
 """Seconds without a further vehicle after which all are taken to be there: what the broker has kept comes at
 once, and most send a state each second. A vehicle whose connection is not kept may be silent for 30 s."""
@@ -28,7 +37,9 @@ once, and most send a state each second. A vehicle whose connection is not kept 
 class VehicleListener:
     """Collects the vehicles on a broker. Runs on the network loop."""
 
-    def __init__(self, bridge: Link) -> None:
+    def __init__(self, bridge: Link, names: Sequence[str] = LISTENED) -> None:
+        """`names` of the topics to listen to."""
+        self._names = names
         self.topics = Topics()
         self.connection = BrokerConnection(bridge, self)
         self.seen: dict[tuple[str, str], str] = {}
@@ -41,12 +52,20 @@ class VehicleListener:
         """The reason that the broker can't be reached, empty if it is."""
         self.refused = set[str]()
 
+    @property
+    def vehicles(self) -> list[SeenVehicle]:
+        """Return the vehicles so far."""
+        return [
+            SeenVehicle(*vehicle, version, (self.maps[vehicle],) if self.maps.get(vehicle) else ())
+            for vehicle, version in self.seen.items()
+        ]
+
     def on_connecting(self) -> None:
         """Do nothing: an attempt has begun."""
 
     def on_open(self) -> None:
         """Subscribe to the topics of all vehicles."""
-        self.connection.subscribe([self.topics.filter(name) for name in LISTENED])
+        self.connection.subscribe([self.topics.filter(name) for name in self._names])
         self._decide("")
 
     def on_lost(self, reason: str, next_try_in: float) -> None:
@@ -61,7 +80,7 @@ class VehicleListener:
         """Note whose topic it is, and the map of a pose."""
         self.heard.add(topic)
         address = self.topics.parse(topic)
-        if address is None or address.name not in LISTENED:
+        if address is None or address.name not in self._names:
             return
         try:
             message = Fields.of(payload)
@@ -118,8 +137,43 @@ async def vehicles_on(
         raise LinkError(
             f"{bridge.shown}: broker refuses {', '.join(sorted(listener.refused))}: grant read access"
         )
-    found = named(
-        SeenVehicle(*vehicle, version, (listener.maps[vehicle],) if listener.maps.get(vehicle) else ())
-        for vehicle, version in listener.seen.items()
-    )
-    return found, len(listener.heard)
+    return named(listener.vehicles), len(listener.heard)
+
+
+async def watch_vehicles(bridge: Link, take: Callable[[Sequence[SeenVehicle]], None]) -> None:
+    """Pass all vehicles on a broker on whenever there is a further one, or one is on another map, until this
+    is cancelled. `take` is called in a thread of its own."""
+    listener = VehicleListener(bridge, ("connection", "state"))
+    listener.connection.connect()
+    passed = list[SeenVehicle]()
+    try:
+        while True:
+            await asyncio.sleep(WATCH_EVERY)
+            if (vehicles := listener.vehicles) != passed:
+                passed = vehicles
+                await asyncio.to_thread(take, vehicles)
+    finally:
+        listener.connection.shut()
+
+
+def with_vehicles(config: Config, vehicles: Iterable[SeenVehicle]) -> Config:
+    """Return a discovered configuration with those vehicles that it lacks, and with their maps as floors: the
+    first is that of the floor whose map was not known."""
+    known = {(robot.manufacturer, robot.serial) for robot in config.robots}
+    further = named((one for one in vehicles if one[:2] not in known), [one.name for one in config.robots])
+    robots = [
+        RobotEntry(name, link=BROKER, manufacturer=one.manufacturer, serial=one.serial)
+        for name, one in further.items()
+    ]
+    floors = list(config.floors)
+    for map_id in sorted({map_id for one in vehicles for map_id in one.maps}):
+        if map_id in [floor.frame for floor in floors] or len(floors) >= MOST_FLOORS:
+            continue
+        if floors == [FloorEntry(UNKNOWN_FLOOR)]:
+            floors = [FloorEntry(UNKNOWN_FLOOR, frame_id=map_id)]
+            continue
+        taken = [floor.name for floor in floors]
+        name = floor_name(map_id, len(floors))
+        floors.append(FloorEntry(name if name not in taken else f"{name}_{len(floors)}", frame_id=map_id))
+    room = max(0, MOST_VEHICLES - len(config.robots))
+    return replace(config, robots=[*config.robots, *robots[:room]], floors=floors)

@@ -189,7 +189,7 @@ class LinkCounter:
     def __init__(self, name: str, topics: Iterable[TopicCounter]) -> None:
         self.name = name
         self.topics = {topic.topic: topic for topic in topics}
-        """The subscribed topics in their order; the set never changes."""
+        """The subscribed topics in their order. With further robots there is a new mapping."""
         self.all = Flow()
         """Every frame on the connection for telemetry."""
         self.round_trips = RoundTrips()

@@ -5,7 +5,7 @@ import math
 import os
 import re
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from fleet_tui.audit.log import new_origin
@@ -38,6 +38,8 @@ class Recordings:
         self._demo = demo
         self._recent: Recorder | None = None
         self._recorder: Recorder | None = None
+        self._earlier = list[Path]()
+        """The last minutes before the fleet was extended."""
         self._problem = ""
 
     @property
@@ -63,6 +65,26 @@ class Recordings:
         except (FleetError, OSError) as problem:
             LOG.warning("last minutes not kept: %s", problem)
             self._problem = getattr(problem, "strerror", "") or str(problem)
+
+    def extend(self, config: Config, change: Callable[[], None]) -> None:
+        """Go on in new recordings with this configuration, after a `change` of the fleet to it: a recording
+        has one."""
+        began = self._recorder is not None
+        for recorder in (self._recorder, self._recent):
+            if recorder is not None:
+                self.taps.detach(recorder)
+        for path in self._earlier:
+            path.unlink(missing_ok=True)
+        self._earlier = self._recent.paths if self._recent is not None else []
+        self._recorder = self._recent = None
+        change()
+        self._config = config
+        self.keep_recent()
+        if began:
+            try:
+                self.start()
+            except FleetError as problem:
+                LOG.warning("recording ended: %s", problem)
 
     def start(self) -> Path:
         """Start a recording; return its path. Raises RecordingError."""

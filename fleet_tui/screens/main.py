@@ -28,6 +28,7 @@ from fleet_tui.screens.overlay import Overlay
 from fleet_tui.screens.robot.overlay import RobotOverlay
 from fleet_tui.screens.tables.newest import NewestRows
 from fleet_tui.state.store import Store
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import message_line
 from fleet_tui.view.lines.hints import hidden_keys, idle_hints, other_alarmed, unoffered_keys
 from fleet_tui.view.map.drawing import Drawing
@@ -45,6 +46,9 @@ from fleet_tui.widgets.runs_view import RunsView
 
 if TYPE_CHECKING:
     from fleet_tui.screens.rest import Rest
+
+MOST_NAMED = 5
+"""Robots that a notice names; of more it has the number."""
 
 
 class MainScreen(Screen[None]):
@@ -83,6 +87,7 @@ class MainScreen(Screen[None]):
         self.queue = self.panes.queue
         self.views: list[RunsView] = [self.status, *self.panes.views, self.message, self.hints]
         self.newest = NewestRows(self)
+        self._robots = tuple(store.state.robots)
         self.notices = Notices(store, self.tick, settings.message)
         self.navigation = Navigation(store, self._mark_robot, lambda: self.rest.map_controls, self.tick)
         self.dispatch = Dispatch(
@@ -131,6 +136,7 @@ class MainScreen(Screen[None]):
     def tick(self) -> None:
         """Show the newest state."""
         self.dispatch.release_startup()
+        self._note_added()
         whole, state, robot = self.store.state, self.navigation.here, self.navigation.robot
         if self.is_complete:
             if self.rest.tables.filter_line.goes_first:
@@ -147,6 +153,13 @@ class MainScreen(Screen[None]):
         self.message.show(message_line(whole, said.text, said.at, width, said.key_at, said.is_hint))
         self._show_hints(state, robot)
         self.settings.announce(whole)
+
+    def _note_added(self) -> None:
+        robots = tuple(self.store.state.robots)
+        if added := robots[len(self._robots) :]:
+            self._robots = robots
+            names = ", ".join(added) if len(added) <= MOST_NAMED else str(len(added))
+            self.notices.note(sanitize(f"added, as they appeared on the broker: {names}"))
 
     def tell_dropped(self, count: int, stood_still: bool) -> None:
         """Say how many keys were dropped because they were typed for another place."""

@@ -1,15 +1,21 @@
 """Tests of fleet_tui/discovery/vehicles.py: from the address of a broker to a configuration."""
 
 import asyncio
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
 
+from fleet_tui.adapters.discovery import Discovery
+from fleet_tui.adapters.vda5050.discovery import SeenVehicle
+from fleet_tui.config.check import checked
 from fleet_tui.config.schema import Link
 from fleet_tui.discovery.site import DiscoveredSite, start_discovery
+from fleet_tui.discovery.vehicles import MOST_FLOORS, MOST_VEHICLES, watch_vehicles, with_vehicles
 from fleet_tui.errors import FleetError, LinkError
 from tests.support.broker import BrokerAccess, broker_in, free_port
 from tests.support.mqtt_peer import Peer
+from tests.support.polling import until
 from tests.support.vda_messages import message, position, state
 
 
@@ -86,3 +92,40 @@ async def test_only_what_says_which_vehicle_sent_it_is_one(tmp_path: Path) -> No
         ):
             peer.publish(topic, payload, True, 1)
         assert [one.serial for one in (await found(broker.url)).config.robots] == ["0001"]
+
+
+async def test_later_vehicles_and_maps_are_passed_on_once_they_appear(tmp_path: Path) -> None:
+    with broker_in(tmp_path) as broker:
+        peer, passed = Peer(broker.port), list[Sequence[SeenVehicle]]()
+        peer.publish("uagv/v2/KIT/0001/connection", message(connectionState="ONLINE"), True, 1)
+        watching = asyncio.ensure_future(watch_vehicles(Link(broker.url), passed.append))
+        await until(lambda: len(passed) == 1)
+        peer.publish("home/v2/kitchen/lamp/state", b'{"on": true}')
+        peer.publish("uagv/v2/KIT/0002/state", state())
+        await until(lambda: len(passed) == 2)
+        assert passed == [
+            [SeenVehicle("KIT", "0001", "2.0.0")],
+            [SeenVehicle("KIT", "0001", "2.0.0"), SeenVehicle("KIT", "0002", "2.0.0", ("hall",))],
+        ]
+        watching.cancel()
+
+
+def test_further_vehicles_follow_those_of_before_under_names_of_their_own() -> None:
+    found = Discovery({"agv_1": []})
+    found.vehicles = {"agv_1": ("KIT", "1")}
+    before = DiscoveredSite(Link("mqtt://x"), {"vda5050": found}, {}, 1).config
+    assert with_vehicles(before, [SeenVehicle("KIT", "1")]) == before
+    after = with_vehicles(before, [SeenVehicle("KIT", "1", "", ("hall",)), SeenVehicle("ACME", "1")])
+    assert [robot.name for robot in after.robots] == ["agv_1", "ACME_1"]
+    assert [floor.frame for floor in after.floors] == ["hall"], "the floor was that of an unknown map"
+    more = with_vehicles(after, [SeenVehicle("ACME", "0", "", ("yard", "Halle 2"))])
+    assert [robot.name for robot in more.robots] == ["agv_1", "ACME_1", "agv_0"]
+    assert [floor.frame for floor in more.floors] == ["hall", "Halle 2", "yard"] and checked(more) == []
+
+
+def test_a_program_that_makes_up_vehicles_and_maps_fills_no_console() -> None:
+    found = Discovery({"agv_1": []})
+    found.vehicles = {"agv_1": ("KIT", "1")}
+    config = DiscoveredSite(Link("mqtt://x"), {"vda5050": found}, {}, 1).config
+    config = with_vehicles(config, [SeenVehicle("x", str(n), "", (f"map{n}",)) for n in range(3000)])
+    assert (len(config.robots), len(config.floors)) == (MOST_VEHICLES, MOST_FLOORS) and checked(config) == []

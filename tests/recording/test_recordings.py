@@ -1,5 +1,6 @@
 """The last minutes that a console always keeps, and the recordings that are asked for."""
 
+import itertools
 import os
 import subprocess
 import sys
@@ -10,11 +11,12 @@ import msgspec
 import pytest
 
 from fleet_tui.config.schema import RecordingConfig
+from fleet_tui.config.start import extended, initial_state
 from fleet_tui.model import events
 from fleet_tui.recording import recordings as module
 from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.recordings import Recordings, remove_stale
-from fleet_tui.recording.records import RecordingError
+from fleet_tui.recording.records import Keyframe, RecordingError
 from fleet_tui.state.store import Store
 from tests.support.fleets import T0, WALL, fleet
 from tests.support.watched_store import config_of
@@ -151,3 +153,24 @@ def test_a_demo_does_not_push_out_what_a_site_left(tmp_path: Path) -> None:
     demo.close()
     assert path.parent == tmp_path / "recent" / "demo"
     assert module.recent_runs(tmp_path) == {}
+
+
+def test_each_recording_has_the_robots_of_its_time(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    seconds = itertools.count()
+    monkeypatch.setattr(module, "_now", lambda: f"20260102-0304{next(seconds):02}")
+    before, after = config_of("ws://site:9090", 1), config_of("ws://site:9090", 2)
+    store = Store(initial_state(before, T0))
+    kept = Recordings(before, store, tmp_path)
+    kept.keep_recent()
+    first = [kept.start(), *kept.recent()]
+    tick(kept)
+    kept.extend(after, lambda: store.put(extended(store.state, after)))
+    tick(kept, T0 + 1)
+    assert kept.recorder is not None
+    second = [kept.recorder.path, *kept.recent()]
+    kept.close()
+    for paths, robots in ((first, 1), (second, 2)):
+        for path in paths:
+            recording = open_recording(path)
+            (keyframe,) = [one for one in recording.records() if isinstance(one, Keyframe)]
+            assert len(recording.state(keyframe).robots) == robots

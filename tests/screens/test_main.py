@@ -5,6 +5,7 @@ import re
 import pytest
 from msgspec.structs import replace
 
+from fleet_tui.config.start import extended
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.view.lines.commands import READ_AFTER
 from fleet_tui.view.map.drawing import Drawing
@@ -190,3 +191,10 @@ async def test_a_failed_command_leaves_the_last_line_with_the_next_key(server: R
         await it.press("]")
         await it.hides("refused", "message")
         assert "refused" in it.text, "its alarm stays"
+
+
+async def test_a_robot_that_is_added_has_its_row_and_is_told(server: RosbridgeServer) -> None:
+    async with console(config_of(server.url, 1)) as it:
+        it.store.put(extended(it.store.state, config_of(server.url, 2)))
+        await it.shows("added, as they appeared on the broker: robot_1", "message")
+        await it.shows("robot_1", "fleet")

@@ -29,17 +29,18 @@ def has_header(message: Fields) -> bool:
     return bool(message.id("manufacturer") and message.id("serialNumber"))
 
 
-def named(vehicles: Iterable[SeenVehicle]) -> Mapping[str, SeenVehicle]:
+def named(vehicles: Iterable[SeenVehicle], taken: Iterable[str] = ()) -> Mapping[str, SeenVehicle]:
     """Return vehicles by the names of their robots: the serial number as far as it can be a name, with the
-    manufacturer where several have the same."""
-    found: dict[str, SeenVehicle] = {}
+    manufacturer where several have the same, or where it is `taken`."""
+    taken, found = set(taken), dict[str, SeenVehicle]()
     for one in sorted(vehicles):
         own = _name(one.serial) or "vehicle"
-        name = own if own not in found else _name(f"{one.manufacturer}_{one.serial}") or own
+        name = own if own not in taken else _name(f"{one.manufacturer}_{one.serial}") or own
         number = 2
-        while name in found:
+        while name in taken:
             name, number = f"{own}_{number}", number + 1
         found[name] = one
+        taken.add(name)
     return found
 
 

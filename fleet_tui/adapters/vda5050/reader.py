@@ -38,22 +38,27 @@ class MessageReader:
         """`adapters` by robot; `feeds` are those of this link."""
         self._link = link
         self._limit = limit
+        self._known: dict[str, tuple[str, VehicleAddress]] = {}
+        """Topics that were parsed before: there are a few for each vehicle."""
+        self._name(adapters, feeds)
+        self.recount()
+
+    def _name(self, adapters: Mapping[str, Adapter], feeds: Iterable[Feed]) -> None:
+        """Take the vehicles whose messages are read."""
         self._feeds = {(feed.robot, feed.key): feed for feed in feeds}
         known = {feed.robot: cast("VehicleAdapter", adapters[feed.robot]) for feed in self._feeds.values()}
         self._topics = list(dict.fromkeys(adapter.topics for adapter in known.values()))
         self._owns = {robot: adapter.owns for robot, adapter in known.items()}
         self._robots = {adapter.vehicle(robot): robot for robot, adapter in known.items()}
-        self._known: dict[str, tuple[str, VehicleAddress]] = {}
-        """Topics that were parsed before: there are a few for each vehicle."""
-        self.recount()
+
+    def extend(self, adapters: Mapping[str, Adapter], feeds: Iterable[Feed]) -> None:
+        """Read the messages of further vehicles, too: all are given."""
+        self._name(adapters, feeds)
+        self.counter.topics = {**_counters(self._feeds.values()), **self.counter.topics}
 
     def recount(self) -> None:
         """Reset the counters."""
-        asked = [
-            TopicCounter(one.address, one.robot, one.key, one.latched and not one.silent, False, one.silent)
-            for one in self._feeds.values()
-        ]
-        self.counter = LinkCounter(self._link, asked)
+        self.counter = LinkCounter(self._link, _counters(self._feeds.values()).values())
         self._memory = StateMemory()  # the state may be an earlier one now
         self._site: float | None = None
         """The least (arrival - timestamp) of the vehicles' messages that were not kept, in seconds."""
@@ -175,3 +180,13 @@ class MessageReader:
         if found is None:
             return (events.FrameRejected(self._link, text),)
         return (events.MessageRejected(found[0], f"{truncate(topic)}: {text}"),)
+
+
+def _counters(feeds: Iterable[Feed]) -> dict[str, TopicCounter]:
+    """Return a new counter of each topic."""
+    return {
+        one.address: TopicCounter(
+            one.address, one.robot, one.key, one.latched and not one.silent, False, one.silent
+        )
+        for one in feeds
+    }

@@ -88,7 +88,7 @@ class VehicleCommands:
         """`timeout` of an answer in seconds."""
         self._connection = connection
         self._writer = writer
-        self._adapters = {name: one for name, one in adapters.items() if isinstance(one, VehicleAdapter)}
+        self.extend(adapters)
         self._timeout = timeout
         self._asked: dict[str, AwaitedAnswer] = {}
         """By the id of an order or action."""
@@ -102,6 +102,10 @@ class VehicleCommands:
         self._held: dict[str, HeldOrder] = {}
         """By robot."""
         self._under_way: set[asyncio.Task[None]] = set()
+
+    def extend(self, adapters: Mapping[str, Adapter]) -> None:
+        """Command further robots, too: all are given."""
+        self._adapters = {name: one for name, one in adapters.items() if isinstance(one, VehicleAdapter)}
 
     def submit(self, command_id: int, command: Command, given_at: float) -> None:
         """Send a command that was given at `given_at` (monotonic)."""

@@ -26,6 +26,11 @@ class BrokerLink:
         """Connect, and stay connected."""
         self._writer.loop.call_soon_threadsafe(self._telemetry.connection.connect)
 
+    def extend(self, config: Config, adapters: Mapping[str, Adapter]) -> None:
+        """Add the robots that a configuration has besides, on the loop, once they are in the state."""
+        self._adapters = adapters
+        self._telemetry.extend(config, adapters)
+
     def submit_now(self, command_id: int, command: Command, given_at: float) -> None:
         """Send a command, on the loop; its progress reaches the store as CommandAdvanced."""
         self._telemetry.commands.submit(command_id, command, given_at)

@@ -17,11 +17,18 @@ class VehiclePacing:
     def __init__(self, config: Config, feeds: Iterable[Feed], store: Store) -> None:
         self._rates = config.rates
         self._store = store
-        self._frequent = {feed.robot: feed.address for feed in feeds if feed.fast}
+        self._frequent = dict[str, str]()
         self._plan = RatePlan(
             config.rates.changes_per_s,
             lambda _, before, after: int(before.unseen != after.unseen),
         )
+        self.extend(feeds, 0.0)
+
+    def extend(self, feeds: Iterable[Feed], now: float) -> None:
+        """Pace these topics, too, which are subscribed."""
+        added = {feed.robot: feed.address for feed in feeds if feed.fast}
+        self._frequent |= added
+        self._plan.extend(dict.fromkeys(added, FULL), now)
 
     def begin(self, now: float) -> None:
         """Take the wishes for new subscriptions from the attention."""

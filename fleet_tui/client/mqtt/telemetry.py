@@ -2,10 +2,10 @@
 
 import logging
 import time
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
 
-from fleet_tui.adapters.adapter import Adapter
+from fleet_tui.adapters.adapter import Adapter, Feed
 from fleet_tui.adapters.vda5050.frames import BrokerMessage, frame_of
 from fleet_tui.adapters.vda5050.reader import MessageReader
 from fleet_tui.adapters.vda5050.topics import OF_MASTERS
@@ -80,8 +80,22 @@ class VehicleTelemetry:
         self._is_open = True
         self._writer.apply(events.LinkChanged(self._link, time.monotonic(), Phase.UP))
         self._set_path(CommandPath.UNTRIED, "", True)
+        self._subscribe(filter(self._pacing.is_wanted, self._feeds.values()))
+
+    def extend(self, config: Config, adapters: Mapping[str, Adapter]) -> None:
+        """Add the robots that a configuration has besides, which are in the state already."""
+        known = self._feeds
+        self._feeds = {feed.address: feed for feed in feeds_of(config, adapters, self._link)}
+        self._reading.extend(adapters, self._feeds.values())
+        self.commands.extend(adapters)
+        added = [feed for address, feed in self._feeds.items() if address not in known]
+        self._pacing.extend(added, time.monotonic())
+        if self._is_open:
+            self._subscribe(added)
+
+    def _subscribe(self, feeds: Iterable[Feed]) -> None:
         by_robot = dict[str, list[str]]()
-        for feed in filter(self._pacing.is_wanted, self._feeds.values()):
+        for feed in feeds:
             by_robot.setdefault(feed.robot, []).append(feed.address)
         try:
             for patterns in by_robot.values():

@@ -52,6 +52,9 @@ class BridgeLink:
         self.writer.loop.call_soon_threadsafe(self._telemetry.connection.connect)
         self.writer.loop.call_soon_threadsafe(self._lifecycle.open)
 
+    def extend(self, config: Config, adapters: Mapping[str, Adapter]) -> None:
+        """Do nothing: the robots of a bridge are those of the beginning."""
+
     def submit_now(self, command_id: int, command: Command, given_at: float) -> None:
         """Send a command, on the loop; its progress reaches the store as CommandAdvanced."""
         self._commands.submit(command_id, command, given_at)

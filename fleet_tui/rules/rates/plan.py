@@ -24,10 +24,16 @@ class RatePlan:
 
     def begin(self, wanted: Mapping[str, Intervals], now: float) -> None:
         """Request these intervals: nothing is subscribed yet."""
-        self.asked = dict(wanted)
-        self._needed_at = dict.fromkeys(wanted, now)
+        self.asked = {}
+        self._needed_at = {}
+        self.extend(wanted, now)
         self._left = float(self._per_second)
         self._at = now
+
+    def extend(self, asked: Mapping[str, Intervals], now: float) -> None:
+        """Add robots that are subscribed at these intervals."""
+        self.asked.update(asked)
+        self._needed_at.update(dict.fromkeys(asked, now))
 
     def due(self, wanted: Mapping[str, Intervals], now: float) -> list[tuple[str, Intervals]]:
         """Change the intervals that may change now, the fastest first, and return their robots with the

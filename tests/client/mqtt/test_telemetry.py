@@ -1,9 +1,11 @@
 """Tests of fleet_tui/client/mqtt/telemetry.py: a broker's messages in the store."""
 
+import asyncio
 from pathlib import Path
 
 from fleet_tui.config.load import from_text
 from fleet_tui.config.start import initial_state
+from fleet_tui.model.commands import PauseRobot
 from fleet_tui.model.events import Event
 from fleet_tui.model.link import Phase
 from fleet_tui.recording.play.frames import Frames
@@ -12,9 +14,10 @@ from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.broker import BrokerAccess, broker_in
 from tests.support.links import linked
 from tests.support.mqtt_peer import Peer
+from tests.support.polling import until
 from tests.support.vda_broker import SpokenFor, console_on
 from tests.support.vda_fleet import ONE, config_text
-from tests.support.vda_messages import BASE, message, position
+from tests.support.vda_messages import BASE, message, position, state
 
 
 async def test_a_vehicle_is_online_until_its_last_will(tmp_path: Path) -> None:
@@ -116,3 +119,22 @@ async def test_robots_of_a_bridge_and_vehicles_of_a_broker_are_one_fleet(
             kinds = {robot.name: robot.kind.name for robot in store.state.robots.values()}
             assert kinds == {"robot_0": "oh_ressources", "agv": "vda5050"}
             assert all(state.phase is Phase.UP for state in store.state.links.values())
+
+
+async def test_a_vehicle_that_comes_later_is_read_and_commanded(tmp_path: Path) -> None:
+    with broker_in(tmp_path) as broker:
+        first = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            first.say()
+            await store.until(lambda state: state.robots["agv"].pose)
+            more = '\n[[robots]]\nname = "late"\nmanufacturer = "KIT"\nserial = "0002"\nlink = "broker"'
+            config = from_text(config_text(broker.url, robots=ONE + more))
+            await asyncio.to_thread(link.extend, config)
+            pose = store.state.robots["agv"].pose
+            assert pose is not None, "what was known stays"
+            late = Peer(broker.port, "uagv/v2/KIT/0002/instantActions")
+            late.publish("uagv/v2/KIT/0002/state", state(serialNumber="0002"))
+            await store.until(lambda state: state.robots["late"].floor == "hall")
+            assert link.counters["broker"].topics["+/+/KIT/0002/state"].count == 1
+            link.submit(PauseRobot("late"))
+            await until(lambda: late.told_on("uagv/v2/KIT/0002/instantActions"))
