@@ -13,11 +13,11 @@ from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.vda5050.answers import INSTANT_ACTIONS
 from fleet_tui.adapters.vda5050.orders import (
     COMMANDED,
-    STOP_CHARGING,
     NeverSeenError,
     action_at,
     cancel,
     instant_action,
+    is_charging,
     major_of,
     order,
 )
@@ -29,6 +29,7 @@ from fleet_tui.model import commands, events
 from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, PAUSE, RESUME, Kind
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetUpCommand
+from fleet_tui.model.vehicles.vehicle import STOP_CHARGING
 
 if TYPE_CHECKING:
     from fleet_tui.model.set_up.streams import StreamValue
@@ -134,9 +135,8 @@ class VehicleAdapter:
 
     def stop_charging(self, robot: Robot, unique: str) -> Publication | None:
         """Return the message that ends the charging of a vehicle before an order, None if it does not charge
-        or its factsheet offers no such action. Raises CommandError."""
-        is_charging = robot.vehicle is not None and robot.vehicle.value.charging is True
-        if not is_charging or robot.features is None or STOP_CHARGING not in robot.features.instant:
+        or its factsheet offers no such instant action. Raises CommandError."""
+        if not is_charging(robot) or robot.features is None or STOP_CHARGING not in robot.features.instant:
             return None
         return self._addressed(instant_action(self.settings, robot, STOP_CHARGING, unique), robot)
 

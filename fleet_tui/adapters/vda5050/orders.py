@@ -14,6 +14,7 @@ from fleet_tui.errors import CommandError
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Robot
+from fleet_tui.model.vehicles.vehicle import START_CHARGING, STOP_CHARGING, VehicleFeatures
 from fleet_tui.rules.commands.goals import active
 
 NOT_COMMANDED = 3
@@ -21,8 +22,6 @@ NOT_COMMANDED = 3
 COMMANDED = ("2.1.0", "1.1.0")
 """The newest versions of both ways to write an instant action, for a vehicle whose own is not known."""
 _MAJOR = re.compile(r"v?(\d+)", re.IGNORECASE)
-START_CHARGING = "startCharging"
-STOP_CHARGING = "stopCharging"
 HERE = "here"
 """The first node of an order for a vehicle that stands at none."""
 AT_NODE = 0.5
@@ -92,13 +91,21 @@ def order(
     ]
     edges = [_edge(2 * n + 1, start[0], end[0]) for n, (start, end) in enumerate(pairwise(places))]
     _add_actions(settings, nodes, places, stops, id_)
-    if known and known.graph and robot.features and START_CHARGING in robot.features.at_nodes:
+    features = robot.features or VehicleFeatures()
+    if is_charging(robot) and STOP_CHARGING in features.at_nodes:
+        nodes[0]["actions"] = [_hard(f"{id_}-free", STOP_CHARGING), *nodes[0]["actions"]]
+    if known and known.graph and features.charges:
         chargers = {charger.id for charger in known.graph.chargers}
         given = nodes[-1]["actions"]
         if stops[-1].vertex in chargers and all(one["actionType"] != START_CHARGING for one in given):
             nodes[-1]["actions"] = [*given, _hard(f"{id_}-charge", START_CHARGING)]
     message = {"orderId": id_, "orderUpdateId": 0, "nodes": nodes, "edges": edges}
     return Publication(topic, version, message, id_)
+
+
+def is_charging(robot: Robot) -> bool:
+    """Tell whether a vehicle says that it charges, which ends before it drives."""
+    return robot.vehicle is not None and robot.vehicle.value.charging is True
 
 
 def _part(number: int) -> dict[str, Any]:

@@ -13,6 +13,8 @@ HIGH = frozenset({"FATAL", "CRITICAL"})
 MEDIUM = frozenset({"URGENT"})
 """Levels of errors, by the priority of their alarms; others are low."""
 HEADING = "nodePosition.theta"
+START_CHARGING = "startCharging"
+STOP_CHARGING = "stopCharging"
 CANCEL = "cancelOrder"
 INSTANT = frozenset(
     {
@@ -157,6 +159,11 @@ class VehicleFeatures(Struct, frozen=True):
     parameters: tuple[str, ...] | None = None
     at_nodes: tuple[str, ...] = ()
     instant: tuple[str, ...] = ()
+
+    @property
+    def charges(self) -> bool:
+        """Tell whether an order can make it charge."""
+        return START_CHARGING in self.at_nodes
 
     @property
     def refuses_headings(self) -> bool:

@@ -30,7 +30,17 @@ def order_to_charger(state: FleetState, robot: Robot) -> Request:
     if ORDER_TO in robot.kind.accepts and not robot.kind.brings_cargo:
         way = way[-1:]
     stops = at_vertices(*(place.vertex for place in way))
-    return Request((PlaceOrder(robot.name, stops),), tuple((one.vertex, one.floor) for one in way))
+    floors = tuple((one.vertex, one.floor) for one in way)
+    return Request((PlaceOrder(robot.name, stops),), floors, doubt=_doubt(robot))
+
+
+def _doubt(robot: Robot) -> str:
+    """Return that a vehicle is not told to charge once it is there, empty if it is, or others do it."""
+    if robot.vehicle is None or (robot.features is not None and robot.features.charges):
+        return ""
+    if robot.features is None:
+        return f"{robot.name} only drives there: without a factsheet nothing starts its charge"
+    return f"{robot.name} only drives there: its factsheet has no startCharging at nodes"
 
 
 def _way(state: FleetState, robot: Robot) -> tuple[Place, Place]:

@@ -15,7 +15,7 @@ from fleet_tui.rules.battery.charging import has_low_battery
 from fleet_tui.rules.language.anyone import ANYONE, any_matches
 from fleet_tui.rules.language.favourites import Favourite, Given, favourites
 from fleet_tui.rules.language.lookup import HERE, Place, matches, places, recent_ends, starts_here
-from fleet_tui.situation.motion import STANDS_AFTER
+from fleet_tui.rules.routes.charging import way_to_charger
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, sanitize
 from fleet_tui.view.tables.table import column
@@ -131,6 +131,8 @@ def warnings(state: FleetState, robot: Robot | None, found: Sequence[Problem]) -
     texts = [tr(sanitize(problem.text)) for problem in found]
     if robot is not None and robot.battery is not None and has_low_battery(state, robot):
         texts.append(tr(f"battery of {robot.name}: {robot.battery.value:.0f} %"))
+        if way_to_charger(state, robot):
+            texts.append(tr("charge it first"))
     return "; ".join(texts)
 
 
@@ -194,6 +196,8 @@ def _about(state: FleetState, robot: Robot | None, place: Place, start: Place | 
     vertex, begin = _vertex(robot, place), _vertex(robot, start) if start is not None else None
     role = ROLES.get(vertex.role, "") if vertex is not None else ""
     parts = [tr(role)] if role and role not in place.name.casefold() else []
+    if vertex is not None and vertex.role is Role.DOCKING and robot.features and robot.features.charges:
+        parts.append(tr("charges there"))
     pose = robot.pose if state.is_fresh(robot, "pose") and robot.still_for >= STANDS_AFTER else None
     if place.floor != (start.floor if start is not None else robot.floor):
         parts.append(sanitize(place.floor))

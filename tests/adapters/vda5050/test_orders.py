@@ -220,6 +220,28 @@ def test_an_order_to_a_charger_charges_there_if_the_factsheet_offers_that(
     assert all(part["actions"] == [] for part in elsewhere)
 
 
+@pytest.mark.parametrize(
+    ("is_charging", "scopes", "types"),
+    [
+        (True, ["NODE"], ["stopCharging"]),
+        (False, ["NODE"], []),
+        (True, ["INSTANT"], []),
+        (True, ["EDGE"], []),
+    ],
+)
+def test_one_that_charges_ends_that_at_the_first_node_where_its_factsheet_offers_it_there(
+    is_charging: bool, scopes: list[str], types: list[str]
+) -> None:
+    found = site()
+    found.apply(events.FloorGraphLoaded("hall", CHARGERS))
+    found.read("factsheet", charging(*scopes))
+    found.read("state", state(batteryState={"batteryCharge": 50.0, "charging": is_charging}))
+    first, *others = nodes(sent(found, PlaceOrder("agv", at_vertices("n1"))))
+    assert [action["actionType"] for action in first["actions"]] == types
+    assert all(action["blockingType"] == "HARD" for action in first["actions"])
+    assert all(one["actions"] == [] for one in others)
+
+
 def test_without_a_factsheet_it_only_drives_there() -> None:
     found = site()
     found.apply(events.FloorGraphLoaded("hall", CHARGERS))

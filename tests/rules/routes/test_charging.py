@@ -1,17 +1,22 @@
 """The nearest charger, and where the way to it begins."""
 
 import pytest
+from msgspec.structs import replace
 
 from fleet_tui.errors import CommandError
+from fleet_tui.model import events
 from fleet_tui.model.commands import PlaceOrder
 from fleet_tui.model.events import GraphReceived
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.model.order import at_vertices
 from fleet_tui.model.request import Request
+from fleet_tui.model.vehicles.vehicle import VehicleFeatures
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.rules.routes import charging
 from tests.support.fleets import F0, R0, T0, fleet, pose, reduced
+from tests.support.vda_fleet import VehicleSite
+from tests.support.vda_messages import position, state
 
 CHARGER, FAR = Vertex("1", 0.0, 0.0, Role.DOCKING), Vertex("3", 40.0, 0.0, Role.DOCKING)
 AWAY = GraphReceived(
@@ -87,3 +92,22 @@ def test_the_order_leads_from_the_robot_to_the_charger() -> None:
 def test_why_there_is_none_is_said(state: FleetState, reason: str) -> None:
     with pytest.raises(CommandError, match=reason):
         order_to_charger(state)
+
+
+@pytest.mark.parametrize(
+    ("features", "doubt"),
+    [
+        (None, "agv only drives there: without a factsheet nothing starts its charge"),
+        (VehicleFeatures(), "agv only drives there: its factsheet has no startCharging at nodes"),
+        (VehicleFeatures(at_nodes=("startCharging",)), ""),
+    ],
+)
+def test_of_a_vehicle_that_is_not_told_to_charge_the_question_says_so(
+    features: VehicleFeatures | None, doubt: str
+) -> None:
+    site = VehicleSite()
+    site.read("state", state(agvPosition=position(4.0, 0.0)))
+    site.apply(events.FloorGraphLoaded("hall", RouteGraph({"1": CHARGER, "2": Vertex("2", 5.0, 0.0)})))
+    robot = replace(site.agv, features=features)
+    assert charging.order_to_charger(site.state, robot).doubt == doubt
+    assert order_to_charger(at(4.0, graph_of({"1": CHARGER, "2": Vertex("2", 5.0, 0.0)}))).doubt == ""

@@ -6,14 +6,28 @@ from textual.widgets import Input
 
 from fleet_tui.model.events import GraphReceived
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.graph import Role, RouteGraph
+from fleet_tui.model.graph import Role, RouteGraph, Vertex
 from fleet_tui.model.kind import ORDER, Kind
+from fleet_tui.model.vehicles.vehicle import VehicleFeatures
 from fleet_tui.rules.language.lookup import Place
-from fleet_tui.screens.ordering.choices import choices, lines, scope
+from fleet_tui.screens.ordering.choices import choices, lines, scope, warnings
 from fleet_tui.screens.ordering.form import OrderForm
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console
-from tests.support.fleets import R0, T0, fleet, graph, labels, link_up, of_kinds, pose, reduced, tick
+from tests.support.fleets import (
+    F0,
+    R0,
+    T0,
+    battery,
+    fleet,
+    graph,
+    labels,
+    link_up,
+    of_kinds,
+    pose,
+    reduced,
+    tick,
+)
 from tests.support.ordering import place, sent, vertex
 from tests.support.watched_store import config_of
 
@@ -150,3 +164,19 @@ def test_the_form_tells_which_places_are_listed_before_anything_is_typed() -> No
     many = reduced(fleet(), graph(*range(50)), labels({n: f"P{n}" for n in range(50)}), pose(T0), tick(T0))
     found = choices(many, many.robots[R0], "to", "")
     assert scope(many.robots[R0], "", found) == "30 of 50, all on floor_0: type for others"
+
+
+def test_a_charger_at_which_an_order_makes_a_vehicle_charge_says_so() -> None:
+    state = reduced(fleet(), GraphReceived(R0, F0, RouteGraph({"9": Vertex("9", 1.0, 1.0, Role.DOCKING)})))
+    robot, dock = state.robots[R0], Place("9", "Dock 9", F0)
+    assert lines(state, robot, "", [dock]) == ["Dock 9  charger, floor_0"]
+    charges = replace(robot, features=VehicleFeatures(at_nodes=("startCharging",)))
+    assert lines(state, charges, "", [dock]) == ["Dock 9  charger, charges there, floor_0"]
+
+
+def test_a_low_battery_is_said_before_an_order_with_the_remedy_where_there_is_one() -> None:
+    state = reduced(fleet(), pose(T0, 4.0), battery(T0, 12.0))
+    assert warnings(state, state.robots[R0], []) == "battery of robot_0: 12 %"
+    vertices = {"9": Vertex("9", 1.0, 1.0, Role.DOCKING), "8": Vertex("8", 4.0, 0.0)}
+    state = reduced(state, GraphReceived(R0, F0, RouteGraph(vertices)))
+    assert warnings(state, state.robots[R0], []) == "battery of robot_0: 12 %; charge it first"
