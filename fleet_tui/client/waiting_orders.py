@@ -107,12 +107,14 @@ class WaitingOrders:
             for record in waiting(state, robot):
                 if record.order_id == command.order_id:
                     self._drop(record, given_at)
-                    for stage in (Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED):
-                        self._apply(CommandAdvanced(command_id, stage, given_at, "was waiting here"))
+                    self._confirm(command_id, given_at)
                     return True
-        if isinstance(command, ClearOrders):
-            for record in waiting(state, robot):
+        if isinstance(command, ClearOrders) and (kept := waiting(state, robot)):
+            for record in kept:
                 self._drop(record, given_at)
+            if state.is_fresh(robot, "vehicle") and not is_busy(self._store.state, robot, command_id):
+                self._confirm(command_id, given_at)  # the vehicle says that it has none
+                return True
         return False
 
     def _enqueue(self, robot: Robot) -> tuple[Stage, str]:
@@ -125,6 +127,11 @@ class WaitingOrders:
         if not self._claim(self._file):
             return Stage.NOT_SENT, f"{robot.name} {busy}, and {self._file.owner} keeps the queue"
         return Stage.WAITING, f"in the queue of this console ({self._file.owner})"
+
+    def _confirm(self, command_id: int, at: float) -> None:
+        """Report a cancellation of what only this console had."""
+        for stage in (Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED):
+            self._apply(CommandAdvanced(command_id, stage, at, "was waiting here"))
 
     def _drop(self, record: CommandRecord, at: float) -> None:
         self._apply(CommandAdvanced(record.id, Stage.CANCELLED, at, "by this console before it was sent"))

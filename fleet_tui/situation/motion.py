@@ -11,8 +11,6 @@ from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import DESPITE_PAUSE, STILL_MOVING, STOPPING
 from fleet_tui.text.units import age
 
-CRAWLS = 0.05
-"""Metres per second above which a vehicle that only tells its speed drives."""
 STANDS_FOR = 0.5
 """Seconds of speeds near zero from which a robot stands."""
 STANDS_AFTER = 1.0
@@ -31,11 +29,7 @@ def _fresh(state: FleetState, robot: Robot) -> Vehicle | None:
 def says_driving(state: FleetState, robot: Robot) -> bool | None:
     """Return what a robot says of its movement, None if it says nothing that still holds."""
     vehicle = _fresh(state, robot)
-    if vehicle is None:
-        return None
-    if vehicle.driving is None and vehicle.speed is not None:
-        return vehicle.speed > CRAWLS
-    return vehicle.driving
+    return vehicle.moves if vehicle is not None else None
 
 
 def running_action(state: FleetState, robot: Robot) -> CurrentAction | None:

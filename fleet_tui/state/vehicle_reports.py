@@ -78,7 +78,7 @@ def _with_motion(robot: Robot, event: vehicle_events.VehicleReported, was_known:
         robot = replace(robot, acting=None)
     elif robot.acting is None or robot.acting.action.id != found.id:
         robot = replace(robot, acting=CurrentAction(found, event.at, was_known))
-    if not event.vehicle.driving or robot.pose is None:
+    if not event.vehicle.moves or robot.pose is None:
         return robot
     here = Reading(robot.pose.value, event.at)
     return replace(robot, standing=here, place=here if robot.is_estimated else robot.place)

@@ -1,5 +1,6 @@
 """Vehicles that do what the standard does not say, or leaves open: told as it is, and never as our fault."""
 
+import codecs
 from pathlib import Path
 from typing import Any
 
@@ -49,8 +50,11 @@ def test_a_map_may_have_a_number_for_a_name() -> None:
     assert site.agv.floor == "hall" and site.agv.faults == 0
 
 
-@pytest.mark.parametrize("payload", [state() + b"\0", state(lastNodeId="X").replace(b"X", b"T\xfcr")])
-def test_a_text_of_c_and_one_in_latin_1_are_read(payload: bytes) -> None:
+@pytest.mark.parametrize(
+    "payload",
+    [state() + b"\0", state(lastNodeId="X").replace(b"X", b"T\xfcr"), codecs.BOM_UTF8 + state()],
+)
+def test_a_text_of_c_one_in_latin_1_and_one_with_a_byte_order_mark_are_read(payload: bytes) -> None:
     assert Fields.of(payload).text("lastNodeId") in ("n0", "Tür")
 
 

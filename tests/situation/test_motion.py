@@ -40,7 +40,14 @@ def for_seconds(vehicle: VehicleSite, seconds: int, every: int = 30, **fields: A
         vehicle.wait(1)
 
 
-@pytest.mark.parametrize("said", [{"driving": True}, {"driving": None, "velocity": {"vx": 0.4, "vy": 0.0}}])
+@pytest.mark.parametrize(
+    "said",
+    [
+        {"driving": True},
+        {"driving": None, "velocity": {"vx": 0.4, "vy": 0.0}},
+        {"driving": False, "velocity": {"vx": 0.0, "vy": -0.4}},
+    ],
+)
 def test_a_line_guided_vehicle_drives_while_it_says_so(tmp_path: Path, said: dict[str, Any]) -> None:
     vehicle = site(tmp_path)
     for_seconds(vehicle, 180, **LINE_GUIDED, **said)

@@ -32,6 +32,11 @@ class SpokenFor:
     def told(self) -> list[Told]:
         return self.peer.told
 
+    @property
+    def actions(self) -> list[dict[str, Any]]:
+        """The instant actions that it was sent."""
+        return [json.loads(one) for one in self.peer.told_on(f"{BASE}/instantActions")]
+
     async def next(self, name: str, count: int = 1) -> dict[str, Any]:
         """The newest of so many messages of a topic."""
         topic = f"{BASE}/{name}"

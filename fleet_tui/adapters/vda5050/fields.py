@@ -109,13 +109,14 @@ class Fields:
 
 def _decoded(payload: bytes) -> Any:
     """Decode JSON, with NaN and Infinity that some libraries write for numbers, in Latin-1 where it is not
-    UTF-8, and up to the NUL at the end of a text of C. Raises ValueError or RecursionError."""
+    UTF-8, after a byte order mark, and up to the NUL at the end of a text of C. Raises ValueError or
+    RecursionError."""
     try:
         return msgspec.json.decode(payload)
     except (msgspec.DecodeError, UnicodeDecodeError):
         payload = payload.rstrip(b"\0")
         try:
-            text = payload.decode()
+            text = payload.decode("utf-8-sig")
         except UnicodeDecodeError:
             text = payload.decode("latin-1")
         found = json.loads(text)

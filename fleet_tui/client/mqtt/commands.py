@@ -24,10 +24,11 @@ from fleet_tui.errors import CommandError, LinkError
 from fleet_tui.model.commands import Command, PauseRobot, PlaceOrder, ResumeRobot, Stage
 from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.problem import Problem
+from fleet_tui.model.robot import Robot
 from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleError
 from fleet_tui.rules.commands.abilities import unaccepted
 from fleet_tui.rules.commands.checks import CHECKS
-from fleet_tui.rules.commands.masters import other_master
+from fleet_tui.rules.commands.masters import VEHICLE_CHECKS, other_master
 from fleet_tui.text.limits import truncate
 from fleet_tui.transports.mqtt.connection import BrokerConnection
 
@@ -69,13 +70,13 @@ class AwaitedAnswer:
 class HeldOrder:
     """An order that waits for the first state of its vehicle, or until that charges no more: `stop` is the id
     of the action that ends the charging, empty before the first state. `late` are the seconds by which it was
-    delayed before; `accepted` are the checks whose objections its operator knew."""
+    delayed before; `accepted` are the objections that its operator knew."""
 
     command_id: int
     command: PlaceOrder
     late: float
     stop: str
-    accepted: frozenset[str]
+    accepted: Mapping[str, Problem]
     timer: "asyncio.Task[None]"
 
 
@@ -110,6 +111,9 @@ class VehicleCommands:
     def submit(self, command_id: int, command: Command, given_at: float) -> None:
         """Send a command that was given at `given_at` (monotonic)."""
         LOG.info("command %d: %s", command_id, truncate(str(command)))
+        held = self._held.get(command.robot)
+        if held is not None and held.command_id == command_id:
+            return  # from this console's queue, where it waits as well
         if not isinstance(command, ResumeRobot):
             self._interrupt(command.robot, "another command came")
         if isinstance(command, PauseRobot) and not self._is_seen(command.robot):
@@ -126,14 +130,14 @@ class VehicleCommands:
         """Ask a vehicle for its first state, or end its charging, if its order needs that; tell whether the
         order waits for it. Raises CommandError or LinkError if it must not be sent."""
         robot = self._writer.store.state.robots[command.robot]
-        if robot.vehicle is None:
+        if not self._is_stated(robot):
             self._check(command, late)
             self._connection.check_open()
             with suppress(NeverSeenError):
                 address_of(robot, ORDER)
             self.request_state(robot.name)
             unmet = f"no state of {robot.name} within {self._timeout:g} s: order again once it has sent one"
-            self._hold(command_id, command, late, "", unmet)
+            self._hold(command_id, command, late, "", unmet, "for a state")
             return True
         freeing = self._adapters[robot.name].stop_charging(robot, uuid.uuid4().hex)
         if freeing is None:
@@ -141,19 +145,35 @@ class VehicleCommands:
         self._messages(command, command_id, late)
         self._publish(freeing)
         unmet = f"{robot.name} goes on charging: it did not stop within {self._timeout:g} s"
-        self._hold(command_id, command, late, freeing.name, unmet)
+        self._hold(command_id, command, late, freeing.name, unmet, "for the end of its charge")
         return True
 
-    def _hold(self, command_id: int, command: PlaceOrder, late: float, stop: str, unmet: str) -> None:
-        """Keep an order until `on_state` sends it; not sent in time, it has the reason `unmet`."""
-        timer = call_awake(self._timeout, partial(self._give_up, command.robot, unmet))
-        accepted = frozenset(problem.check for problem in self._objections(command))
-        self._held[command.robot] = HeldOrder(command_id, command, late, stop, accepted, timer)
+    def _is_stated(self, robot: Robot) -> bool:
+        """Tell whether a state has arrived on this connection: one from before a loss may be history."""
+        since = self._writer.store.state.links[robot.link].since
+        return robot.vehicle is not None and robot.vehicle.at >= since
 
-    def _objections(self, command: PlaceOrder) -> list[Problem]:
+    def _hold(
+        self, command_id: int, command: PlaceOrder, late: float, stop: str, unmet: str, awaited: str
+    ) -> None:
+        """Keep an order in this console's queue until `on_state` sends it; not sent in time, it has the
+        reason `unmet`."""
+        timer = call_awake(self._timeout, partial(self._give_up, command.robot, unmet))
+        self._held[command.robot] = HeldOrder(
+            command_id, command, late, stop, self._objections(command), timer
+        )
+        self._writer.apply(CommandAdvanced(command_id, Stage.WAITING, time.monotonic(), awaited))
+
+    def _objections(self, command: PlaceOrder) -> Mapping[str, Problem]:
+        """Return what speaks against an order: what is about the vehicle by its text, as two faults are not
+        the same, the rest by its check, as its texts have ages and what is not known yet."""
         state = self._writer.store.state
         robot = state.robots[command.robot]
-        return [problem for check in CHECKS for problem in check(state, robot, command)]
+        return {
+            problem.text if check in VEHICLE_CHECKS else problem.check: problem
+            for check in CHECKS
+            for problem in check(state, robot, command)
+        }
 
     def _give_up(self, robot: str, reason: str) -> None:
         """Do not send the order that is held for a vehicle, if there is one."""
@@ -171,11 +191,13 @@ class VehicleCommands:
         """Send an order that was held, if nothing speaks against it that its operator did not know."""
         del self._held[held.command.robot]
         held.timer.cancel()
-        commands = self._writer.store.state.commands
-        if any(one.id == held.command_id and one.is_decided for one in commands):
+        state = self._writer.store.state
+        if any(one.id == held.command_id and one.is_decided for one in state.commands):
             return  # it was cancelled in this console's queue
-        new = [one for one in self._objections(held.command) if one.check not in held.accepted]
+        new = [one for key, one in self._objections(held.command).items() if key not in held.accepted]
         try:
+            if reason := state.robots[held.command.robot].held:
+                raise CommandError(reason)
             if new:
                 raise CommandError(min(new, key=lambda one: not one.blocks).text)
             if held.stop or not self._holds(held.command_id, held.command, held.late):
@@ -189,9 +211,10 @@ class VehicleCommands:
         return robot.vehicle is not None or robot.connection is not None
 
     def request_state(self, name: str) -> None:
-        """Ask a vehicle for its state, if none has arrived and this console may command it."""
+        """Ask a vehicle for its state, if none has arrived on this connection and this console may command
+        it."""
         robot = self._writer.store.state.robots[name]
-        if robot.vehicle is None and robot.kind.accepts:
+        if not self._is_stated(robot) and robot.kind.accepts:
             self._start(self._request_state(name))
 
     async def _request_state(self, name: str) -> None:
@@ -200,7 +223,7 @@ class VehicleCommands:
             with suppress(TimeoutError):
                 await asyncio.wait_for(arrived.wait(), SEEN_WITHIN)
         robot = self._writer.store.state.robots[name]
-        if robot.vehicle is not None:
+        if self._is_stated(robot):
             return
         try:
             for message in self._adapters[name].state_request(robot, uuid.uuid4().hex):

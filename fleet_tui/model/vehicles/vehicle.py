@@ -12,6 +12,8 @@ DRIVES = frozenset({"AUTOMATIC", "SEMIAUTOMATIC"})
 HIGH = frozenset({"FATAL", "CRITICAL"})
 MEDIUM = frozenset({"URGENT"})
 """Levels of errors, by the priority of their alarms; others are low."""
+CRAWLS = 0.05
+"""Metres per second above which a vehicle drives, also one that says that it does not."""
 HEADING = "nodePosition.theta"
 START_CHARGING = "startCharging"
 STOP_CHARGING = "stopCharging"
@@ -110,6 +112,13 @@ class Vehicle(Struct, frozen=True):
     speed: float | None = None
     errors: tuple[VehicleError, ...] = ()
     actions: tuple[VehicleAction, ...] = ()
+
+    @property
+    def moves(self) -> bool | None:
+        """Tell whether it drives or turns, by either word for it; None if it has none."""
+        if self.driving or self.speed is None:
+            return self.driving
+        return self.speed > CRAWLS
 
     @property
     def takes_orders(self) -> bool:

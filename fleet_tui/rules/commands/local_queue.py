@@ -191,9 +191,10 @@ def _held(state: FleetState, robot: Robot) -> str:
 def _reasons(state: FleetState, robot: Robot) -> Iterator[str]:
     if foreign(state, robot):
         yield ANOTHER_CLIENT
-    if state.links[robot.link].phase is not Phase.UP:
+    link, last = state.links[robot.link], robot.last_received
+    if link.phase is not Phase.UP:
         yield "the link was lost"
-    elif not state.is_online(robot):
+    elif last is not None and last >= link.since and not state.is_online(robot):  # else it was not heard yet
         yield f"{robot.name} was offline"
     for one in waiting(state, robot)[:1]:
         # On another floor the same ids are other places.

@@ -40,9 +40,10 @@ def own_mode(state: FleetState, robot: Robot, command: Command) -> Iterator[Prob
             yield Problem("mode", f"{robot.name} is in mode {vehicle.mode_text}: it takes no orders")
         if vehicle.e_stop:
             yield Problem("e-stop", f"{robot.name} is stopped: {vehicle.e_stop_text}", blocks=False)
-        grave = next((error for error in vehicle.errors if error.level in HIGH), None)
-        if grave is not None:
-            yield Problem("fault", f"{robot.name} reports {grave.level.lower()} {grave.type}", blocks=False)
+        for grave in vehicle.errors:
+            if grave.level in HIGH:
+                text = f"{robot.name} reports {grave.level.lower()} {grave.type}"
+                yield Problem("fault", text, blocks=False)
 
 
 def foreign_pause(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:

@@ -15,7 +15,9 @@ from fleet_tui.model.link import CommandPath
 from fleet_tui.model.order import Stop
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
+from fleet_tui.model.vehicles.vehicle import Vehicle
 from fleet_tui.rules.commands.checks import problems
+from fleet_tui.rules.commands.local_queue import all_orders, hold_all
 from tests.support.broker import broker_in
 from tests.support.links import finished, linked
 from tests.support.nav2_site import keeping, record_of
@@ -45,6 +47,12 @@ async def charging(store: WatchedStore, vehicle: SpokenFor) -> None:
 
 async def connected(store: WatchedStore) -> None:
     await store.until(lambda state: state.robots["agv"].connection)
+
+
+def vehicle_of(state: FleetState) -> Vehicle:
+    known = state.robots["agv"].vehicle
+    assert known is not None
+    return known.value
 
 
 def charge(percent: float) -> Any:
@@ -86,9 +94,15 @@ async def test_an_order_that_got_no_state_in_time_is_never_sent(tmp_path: Path) 
             assert orders(vehicle) == []
 
 
-@pytest.mark.parametrize("command", [PauseRobot("agv"), ClearOrders("agv")])
+@pytest.mark.parametrize(
+    ("command", "end"),
+    [
+        (PauseRobot("agv"), (Stage.NOT_SENT, "another command came before its first state")),
+        (ClearOrders("agv"), (Stage.CANCELLED, "by this console before it was sent")),
+    ],
+)
 async def test_a_pause_or_a_clear_ends_an_order_that_waits_for_the_first_state(
-    tmp_path: Path, command: PauseRobot | ClearOrders
+    tmp_path: Path, command: PauseRobot | ClearOrders, end: tuple[Stage, str]
 ) -> None:
     with broker_in(tmp_path) as broker:
         vehicle = SpokenFor(broker)
@@ -99,10 +113,7 @@ async def test_a_pause_or_a_clear_ends_an_order_that_waits_for_the_first_state(
             link.submit(command)
             await store.until(lambda state: record_of(state, order).is_decided)
             record = record_of(store.state, order)
-            assert (record.stage, record.detail) == (
-                Stage.NOT_SENT,
-                "another command came before its first state",
-            )
+            assert (record.stage, record.detail) == end
             await vehicle.next("instantActions", 2)
             vehicle.say(batteryState={"batteryCharge": 11.0, "charging": False})
             await store.until(charge(11.0))
@@ -224,12 +235,10 @@ async def test_an_order_that_waits_for_the_end_of_a_charge_may_be_cleared(tmp_pa
             await charging(store, vehicle)
             order = link.submit(ORDER)
             await vehicle.next("instantActions")
-            (problem,) = problems(store.state, Request((ClearOrders("agv"),)), Permissions())
-            assert "has no orders" in problem.text and not problem.blocks, "asked, not refused"
+            assert problems(store.state, Request((ClearOrders("agv"),)), Permissions()) == []
             link.submit(ClearOrders("agv"))
             await store.until(lambda state: record_of(state, order).is_decided)
-            detail = "another command came after it was told to stop charging"
-            assert record_of(store.state, order).detail == detail
+            assert record_of(store.state, order).stage is Stage.CANCELLED
             vehicle.say()
             await store.until(charge(80.5))
             assert orders(vehicle) == []
@@ -247,3 +256,96 @@ async def test_no_order_waits_for_a_state_without_a_link(tmp_path: Path) -> None
             record = await finished(link, store, ORDER)
             assert (record.stage, record.detail) == (Stage.NOT_SENT, "no link")
             assert orders(vehicle) == []
+
+
+@pytest.mark.parametrize("waits_for", ["first state", "end of charge"])
+async def test_an_order_that_waits_is_in_the_queue_of_this_console_and_is_cancelled_there(
+    tmp_path: Path, waits_for: str
+) -> None:
+    with broker_in(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            await connected(store)
+            if waits_for == "end of charge":
+                await charging(store, vehicle)
+            order = link.submit(ORDER)
+            asked = await vehicle.next("instantActions")
+            assert record_of(store.state, order).stage is Stage.WAITING
+            (waiting,) = all_orders(store.state, store.state.robots["agv"])
+            record = await finished(link, store, CancelOrder("agv", waiting.id))
+            assert (record.stage, record.detail) == (Stage.CONFIRMED, "was waiting here")
+            assert record_of(store.state, order).stage is Stage.CANCELLED
+            vehicle.say()
+            await store.until(charge(80.5))
+            assert orders(vehicle) == [] and [asked] == vehicle.actions, "no cancelOrder for it, either"
+
+
+async def test_disarming_ends_an_order_that_waits(tmp_path: Path) -> None:
+    with broker_in(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            await charging(store, vehicle)
+            order = link.submit(ORDER)
+            await vehicle.next("instantActions")
+            for hold in hold_all(store.state, "this console is not armed"):
+                link.post(hold)
+            vehicle.say()
+            await store.until(lambda state: record_of(state, order).is_decided)
+            record = record_of(store.state, order)
+            assert (record.stage, record.detail) == (Stage.NOT_SENT, "this console is not armed")
+            assert orders(vehicle) == []
+
+
+async def test_an_accepted_fault_does_not_accept_another_one(tmp_path: Path) -> None:
+    with broker_in(tmp_path) as broker:
+        vehicle, known = SpokenFor(broker), error("FATAL", "motorError")
+        async with console_on(broker) as (link, store):
+            await charging(store, vehicle)
+            vehicle.say(batteryState=CHARGING, errors=[known])
+            await store.until(lambda state: vehicle_of(state).errors)
+            waiting = asyncio.ensure_future(finished(link, store, ORDER))
+            await vehicle.next("instantActions")
+            vehicle.say(errors=[known, error("FATAL", "lidarError")])
+            record = await waiting
+            assert (record.stage, record.detail) == (Stage.NOT_SENT, "agv reports fatal lidarError")
+            waiting = asyncio.ensure_future(finished(link, store, ORDER))
+            order = await vehicle.next("order")
+            vehicle.say(orderId=order["orderId"], nodeStates=[node("goal_0", 2)])
+            assert (await waiting).stage is Stage.CONFIRMED
+
+
+async def test_after_a_reconnect_an_order_waits_for_a_state_and_asks_for_it(tmp_path: Path) -> None:
+    with broker_in(tmp_path) as broker:
+        async with console_on(broker) as (link, store):
+            first = SpokenFor(broker)
+            first.say()
+            await store.until(lambda state: state.robots["agv"].vehicle)
+            broker.kill()
+            await store.until(lambda state: state.links["broker"].command_path is CommandPath.DEAD)
+            broker.start()
+            await store.until(lambda state: state.links["broker"].command_path is CommandPath.ALIVE)
+            vehicle = SpokenFor(broker)
+            waiting = asyncio.ensure_future(finished(link, store, ORDER))
+            asked = await vehicle.next("instantActions")
+            assert [one["actionType"] for one in asked["actions"]] == ["stateRequest"]
+            vehicle.say(agvPosition=position(3.0, 4.0), lastNodeId="")
+            order = await vehicle.next("order")
+            assert [one["nodePosition"]["x"] for one in order["nodes"]] == [3.0, 5.0]
+            vehicle.say(orderId=order["orderId"], nodeStates=[node("goal_0", 2)])
+            assert (await waiting).stage is Stage.CONFIRMED
+
+
+async def test_a_clear_of_orders_that_only_this_console_has_sends_nothing(tmp_path: Path) -> None:
+    with broker_in(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with queueing(broker.url, keeping(tmp_path)) as (link, store):
+            await store.until(lambda state: state.links["broker"].command_path is CommandPath.ALIVE)
+            await charging(store, vehicle)
+            ids = [link.submit(ORDER), link.submit(ORDER)]
+            asked = await vehicle.next("instantActions")
+            record = await finished(link, store, ClearOrders("agv"))
+            assert (record.stage, record.detail) == (Stage.CONFIRMED, "was waiting here")
+            assert [record_of(store.state, one).stage for one in ids] == [Stage.CANCELLED] * 2
+            vehicle.say()
+            await store.until(charge(80.5))
+            assert orders(vehicle) == [] and vehicle.actions == [asked]
