@@ -24,6 +24,8 @@ from fleet_tui.situation.facts import (
 from fleet_tui.situation.links import hidden, is_late
 from fleet_tui.text.units import age
 
+WAKE = "Wake it by its master control (stopHibernation)"
+"""The action at a vehicle that said that it sleeps."""
 BAD_FOR = 10.0
 """Seconds without bad data until it counts as over."""
 SPEAKS_WITHIN = 2.0
@@ -70,7 +72,8 @@ def silence(state: FleetState, robot: Robot) -> Fact:
     last = _last_word(state, robot)
     if last is not None:
         since_last = state.now - last
-        why = f" ({known.text})" if known is not None and robot.is_gone else ""
+        is_told = known is not None and (robot.is_gone or known.is_asleep)
+        why = f" ({known.text})" if known is not None and is_told else ""
         kind, text = SILENT, f"{SILENT.word if is_certain else 'silent'} {age(since_last)}{why}"
         evidence = "link up, no messages"
         question = f"{robot.name} is {SILENT.word} {age(since_last)}"
@@ -105,6 +108,7 @@ def silence(state: FleetState, robot: Robot) -> Fact:
         short=f"pose {age(state.now - pose.at)} old" if pose and is_behind and not is_certain else text,
         evidence=evidence,
         question=question,
+        remedy=WAKE if known is not None and known.is_asleep else "",
         is_certain=is_certain,
     )
 

@@ -26,11 +26,12 @@ ORDER = PlaceOrder("agv", (Stop(pose=Pose(5.0, 2.0)),))
 
 def test_a_fatal_error_asks_before_an_order_as_an_emergency_stop_does() -> None:
     site = VehicleSite()
-    site.read("state", state(errors=[error("WARNING", "dirty"), error("FATAL", "motorError")]))
+    grave = error("FATAL", "motorError"), error("CRITICAL", "scanner")
+    site.read("state", state(errors=[error("WARNING", "dirty"), *grave]))
     site.wait(0.1)
-    found = problems(site.state, Request((ORDER,)), Permissions())
-    (fault,) = (one for one in found if one.check == "fault")
-    assert fault.text == "agv reports fatal motorError" and not fault.blocks
+    faults = [one for one in problems(site.state, Request((ORDER,)), Permissions()) if one.check == "fault"]
+    assert [one.text for one in faults] == ["agv reports fatal motorError", "agv reports critical scanner"]
+    assert not any(one.blocks for one in faults)
 
 
 def test_an_order_of_another_master_to_nodes_that_are_unknown_here_is_shown_by_id_and_no_bad_data(

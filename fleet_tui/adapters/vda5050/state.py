@@ -15,6 +15,8 @@ MOST_NODES = 2000
 MOST_ERRORS = 100
 MOST_ACTIONS = 500
 MOST_REFERENCES = 20
+MOST_REQUESTS = 20
+MOST_MAPS = 100
 """Maximum parts of one state."""
 ENDED = frozenset({"FINISHED", "FAILED"})
 """States of an action that is over."""
@@ -62,7 +64,9 @@ def _without_passed(state: Fields, nodes: list[Fields]) -> list[Fields]:
 def vehicle_of(state: Fields, base: str, nodes: OrderNodes) -> Vehicle:
     """Return the state of a vehicle, whose topics have the base `base`."""
     position, power = _position(state), state.part("batteryState", "powerSupply")
-    safety = state.part("safetyState")
+    safety, asks = state.part("safetyState"), tuple(_requests(state))
+    maps = tuple(_enabled(state, "maps", "map"))
+    map_id = position.id("mapId") if position else ""
     return Vehicle(
         base,
         state.text("version"),
@@ -78,7 +82,13 @@ def vehicle_of(state: Fields, base: str, nodes: OrderNodes) -> Vehicle:
         nodes_left=nodes.released,
         horizon=nodes.horizon,
         # At the end of an order some vehicles ask for more as well: there is nothing to wait for.
-        waits=nodes.is_at_base_end or (bool(nodes.target) and state.flag("newBaseRequest") is True),
+        waits=nodes.is_at_base_end
+        or (bool(nodes.target) and state.flag("newBaseRequest") is True)
+        or (bool(asks) and not state.flag("driving")),
+        asks=asks,
+        maps=maps,
+        zone_sets=tuple(_enabled(state, "zoneSets", "zoneSet")),
+        map_off=map_id if map_id not in maps and state.parts(MOST_MAPS, "maps") else "",
         load=_load(state),
         order_id=state.text("orderId"),
         paused=state.flag("paused"),
@@ -86,6 +96,29 @@ def vehicle_of(state: Fields, base: str, nodes: OrderNodes) -> Vehicle:
         errors=tuple(_errors(state)),
         actions=tuple(_actions(state)),
     )
+
+
+def _requests(state: Fields) -> Iterator[str]:
+    """Yield what a vehicle asks its master control for, and is not granted: 3.0 has zones that must be
+    released, and corridors beside edges."""
+    for one in state.parts(MOST_REQUESTS, "zoneRequests") or []:
+        what = "a new way in zone" if one.word("requestType") == "REPLANNING" else "zone"
+        yield from _asked(one, f"{what} {one.id('zoneId')}")
+    for one in state.parts(MOST_REQUESTS, "edgeRequests") or []:
+        yield from _asked(one, f"the corridor of edge {one.id('edgeId')}")
+
+
+def _asked(request: Fields, what: str) -> Iterator[str]:
+    status = request.word("requestStatus")
+    if status != "GRANTED":
+        yield what if status in ("", "REQUESTED") else f"{what} ({status.lower()})"
+
+
+def _enabled(state: Fields, name: str, what: str) -> Iterator[str]:
+    """Yield the ids of the maps or zone sets that a vehicle uses."""
+    for one in state.parts(MOST_MAPS, name) or []:
+        if one.word(f"{what}Status") == "ENABLED":
+            yield one.id(f"{what}Id")
 
 
 def _speed(state: Fields) -> float | None:

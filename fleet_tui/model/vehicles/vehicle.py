@@ -7,6 +7,7 @@ BROKEN = "CONNECTIONBROKEN"
 REMOVED = "REMOVED"
 """Connections of a vehicle that is gone: it said goodbye, the broker says it for it, or somebody has removed
 what the broker kept of it."""
+HIBERNATING = "HIBERNATING"
 DRIVES = frozenset({"AUTOMATIC", "SEMIAUTOMATIC"})
 """Modes in which a vehicle takes orders."""
 HIGH = frozenset({"FATAL", "CRITICAL"})
@@ -90,7 +91,9 @@ class Vehicle(Struct, frozen=True):
     messages. `is_placed`: it reports a position. `e_stop` is the word for its emergency stop, empty if it is
     not active. `last_node` is where it was last, `distance` the metres that it drove from there, `nodes_left`
     are the released nodes that it has still to reach, `horizon` the number of those not released; `waits`: it
-    may not drive on until its master control releases them. `load`: empty without one. `speed` in m/s."""
+    may not drive on until its master control releases them, or grants what it `asks` for. `maps` and
+    `zone_sets` are those that it has enabled, `map_off` is the map of its position if that is not among them.
+    `load`: empty without one. `speed` in m/s."""
 
     address: str
     version: str
@@ -106,6 +109,10 @@ class Vehicle(Struct, frozen=True):
     nodes_left: tuple[str, ...] = ()
     horizon: int = 0
     waits: bool = False
+    asks: tuple[str, ...] = ()
+    maps: tuple[str, ...] = ()
+    zone_sets: tuple[str, ...] = ()
+    map_off: str = ""
     load: str | None = None
     order_id: str = ""
     paused: bool | None = None
@@ -148,6 +155,11 @@ class VehicleConnection(Struct, frozen=True):
     def is_gone(self) -> bool:
         """Tell whether the vehicle has left the broker."""
         return self.word in (OFFLINE, BROKEN, REMOVED)
+
+    @property
+    def is_asleep(self) -> bool:
+        """Tell whether the vehicle saves power, and sends nothing until it is woken."""
+        return self.word == HIBERNATING
 
     @property
     def text(self) -> str:

@@ -40,7 +40,11 @@ def clearance(state: FleetState, robot: Robot) -> Reason | None:
     evidence = f"at the end of what is released, {left} node{'s' * (left != 1)} of its order not released"
     if not left:
         evidence = "it asks its master control for more of its route"
+    if asked := ", ".join(reading.value.asks):
+        evidence = f"it asks its master control for {asked}"
     remedy = "Look at the master control: it releases the next nodes"
+    if asked:
+        remedy = "Look at the master control: it grants what the vehicle asks for"
     return Reason("waits for clearance", evidence, seen=reading.at, remedy=remedy)
 
 
@@ -73,4 +77,21 @@ def unlocalised(state: FleetState, robot: Robot) -> Reason | None:
     return Reason("not localised", "reported by the vehicle", seen=reading.at, keys=keys, remedy=LOCALISE)
 
 
-VEHICLE_REASONS = (stopped, by_hand, faulty, acts, clearance, unlocalised)
+def map_disabled(state: FleetState, robot: Robot) -> Reason | None:
+    """Report that the map of its position is not among those that it uses."""
+    reading = _reading(state, robot)
+    if reading is None or not reading.value.map_off:
+        return None
+    used = ", ".join(reading.value.maps)
+    evidence = f"the vehicle uses {used}" if used else "the vehicle uses none of its maps"
+    remedy = "Let the master control enable the map (enableMap)"
+    return Reason(
+        f"map {reading.value.map_off} is not enabled",
+        evidence,
+        Strength.POSSIBLE,
+        seen=reading.at,
+        remedy=remedy,
+    )
+
+
+VEHICLE_REASONS = (stopped, by_hand, faulty, acts, clearance, unlocalised, map_disabled)

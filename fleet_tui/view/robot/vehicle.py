@@ -29,6 +29,8 @@ def vehicle_rows(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
             named("Mode", *_run(vehicle.mode.lower(), role)),
             named("Node", *_run(vehicle.last_node, role)),
             named("Load", *_run(vehicle.load or "", role)),
+            named("Maps", *_run(", ".join(vehicle.maps), role)),
+            named("Zones", *_run(", ".join(vehicle.zone_sets), role)),
             named("Charging", *_run(_yes_or_no(vehicle.charging), role)),
             named("Speed", *_run("" if vehicle.speed is None else f"{vehicle.speed:.2f} m/s", role)),
         )

@@ -21,7 +21,7 @@ from fleet_tui.rules.commands.checks import problems
 from fleet_tui.rules.commands.local_queue import next_to_send
 from tests.support.fleets import commanded
 from tests.support.vda_fleet import VehicleSite
-from tests.support.vda_messages import error, message, node, state
+from tests.support.vda_messages import message, node, state
 
 ORDER = PlaceOrder("agv", at_vertices("n0"))
 
@@ -61,15 +61,6 @@ def test_a_mode_without_orders_forbids_them_and_an_emergency_stop_asks() -> None
     )
     problem = named(site(safetyState={"eStop": "MANUAL"}), ORDER)["e-stop"]
     assert not problem.blocks
-
-
-def test_a_fatal_error_asks_before_an_order_as_an_emergency_stop_does() -> None:
-    grave = [error("FATAL", "lift"), error("CRITICAL", "scanner"), error("WARNING", "dust")]
-    found = problems(site(errors=grave).state, Request((ORDER,)), Permissions())
-    faults = [one for one in found if one.check == "fault"]
-    assert [one.text for one in faults] == ["agv reports fatal lift", "agv reports critical scanner"]
-    assert not any(one.blocks for one in faults)
-    assert "fault" not in named(site(errors=grave), PauseRobot("agv"))
 
 
 def test_a_pause_of_another_hand_is_lifted_only_after_asking() -> None:

@@ -4,11 +4,23 @@ from typing import Any
 
 import pytest
 
+from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.why.place import place_text
 from fleet_tui.rules.why.reason import Reason, Strength
 from fleet_tui.rules.why.why import reasons
 from tests.support.vda_fleet import VehicleSite
-from tests.support.vda_messages import error, node, position, state
+from tests.support.vda_messages import error, message, node, position, state, state_3
+
+
+def zone(id_: str, status: str = "REQUESTED", type_: str = "ACCESS") -> dict[str, str]:
+    """A request of 3.0, by its schema."""
+    ids = {"requestId": f"r-{id_}", "zoneId": id_, "zoneSetId": "set"}
+    return {**ids, "requestType": type_, "requestStatus": status}
+
+
+def corridor(edge: str) -> dict[str, Any]:
+    ids = {"requestId": f"r-{edge}", "edgeId": edge, "sequenceId": 1}
+    return {**ids, "requestType": "CORRIDOR", "requestStatus": "REQUESTED"}
 
 
 def first(**fields: Any) -> Reason:
@@ -33,6 +45,20 @@ def first(**fields: Any) -> Reason:
             {"orderId": "o", "nodeStates": [node("b", 2)], "newBaseRequest": True},
             "waits for clearance",
             "it asks its master control for more of its route",
+        ),
+        (
+            {
+                "orderId": "o",
+                "nodeStates": [node("b", 2)],
+                "zoneRequests": [zone("z1"), zone("z2", "GRANTED")],
+            },
+            "waits for clearance",
+            "it asks its master control for zone z1",
+        ),
+        (
+            {"zoneRequests": [zone("z3", "REVOKED", "REPLANNING")], "edgeRequests": [corridor("e4")]},
+            "waits for clearance",
+            "it asks its master control for a new way in zone z3 (revoked), the corridor of edge e4",
         ),
         ({"errors": [error("FATAL", text="hot")]}, "motorError", "fatal motorError: hot"),
         (
@@ -71,3 +97,43 @@ def test_charging_is_a_reason_and_a_node_a_place() -> None:
 def test_the_hint_of_an_error_is_told_once_as_what_to_do() -> None:
     found = first(errors=[error("FATAL", text="hot", hint="cool it")])
     assert (found.evidence, found.remedy) == ("fatal motorError: hot", "cool it")
+
+
+def test_one_that_asks_for_a_zone_ahead_while_it_drives_waits_for_nothing() -> None:
+    site = VehicleSite()
+    site.read("state", state(orderId="o", nodeStates=[node("b", 2)], driving=True, zoneRequests=[zone("z")]))
+    site.wait(1)
+    assert "waits for clearance" not in [one.name for one in reasons(site.state, site.agv)]
+
+
+def test_a_map_that_the_vehicle_does_not_use_may_be_the_cause() -> None:
+    def stored(map_id: str, status: str) -> dict[str, str]:
+        return {"mapId": map_id, "mapVersion": "1", "mapStatus": status}
+
+    site = VehicleSite()
+    site.read("state", state(maps=[stored("hall", "DISABLED"), stored("yard", "ENABLED")]))
+    site.wait(4)
+    found = next(one for one in reasons(site.state, site.agv) if one.name == "map hall is not enabled")
+    assert (found.evidence, found.strength) == ("the vehicle uses yard", Strength.POSSIBLE)
+    for maps in ([stored("hall", "ENABLED")], [], None):
+        site.read("state", state(maps=maps))
+        assert all("enabled" not in one.name for one in reasons(site.state, site.agv))
+
+
+def test_one_that_charges_by_its_power_supply_says_so() -> None:
+    site = VehicleSite()
+    site.read("state", state_3(operatingMode="AUTOMATIC", safetyState={}), base="vda5050/v3/KIT/0001")
+    site.wait(1)
+    assert "charging" in [one.name for one in reasons(site.state, site.agv)]
+
+
+def test_one_that_hibernates_is_offline_for_that_reason_and_is_to_be_woken() -> None:
+    site = VehicleSite()
+    site.read("state", state())
+    site.read("connection", message(connectionState="HIBERNATING"))
+    site.wait(60)
+    (found, *_) = reasons(site.state, site.agv)
+    assert "offline 60 s (hibernating)" in found.name
+    (alarm,) = (one for one in site.state.alarms if one.condition.kind == "offline")
+    assert alarm.text == "offline 60 s (hibernating)"
+    assert action_of(alarm.condition).startswith("Wake it by its master control")

@@ -47,3 +47,14 @@ def test_the_row_of_a_vehicle_has_its_news() -> None:
     stopped = {"eStop": "MANUAL", "fieldViolation": False}
     site.read("state", state(safetyState=stopped, operatingMode="SERVICE", errors=[error("FATAL")]))
     assert [text for text, _ in news(site.state, site.agv)] == ["e-stop (manual)", "motorError", "service"]
+
+
+def test_the_maps_and_zone_sets_that_it_uses_are_listed() -> None:
+    site = VehicleSite()
+    maps = [{"mapId": "hall", "mapStatus": "ENABLED"}, {"mapId": "yard", "mapStatus": "DISABLED"}]
+    sets = [
+        {"zoneSetId": "day", "zoneSetStatus": "ENABLED"},
+        {"zoneSetId": "night", "zoneSetStatus": "DISABLED"},
+    ]
+    site.read("state", state(maps=maps, zoneSets=sets))
+    assert {"Maps hall", "Zones day"} <= set(texts(site))
