@@ -19,7 +19,7 @@ from tests.support.broker import BrokerAccess, broker_in
 from tests.support.vda_broker import SpokenFor, console_on
 from tests.support.vda_fleet import VehicleSite, config_text
 from tests.support.vda_hall import hall_graph
-from tests.support.vda_messages import error, node, position, state
+from tests.support.vda_messages import error, message, node, position, state
 
 ORDER = PlaceOrder("agv", (Stop(pose=Pose(5.0, 2.0)),))
 
@@ -101,3 +101,41 @@ async def test_a_rejection_without_references_is_told(tmp_path: Path) -> None:
             assert found.commands[-1].detail == (
                 "from agv in 5 s, and it reports noRouteError: too far: may still be carried out"
             )
+
+
+def seen_at(x: float, number: int) -> bytes:
+    return message(headerId=number, timestamp=stamped(number), agvPosition=position(x, 0.0))
+
+
+def stamped(number: int) -> str:
+    return f"2026-01-02T03:04:{number:02}Z"
+
+
+def test_a_visualization_that_contradicts_the_states_is_not_believed_until_it_agrees_again() -> None:
+    site = VehicleSite()
+
+    def second(number: int, state_x: float, shown_x: float) -> float:
+        site.read(
+            "state", state(headerId=number, timestamp=stamped(number), agvPosition=position(state_x, 0.0))
+        )
+        site.wait(0.2)
+        site.read("visualization", seen_at(shown_x, number))
+        site.wait(0.8)
+        assert site.agv.pose is not None
+        return site.agv.pose.value.x
+
+    assert [second(number, 4.0, 2.0) for number in range(6)] == [2.0, 2.0, 4.0, 4.0, 4.0, 4.0]
+    fault = "visualization: position is 2.0 m from that of the state before: not used"
+    assert site.agv.last_fault == fault
+    assert [second(number, 4.0, 4.2) for number in range(6, 8)] == [4.2, 4.2]
+
+
+def test_a_vehicle_that_drives_between_two_states_contradicts_nothing() -> None:
+    site = VehicleSite()
+    for number in range(6):
+        site.read("state", state(headerId=number, agvPosition=position(30.0 * number, 0.0)))
+        for step in range(1, 30):
+            site.wait(1)
+            site.read("visualization", message(agvPosition=position(30.0 * number + step, 0.0)))
+            assert site.agv.pose is not None and site.agv.pose.value.x == 30.0 * number + step
+    assert "not used" not in site.agv.last_fault

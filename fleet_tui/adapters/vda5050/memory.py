@@ -1,9 +1,11 @@
 """Memory of the last states of vehicles: their nodes and order are told again only when they change."""
 
+import math
 from typing import Any
 
 from fleet_tui.adapters.vda5050.fields import Fields
 from fleet_tui.adapters.vda5050.state import OrderNodes, nodes_of
+from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.vehicles.vehicle import Vehicle
 
@@ -12,6 +14,11 @@ WITHIN = 60.0
 """Numbers of messages that go back so often in so many seconds are those of two senders."""
 STANDS_FROM = 5.0
 """Seconds of messages with one timestamp after which the clock of their vehicle stands still."""
+TOGETHER = 0.3
+APART = 1.0
+CONTRADICTIONS = 3
+"""A visualization so many seconds after a state, and so many metres from it, contradicts it: after so many in
+a row it is not believed, as there are vehicles whose visualization never moves."""
 TOLD_EVERY = 5.0
 """Seconds after which an unchanged order is told again, so that it does not grow old."""
 
@@ -28,6 +35,10 @@ class StateMemory:
         """When the numbers of a vehicle's states went back (monotonic)."""
         self._stamps: dict[tuple[str, str], tuple[str, float | None, float]] = {}
         """By robot and topic name: the last timestamp, with number and second of its first message."""
+        self._places: dict[str, tuple[Pose, float]] = {}
+        """The position in the last state of each vehicle, and its arrival."""
+        self._apart: dict[str, int] = {}
+        """The visualizations in a row that contradicted the state before them."""
         self._orders: dict[str, tuple[tuple[Goal, ...], float]] = {}
 
     def has_second_sender(self, robot: str, number: float | None, at: float) -> bool:
@@ -46,6 +57,21 @@ class StateMemory:
             self._stamps[robot, name] = stamp, number, at
             return False
         return number > known[1] and at - known[2] >= STANDS_FROM
+
+    def state_at(self, robot: str, pose: Pose, at: float) -> None:
+        """Remember the position in a state, which its visualization may contradict."""
+        self._places[robot] = pose, at
+
+    def apart(self, robot: str, pose: Pose, at: float) -> float:
+        """Return the metres between the positions of a visualization and of the state before it, once several
+        in a row were too far apart for a vehicle that drives; 0 while they are one."""
+        known = self._places.get(robot)
+        if known is None:
+            return 0.0
+        metres = math.dist((pose.x, pose.y), (known[0].x, known[0].y))
+        if 0.0 <= at - known[1] <= TOGETHER:
+            self._apart[robot] = self._apart.get(robot, 0) + 1 if metres > APART else 0
+        return metres if self._apart.get(robot, 0) >= CONTRADICTIONS else 0.0
 
     def nodes(self, robot: str, state: Fields) -> tuple[OrderNodes, bool]:
         """Return the nodes that are left, and whether they have changed."""

@@ -84,7 +84,9 @@ def read_state(origin: MessageOrigin, message: Fields) -> Iterator[events.Event]
     nodes, is_new = origin.memory.nodes(robot, message)
     vehicle = vehicle_of(message, origin.base, nodes)
     yield VehicleReported(robot, at, vehicle)
-    yield from _pose(origin, message, "state")
+    for reported in _pose(origin, message, "state"):
+        origin.memory.state_at(robot, reported.pose, at)
+        yield reported
     charge = charge_of(message)
     if charge is not None:
         yield events.BatteryReported(robot, at, charge)
@@ -134,11 +136,16 @@ def _end(vehicle: Vehicle, earlier: Set[str]) -> tuple[OrderState, str]:
 
 
 def read_visualization(origin: MessageOrigin, message: Fields) -> Iterator[events.Event]:
-    """Read a visualization: the pose alone."""
-    return _pose(origin, message, "visualization")
+    """Read a visualization: the pose alone. One that contradicts the states is named, and not believed."""
+    for reported in _pose(origin, message, "visualization"):
+        metres = origin.memory.apart(origin.robot, reported.pose, origin.at)
+        if metres:
+            message.faults.append(f"position is {metres:.1f} m from that of the state before: not used")
+        else:
+            yield reported
 
 
-def _pose(origin: MessageOrigin, message: Fields, name: str) -> Iterator[events.Event]:
+def _pose(origin: MessageOrigin, message: Fields, name: str) -> Iterator[events.PoseReported]:
     """Read a pose. Where its clock stands still, it is as old as its message."""
     found, stamp = pose_of(message), stamp_of(message)
     text, number = message.text("timestamp"), message.number("headerId")
