@@ -16,7 +16,7 @@ from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
 from fleet_tui.rules.alarms.members import MEMBER_RULES
 from fleet_tui.rules.alarms.navigation import NAVIGATION_RULES
 from fleet_tui.rules.alarms.vehicles import VEHICLE_RULES
-from fleet_tui.rules.battery.charging import LOOK_AT_CHARGER, charger_of, charging_remedy, charging_reported
+from fleet_tui.rules.battery.charging import LOOK_AT_CHARGER, charger_used, charging_remedy, charging_reported
 from fleet_tui.rules.causes import cause_of_standing
 from fleet_tui.rules.commands.failures import failed_commands
 from fleet_tui.rules.commands.pauses import is_held
@@ -84,7 +84,7 @@ def battery(state: FleetState, robot: Robot, active: ActiveConditions) -> Condit
     if state.is_old(robot, "battery"):
         text += f", {age(state.now - reading.at)} ago"
     due = -math.inf
-    charges = charger_of(state, robot) is not None or charging_reported(state, robot) is not None
+    charges = charger_used(state, robot) is not None or charging_reported(state, robot) is not None
     if robot.standing is not None and charges:
         due = robot.standing.at + CHARGES_WITHIN
         text += f" after {age(state.now - robot.standing.at)} at the charger"

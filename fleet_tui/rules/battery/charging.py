@@ -44,11 +44,21 @@ def charging_reported(state: FleetState, robot: Robot) -> Reading[Vehicle] | Rea
     return member if is_charging else None
 
 
+def charger_used(state: FleetState, robot: Robot) -> Vertex | None:
+    """Return the charger at which a robot is taken to charge: the one that it is at, unless it says that it
+    does not."""
+    vehicle = robot.vehicle
+    denies = vehicle is not None and vehicle.value.charging is False and state.is_fresh(robot, "vehicle")
+    return None if denies else charger_of(state, robot)
+
+
 def charging_remedy(state: FleetState, robot: Robot) -> str:
     """Return what to do at a low battery, empty for the action of its class: it may charge, or one of its
     orders may end at a charger."""
-    if charging_reported(state, robot) is not None or charger_of(state, robot) is not None:
+    if charging_reported(state, robot) is not None or charger_used(state, robot) is not None:
         return CHARGES
+    if charger_of(state, robot) is not None:
+        return LOOK_AT_CHARGER
     graphs = (one.graph for one in robot.maps.values() if one.graph is not None)
     chargers = {vertex.id for graph in graphs for vertex in graph.chargers}
     for order in robot.orders.open:

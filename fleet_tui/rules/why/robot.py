@@ -9,7 +9,7 @@ from fleet_tui.model.link import Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.alarms.navigation import lacks_odometry
-from fleet_tui.rules.battery.charging import charger_of, charging_remedy, charging_reported
+from fleet_tui.rules.battery.charging import charger_used, charging_remedy, charging_reported
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import is_held, own_pause_text
 from fleet_tui.rules.localisation.jumps import recent_jumps
@@ -221,7 +221,7 @@ def to_place(state: FleetState, robot: Robot) -> tuple[str, tuple[str, ...]]:
 
 def charges(state: FleetState, robot: Robot) -> Reason | None:
     """Report that it is at a charger, is not full, and drives no order."""
-    charger, battery = charger_of(state, robot), robot.battery
+    charger, battery = charger_used(state, robot), robot.battery
     if (reported := charging_reported(state, robot)) is not None:
         by = "reported by the vehicle" if reported is robot.vehicle else "reported by its driver"
         return Reason("charging", by, Strength.LIKELY, stationary_since(robot), reported.at)

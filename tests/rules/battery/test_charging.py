@@ -2,7 +2,7 @@
 
 from msgspec.structs import replace
 
-from fleet_tui.model.events import Event, GraphReceived
+from fleet_tui.model.events import Event, FloorGraphLoaded, GraphReceived
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.fleets.events import MemberReported
 from fleet_tui.model.geometry import Pose
@@ -19,6 +19,8 @@ from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.fleet import fleet_table
 from tests.support.fleets import F0, R0, T0, battery, fleet, link_up, pose, queue, reduced, text_of, tick
 from tests.support.rmf import reported, rmf_fleet
+from tests.support.vda_fleet import VehicleSite
+from tests.support.vda_messages import position, state
 
 CHARGER = Vertex("1", 0.0, 0.0, Role.DOCKING)
 GRAPH = GraphReceived(R0, F0, RouteGraph({"1": CHARGER, "2": Vertex("2", 5.0, 0.0)}))
@@ -112,3 +114,24 @@ def test_a_robot_whose_driver_says_that_it_charges_does_so_whatever_orders_it_ha
 
 def _of(state: FleetState) -> list[str]:
     return [action_of(one.condition) for one in state.alarms if one.condition.source == R0]
+
+
+def test_a_vehicle_at_a_charger_that_says_that_it_does_not_charge_is_idle_and_needs_somebody() -> None:
+    def vehicle_at_charger(charging: bool | None) -> VehicleSite:
+        site = VehicleSite()
+        site.apply(FloorGraphLoaded("hall", RouteGraph({"1": CHARGER})))
+        for _ in range(10):
+            site.read("state", state(agvPosition=position(0.0, 0.0), batteryState=power(charging)))
+            site.wait(1)
+        return site
+
+    def power(charging: bool | None) -> dict[str, object]:
+        return {"batteryCharge": 12.0, "charging": charging}
+
+    idle = vehicle_at_charger(False)
+    assert activity(idle.state, idle.agv) is Activity.IDLE
+    (alarm,) = (one for one in idle.state.alarms if one.condition.kind == "battery")
+    assert action_of(alarm.condition) == "Look at the robot and its charger"
+    for said in (True, None):
+        found = vehicle_at_charger(said)
+        assert activity(found.state, found.agv) is Activity.CHARGING and "battery" not in found.alarms
