@@ -132,7 +132,12 @@ def _unreadable(state: FleetState, robot: Robot) -> Fact | None:
     """Find that a robot sends, and nothing that can be read: then it is not silent, and its power and its
     network are well."""
     at = robot.fault_at
-    if at is None or state.links[robot.link].phase is not Phase.UP or state.now - at > state.patience(robot):
+    if (
+        at is None
+        or robot.is_gone
+        or state.links[robot.link].phase is not Phase.UP
+        or state.now - at > state.patience(robot)
+    ):
         return None
     return Fact(
         BAD_DATA,

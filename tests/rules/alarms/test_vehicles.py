@@ -75,3 +75,14 @@ def test_a_last_will_that_a_live_vehicle_has_left_on_the_broker_raises_no_alarm(
         site.wait(1)
         site.read("state", state())
         assert not site.alarms and site.state.is_online(site.agv)
+
+
+def test_one_that_left_is_offline_also_if_something_of_it_could_not_be_read() -> None:
+    site = VehicleSite()
+    for number in range(5):
+        site.read("state", state(headerId=number))
+        site.read("visualization", message(agvPosition={"x": "left"}))
+        site.wait(1)
+    site.read("connection", message(connectionState="CONNECTIONBROKEN"))
+    site.wait(3)
+    assert site.alarms["offline"] == "offline 4 s (connection broken)"
