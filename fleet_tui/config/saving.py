@@ -5,9 +5,10 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Protocol
 
-import msgspec
+from msgspec.structs import replace
 
-from fleet_tui.config.schema import NOT_IN_FILE, Config, expanded
+from fleet_tui.config.as_toml import as_toml
+from fleet_tui.config.schema import Config, expanded
 from fleet_tui.config.trust import written_file
 from fleet_tui.errors import FleetError
 from fleet_tui.storage.whole_file import write_whole
@@ -63,8 +64,8 @@ class Saving:
         """The file in which it is, empty where it is in none."""
 
     def extend(self, config: Config) -> None:
-        """Write this configuration instead: it has more robots or floors."""
-        self._config = config
+        """Write the robots and floors of this configuration instead, and no choice of this console."""
+        self._config = replace(self._config, robots=config.robots, floors=config.floors)
         self._source = None
 
     def write(self, name: str) -> Path:

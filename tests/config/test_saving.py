@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from fleet_tui.config.fleet import watching
 from fleet_tui.config.load import load
 from fleet_tui.config.saving import Saving, write_config
 from fleet_tui.errors import FleetError
@@ -24,3 +25,12 @@ def test_where_it_can_not_be_written_nothing_is_left(tmp_path: Path) -> None:
         with pytest.raises(FleetError, match=words):
             write_config("x = 1", str(tmp_path / name))
     assert [path.name for path in tmp_path.iterdir()] == ["folder"]
+
+
+def test_robots_that_came_later_are_written_and_a_console_that_only_watches_is_no_setting(
+    tmp_path: Path,
+) -> None:
+    saving = Saving(config_of("ws://site:9090", 1))
+    saving.extend(watching(config_of("ws://site:9090", 2, 2)))
+    read = load(saving.write(str(tmp_path / "config.toml")))
+    assert (len(read.robots), len(read.floors), read.operator.read_only) == (2, 2, False)
