@@ -7,7 +7,6 @@ from typing import Protocol
 
 from msgspec.structs import replace
 
-from fleet_tui.config.as_toml import as_toml
 from fleet_tui.config.schema import Config, expanded
 from fleet_tui.config.trust import written_file
 from fleet_tui.errors import FleetError
