@@ -81,7 +81,7 @@ class FleetLink:
     async def _extend(self, config: Config) -> None:
         self._store.put(extended(self._store.state, config))
         adapters = adapters_of(config)
-        for link in self._links.values():
+        for link in self.links.values():
             link.extend(config, adapters)
 
     def post(self, event: Event) -> None:

@@ -5,9 +5,10 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Protocol
 
+import msgspec
 from msgspec.structs import replace
 
-from fleet_tui.config.schema import Config, expanded
+from fleet_tui.config.schema import NOT_IN_FILE, Config, expanded
 from fleet_tui.config.trust import written_file
 from fleet_tui.errors import FleetError
 from fleet_tui.storage.whole_file import write_whole

@@ -95,6 +95,11 @@ def silence(state: FleetState, robot: Robot) -> Fact:
         question = f"{robot.name} was {NEVER_SEEN.word}"
         if known is not None:
             question = f"{robot.name} has sent no state yet: it sends one every 30 s"
+    if known is not None and known.is_asleep:
+        remedy = WAKE
+    else:
+        blamed = hidden(link, robot.name)
+        remedy = blamed.remedy if blamed is not None else ""
     pose = robot.pose
     is_behind = last is not None and pose is not None and last - pose.at >= 1.0
     return Fact(
@@ -103,12 +108,11 @@ def silence(state: FleetState, robot: Robot) -> Fact:
         text,
         Priority.MEDIUM,
         since,
-        remedy=found.remedy if (found := hidden(link, robot.name)) is not None else "",
+        remedy=remedy,
         # Behind a late bridge that of the map, if something else has come since.
         short=f"pose {age(state.now - pose.at)} old" if pose and is_behind and not is_certain else text,
         evidence=evidence,
         question=question,
-        remedy=WAKE if known is not None and known.is_asleep else "",
         is_certain=is_certain,
     )
 

@@ -16,6 +16,7 @@ from fleet_tui.rules.language.anyone import ANYONE, any_matches
 from fleet_tui.rules.language.favourites import Favourite, Given, favourites
 from fleet_tui.rules.language.lookup import HERE, Place, matches, places, recent_ends, starts_here
 from fleet_tui.rules.routes.charging import way_to_charger
+from fleet_tui.situation.motion import STANDS_AFTER
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, sanitize
 from fleet_tui.view.tables.table import column
