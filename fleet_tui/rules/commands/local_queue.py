@@ -147,6 +147,8 @@ def withdrawn(state: FleetState, command_id: int, since: float) -> str:
         return ""
     if record is None or record.stage not in (Stage.CHECKED, Stage.WAITING):
         return "cancelled before it was sent"
+    if record.stage is Stage.CHECKED:  # never queued: a pause may be given while this is still written down
+        since = record.issued_at
     for other in state.commands:
         meant = other.command.robot == record.command.robot and other.issued_at > since
         if meant and other.stage not in (Stage.REFUSED, Stage.NOT_SENT):

@@ -22,7 +22,7 @@ from fleet_tui.model.order import OrderState
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.checks import problems
-from fleet_tui.rules.commands.local_queue import next_to_send, waiting
+from fleet_tui.rules.commands.local_queue import next_to_send, waiting, withdrawn
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.view.lines.questions import question
 from fleet_tui.view.tables.fleet import fleet_table
@@ -49,6 +49,15 @@ KNOWN = (graph(1, 2), labels({1: "Base", 2: "Store"}))
 
 def goals(at: float, state: OrderState) -> GoalsReported:
     return GoalsReported(R0, at, "navigate_to_pose", (Goal("3f2a", "3f2a-77", "navigate_to_pose", state),))
+
+
+def test_a_pause_that_follows_while_an_order_is_still_being_written_down_overtakes_it() -> None:
+    begun = of_kinds(fleet(), KEEPING), *KNOWN, link_up(T0), pose(T0), tick(T0)
+    order = commanded(1, ORDER_1, Stage.CHECKED, at=T0)
+    pause = commanded(2, PauseRobot(R0), Stage.SENT, at=T0 + 0.1)
+    assert withdrawn(after(*begun, *order, *pause), 1, since=T0 + 0.3) == "robot paused before it was sent"
+    earlier = after(*begun, *commanded(2, PauseRobot(R0), Stage.SENT, at=T0 - 0.1), *order)
+    assert withdrawn(earlier, 1, since=T0) == ""
 
 
 def ours(*facts: Event) -> FleetState:
