@@ -37,12 +37,17 @@ class WatchedStore(Store):
 
     async def until(self, holds: Callable[[FleetState], object], within: float = HANGS) -> FleetState:
         """Wait until the state is as wanted; the test fails if it never is."""
-        async with asyncio.timeout(within):
-            while not holds(self.state):
-                self._told.clear()
-                with suppress(TimeoutError):  # a screen may change without an event: that of a stopped replay
-                    async with asyncio.timeout(0.1):
-                        await self._told.wait()
+        try:
+            async with asyncio.timeout(within):
+                while not holds(self.state):
+                    self._told.clear()
+                    # A screen may change without an event: that of a stopped replay.
+                    with suppress(TimeoutError):
+                        async with asyncio.timeout(0.1):
+                            await self._told.wait()
+        except TimeoutError:
+            commands = [(one.command, one.stage, one.detail) for one in self.state.commands]
+            raise TimeoutError(f"never so: {self.events[-9:]} {commands}") from None
         return self.state
 
     def told(self, kind: type[Event]) -> list[Event]:

@@ -35,6 +35,9 @@ from fleet_tui.situation.motion import is_moving
 BIDDING = 15.0
 """Seconds for which fleets may bid for an order to any robot, before one has it."""
 
+REASON_FIRST = 1.0
+"""Seconds that a goal has beyond its time: its link, which waits as long for an answer, may know more."""
+
 IN_QUEUE = "seen in the queue as order "
 """The reason of an order that is confirmed; its id follows."""
 
@@ -170,7 +173,8 @@ def _deadline(state: FleetState, robot: Robot, record: CommandRecord) -> float |
     within = record.command.within if isinstance(record.command, SetUpCommand) else 0.0
     if isinstance(record.command, PlaceOrder) and record.command.to_any:
         within = BIDDING
-    return max(record.at, link.since) + max(state.limits.confirm_after, within) + state.behind
+    spare = REASON_FIRST if record.stage is Stage.SENT else 0.0
+    return max(record.at, link.since) + max(state.limits.confirm_after, within) + spare + state.behind
 
 
 def _is_goal_under_way(robot: Robot, record: CommandRecord) -> bool:

@@ -60,6 +60,19 @@ def test_a_pause_that_follows_while_an_order_is_still_being_written_down_overtak
     assert withdrawn(earlier, 1, since=T0) == ""
 
 
+def test_what_the_link_knows_of_an_unanswered_goal_is_told_in_the_end() -> None:
+    begun = of_kinds(fleet(), KEEPING), *KNOWN, link_up(T0), pose(T0), tick(T0)
+    sent = after(*begun, *commanded(1, ORDER_1, Stage.SENT))
+    late = T0 + sent.limits.confirm_after
+    waits = after(sent, pose(late), goals(late, OrderState.DONE), tick(late + 0.1))
+    assert waits.commands[-1].stage is Stage.SENT
+    why = "the broker did not pass it on"
+    told = after(waits, CommandAdvanced(1, Stage.NO_ANSWER, late + 0.2, why))
+    end = late + 0.2 + sent.limits.confirm_after
+    ended = after(told, pose(end), tick(end)).commands[-1]
+    assert ended.stage is Stage.NOT_CONFIRMED and why in ended.detail
+
+
 def ours(*facts: Event) -> FleetState:
     """The first order is driven, a second one waiting here."""
     begun: list[Event] = [*KNOWN, link_up(T0), pose(T0), tick(T0), *commanded(1, ORDER_1, Stage.SENT)]
