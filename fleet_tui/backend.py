@@ -133,7 +133,6 @@ class LiveBackend:
         """Held while the links open or a subscription changes, so that the newest choice is applied last."""
 
     def open(self) -> None:
-        """Connect."""
         self._connect(self._config, self._store, self._enter)
 
     def _enter(self, links: OpenLinks) -> None:

@@ -59,5 +59,4 @@ KINDS = {name: Registered(name) for name in ("oh_ressources", "nav2", "move_base
 
 
 def kind_of(profile: "Profile") -> str:
-    """Return the kind of robots that a profile is for."""
     return profile.kind or profile.name or DEFAULT_KIND

@@ -84,6 +84,5 @@ class _CommandsElsewhere:
             self._problem = str(error)
 
     def close(self) -> None:
-        """Close the log."""
         if self._log is not None:
             self._log.close()

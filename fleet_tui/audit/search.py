@@ -29,7 +29,6 @@ class Search:
     demo: bool = False
 
     def wants(self, record: AuditRecord) -> bool:
-        """Tell whether a record matches."""
         return (
             record.demo == self.demo
             and self.robot in ("", record.robot)

@@ -58,7 +58,6 @@ class Commands(NearestGroup):
         return super().parse_args(ctx, with_url(args))
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        """Return a command by its name."""
         return super().get_command(ctx, cmd_name) or self._others().get(cmd_name)
 
     def list_commands(self, ctx: click.Context) -> list[str]:

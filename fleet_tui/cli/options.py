@@ -178,7 +178,6 @@ def fleet(command: F) -> F:
 
 
 def drawing_mode(command: F) -> F:
-    """Add `--drawing`."""
     modes = click.Choice(["auto", "braille", "half-block", "ascii"])
     return click.option("--drawing", type=modes, help="Draw the map in this mode.")(command)
 

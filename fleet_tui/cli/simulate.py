@@ -36,7 +36,6 @@ def _simulation(command: F) -> F:
 
 
 def _ros(command: F) -> F:
-    """Add `--ros`."""
     return click.option(
         "--ros",
         "ros",

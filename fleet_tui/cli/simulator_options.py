@@ -48,7 +48,6 @@ def _faults_of_kind(context: click.Context) -> Iterable[str]:
 
 
 def fault_option(command: F) -> F:
-    """Add `--fault`."""
     return click.option(
         "--fault",
         default="",
@@ -66,7 +65,6 @@ def _known_kind(_context: click.Context, _option: click.Parameter, kind: str) ->
 
 
 def kind_option(command: F) -> F:
-    """Add `--kind`."""
     return click.option(
         "--kind",
         "kind",
@@ -82,7 +80,6 @@ def kind_option(command: F) -> F:
 
 
 def robots_option(command: F) -> F:
-    """Add `--robots`."""
     return click.option(
         "--robots",
         type=click.IntRange(1, 500),

@@ -78,7 +78,6 @@ def only(config: Config, robot: str) -> Config:
 
 
 def bridge_findings(config: Config, facts: BridgeFacts) -> Iterator[Finding]:
-    """Return the findings of one bridge that answers."""
     yield round_trip_finding(facts)
     yield rosapi_finding(facts)
     yield load_finding(facts)

@@ -76,7 +76,6 @@ def _parts(value: Any, where: str) -> tuple[Any, Any, Table]:
 
 
 def _vertex(n: int, part: Any, where: str) -> tuple[DocumentVertex, str]:
-    """Return a vertex and the lift that it is in."""
     first, second, options = _parts(part, where)
     x, y = fields.number(first, where), fields.number(second, where)
     label = fields.optional(options, "name", fields.text, where) or ""
@@ -120,7 +119,6 @@ def _lift(name: str, value: Any, stops: tuple[Stop, ...]) -> Lift:
 
 
 def write(document: GraphDocument, choices: WriteChoices) -> str:
-    """Return the text of a document."""
     return "\n".join([*_lines(document), ""])
 
 

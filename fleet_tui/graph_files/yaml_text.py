@@ -98,7 +98,6 @@ class _Builder:
         self.add(value, line)
 
     def anchor(self, name: str | None, value: Any, size: int = 1) -> None:
-        """Note the value of an anchor."""
         if name is not None:
             self._anchors[name] = (value, size)
 

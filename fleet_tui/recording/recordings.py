@@ -96,7 +96,6 @@ class Recordings:
         return self._recorder.path
 
     def stop(self) -> str:
-        """Stop it; return its summary."""
         recorder, self._recorder = self._recorder, None
         if recorder is None:
             return "no recording running"

@@ -68,7 +68,6 @@ class ProgramRun:
             self._loop.close()
 
     def end(self) -> None:
-        """End it with all that it started."""
         with suppress(RuntimeError):  # it has ended, and its loop is closed
             self._loop.call_soon_threadsafe(self._task.cancel)
 

@@ -39,7 +39,6 @@ def of_site(state: FleetState, robot: str) -> FleetState:
 
 
 def robots_at(state: FleetState, site: str) -> list[str]:
-    """Return the names of the robots of a site."""
     return [name for name, robot in state.robots.items() if state.links[robot.link].site == site]
 
 

@@ -36,7 +36,6 @@ class RowsScreen(Screen[None]):
         yield self._footer
 
     def rows(self, width: int, height: int) -> Rows:
-        """Return the rows of the page."""
         raise NotImplementedError
 
     def show(self) -> None:

@@ -17,8 +17,6 @@ if TYPE_CHECKING:
 
 
 def drive_controls(screen: "MainScreen", rest: "Rest", parts: SetUpParts) -> DriveControls:
-    """Return the controller of drives on this screen."""
-
     def focus() -> None:
         # Later: a question gives the focus back to where it was.
         screen.call_later(screen.set_focus, rest.map)

@@ -170,7 +170,6 @@ def _all_orders(screen: "MainScreen") -> None:
 
 
 def _choose_robot(screen: "MainScreen", number: int) -> None:
-    """Select the robot with a number."""
     if (robot := numbered(screen.store.state, number)) is None:
         screen.notices.hint(f"no robot has the number {number}: the fleet's column # shows them")
     else:

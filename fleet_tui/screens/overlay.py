@@ -38,7 +38,6 @@ class Overlay(Vertical):
 
     @property
     def is_open(self) -> bool:
-        """Tell whether it is visible."""
         return self.display
 
     def on_mount(self) -> None:

@@ -76,7 +76,6 @@ class Payload:
 
     @cached_property
     def json(self) -> str:
-        """The message as JSON."""
         return to_json(self.msg)
 
     @cached_property

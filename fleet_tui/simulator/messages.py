@@ -99,7 +99,6 @@ def _of_floor(
 def _maps(
     world: World, floor: SimFloor, loaded_at: float, dialect: Dialect, cells: CellsOf
 ) -> Iterator[Topic]:
-    """The map of a floor, of each robot."""
     type_ = "nav_msgs/OccupancyGrid"
     loaded = raw_payload(dialect, type_, loaded_at, map_of(floor, loaded_at, dialect, cells))
 

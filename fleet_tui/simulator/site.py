@@ -19,7 +19,6 @@ class Crew:
 
     @property
     def names(self) -> list[str]:
-        """The names of the robots."""
         return [KINDS[self.kind].named(turn, number) for turn, number in enumerate(self.numbers)]
 
 

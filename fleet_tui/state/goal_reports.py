@@ -40,7 +40,6 @@ def apply_goals(robot: Robot, event: navigation_events.GoalFact) -> Robot:
 
 
 def with_sign_of_life(robot: Robot, at: float) -> Robot:
-    """Take a sign of life."""
     return replace(robot, last_received=max(robot.last_received or at, at))
 
 

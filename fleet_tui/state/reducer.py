@@ -200,7 +200,6 @@ def _floor_of(state: FleetState, robot: Robot) -> str | None:
 
 
 def apply(state: FleetState, event: events.Event) -> FleetState:
-    """Return the state after one event."""
     if isinstance(event, events.TimePassed):
         return _pass_time(state, event)
     if isinstance(event, _OfRobot):

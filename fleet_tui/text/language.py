@@ -126,7 +126,6 @@ def _pattern(msgid: str, translation: str) -> MessagePattern:
 
 
 def _value(name: str, is_short: bool) -> str:
-    """Return the expression of a value."""
     if name in FIGURES:
         return FIGURES[name]
     if is_short and name not in TEXTS:

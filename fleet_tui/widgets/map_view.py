@@ -62,7 +62,6 @@ class MapView(CellsView, can_focus=True):
     @on(events.MouseScrollUp)
     @on(events.MouseScrollDown)
     def zoom_at_pointer(self, event: events.MouseScrollUp | events.MouseScrollDown) -> None:
-        """Zoom in or out at the pointer."""
         event.stop()
         factor = ZOOM_STEP if isinstance(event, events.MouseScrollUp) else 1 / ZOOM_STEP
         if self.picture.scene is not None and event.y >= CAPTION_ROWS:

@@ -14,7 +14,6 @@ def probes(names: Names, robot: str) -> Iterator[Probe]:
 
 
 def judge_bridge(ros: int, distro: str) -> Diagnosis:
-    """Judge the bridge by its ROS version."""
     if ros == 2:
         remedy = "move_base needs ROS 1: correct the url, or the kind (nav2?)"
         return Diagnosis("fail", f"ROS 2 bridge{f' ({distro})' if distro else ''}", remedy)

@@ -110,7 +110,6 @@ def short_id(uuid: str) -> str:
 
 
 def read_feedback() -> Read:
-    """Read the feedback of a goal."""
     read = ros.reader(nav.FeedbackMessage)
 
     def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:

@@ -33,7 +33,6 @@ def _order(order: ros.QueuedOrder) -> Order:
 
 
 def read_queue(names: Names) -> Translate:
-    """Read an ActionQueue."""
     read = ros.reader(ros.ActionQueue, names.paths("queue"))
     read_order = ros.reader(ros.QueuedOrder, names.paths("order"))
     id_name = names.path("order", "id")
@@ -85,7 +84,6 @@ def read_graph(names: Names) -> Translate:
 
 
 def read_labels(names: Names) -> Translate:
-    """Read LabeledVertices."""
     read = ros.reader(ros.LabeledVertices, names.paths("labels"))
     read_label = ros.reader(ros.LabeledVertex, names.paths("label"))
 

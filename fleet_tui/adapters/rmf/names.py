@@ -6,6 +6,5 @@ def robot_name(fleet: str, name: str) -> str:
 
 
 def fleet_and_name(robot: str) -> tuple[str, str]:
-    """Return a robot's fleet, and its name in it."""
     fleet, _, name = robot.partition("/")
     return fleet, name

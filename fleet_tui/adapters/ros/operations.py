@@ -188,7 +188,6 @@ def subscribe(wanted: Subscription) -> bytes:
 
 
 def unsubscribe(topic: str) -> bytes:
-    """Return the frame that unsubscribes from a topic."""
     return _encoder.encode({"op": "unsubscribe", "id": f"subscribe:{topic}", "topic": topic})
 
 

@@ -59,7 +59,6 @@ class Fields:
         return None
 
     def number(self, *names: str) -> float | None:
-        """Return a finite number."""
         found = self._checked(names, _is_number, "a number")
         return None if found is None else float(found)
 

@@ -64,7 +64,6 @@ def reading(command: Callable[..., int]) -> Callable[..., None]:
 
 
 def from_format(command: Callable[..., None]) -> Callable[..., None]:
-    """Add `--from`."""
     return click.option(
         "--from", "wanted", type=click.Choice(FORMATS), help="Format of the file; else recognised by content."
     )(command)

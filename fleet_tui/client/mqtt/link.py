@@ -53,7 +53,6 @@ class BrokerLink:
         """Do nothing: vehicles send no log."""
 
     def close(self) -> None:
-        """Close the connection."""
         self._writer.loop.call_soon_threadsafe(self._close)
 
     def _close(self) -> None:

@@ -64,7 +64,6 @@ class Latched:
         self._task = asyncio.ensure_future(self._look(FIRST_PATIENCE + handled_in))
 
     def stop(self) -> None:
-        """Stop watching."""
         if self._task is not None:
             self._task.cancel()
 

@@ -131,7 +131,6 @@ class Lifecycle:
             self._task.cancel()
 
     def close(self) -> None:
-        """Close permanently."""
         self._stop()
         self._calls.on_lost()
         self._connection.shut()

@@ -88,7 +88,6 @@ class BridgeLink:
         self.writer.loop.call_soon_threadsafe(self._telemetry.subscribe_logs, on)
 
     def close(self) -> None:
-        """Close all connections."""
         self.writer.loop.call_soon_threadsafe(self._telemetry.close)
         self.writer.loop.call_soon_threadsafe(self._commands.close)
         self.writer.loop.call_soon_threadsafe(self._lifecycle.close)

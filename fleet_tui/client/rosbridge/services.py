@@ -108,7 +108,6 @@ class Services:
             await asyncio.wait_for(self._listed.wait(), SETTLE_TIME)
 
     def stop(self) -> None:
-        """Stop querying."""
         if self._task is not None:
             self._task.cancel()
             self._task = None

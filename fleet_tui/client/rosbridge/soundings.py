@@ -52,7 +52,6 @@ class Soundings:
         self._task = asyncio.ensure_future(self._run())
 
     def stop(self) -> None:
-        """Stop asking."""
         if self._task is not None:
             self._task.cancel()
 

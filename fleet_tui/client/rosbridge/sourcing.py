@@ -48,7 +48,6 @@ class Sourcing:
         self._task = asyncio.ensure_future(self._look())
 
     def stop(self) -> None:
-        """Stop checking."""
         if self._task is not None:
             self._task.cancel()
 

@@ -293,7 +293,6 @@ class Telemetry:
             LOG.warning("%s", text)
 
     def close(self) -> None:
-        """Close permanently."""
         self._pictures.close()
         self._subscriber.stop()
         self.services.stop()

@@ -96,7 +96,6 @@ class RouteFiles:
         return RouteFile(path.absolute(), text, new_ids(floor).floor, lost)
 
     def command(self, robot: str, file: RouteFile) -> SendGraph:
-        """Return the command to load a file."""
         graph, labels = route_graph(file.floor)
         vertices, pairs = tuple(graph.vertices.values()), tuple(sorted(labels.items()))
         floor, path, is_kept = file.floor.name, str(file.path), self._old_files.is_kept(file.path, file.text)

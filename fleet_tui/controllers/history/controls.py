@@ -185,5 +185,4 @@ class HistoryControls:
 
 
 def words_of(typed: str) -> Sequence[str]:
-    """Return the words of a filter."""
     return [word.casefold() for word in typed.split()]

@@ -85,7 +85,6 @@ def _edge_ids(edges: Iterable[DocumentEdge]) -> Iterator[str]:
 
 
 def changed(floor: DocumentFloor, change: Change) -> DocumentFloor:
-    """Return the floor after a change."""
     return replace(
         floor,
         vertices=_changed(floor.vertices, change.vertices) if change.vertices else floor.vertices,

@@ -53,7 +53,6 @@ def _with_missed(goals: Goals) -> Goals:
 
 
 def _listed(old: Goal, goal: Goal, at: float, seen_at: float) -> Goal:
-    """Return a goal updated by a list."""
     begun = seen_at if old.begun_at is None and goal.state in BEGUN else old.begun_at
     # An order may go on after its end, when its master control adds to it; else its first end counts, if it
     # was reported.

@@ -112,7 +112,6 @@ class Pages:
         return bool(self._troubled) and self.wanted.get(Page.LOG) == self._troubled
 
     def table(self, page: Page, budget: Budget) -> Table:
-        """Return the rows of a page."""
         state, links, wanted = self._state(), self.links(), self.wanted.get(page, "")
         # In a recording the time may be earlier now, before the frozen message.
         self._frozen = {one: at for one, at in self._frozen.items() if at <= state.now}

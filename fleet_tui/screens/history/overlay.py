@@ -36,7 +36,6 @@ FIGURES = {"Robots": 1, "Batteries": 28, "Alarms": 32}
 
 
 def history_overlay(screen: "MainScreen", rest: "Rest") -> "HistoryOverlay":
-    """Return the overlay over a screen."""
     options = lambda: rest.map.picture.options  # noqa: E731  # a name for a value that changes
     pages = HistoryPages(screen.store, screen.settings.clock, screen.navigation, options)
 

@@ -97,7 +97,6 @@ def changed(names: Sequence[str]) -> str:
 
 
 def missing(field: str, typed: str = "") -> str:
-    """Return the text for a missing field."""
     if typed.strip():
         return tr(f"{tr(field.capitalize())}: Enter takes the marked place")
     remedy = tr("its name") if field == "robot" else tr("a label or a vertex id")

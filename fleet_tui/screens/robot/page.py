@@ -29,7 +29,6 @@ READ_EVERY = 5.0
 
 
 def robot_page_overlay(screen: "MainScreen", rest: "Rest") -> "RobotPage":
-    """Return the page over a screen."""
     source = PageSource(
         lambda: (screen.store.state, screen.navigation.robot),
         lambda: screen.files.audit,

@@ -25,7 +25,6 @@ class Nav2Changes:
         self._blocked: set[str] = set()
 
     def lines(self) -> Iterator[Line]:
-        """The lines about all of it."""
         statuses: dict[bytes, int] = {}
         for name, navigation in self._world.navigation.items():
             said = [*self._goals(name, navigation, statuses), *self._obstacle(navigation.robot)]

@@ -22,7 +22,6 @@ FLAT = 8.0  # per cent above which `battery` never charges
 
 
 def navigation_of(server: "RosbridgeServer", robot: str) -> Any:
-    """The navigation stack of a robot."""
     from fleet_tui.simulator.navigating.world import NavigatingWorld
 
     fleet = server.bridge.services.fleet_of(robot)

@@ -63,7 +63,6 @@ class SimMember:
         return CHARGING if body.floor.types[body.vertex] == "charger" else IDLE
 
     def assign(self, task: SimTask) -> None:
-        """Queue a task."""
         task.fleet = self.fleet
         task.robot = self.own_name
         task.status = QUEUED

@@ -73,7 +73,6 @@ class Ros1:
         return type_ in MESSAGES or type_.partition("/")[0] not in PACKAGES
 
     def fixed(self, items: list[float]) -> object:
-        """A list."""
         return items
 
     def got_param(self, value: str | None, request: Message) -> Message:
@@ -81,7 +80,6 @@ class Ros1:
         return {"value": value or request["default"] or "null"}
 
     def fields(self, type_: str) -> Fields | None:
-        """The fields of a message type."""
         return MESSAGES.get(type_)
 
     def time(self, seconds: float) -> Message:

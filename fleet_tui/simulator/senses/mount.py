@@ -23,7 +23,6 @@ def frames_topic(robots: Iterable[str], loaded_at: float, dialect: Dialect) -> T
 
 
 def _frames(robot: str, at: float, dialect: Dialect) -> Iterator[Message]:
-    """Return the frames of the robot and of its laser."""
     for parent, child, pose, height in (
         ("base_footprint", "base_link", Pose(0.0, 0.0), 0.1),
         ("base_link", "laser", MOUNT, 0.25),

@@ -33,7 +33,6 @@ class BrokerConnection:
         self._running: asyncio.Task[None] | None = None
 
     def connect(self) -> None:
-        """Connect, and stay connected."""
         self._running = asyncio.ensure_future(self._run())
 
     @property

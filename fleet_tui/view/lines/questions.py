@@ -57,7 +57,6 @@ def request_text(state: FleetState, request: Request) -> str:
 
 
 def question(state: FleetState, request: Request, found: Sequence[Problem]) -> str:
-    """Return the question, with its warnings."""
     against = [tr(sanitize(problem.text)) for problem in found]
     lost = list(losses(state, request))
     if lost:

@@ -36,7 +36,6 @@ class Cells:
         return cls(np.full(shape, _BLANK, np.uint32), np.full(shape, role, np.uint8))
 
     def copy(self) -> "Cells":
-        """Return a copy to draw on."""
         return Cells(self.codes.copy(), self.roles.copy())
 
     def write(self, x: int, y: int, text: str, role: StyleRole) -> None:

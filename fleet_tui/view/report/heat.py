@@ -40,7 +40,6 @@ def around(places: Sequence[BlockedPlace]) -> MapFrame:
 
 
 def heat(floor: FloorHeat) -> Element:
-    """Return the picture of a floor."""
     width, height = floor.frame.width, floor.frame.height
     size, worst = max(width, height), floor.places[0].seconds
     circles, texts = [], []

@@ -52,7 +52,6 @@ def _clock(seconds: float, is_least: bool) -> str:
 
 
 def lane_word(lane: Lane) -> str:
-    """Return the state of a lane in a word."""
     if lane.is_over:
         return lane.phase.value
     gates = {Gate.HELD: HELD, Gate.PAUSED: PAUSED}

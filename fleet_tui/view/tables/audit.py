@@ -33,7 +33,6 @@ def what_text(record: AuditRecord, with_ids: bool = False) -> str:
 
 
 def line_text(record: AuditRecord) -> str:
-    """Return a record as one line, as searched."""
     words = detail_text(record.words)
     return sanitize(f"{_time(record)} {record.operator} {what_text(record)}: {record.change}{words}")
 

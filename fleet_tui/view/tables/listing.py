@@ -135,7 +135,6 @@ class Listing:
         return cut([*runs, ("─" * (width - width_of(runs)), rule)], width)
 
     def shows_row(self, y: int) -> bool:
-        """Tell whether line `y` is that of a row."""
         return self._first <= y < self._first + len(self._table.rows) - self._top
 
     def steps_to(self, y: int) -> int:

@@ -198,7 +198,6 @@ def with_commas(texts: Sequence[Run]) -> list[Run]:
 
 
 def listed(texts: Sequence[Run]) -> list[Run]:
-    """Return texts as a list in one line."""
     return [run for text in with_commas(texts) for run in ((" ", StyleRole.TEXT), text)][1:]
 
 

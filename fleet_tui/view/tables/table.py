@@ -70,7 +70,6 @@ class Table(Struct, frozen=True):
 
 
 def width_of(runs: Iterable[Run]) -> int:
-    """Return the width of runs in cells."""
     return sum(cell_width(text) for text, _ in runs)
 
 

@@ -199,7 +199,6 @@ class CameraChannel:
             question.cancel()
 
     def close(self) -> None:
-        """Close permanently."""
         self._watch(())
         self._reader.shutdown(wait=False, cancel_futures=True)
 

@@ -38,7 +38,6 @@ class PlaceMode(PlainMode):
 
     @property
     def pose(self) -> Pose:
-        """Return the chosen pose."""
         return Pose(*self.cursor, self.yaw)
 
     def banner(self, shown: str) -> str:
@@ -54,7 +53,6 @@ class PlaceMode(PlainMode):
         return replace(scene, beams_at=self.pose)
 
     def put(self, pose: Pose) -> None:
-        """Choose a pose."""
         self.cursor: Point = (pose.x, pose.y)
         self.yaw = pose.yaw
 
