@@ -108,7 +108,13 @@ async def _listen(
     with suppress(LinkError):
         if ROSOUT in rosapi.topics:
             wire.subscribe_logs(rosapi.topics[ROSOUT])
-        await _subscribe(wire, topics, rosapi.ros != 1, until)
+        began = time.monotonic()
+        try:
+            await _subscribe(wire, topics, rosapi.ros != 1, until)
+        except LinkError:
+            if not wire.lost:  # it answers the call behind the subscriptions too late
+                trips.append(time.monotonic() - began)
+            raise
         ours = min(until, time.monotonic() + AT_MOST)
         retry = asyncio.ensure_future(_retry_silent(wire, topics, rosapi, ours))
         beats = asyncio.ensure_future(_beat(wire, until, trips))

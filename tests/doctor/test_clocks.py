@@ -58,3 +58,9 @@ def test_round_trips_and_clocks() -> None:
     assert [one.verdict for one in clock_findings(facts)] == [Verdict.OK]
     (simulated,) = clock_findings(replace(facts, ahead=-1.7e9))
     assert simulated.verdict is Verdict.WARN and "use_sim_time" in simulated.remedy
+
+
+def test_behind_a_bridge_that_is_overloaded_no_clock_is_judged() -> None:
+    pose = TopicFacts(Feed("pose", ("r",), "", "/p", ""), subscribed=True, count=50, rate=10.0, lag=4.0)
+    (found,) = clock_findings(BridgeFacts("rosbridge", RosapiFacts(ros=2), (pose,), busy_trips=(5.0,)))
+    assert (found.verdict, found.measured) == (Verdict.SKIPPED, "bridge overloaded, see its load above")

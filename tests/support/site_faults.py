@@ -289,7 +289,9 @@ PLANTS: dict[str, Plant] = {
 
 
 def _overloaded(server: RosbridgeServer) -> None:
-    server.bridge.services.capacity = 20.0  # messages a second, of which the robots send 40
+    server.bridge.services.capacity = (
+        6.0  # messages a second, of which the robots send 40: it never answers the last call
+    )
 
 
 def _volatile(server: RosbridgeServer) -> None:
