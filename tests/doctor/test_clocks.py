@@ -64,3 +64,11 @@ def test_behind_a_bridge_that_is_overloaded_no_clock_is_judged() -> None:
     pose = TopicFacts(Feed("pose", ("r",), "", "/p", ""), subscribed=True, count=50, rate=10.0, lag=4.0)
     (found,) = clock_findings(BridgeFacts("rosbridge", RosapiFacts(ros=2), (pose,), busy_trips=(5.0,)))
     assert (found.verdict, found.measured) == (Verdict.SKIPPED, "bridge overloaded, see its load above")
+
+
+def test_values_that_several_nodes_kept_come_at_once_and_are_no_load() -> None:
+    pose = TopicFacts(Feed("pose", ("r",), "", "/p", ""), subscribed=True, count=50, rate=10.0)
+    kept = Feed("tf_static", ("r",), "", "/tf_static", "", latched=True)
+    frames = TopicFacts(kept, subscribed=True, count=3, rate=2e6)
+    facts = BridgeFacts("rosbridge", RosapiFacts(ros=2), (pose, frames), (0.004,))
+    assert load_finding(facts).measured.startswith("10 messages/s, ")
