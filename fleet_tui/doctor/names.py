@@ -1,8 +1,7 @@
 """Names similar to a missing one, and names that ROS 2 spells otherwise. Pure."""
 
 import re
-from collections.abc import Collection, Iterable, Mapping
-from difflib import get_close_matches
+from collections.abc import Iterable, Mapping
 
 from fleet_tui.adapters.adapter import Adapter
 from fleet_tui.adapters.ros.names import Names
@@ -40,13 +39,12 @@ def without_namespace(names: Names, rosapi: RosapiFacts) -> list[str]:
 
 
 def near_topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> str:
-    """Return the published names that a topic may have now, those of its type first, as written in the
-    config."""
+    """Return the published names of its type that a topic may have now, as written in the config."""
     wanted, types = facts.wanted, bridge.rosapi.topics
     free = set(filter(bridge.rosapi.has, types)) - {one.topic for one in bridge.topics}
     fitting = [topic for topic in free if same_type(types[topic], wanted.type)]
     own = [topic for topic in fitting if topic.startswith(f"/{wanted.robot}/")]
-    near = nearest(facts.topic, own) or nearest(facts.topic, fitting) or _alike(facts.topic, free)
+    near = nearest(facts.topic, own) or nearest(facts.topic, fitting)
     if not near:
         return ""
     meant = f"did you mean {listed(near)}?"
@@ -57,12 +55,6 @@ def near_topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> str:
         return f"{meant} Rename floor {wanted.floor} to {floor}"
     template = near[0].replace(f"/{wanted.robot}/", "/{robot}/").replace(f"/{wanted.floor}/", "/{floor}/")
     return f'{meant} Set [{bridge.table(wanted.robot)}.topics] {wanted.key} = "{template}"'
-
-
-def _alike(topic: str, free: Collection[str]) -> list[str]:
-    """Return the nearest names of any type: only if their last parts are alike, too."""
-    last = topic.rpartition("/")[2]
-    return nearest(topic, [one for one in free if get_close_matches(last, [one.rpartition("/")[2]])])
 
 
 def _floor_in(names: Names, facts: TopicFacts, topic: str) -> str:

@@ -29,6 +29,7 @@ from tests.support.site_faults import (
     NAV2_PLANTS,
     PLANTS,
     ROS_2_PLANTS,
+    elsewhere_on_the_server,
     mute_server,
     other_websocket,
     renamed,
@@ -44,6 +45,7 @@ GET_STATES = [f"/robot_0/{node}/get_state" for node in NODES]
 TAKEN_TOO_EARLY = "on ROS 2 a floor topic that another client subscribed too early"
 OTHER_SERVERS: dict[str, Callable[[Path], AbstractAsyncContextManager[str]]] = {
     "a web server instead of rosbridge": lambda folder: web_server(),
+    "another url_path": lambda folder: elsewhere_on_the_server(),
     "a frozen bridge": lambda folder: mute_server(),
     "another WebSocket server": lambda folder: other_websocket(),
     "TLS where ws:// is configured": partial(tls_server, scheme="ws"),

@@ -7,14 +7,17 @@ those with another process, from its start on.
 
 import asyncio
 import concurrent.futures.thread
+import fcntl
 import gc
 import math
 import os
 import queue
 import select
 import selectors
+import socket
 import subprocess
 import sys
+import termios
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -39,9 +42,11 @@ POOLED = concurrent.futures.thread._threads_queues
 IDLE = concurrent.futures.thread._worker.__code__
 """What one of them does that has nothing to do."""
 
-FAR, QUIET = 0.5, 10
-"""A leap of more seconds than that waits for so many looks: on a busy machine what one end of a connection
-has sent may not have reached the other."""
+FAR, QUIET, LOST = 0.5, 10, 200
+"""A leap of more seconds than that waits for so many looks, and until what one end of a connection has sent
+has reached the other, which takes a busy machine long; but not for a peer that reads nothing any more."""
+SYN_SENT = 2
+"""The state of a socket of TCP that waits for its peer's first word (RFC 9293)."""
 REAL = bool(os.environ.get("FLEET_TUI_REAL_TIME"))
 """Whether all tests have real seconds."""
 PATIENCE = 50
@@ -211,7 +216,7 @@ class DrivenTime:
             first = min(due for due, _ in self._due.values())
             if first == math.inf or any(map(self._is_called, self._due.values())):
                 return False
-            if first > self._stands_at + FAR and looks < QUIET:
+            if first > self._stands_at + FAR and (looks < QUIET or (looks < LOST and self._is_under_way())):
                 return False
             if not self._nothing_computes() and (looks < PATIENCE or _others_could_run()):
                 return False
@@ -220,6 +225,9 @@ class DrivenTime:
                 if loop and due <= self._stands_at:
                     loop.wake()
             return True
+
+    def _is_under_way(self) -> bool:
+        return any(loop.has_unsent() for _, loop in self._due.values() if loop)
 
     def _is_called(self, waits: tuple[float, "_Selector | None"]) -> bool:
         """Tell whether a thread is about to wake."""
@@ -269,6 +277,18 @@ def _frames() -> dict[int, FrameType]:
             gc.enable()
 
 
+def _unacknowledged(descriptor: int) -> bool:
+    """Tell whether bytes, or the wish for a connection, are between a socket and its peer."""
+    try:
+        if int.from_bytes(fcntl.ioctl(descriptor, termios.TIOCOUTQ, bytes(4)), sys.byteorder):
+            return True
+        with socket.socket(fileno=os.dup(descriptor)) as same:
+            state = same.getsockopt(socket.IPPROTO_TCP, socket.TCP_INFO, 1)[0]
+    except OSError:  # no socket, or none of TCP
+        return False
+    return state == SYN_SENT
+
+
 def _is_idle(frame: FrameType | None) -> bool:
     return frame is not None and frame.f_code is IDLE
 
@@ -300,6 +320,10 @@ class _Selector(selectors.EpollSelector):
     def has_news(self) -> bool:
         """Tell whether its loop has something to do that it has not seen yet. From any thread."""
         return bool(self._news.poll(0))
+
+    def has_unsent(self) -> bool:
+        """Tell whether something that it has written has not reached its peer. From any thread."""
+        return any(_unacknowledged(key.fd) for key in list(self.get_map().values()))
 
     def wake(self) -> None:
         os.eventfd_write(self._jumped, 1)

@@ -6,11 +6,13 @@ from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from dataclasses import replace
 from functools import partial
+from http import HTTPStatus
 from pathlib import Path
 from typing import Any
 
 import msgspec
 from websockets.asyncio.server import ServerConnection, serve
+from websockets.http11 import Request, Response
 
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.entries import FloorEntry, RobotEntry
@@ -399,6 +401,10 @@ NAV2_PLANTS: dict[str, Plant] = {
     "with Nav2 a message package that the bridge lacks": _with_fault("unsourced"),
     "with Nav2 a misspelt robot name": in_the_config(robots=[RobotEntry("robot_00")]),
     "with Nav2 a second robot, without a namespace": on_the_server(_alone),
+    "with Nav2 a renamed localisation topic": on_the_server(
+        partial(renamed, old="/robot_0/amcl_pose", new="/robot_0/localization_pose")
+    ),
+    "with Nav2 no map": on_the_server(partial(_remove, "/map")),
     "with Nav2 no odometry": _with_fault("no-odom"),
     "with Nav2 a silent robot": _with_fault("silent"),
     "with Nav2 a bridge whose ROS thread has ended": _with_fault("half-dead"),
@@ -430,6 +436,17 @@ async def web_server() -> AsyncIterator[str]:
     """A web server."""
     async with await asyncio.start_server(_web, "127.0.0.1", 0) as server:
         yield f"ws://127.0.0.1:{server.sockets[0].getsockname()[1]}"
+
+
+@asynccontextmanager
+async def elsewhere_on_the_server() -> AsyncIterator[str]:
+    """A rosbridge whose url_path is another one."""
+
+    def only_there(connection: ServerConnection, request: Request) -> Response | None:
+        return None if request.path == "/ros" else connection.respond(HTTPStatus.NOT_FOUND, "")
+
+    async with serve(_deaf, "127.0.0.1", 0, process_request=only_there) as server:
+        yield f"ws://127.0.0.1:{next(iter(server.sockets)).getsockname()[1]}/rosbridge"
 
 
 @asynccontextmanager
