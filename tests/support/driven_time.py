@@ -43,8 +43,8 @@ IDLE = concurrent.futures.thread._worker.__code__
 """What one of them does that has nothing to do."""
 
 FAR, QUIET, LOST = 0.5, 10, 200
-"""A leap of more seconds than that waits for so many looks, and until what one end of a connection has sent
-has reached the other, which takes a busy machine long; but not for a peer that reads nothing any more."""
+"""A leap of more seconds than that waits for so many looks; every leap until what one end of a connection has
+sent has reached the other, which takes a busy machine long, but not for ever: a peer may read nothing."""
 SYN_SENT = 2
 """The state of a socket of TCP that waits for its peer's first word (RFC 9293)."""
 REAL = bool(os.environ.get("FLEET_TUI_REAL_TIME"))
@@ -65,7 +65,8 @@ class DrivenTime:
         self._loops = set[int]()
         self._due: dict[int, tuple[float, _Selector | None]] = {}
         self._computing = 0
-        self._before: set[int] = set()
+        # Not their idents: a new thread gets that of one that has ended.
+        self._before = set[threading.Thread]()
 
     def monotonic(self) -> float:
         with self._lock:
@@ -126,7 +127,7 @@ class DrivenTime:
         ident = threading.get_ident()
         return (
             self._stands_at is not None
-            and ident not in self._before
+            and threading.current_thread() not in self._before
             and (ident in self._loops or seconds is not None)
         )
 
@@ -143,7 +144,7 @@ class DrivenTime:
         """Have seconds stand again: another process may have made them run."""
         self._real = False
         self._led = self.monotonic() - _monotonic()
-        self._before = {thread.ident or 0 for thread in threading.enumerate()}
+        self._before = set(threading.enumerate())
 
     def be_real(self) -> None:
         """Have seconds run, to the end of this test: another process has no other."""
@@ -216,7 +217,9 @@ class DrivenTime:
             first = min(due for due, _ in self._due.values())
             if first == math.inf or any(map(self._is_called, self._due.values())):
                 return False
-            if first > self._stands_at + FAR and (looks < QUIET or (looks < LOST and self._is_under_way())):
+            if first > self._stands_at + FAR and looks < QUIET:
+                return False
+            if looks < LOST and self._is_under_way():
                 return False
             if not self._nothing_computes() and (looks < PATIENCE or _others_could_run()):
                 return False
@@ -244,7 +247,7 @@ class DrivenTime:
     def _waits(self, thread: threading.Thread, frame: FrameType | None) -> bool:
         """Tell whether a thread without a loop does nothing: it waits for another, or was there before."""
         ident = thread.ident or 0
-        if ident in self._before or ident in self._due or ident == threading.get_ident():
+        if thread in self._before or ident in self._due or ident == threading.get_ident():
             return True
         if frame is not None and frame.f_code is _wait.__code__:
             waiter = frame.f_locals.get("waiter")
@@ -253,8 +256,10 @@ class DrivenTime:
 
 
 def _others_could_run() -> bool:
-    """Tell whether a thread computes, or would if a busy machine let it."""
-    return any(map(_could_run, threading.enumerate()))
+    """Tell whether a thread computes, or would if a busy machine let it, or waits for the name service, which
+    answers in the machine's time."""
+    asks = any(frame.f_code is socket.getaddrinfo.__code__ for frame in _frames().values())
+    return asks or any(map(_could_run, threading.enumerate()))
 
 
 def _could_run(thread: threading.Thread) -> bool:
@@ -277,12 +282,14 @@ def _frames() -> dict[int, FrameType]:
             gc.enable()
 
 
-def _unacknowledged(descriptor: int) -> bool:
+def _is_unsent(key: selectors.SelectorKey) -> bool:
     """Tell whether bytes, or the wish for a connection, are between a socket and its peer."""
     try:
-        if int.from_bytes(fcntl.ioctl(descriptor, termios.TIOCOUTQ, bytes(4)), sys.byteorder):
+        if int.from_bytes(fcntl.ioctl(key.fd, termios.TIOCOUTQ, bytes(4)), sys.byteorder):
             return True
-        with socket.socket(fileno=os.dup(descriptor)) as same:
+        if not key.events & selectors.EVENT_WRITE:
+            return False
+        with socket.socket(fileno=os.dup(key.fd)) as same:
             state = same.getsockopt(socket.IPPROTO_TCP, socket.TCP_INFO, 1)[0]
     except OSError:  # no socket, or none of TCP
         return False
@@ -323,7 +330,7 @@ class _Selector(selectors.EpollSelector):
 
     def has_unsent(self) -> bool:
         """Tell whether something that it has written has not reached its peer. From any thread."""
-        return any(_unacknowledged(key.fd) for key in list(self.get_map().values()))
+        return any(_is_unsent(key) for key in list(self.get_map().values()))
 
     def wake(self) -> None:
         os.eventfd_write(self._jumped, 1)
