@@ -8,6 +8,7 @@ import time
 from collections.abc import AsyncIterator
 from contextlib import suppress
 
+from fleet_tui.client.rosbridge.calls import OWN_WORD
 from fleet_tui.config.schema import Link, link_key
 from fleet_tui.discovery.finding import Finding, Verdict, milliseconds
 from fleet_tui.discovery.tools import START_BRIDGE, named
@@ -22,6 +23,9 @@ PROBE = 1.5  # seconds to find out whether TLS is spoken
 USUAL_PORTS = {"ws": 80, "wss": 443, "mqtt": 1883, "mqtts": 8883}
 START_BROKER = "start the broker on it, or correct"
 START_IT = f"start rosbridge on it ({named(START_BRIDGE, 0)}), or correct"
+ALLOW_SERVICES = (
+    "add /rosapi/* and the services of its robots to services_glob of rosbridge, and restart that"
+)
 
 
 class Approach:
@@ -155,6 +159,8 @@ class Approach:
         except LinkError:
             if self._wire.lost:
                 return self._wire.lost, "see the rosbridge log"
+            if await self._wire.allows_nothing(PROBE):
+                return f"the bridge does not allow {OWN_WORD} (services_glob)", ALLOW_SERVICES
             return FROZEN, f"if it is not rosbridge, correct {self._key}"
         if "unable to communicate with master" in answer.lower():
             return f"no ROS master ({answer})", "start roscore, then the robot nodes"

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from fleet_tui.adapters.adapter import Adapter, Feed
 from fleet_tui.adapters.ros import operations
-from fleet_tui.adapters.ros.logs import complaint, log_line
+from fleet_tui.adapters.ros.logs import LOG_TYPES, complaint, log_line, not_allowed
 from fleet_tui.adapters.ros.operations import Subscription
 from fleet_tui.adapters.ros.reading import ROSOUT
 from fleet_tui.client.rosbridge.calls import OWN_WORD, TIME, Calls
@@ -127,6 +127,8 @@ class BridgeConnection:
         """Received messages, by topic."""
         self.complaints: dict[str, str] = {}
         """Messages of the bridge's log on topics that it did not subscribe to."""
+        self.barred: set[str] = set()
+        """Services that the bridge does not allow, by its log."""
         self.behind = 0.0
         """Maximum delay in seconds with which this process read messages."""
         self.arrived = asyncio.Event()
@@ -153,6 +155,15 @@ class BridgeConnection:
     async def beat(self, within: float) -> str:
         """Make the bridge itself answer; returns its text. Raises LinkError without an answer."""
         return str(await self.call(OWN_WORD, {}, within))
+
+    async def allows_nothing(self, within: float) -> bool:
+        """Tell whether a bridge that does not answer dropped the call: its log says so. Every bridge writes
+        one, so that a subscription with the type of the other ROS does no harm."""
+        with suppress(LinkError):
+            for type_ in LOG_TYPES:
+                self.subscribe_logs(type_)
+            await self.beat(within)
+        return OWN_WORD in self.barred
 
     async def is_mute(self, within: float) -> bool:
         """Tell whether the bridge has a node that does not answer, as if its ROS thread had ended. Raises
@@ -231,6 +242,8 @@ class BridgeConnection:
     def _read_log(self, msg: object, at: float) -> None:
         with suppress(WireError):
             said = log_line(msg, at)
+            if service := not_allowed(said, "service"):
+                self.barred.add(service)
             if about := complaint(said):
                 self.complaints[about[0]] = about[1]
 

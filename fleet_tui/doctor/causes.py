@@ -1,9 +1,10 @@
 """Causes that silence several topics at once: each is listed first, its consequences are folded. Pure."""
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 
 from fleet_tui.adapters.adapter import Adapter
+from fleet_tui.adapters.ros.logs import NOT_ALLOWED
 from fleet_tui.config.schema import Config
 from fleet_tui.discovery.facts import BridgeFacts, RosapiFacts, TopicFacts
 from fleet_tui.discovery.finding import Finding, Verdict, listed
@@ -65,10 +66,35 @@ def causes_of(config: Config, facts: BridgeFacts) -> list[Cause]:
         return [_half_dead(facts)]
     if (elsewhere := _all_elsewhere(config, facts)) is not None:
         return [elsewhere]
+    barred = list(_not_allowed(facts))
     unsourced = list(_unsourced(facts))
-    explained = {topic for cause in unsourced for topic in cause.topics}
+    explained = {topic for cause in [*barred, *unsourced] for topic in cause.topics}
     idle = [Cause(finding, finding.measured) for finding in inactive_findings(facts)]
-    return [*idle, *unsourced, *_unregistered(config, facts), *_silent_nodes(facts, explained)]
+    return [*barred, *idle, *unsourced, *_unregistered(config, facts), *_silent_nodes(facts, explained)]
+
+
+def _not_allowed(facts: BridgeFacts) -> Iterator[Cause]:
+    """Find what the allow-lists of a bridge lack."""
+    called = {name for robot, adapter in facts.adapters.items() for _, name, _ in adapter.services(robot)}
+    topics = [one.topic for one in facts.topics if one.complaint == NOT_ALLOWED]
+    lists = {"topics_glob": topics, "services_glob": sorted(facts.barred & called)}
+    for glob, names in lists.items():
+        if names:
+            finding = Finding(
+                facts.name,
+                glob,
+                Verdict.FAIL,
+                f"the bridge does not allow {listed(names)}",
+                f"add them, as by {_pattern(names)}, to {glob} of rosbridge, and restart that",
+                {"names": names},
+            )
+            yield Cause(finding, f"not in {glob}", frozenset(names), frozenset(names))
+
+
+def _pattern(names: Sequence[str]) -> str:
+    """Return patterns of an allow-list that admit the names: all of a robot, or one without a namespace."""
+    first = (name[1:].partition("/") for name in names)
+    return listed(list(dict.fromkeys(f"/{space}/*" if rest else f"/{space}" for space, _, rest in first)))
 
 
 def _all_elsewhere(config: Config, facts: BridgeFacts) -> Cause | None:

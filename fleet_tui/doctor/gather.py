@@ -144,5 +144,15 @@ async def gather(config: Config, name: str, wire: BridgeConnection, until: float
     received = await listening
     lost, busy = wire.lost or received.lost, received.trips
     return BridgeFacts(
-        name, rosapi, tuple(received.topics), trips, ahead, lost, busy, received.behind, adapters, answers
+        name,
+        rosapi,
+        tuple(received.topics),
+        trips,
+        ahead,
+        lost,
+        busy,
+        received.behind,
+        adapters,
+        answers,
+        received.barred,
     )

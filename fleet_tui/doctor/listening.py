@@ -47,6 +47,8 @@ class ListeningResult(NamedTuple):
     lost: str
     behind: float
     trips: tuple[float, ...] = ()
+    barred: frozenset[str] = frozenset()
+    """Services that the bridge does not allow, by its log."""
 
 
 async def listen(
@@ -77,7 +79,8 @@ async def listen(
     found = (received.get(one.address) or TopicFacts(one) for one in wanted)
     topics = [replace(one, complaint=complaints.get(one.topic, "")) for one in found]
     behind = max((wire.behind for wire in wires), default=0.0)
-    return ListeningResult(topics, lost, behind, tuple(trips))
+    barred = frozenset(service for wire in wires for service in wire.barred)
+    return ListeningResult(topics, lost, behind, tuple(trips), barred)
 
 
 def _to_subscribe(

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Sequence
 
-from fleet_tui.adapters.ros.logs import NOT_ALLOWED
 from fleet_tui.adapters.ros.names import is_hidden
 from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.config.entries import RobotEntry
@@ -232,9 +231,6 @@ def _nothing_received(facts: TopicFacts, rosapi: RosapiFacts) -> tuple[Verdict, 
         return Verdict.SKIPPED, "not checked: out of time", "use a longer --timeout"
     nodes = rosapi.publishers.get(facts.topic)
     nothing = f"no messages on {facts.topic} in {facts.waited:.1f} s"
-    if facts.complaint == NOT_ALLOWED:
-        barred = f"the bridge does not allow {facts.topic} ({facts.complaint})"
-        return Verdict.FAIL, barred, "add it to topics_glob of rosbridge, and restart that"
     if facts.complaint:
         nothing += f", rosbridge: {facts.complaint}"
     if not facts.wanted.latched:

@@ -159,10 +159,11 @@ NEXT: Mapping[Stage, frozenset[Stage]] = {
     Stage.CHECKED: frozenset({Stage.SENT, Stage.NOT_SENT, Stage.WAITING}),
     # An order that this console keeps until the robot is free for it; it may be moved in its queue.
     Stage.WAITING: frozenset({Stage.WAITING, Stage.SENT, Stage.NOT_SENT, Stage.CANCELLED}),
-    Stage.SENT: frozenset({Stage.ACCEPTED, Stage.REFUSED, Stage.NO_ANSWER, Stage.UNKNOWN}),
+    # A bridge that does not allow a call drops it, and does not say so.
+    Stage.SENT: frozenset({Stage.ACCEPTED, Stage.REFUSED, Stage.NO_ANSWER, Stage.UNKNOWN, Stage.NOT_SENT}),
     Stage.ACCEPTED: _SEEN | {Stage.REFUSED, Stage.CANCELLED},  # a dispatcher looks for a robot after that
     # An answer may be late; the link may go down meanwhile.
-    Stage.NO_ANSWER: _SEEN | {Stage.ACCEPTED, Stage.REFUSED, Stage.UNKNOWN},
+    Stage.NO_ANSWER: _SEEN | {Stage.ACCEPTED, Stage.REFUSED, Stage.UNKNOWN, Stage.NOT_SENT},
     Stage.UNKNOWN: _SEEN,
     Stage.REFUSED: frozenset(),
     Stage.NOT_SENT: frozenset(),

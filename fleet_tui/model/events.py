@@ -195,6 +195,13 @@ class TopicNotAllowed(Struct, frozen=True, tag=True):
     robots: tuple[str, ...]
 
 
+class ServiceNotAllowed(Struct, frozen=True, tag=True):
+    """An allow-list of the bridge lacks a service: it drops each call."""
+
+    link: str
+    service: str
+
+
 class SubscriptionsAdvanced(Struct, frozen=True, tag=True):
     """A bridge has handled `done` of `total` subscriptions since its connection was opened."""
 
@@ -259,6 +266,7 @@ Event = (
     | MessagesUnsourced
     | TopicsDropped
     | TopicNotAllowed
+    | ServiceNotAllowed
     | SubscriptionsAdvanced
     | BridgeAnswered
     | CommandIssued

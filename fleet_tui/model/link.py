@@ -29,6 +29,8 @@ NO_WAY = frozenset({CommandPath.UNREGISTERED, CommandPath.DEAD})
 
 HALF_DEAD = "rosbridge is half dead: restart it"
 """Why there is no command path if only the bridge itself answers: no topic, and no node by way of it."""
+NOT_ADMITTED = "the bridge does not allow the heartbeat /rosapi/get_time (services_glob)"
+NO_REPLY = "no reply from the bridge to calls"
 OF_BAG = "rosbag://"
 """Prefix of the address of a recorded file, instead of a bridge."""
 
@@ -40,12 +42,12 @@ class LinkState(Struct, frozen=True):
     it came up again, else 0; `fault_at` is the time of the last bad frame; `lag` are the seconds after which
     it last answered a question over the connection for telemetry, asked at `asked_at`, `late` those of which
     not this console but the bridge is the cause; `clock` is (our time - time by the clock of its site) at
-    its last answer that told it, at `clock_at`, None without one, `drift` the seconds by which that grows in
-    each of ours, and `drifted` those by which it has grown so; `unsourced` is the package whose messages the
-    bridge lacks, `dropped` are the robots of whose topics it lost its own subscriptions, `not_allowed` the
-    topics with their robots that its allow-list lacks; `site` is the one that it belongs to; `topics` are
-    the subscriptions that were requested of a bridge with many, of which `waiting_topics` are not handled
-    yet, `subscribed_at` the time of the last handled one."""
+    its last answer that told it, at `clock_at`, None without one, `drift` the seconds by which that grows
+    in each of ours, and `drifted` those by which it has grown so; `unsourced` is the package whose messages
+    the bridge lacks, `dropped` are the robots of whose topics it lost its own subscriptions, `not_allowed`
+    the topics with their robots that its allow-list lacks, `barred` the services that it lacks; `site` is
+    the one that it belongs to; `topics` are the subscriptions that were requested of a bridge with many, of
+    which `waiting_topics` are not handled yet, `subscribed_at` the time of the last handled one."""
 
     name: str
     url: str
@@ -72,6 +74,7 @@ class LinkState(Struct, frozen=True):
     unsourced: str = ""
     dropped: tuple[str, ...] = ()
     not_allowed: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    barred: tuple[str, ...] = ()
     site: str = ""
     topics: int = 0
     waiting_topics: int = 0

@@ -48,6 +48,11 @@ class Talk:
         self._kept.append(line)
         return line
 
+    def forget(self, node: str) -> None:
+        """Drop the lines of a node that has ended: each keeps its own."""
+        left = [line for line in self._kept if line["name"].lstrip("/") != node.lstrip("/")]
+        self._kept = deque(left, maxlen=KEPT)
+
     def latched(self) -> Iterator[Payload]:
         """Return the lines for a new subscriber: the last of each node, or all that are kept."""
         newest = {line["name"]: line for line in self._kept}.values()

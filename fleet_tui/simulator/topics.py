@@ -18,6 +18,8 @@ from fleet_tui.simulator.services import REMEMBERED, ServiceDesk
 from fleet_tui.simulator.sessions.client import Client
 from fleet_tui.simulator.sessions.operations import Operation
 
+BRIDGE = "/rosbridge_websocket"
+
 
 class TopicDesk:
     """The topics of a bridge, beside its `services`. Its attributes are for tests to read and change."""
@@ -59,7 +61,8 @@ class TopicDesk:
         self.received.append(operation)
 
     def forget_subscriptions(self) -> None:
-        """Reset the bridge to one without subscriptions."""
+        """Reset the bridge to one that has just started: without subscriptions, and lines of its own."""
+        self._talk.forget(BRIDGE)
         self.channels = Channels(self.dialect, self.topics, self.services.unsourced)
 
     def subscribed(self) -> set[str]:
@@ -130,7 +133,7 @@ class TopicDesk:
         return True
 
     def _log(self, client: Client, level: int, text: str) -> None:
-        line = self._talk.say(time.time(), level, "/rosbridge_websocket", f"[Client {client.id}] {text}")
+        line = self._talk.say(time.time(), level, BRIDGE, f"[Client {client.id}] {text}")
         self.publish(ROSOUT, Payload(line))
 
     def join(self, client: Client, operation: Operation) -> None:

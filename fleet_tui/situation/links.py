@@ -2,7 +2,7 @@
 
 from fleet_tui.model.alarm import Priority
 from fleet_tui.model.fleet import FleetState, behind_text
-from fleet_tui.model.link import NO_WAY, LinkState, Phase
+from fleet_tui.model.link import HALF_DEAD, NO_WAY, NOT_ADMITTED, LinkState, Phase
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import BEHIND, LATE_LINK, LOST_SUBSCRIPTIONS, NOT_ALLOWED
 from fleet_tui.text.limits import some
@@ -53,19 +53,33 @@ def lost_subscriptions(link: LinkState) -> Fact | None:
 
 
 def not_allowed(link: LinkState) -> Fact | None:
-    """Find that an allow-list of a bridge lacks topics of its robots: it drops these subscriptions."""
-    if link.phase is not Phase.UP or not link.not_allowed:
+    """Find that an allow-list of a bridge lacks topics or services of its robots."""
+    # Questions to rosapi and to the bridge itself have substitutes; without any there is no command path.
+    services = [one for one in link.barred if not one.startswith(("/rosapi/", "/rosbridge_websocket/"))]
+    lists = {"topics_glob": [*link.not_allowed], "services_glob": services}
+    names = ", ".join(f"{some(barred)} ({name})" for name, barred in lists.items() if barred)
+    if link.phase is not Phase.UP or not names:
         return None
-    topics = some([*link.not_allowed])
     return Fact(
         NOT_ALLOWED,
         link.name,
-        f"the bridge does not allow {topics} (topics_glob)",
+        f"the bridge does not allow {names}",
         Priority.HIGH,
         link.since,
         remedy=NOT_ALLOWED.alarm.action,
-        evidence=f"its log says so of {topics}",
+        evidence="its log says so, or it alone leaves these calls unanswered",
     )
+
+
+_NO_PATH = {
+    HALF_DEAD: RESTART_BRIDGE,
+    NOT_ADMITTED: NOT_ALLOWED.alarm.action,
+}
+
+
+def path_remedy(link: LinkState) -> str:
+    """Return what to do about a bridge without a command path, empty if that depends on what it says."""
+    return _NO_PATH.get(link.command_reason, "")
 
 
 def hidden(link: LinkState, robot: str) -> Fact | None:

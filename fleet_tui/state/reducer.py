@@ -214,6 +214,7 @@ def apply(state: FleetState, event: events.Event) -> FleetState:
             | events.MessagesUnsourced()
             | events.TopicsDropped()
             | events.TopicNotAllowed()
+            | events.ServiceNotAllowed()
             | events.SubscriptionsAdvanced()
             | events.BridgeAnswered()
             | events.FrameRejected()

@@ -6,17 +6,19 @@ from types import SimpleNamespace
 import pytest
 from msgspec.structs import replace
 
+from fleet_tui.client.rosbridge.heartbeat import NO_NODE
 from fleet_tui.config.schema import Config
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.fault_report import report
 from tests.support.invariants import linked
 from tests.support.links import finished, path, ready
 from tests.support.polling import HANGS
-from tests.support.proxied_link import PLANTED, Holds, Stopwatch, fresh, through
+from tests.support.proxied_link import PLANTED, Holds, Stopwatch, fresh, through, usual
 from tests.support.watched_store import config_of
 
 
@@ -185,3 +187,21 @@ async def test_a_hundred_robots_fall_silent_at_once() -> None:
     await server.stop()
     report("100 robots silent at once", "no messages arrive any more", "100 x offline", noticed, healed)
     assert noticed < 8 and healed < 5
+
+
+async def test_the_master_was_restarted_without_rosapi_before_the_console(server: RosbridgeServer) -> None:
+    own = dict(server.bridge.services.answers)
+    offered = dict(server.bridge.services.offered)
+    for robot in ("robot_0", "robot_1"):
+        play(server, [("lost-master", robot)])
+    async with linked(usual(server.url, 2)) as (_, store):
+        watch = Stopwatch(store)
+        noticed = await watch.until(path(CommandPath.UNREGISTERED), within=HANGS)
+        assert store.state.links["rosbridge"].command_reason == NO_NODE
+        server.bridge.services.rosapi_alive = True
+        server.bridge.services.answers.update(own)
+        server.bridge.services.offered.update(offered)
+        watch.start()
+        healed = await watch.until(path(CommandPath.ALIVE), within=HANGS)
+    made_by = "no service exists, not even the bridge's own"
+    report("the ROS master was restarted without rosapi", made_by, NO_NODE, noticed, healed)

@@ -19,7 +19,7 @@ from tests.support.fleets import place_order
 from tests.support.invariants import linked
 from tests.support.links import finished, ready
 from tests.support.polling import HANGS
-from tests.support.proxied_link import Stopwatch, lost, usual
+from tests.support.proxied_link import Stopwatch, fresh, lost, usual
 from tests.support.shown_text import shown
 
 
@@ -155,3 +155,39 @@ async def test_rosapi_has_died(server: RosbridgeServer) -> None:
         None,
         healed,
     )
+
+
+async def test_an_allow_list_lacks_topics(server: RosbridgeServer) -> None:
+    async with linked(usual(server.url, 2)) as (_, store):
+        await store.until(ready)
+        play(server, [("topics-glob", "robot_0")])
+        await server.restart_bridge()
+        watch = Stopwatch(store)
+        noticed = await watch.until(raised("messages"))
+        assert "the bridge does not allow /robot_0/" in shown(store.state)
+        assert not raised("offline")(store.state)
+        server.bridge.allowed.clear()
+        await server.restart_bridge()
+        watch.start()
+        healed = await watch.until(lambda state: ready(state) and all_online(state))
+    seen = "the bridge does not allow /robot_0/... (topics_glob); no robot is blamed"
+    report("ROS 2: an allow-list lacks topics", "topics_glob, since a restart", seen, noticed, healed)
+
+
+async def test_an_allow_list_lacks_services(server: RosbridgeServer) -> None:
+    play(server, [("services-glob", "robot_0")])
+    async with linked(usual(server.url, 2)) as (link, store):
+        await store.until(ready)
+        watch = Stopwatch(store)
+        link.submit(place_order("robot_0", 19, 0))
+        noticed = await watch.until(
+            lambda state: state.commands and state.commands[-1].stage is Stage.NOT_SENT
+        )
+        assert "the bridge does not allow it (services_glob)" in shown(store.state)
+        server.bridge.allowed.clear()
+        await server.restart_bridge()
+        watch.start()
+        healed = await watch.until(fresh())
+        assert (await finished(link, store, place_order("robot_0", 19, 0))).stage is Stage.CONFIRMED
+    seen = "not sent: the bridge does not allow it (services_glob)"
+    report("ROS 2: an allow-list lacks services", "services_glob drops an order", seen, noticed, healed)

@@ -321,7 +321,15 @@ def _unsourced_on_ros_2(server: RosbridgeServer) -> None:
     server.bridge.services.unsourced.add("oh_ressources")
 
 
+def _only_its_robots(server: RosbridgeServer) -> None:
+    server.bridge.allowed["service"] = ("/robot_*",)
+
+
 ROS_2_PLANTS: dict[str, Plant] = {
+    "on ROS 2 topics that topics_glob lacks": on_the_server(
+        lambda server: play(server, [("topics-glob", "robot_0")])
+    ),
+    "on ROS 2 a services_glob without rosapi": on_the_server(_only_its_robots),
     "on ROS 2 robots of another domain": on_the_server(_elsewhere),
     "on ROS 2 a message package that the bridge lacks": on_the_server(_unsourced_on_ros_2),
     "on ROS 2 floor topics published volatile, repeatedly": on_the_server(_volatile),

@@ -102,20 +102,21 @@ def log_line(msg: object, at: float) -> LogLine:
 _COMPLAINT = re.compile(r"\[id: subscribe:(?P<topic>[^\]]+)\]\s*(?:subscribe:\s*)?(?P<reason>.+)", re.DOTALL)
 
 
-_NOT_ALLOWED = re.compile(r"No match found for topic, cancelling subscription to: (?P<topic>\S+)")
+_NOT_ALLOWED = re.compile(r"No match found for (?P<what>topic|service), cancelling [a-z ]+: (?P<name>\S+)")
 NOT_ALLOWED = "not in its topics_glob"
 
 
-def not_allowed(line: LogLine) -> str:
-    """Return the topic to which a bridge of ROS 2 allows no subscription, empty for any other line."""
+def not_allowed(line: LogLine, what: str) -> str:
+    """Return the `topic` to which a bridge allows no subscription, or the `service` to which it allows no
+    call, empty for any other line."""
     found = _NOT_ALLOWED.search(line.text) if "rosbridge" in line.node else None
-    return found["topic"] if found else ""
+    return found["name"] if found and found["what"] == what else ""
 
 
 def complaint(line: LogLine) -> tuple[str, str] | None:
     """Return topic and reason of a subscription that a bridge of ROS 2 rejected. That is only in its own log;
     None for any other line."""
-    if topic := not_allowed(line):
+    if topic := not_allowed(line, "topic"):
         return topic, NOT_ALLOWED
     if "rosbridge" not in line.node or (line.severity or Severity.DEBUG) < Severity.ERROR:
         return None

@@ -191,11 +191,12 @@ def unsubscribe(topic: str) -> bytes:
     return _encoder.encode({"op": "unsubscribe", "id": f"subscribe:{topic}", "topic": topic})
 
 
-def call_service(call_id: str, service: str, args: Mapping[str, object], timeout: float) -> bytes:
+def call_service(call_id: str, service: str, args: Mapping[str, object], timeout: float | str) -> bytes:
     """Return the frame that calls a service. `args` must be complete: a bridge fills gaps with zeros. A
-    bridge of ROS 2 gives a call up after `timeout` seconds; that of ROS 1 ignores it."""
+    bridge of ROS 2 gives a call up after `timeout` seconds, and declines one that is text; that of ROS 1
+    ignores it."""
     return _encoder.encode(
-        {"op": "call_service", "id": call_id, "service": service, "args": args, "timeout": float(timeout)}
+        {"op": "call_service", "id": call_id, "service": service, "args": args, "timeout": timeout}
     )
 
 

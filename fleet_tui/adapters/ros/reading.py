@@ -2,7 +2,7 @@
 
 import math
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Protocol
 
 from msgspec.structs import replace
@@ -64,9 +64,12 @@ class FrameReader:
         warn: Callable[[str], None] = lambda _text: None,
         streams: StreamSink | None = None,
         decode_pictures: DecodePictures = lambda _msg, _at: (),
+        services: Collection[str] = (),
     ) -> None:
         """`adapters` by robot; `decode_apart` decodes a large map in another process, `decode_pictures` maps
-        that are pictures; both raise WireError. `warn` logs a line; without `streams` none is read."""
+        that are pictures; both raise WireError. `warn` logs a line; without `streams` none is read.
+        `services` are those that this console calls: the log of a bridge tells of other clients' too."""
+        self._services = services
         self._streams = streams
         self._link = link
         self._limit = limit
@@ -193,8 +196,10 @@ class FrameReader:
             if (about := logs.complaint(line)) and about[0] in self.counter.topics:
                 self._warn(f"bridge did not subscribe {truncate(about[0])}: {about[1]}")
                 self.counter.topics[about[0]].not_subscribed = f"bridge: {about[1]}"
-            if (feed := self._feeds.get(logs.not_allowed(line))) is not None:
+            if (feed := self._feeds.get(logs.not_allowed(line, "topic"))) is not None:
                 yield events.TopicNotAllowed(self._link, feed.address, feed.robots)
+            if (service := logs.not_allowed(line, "service")) in self._services:
+                yield events.ServiceNotAllowed(self._link, service)
         else:
             found = logs.diagnoses(msg, at)
             self.counter.take_health(found)

@@ -3,23 +3,36 @@
 import logging
 import time
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 
 from fleet_tui.adapters.adapter import Adapter, ServiceCall
 from fleet_tui.adapters.ros import operations
 from fleet_tui.adapters.ros.operations import ServiceResponse
-from fleet_tui.client.rosbridge.calls import Calls, LinkLostError, NoAnswerError, PendingCall
+from fleet_tui.client.rosbridge.calls import (
+    GRACE,
+    Calls,
+    LinkLostError,
+    NoAnswerError,
+    NotAllowedError,
+    PendingCall,
+)
 from fleet_tui.client.rosbridge.services import Services
 from fleet_tui.client.tap import Tap
 from fleet_tui.client.writer import Writer
 from fleet_tui.errors import WireError
 from fleet_tui.model.commands import Command, Stage
+from fleet_tui.model.events import ServiceNotAllowed
 
 LOG = logging.getLogger(__name__)
 
 # An answer later than its deadline by no more than this many seconds still counts.
 LATE_ANSWER = 60.0
-WORST = (Stage.ACCEPTED, Stage.REFUSED, Stage.UNKNOWN)
-"""Possible ends of the calls of one command, worst last."""
+OVERDUE = GRACE + 1.0
+"""Seconds after the deadline by which a bridge that gives calls up has said so."""
+PROBE = 1.0
+"""Seconds for rosapi to answer whether it does."""
+WORST = (Stage.NOT_SENT, Stage.ACCEPTED, Stage.REFUSED, Stage.UNKNOWN)
+"""Possible ends of the calls of one command, worst last: one of which a part was sent counts as sent."""
 
 
 def decoded(tap: Tap | None, link: str, payload: bytes, is_binary: bool) -> operations.Operation | None:
@@ -39,6 +52,7 @@ class Answers:
 
     def __init__(
         self,
+        link: str,
         calls: Calls,
         services: Services,
         adapters: Mapping[str, Adapter],
@@ -47,6 +61,7 @@ class Answers:
         advance: Callable[[int, Stage, str], None],
     ) -> None:
         """`timeout` of an answer in seconds; `adapters` by robot."""
+        self._link = link
         self._calls = calls
         self._services = services
         self._adapters = adapters
@@ -77,7 +92,11 @@ class Answers:
         ends = list[tuple[Stage, str]]()
         try:
             for outgoing, call in calls:
-                response = await self._answer(command_id, call)
+                try:
+                    response = await self._answer(command_id, call)
+                except NotAllowedError as problem:
+                    ends.append((Stage.NOT_SENT, str(problem)))
+                    continue
                 self._learn(command, outgoing, response, sent_at)
                 ends.append(adapter.outcome(command, response.values, response.result))
             return max(ends, key=lambda end: WORST.index(end[0]))
@@ -106,5 +125,16 @@ class Answers:
         try:
             return await self._calls.wait(call, self._timeout)
         except NoAnswerError as problem:
+            self.check_allowed(call.service)
             self._advance(command_id, Stage.NO_ANSWER, str(problem))
+        with suppress(NoAnswerError):
+            return await self._calls.wait(call, OVERDUE)
+        if await self._calls.answers_all(PROBE) and not call.answer.done():
+            self._writer.apply(ServiceNotAllowed(self._link, call.service))
+            self.check_allowed(call.service)
         return await self._calls.wait(call, LATE_ANSWER)
+
+    def check_allowed(self, service: str) -> None:
+        """Raise NotAllowedError if the bridge is known to drop calls of a service."""
+        if service in self._writer.store.state.links[self._link].barred:
+            raise NotAllowedError("the bridge does not allow it (services_glob)")

@@ -31,6 +31,10 @@ def rosapi_places() -> asyncio.Semaphore:
     return asyncio.Semaphore(2)
 
 
+class NotAllowedError(LinkError):
+    """An allow-list of the bridge lacks the service: the call was dropped, and never runs."""
+
+
 class NoAnswerError(LinkError):
     """The deadline passed without an answer."""
 
@@ -59,8 +63,11 @@ class Calls:
 
         Raises LinkError if there is no connection.
         """
+        return self._start(service, args, float(within + GRACE))
+
+    def _start(self, service: str, args: Mapping[str, object], limit: float | str) -> "PendingCall":
         call_id = f"call:{next(self._ids)}"
-        self._connection.send(operations.call_service(call_id, service, args, within + GRACE))
+        self._connection.send(operations.call_service(call_id, service, args, limit))
         answer = asyncio.get_running_loop().create_future()
         self._pending[call_id] = answer
         return PendingCall(call_id, service, answer)
@@ -78,6 +85,22 @@ class Calls:
         if not call.answer.done():
             raise NoAnswerError(f"from {call.service} in {within:g} s: may still be carried out")
         return call.answer.result()
+
+    async def answers_all(self, within: float) -> bool:
+        """Tell whether the bridge answers each call that it allows, at its limit if no node does, and a node
+        answers now. Raises LinkLostError."""
+        try:
+            response = await self.call(TIME, {}, within)
+            # A bridge that knows limits declines one that is no number, and calls nothing.
+            probe = self._start(TIME, {}, "none") if response.result else None
+            if probe is None:
+                return False
+            try:
+                return not (await self.wait(probe, within)).result
+            finally:
+                self.forget(probe)
+        except NoAnswerError:
+            return False
 
     def forget(self, call: "PendingCall") -> None:
         """Stop waiting for this answer."""

@@ -70,7 +70,7 @@ class CommandChannel:
         self.connection = Connection(bridge, self)
         self._calls = Calls(self.connection, places)
         self._publishing = Publishing(self.connection, advertised)
-        self._answers = Answers(self._calls, self._services, adapters, writer, timeout, self._advance)
+        self._answers = Answers(link, self._calls, self._services, adapters, writer, timeout, self._advance)
         self._settling = Settling(writer.store, self._answers, self._send_now, self._advance)
         self._heartbeat = Heartbeat(
             link,
@@ -79,6 +79,7 @@ class CommandChannel:
             telemetry.counter.round_trips,
             telemetry.topic_silence,
             writer.apply,
+            lambda: writer.store.state.links[link].barred,
             asks_node,
         )
 
@@ -215,6 +216,8 @@ class CommandChannel:
         robot = self._writer.store.state.robots[command.robot]
         outgoing = adapter.outgoing(command, command_id, robot, uuid.uuid4().hex)
         for one in outgoing:
+            if not isinstance(command, PauseRobot):
+                self._answers.check_allowed(one.address)
             if mismatch := self._services.mismatch(one.address):
                 table = adapter.names.table
                 raise CommandError(f"{mismatch}: correct [{table}.services], or [{table}.service_types]")

@@ -2,7 +2,7 @@
 
 import asyncio
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 
 from fleet_tui.adapters.ros.operations import ServiceResponse
 from fleet_tui.client.rosbridge.calls import OWN_WORD, Calls, NoAnswerError
@@ -11,7 +11,7 @@ from fleet_tui.client.rosbridge.services import Services
 from fleet_tui.errors import LinkError
 from fleet_tui.model.counters import RoundTrips
 from fleet_tui.model.events import CommandPathChanged
-from fleet_tui.model.link import HALF_DEAD, CommandPath
+from fleet_tui.model.link import HALF_DEAD, NO_REPLY, NOT_ADMITTED, CommandPath
 from fleet_tui.text.limits import some
 
 EVERY = 2.0
@@ -24,7 +24,6 @@ LOOK_EVERY = 8
 """Beats between two checks of the services: a quick restart of the master goes unnoticed otherwise."""
 HALF_DEAD_AFTER = 1.5
 """Seconds without a message on any topic after which a bridge of which no node answers is half dead."""
-NO_REPLY = "no reply from the bridge to calls"
 NO_NODE = "ROS knows no node, not even the bridge: start rosapi, or restart the bridge and the robots' nodes"
 """As after a restart of the ROS master: what was connected before goes on."""
 
@@ -40,9 +39,12 @@ class Heartbeat:
         round_trips: RoundTrips,
         silence: Callable[[], float],
         report: Callable[[CommandPathChanged], None],
+        barred: Callable[[], Collection[str]],
         asks_node: bool = True,
     ) -> None:
-        """`silence` are the seconds since the last message on any topic; `asks_node` as for Pulse."""
+        """`silence` are the seconds since the last message on any topic, `barred` the services that the
+        bridge is known not to allow; `asks_node` as for Pulse."""
+        self._barred = barred
         self._link = link
         self._calls = calls
         self._services = services
@@ -127,7 +129,7 @@ class Heartbeat:
                 self._round_trips.unanswered += 1
                 # An answer to another call, meanwhile, is a sign of life, too.
                 if self._answered_at < began:
-                    self._set(CommandPath.DEAD, NO_REPLY)
+                    self._set(CommandPath.DEAD, NOT_ADMITTED if OWN_WORD in self._barred() else NO_REPLY)
             except LinkError:
                 return
             beats += 1

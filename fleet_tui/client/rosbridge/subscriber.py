@@ -92,7 +92,8 @@ class Subscriber:
     async def _begin(self) -> None:
         self.types = await topic_types(self._calls)
         # First, to receive the bridge's warnings about the others.
-        self.log_subscription.subscribe(self.types)
+        # A bridge without rosapi, or that does not allow it, is of the ROS that is configured.
+        self.log_subscription.subscribe(self.types or {feed.address: feed.type for feed in self._feeds})
         waiting = self._of(self._robots)
         total, at_once = len(waiting), AT_ONCE
         while waiting:

@@ -16,7 +16,7 @@ from fleet_tui.client.memory import trim
 from fleet_tui.client.rosbridge.backlog import Backlog, Frame
 from fleet_tui.client.rosbridge.calls import Calls
 from fleet_tui.client.rosbridge.pacing import Pacing
-from fleet_tui.client.rosbridge.pulse import Pulse
+from fleet_tui.client.rosbridge.pulse import EVERY_QUESTION, Pulse
 from fleet_tui.client.rosbridge.renewals import PER_TOPIC
 from fleet_tui.client.rosbridge.services import Services
 from fleet_tui.client.rosbridge.set_up.camera_channel import CameraChannel
@@ -81,8 +81,10 @@ class Telemetry:
         self._calls = Calls(self.connection, places)
         self._streams, limit = writer.store.streams, limit_of(config, link)
         self._sink = StreamWriter(writer.store)
+        services = services_of(config, adapters, link)
+        called = {*services, *EVERY_QUESTION}
         self._reading = FrameReader(
-            link, limit, adapters, feeds, decode_apart, LOG.warning, self._sink, read_levels
+            link, limit, adapters, feeds, decode_apart, LOG.warning, self._sink, read_levels, called
         )
         pacing = Pacing(config, adapters, feeds, writer.store)
         self._subscriber = Subscriber(
@@ -98,7 +100,7 @@ class Telemetry:
             bridge, feeds, adapters, self._subscriber, self._reading, self._sink, places
         )
         has_actions = any(adapters[robot].names.vocabulary.actions for feed in feeds for robot in feed.robots)
-        self.services = Services(self._calls, services_of(config, adapters, link), has_actions)
+        self.services = Services(self._calls, services, has_actions)
         self._sourcing = Sourcing(
             link, self._calls, feeds, self._reading, lambda: self._subscriber.types, writer.apply
         )

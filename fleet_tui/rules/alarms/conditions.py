@@ -174,8 +174,8 @@ def dead_commands(state: FleetState, link: LinkState, active: ActiveConditions) 
     text = f"no command path: {link.command_reason}"
     if link.command_path is CommandPath.UNREGISTERED:
         text = link.command_reason  # of some robots: the others take commands
-    remedy = links.RESTART_BRIDGE if link.is_half_dead else ""
-    return Condition(link.name, "commands", Priority.HIGH, text, "command path restored", remedy=remedy)
+    over, remedy = "command path restored", links.path_remedy(link)
+    return Condition(link.name, "commands", Priority.HIGH, text, over, remedy=remedy)
 
 
 def _condition(fact: Fact, due: float) -> Condition:

@@ -140,6 +140,12 @@ def topics_glob(server: "RosbridgeServer", robot: str) -> None:
     server.bridge.allowed["topic"] = ("/rosout", "/diagnostics", *others)
 
 
+def services_glob(server: "RosbridgeServer", robot: str) -> None:
+    """Allow clients no service of a robot."""
+    others = [f"/{name}/*" for name in server.bridge.services.robots if name != robot]
+    server.bridge.allowed["service"] = ("/rosapi/*", *others)
+
+
 def lost_master(server: "RosbridgeServer", robot: str) -> None:
     """Restart the ROS master without rosapi: no service is known any more, not even the bridge's own."""
     services = server.bridge.services

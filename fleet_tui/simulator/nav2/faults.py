@@ -32,6 +32,7 @@ GENERIC = (
     "dead-rosapi",
     "half-dead",
     "topics-glob",
+    "services-glob",
     "overloaded",
     "unregistered",
 )

@@ -171,11 +171,13 @@ def test_only_errors_of_the_diagnostics_are_told_with_their_part() -> None:
     assert [(one.robot, one.text, one.is_diagnosed) for one in found] == [("robot_1", "part 2: low", True)]
 
 
-def test_a_bridge_tells_in_its_log_which_topic_its_allow_list_lacks() -> None:
+def test_a_bridge_tells_in_its_log_which_topics_and_services_its_allow_lists_lack() -> None:
     lines = [
         frame["msg"]
         for frame in map(parsed, frames(recording("ros2-globs.jsonl.gz"), "in"))
         if "msg" in frame
     ]
     logged = [log_line(msgspec.Raw(json.dumps(msg)), T0) for msg in lines if "level" in msg]
-    assert [topic for topic in map(not_allowed, logged) if topic] == ["/s0/pose"]
+    assert [name for line in logged if (name := not_allowed(line, "topic"))] == ["/s0/pose"]
+    pause = "/robot_1/Application_layout/Pause"
+    assert [name for line in logged if (name := not_allowed(line, "service"))] == [pause]

@@ -17,7 +17,7 @@ from fleet_tui.state.store import Store
 from fleet_tui.transports.rosbridge.connection import Connection
 from tests.support.adapters import adapter_of
 from tests.support.ear import Ear
-from tests.support.fleets import R0, T0, fleet
+from tests.support.fleets import LINK, R0, T0, fleet
 from tests.support.watched_store import config_of
 
 PAUSE = PauseRobot(R0)
@@ -37,6 +37,7 @@ class Waiting:
         self.calls = Calls(cast("Connection", Deaf()), rosapi_places())
         self.told: list[tuple[int, Stage, str]] = []
         self.answers = Answers(
+            LINK,
             self.calls,
             Services(self.calls, {}),
             {R0: adapter_of(config_of("ws://x").profile)},

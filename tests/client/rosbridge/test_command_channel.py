@@ -3,6 +3,8 @@
 import msgspec
 import pytest
 
+from fleet_tui.config.schema import Config
+from fleet_tui.demo import demo_config
 from fleet_tui.model.commands import (
     CancelOrder,
     PauseRobot,
@@ -11,11 +13,14 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.link import CommandPath, Phase
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.fleets import place_order
 from tests.support.links import finished, linked, path, phase, ready
 from tests.support.watched_store import config_of
+
+PAUSE = "/robot_0/Application_layout/Pause"
 
 
 async def test_a_refusal_in_an_answer_that_went_well(server: RosbridgeServer) -> None:
@@ -93,3 +98,38 @@ async def test_commands_do_not_wait_behind_subscriptions() -> None:
         asked = [operation for operation in server.bridge.received if operation["op"] == "subscribe"]
     await server.stop()
     assert len(asked) < 20 * 12
+
+
+@pytest.mark.parametrize("is_logged", [True, False])
+async def test_a_call_that_an_allow_list_drops_was_not_sent_and_blames_the_list(
+    ros_2: RosbridgeServer, is_logged: bool
+) -> None:
+    play(ros_2, [("services-glob", "robot_0")])
+    if not is_logged:
+        ros_2.bridge.muted.add("/rosout")
+    async with linked(demo_config(Config(), ros_2.url, 2, 1, "2")) as (link, store):
+        await store.until(ready)
+        pause = await finished(link, store, PauseRobot("robot_0"))
+        assert (pause.stage, Stage.NO_ANSWER in {step.stage for step in pause.steps}) == (
+            Stage.NOT_SENT,
+            not is_logged,
+        )
+        assert pause.detail == "the bridge does not allow it (services_glob)"
+        assert (await finished(link, store, PauseRobot("robot_1"))).stage is Stage.CONFIRMED
+        state = await store.until(lambda state: [one for one in state.alarms if one.holds])
+        texts = [one.condition.text for one in state.alarms if one.condition.kind == "messages"]
+        assert texts == [f"the bridge does not allow {PAUSE} (services_glob)"]
+        again = await finished(link, store, PauseRobot("robot_0"))
+        assert [step.stage for step in again.steps[-2:]] == [Stage.SENT, Stage.NOT_SENT]
+    assert not [service for service, _ in ros_2.bridge.services.calls if service.startswith("/robot_0/")]
+
+
+async def test_a_bridge_that_gives_no_call_up_leaves_an_unanswered_one_open(server: RosbridgeServer) -> None:
+    """As those of ROS 1: its node may carry it out at any time."""
+    play(server, [("services-glob", "robot_0")])
+    config = config_of(server.url, 1)
+    alarms = msgspec.structs.replace(config.alarms, no_answer_after=0.3)
+    async with linked(msgspec.structs.replace(config, alarms=alarms)) as (link, store):
+        await store.until(ready)
+        record = await finished(link, store, PauseRobot("robot_0"))
+    assert [step.stage for step in record.steps[-2:]] == [Stage.NO_ANSWER, Stage.NOT_CONFIRMED]

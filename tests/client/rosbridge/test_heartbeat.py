@@ -12,7 +12,7 @@ from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.counters import RoundTrips
 from fleet_tui.model.events import CommandPathChanged
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.link import CommandPath
+from fleet_tui.model.link import NOT_ADMITTED, CommandPath
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.server import RosbridgeServer
@@ -165,3 +165,20 @@ async def test_a_fleet_that_has_nothing_to_say_has_no_half_dead_bridge(
         await more_beats(store, beats)
         paths = [one.path for one in store.told(CommandPathChanged) if isinstance(one, CommandPathChanged)]
     assert CommandPath.ALIVE in paths and CommandPath.DEAD not in paths
+
+
+async def test_a_bridge_that_does_not_allow_the_heartbeat_is_neither_half_dead_nor_without_rosapi(
+    ros_2: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(heartbeat, "QUICK", 0.2)
+    monkeypatch.setattr(heartbeat, "TIMEOUT", 0.5)
+    ros_2.bridge.allowed["service"] = ("/robot_0/*",)
+    async with linked(demo_config(Config(), ros_2.url, 1, 1, "2")) as (_, store):
+        await store.until(lambda state: state.robots["robot_0"].pose)
+        state = await store.until(lambda state: state.links["rosbridge"].command_reason == NOT_ADMITTED)
+        later = reduced(state, tick(state.now + 20.0))
+        alarm = next(one.condition for one in later.alarms if one.condition.kind == "commands")
+        assert alarm.text == f"no command path: {NOT_ADMITTED}" and "services_glob" in alarm.remedy
+        assert attention(later)[0] == f"rosbridge: {alarm.text}"
+        del ros_2.bridge.allowed["service"]
+        await store.until(path(CommandPath.ALIVE))
