@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from fleet_tui.adapters.adapter import Adapter
 from fleet_tui.adapters.ros.logs import NOT_ALLOWED
+from fleet_tui.client.rosbridge.set_up.listeners import BRIDGE, is_bridge
 from fleet_tui.config.schema import Config
 from fleet_tui.discovery.facts import BridgeFacts, RosapiFacts, TopicFacts
 from fleet_tui.discovery.finding import Finding, Verdict, listed
@@ -66,11 +67,11 @@ def causes_of(config: Config, facts: BridgeFacts) -> list[Cause]:
         return [_half_dead(facts)]
     if (elsewhere := _all_elsewhere(config, facts)) is not None:
         return [elsewhere]
-    barred = list(_not_allowed(facts))
-    unsourced = list(_unsourced(facts))
-    explained = {topic for cause in [*barred, *unsourced] for topic in cause.topics}
+    told = [*_not_allowed(facts), *_unsourced(facts)]
+    told += _lost_subscriptions(facts, {topic for cause in told for topic in cause.topics})
+    explained = {topic for cause in told for topic in cause.topics}
     idle = [Cause(finding, finding.measured) for finding in inactive_findings(facts)]
-    return [*barred, *idle, *unsourced, *_unregistered(config, facts), *_silent_nodes(facts, explained)]
+    return [*idle, *told, *_unregistered(config, facts), *_silent_nodes(facts, explained)]
 
 
 def _not_allowed(facts: BridgeFacts) -> Iterator[Cause]:
@@ -89,6 +90,33 @@ def _not_allowed(facts: BridgeFacts) -> Iterator[Cause]:
                 {"names": names},
             )
             yield Cause(finding, f"not in {glob}", frozenset(names), frozenset(names))
+
+
+def _lost_subscriptions(facts: BridgeFacts, explained: Collection[str]) -> Iterator[Cause]:
+    """Find the topics that nodes publish and to which the bridge is not subscribed in ROS, though we are at
+    the bridge."""
+    rosapi = facts.rosapi
+    lost = [
+        one
+        for one in facts.topics
+        if one.is_silent
+        and one.topic not in explained
+        and rosapi.publishers.get(one.topic)
+        and not any(map(is_bridge, rosapi.subscribers.get(one.topic, (BRIDGE,))))
+    ]
+    if lost and any(map(is_bridge, rosapi.nodes)):
+        robots = sorted({robot for one in lost for robot in one.wanted.robots})
+        topics = [one.topic for one in lost]
+        finding = Finding(
+            facts.name,
+            "subscriptions",
+            Verdict.FAIL,
+            f"rosbridge lost its subscriptions of {listed(robots)}: nodes publish {listed(topics)}, and it is"
+            " not among their subscribers",
+            "restart rosbridge: its ROS master was restarted, and its robots may be well",
+            {"topics": topics},
+        )
+        yield Cause(finding, "rosbridge lost its subscription", frozenset(topics))
 
 
 def _pattern(names: Sequence[str]) -> str:

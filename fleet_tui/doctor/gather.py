@@ -3,6 +3,7 @@
 import asyncio
 import time
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 
 from fleet_tui.adapters.adapter import Adapter, Feed
 from fleet_tui.adapters.probes import LifecycleProbe, ListenerProbe, ServiceProbe
@@ -142,6 +143,7 @@ async def gather(config: Config, name: str, wire: BridgeConnection, until: float
         rosapi = await _look_up(wanted, adapters, wire, rosapi, until)
     answers = await _ask_robots(wanted, adapters, wire, rosapi, until)
     received = await listening
+    rosapi = replace(rosapi, subscribers={**rosapi.subscribers, **received.subscribers})
     lost, busy = wire.lost or received.lost, received.trips
     return BridgeFacts(
         name,

@@ -2,9 +2,11 @@
 
 import asyncio
 import time
+from collections import ChainMap
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
+from types import MappingProxyType
 from typing import NamedTuple
 
 from fleet_tui.adapters.adapter import Adapter, Feed
@@ -13,7 +15,7 @@ from fleet_tui.adapters.ros.reading import ROSOUT
 from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.config.schema import Link
 from fleet_tui.discovery.facts import RosapiFacts, TopicFacts
-from fleet_tui.discovery.rosapi import subscribers
+from fleet_tui.discovery.rosapi import ask_subscribers, subscribers
 from fleet_tui.discovery.wire import BridgeConnection
 from fleet_tui.errors import LinkError
 
@@ -49,6 +51,8 @@ class ListeningResult(NamedTuple):
     trips: tuple[float, ...] = ()
     barred: frozenset[str] = frozenset()
     """Services that the bridge does not allow, by its log."""
+    subscribers: Mapping[str, tuple[str, ...]] = MappingProxyType({})
+    """The nodes subscribed to each silent topic while we were."""
 
 
 async def listen(
@@ -66,7 +70,7 @@ async def listen(
     wires = [BridgeConnection(bridge, adapters) for _ in range(count)]
     trips = list[float]()
     try:
-        await asyncio.gather(
+        heard_by = await asyncio.gather(
             *(_listen(wire, asked[n::count], rosapi, until, trips) for n, wire in enumerate(wires))
         )
         now = time.monotonic()
@@ -80,7 +84,7 @@ async def listen(
     topics = [replace(one, complaint=complaints.get(one.topic, "")) for one in found]
     behind = max((wire.behind for wire in wires), default=0.0)
     barred = frozenset(service for wire in wires for service in wire.barred)
-    return ListeningResult(topics, lost, behind, tuple(trips), barred)
+    return ListeningResult(topics, lost, behind, tuple(trips), barred, dict(ChainMap(*heard_by)))
 
 
 def _to_subscribe(
@@ -105,9 +109,10 @@ def _to_subscribe(
 
 async def _listen(
     wire: BridgeConnection, topics: Asked, rosapi: RosapiFacts, until: float, trips: list[float]
-) -> None:
+) -> dict[str, tuple[str, ...]]:
+    """Listen over one connection, and return the subscribers of its silent topics."""
     if await wire.connect(min(CONNECT_WITHIN, until - time.monotonic())):
-        return
+        return {}
     with suppress(LinkError):
         if ROSOUT in rosapi.topics:
             wire.subscribe_logs(rosapi.topics[ROSOUT])
@@ -127,6 +132,20 @@ async def _listen(
             beats.cancel()
             await asyncio.gather(beats, return_exceptions=True)
         await retry
+        return await _subscribers(wire, topics, rosapi, until)
+    return {}
+
+
+async def _subscribers(
+    wire: BridgeConnection, topics: Asked, rosapi: RosapiFacts, until: float
+) -> dict[str, tuple[str, ...]]:
+    """Return the nodes that ROS knows to be subscribed to silent topics. A bridge of ROS 1 whose master was
+    restarted is none of them, for as long as any client holds the topic."""
+    if rosapi.problem or rosapi.ros != 1:
+        return {}
+    silent = [one.address for one, _ in topics if _is_silent(wire, one) and not _may_wait(one)]
+    there = [topic for topic in silent[:MOST_HELD] if topic in rosapi.topics]
+    return dict((await ask_subscribers(wire, replace(rosapi, subscribers={}), there, until)).subscribers)
 
 
 async def _beat(wire: BridgeConnection, until: float, trips: list[float]) -> None:

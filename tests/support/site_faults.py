@@ -203,6 +203,11 @@ def _failing_rosapi(server: RosbridgeServer) -> None:
     server.bridge.services.answers["/rosapi/topics"] = fail
 
 
+def _lost_subscriptions(server: RosbridgeServer) -> None:
+    """As after a restart of the master, with other clients that hold the topics."""
+    server.bridge.orphaned.update(name for name in server.bridge.topics if name.startswith("/robot_0/"))
+
+
 def _dead_node(server: RosbridgeServer) -> None:
     """One node of robot_0 publishes two topics and offers a service; it is killed, and stays registered."""
     dead = {"/robot_0/battery", "/robot_0/cargo", "/robot_0/Application_layout/Pause"}
@@ -254,6 +259,7 @@ PLANTS: dict[str, Plant] = {
     "a rosapi that was killed": on_the_server(_killed_rosapi),
     "a rosapi with an internal error": on_the_server(_failing_rosapi),
     "nodes that the ROS master does not know": on_the_server(_unregistered),
+    "a bridge that lost its subscriptions": on_the_server(_lost_subscriptions),
     "a dead node": on_the_server(_dead_node),
     "a battery that is not a number": on_the_server(
         partial(says, topic="/robot_1/battery", change=lambda _: {"data": None})
