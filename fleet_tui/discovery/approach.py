@@ -39,6 +39,9 @@ class Approach:
         self._host, port = bridge.host_and_port
         self._port = port or USUAL_PORTS[bridge.scheme]
         self._key = key or f"{link_key(name)}.url"
+        self._hangs = (
+            f"on ROS 2 start it without use_events_executor; if it is not rosbridge, correct {self._key}"
+        )
         self.step = STEPS[0]
         """The current step."""
 
@@ -148,7 +151,7 @@ class Approach:
         if not self._bridge.is_secure and await self._speaks_tls():
             return f"{reason} (TLS port)", f"use wss:// in {self._key}"
         if reason == FROZEN:
-            return reason, f"if it is not rosbridge, correct {self._key}"
+            return reason, self._hangs
         return reason, f"correct host, port and path in {self._key}: rosbridge usually listens on 9090"
 
     async def _ask(self) -> str | tuple[str, str]:
@@ -161,7 +164,7 @@ class Approach:
                 return self._wire.lost, "see the rosbridge log"
             if await self._wire.allows_nothing(PROBE):
                 return f"the bridge does not allow {OWN_WORD} (services_glob)", ALLOW_SERVICES
-            return FROZEN, f"if it is not rosbridge, correct {self._key}"
+            return FROZEN, self._hangs
         if "unable to communicate with master" in answer.lower():
             return f"no ROS master ({answer})", "start roscore, then the robot nodes"
         return f"reply to a call in {milliseconds(time.monotonic() - began)}"

@@ -2,7 +2,16 @@
 
 from fleet_tui.model.alarm import Priority
 from fleet_tui.model.fleet import FleetState, behind_text
-from fleet_tui.model.link import HALF_DEAD, NO_WAY, NOT_ADMITTED, LinkState, Phase
+from fleet_tui.model.link import (
+    HALF_DEAD,
+    NO_REPLY,
+    NO_WAY,
+    NOT_ADMITTED,
+    STOPPED,
+    UNANSWERED,
+    LinkState,
+    Phase,
+)
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import BEHIND, LATE_LINK, LOST_SUBSCRIPTIONS, NOT_ALLOWED
 from fleet_tui.text.limits import some
@@ -71,15 +80,23 @@ def not_allowed(link: LinkState) -> Fact | None:
     )
 
 
-_NO_PATH = {
+# With that parameter it stops answering at the second subscription.
+_HANGS = "Restart rosbridge, or repair the network; on ROS 2 start it without use_events_executor"
+_CALLS_HANG = (
+    "Restart rosbridge, on ROS 2 without use_events_executor; until then pause a robot by its own controls"
+)
+_REMEDIES = {
     HALF_DEAD: RESTART_BRIDGE,
     NOT_ADMITTED: NOT_ALLOWED.alarm.action,
+    NO_REPLY: _CALLS_HANG,
+    STOPPED: _HANGS,
+    UNANSWERED: _HANGS,
 }
 
 
-def path_remedy(link: LinkState) -> str:
-    """Return what to do about a bridge without a command path, empty if that depends on what it says."""
-    return _NO_PATH.get(link.command_reason, "")
+def remedy_for(reason: str) -> str:
+    """Return what to do about a bridge without a link or a command path, empty for that of the alarm."""
+    return _REMEDIES.get(reason, "")
 
 
 def hidden(link: LinkState, robot: str) -> Fact | None:

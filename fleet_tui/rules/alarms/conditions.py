@@ -162,7 +162,7 @@ def no_link(state: FleetState, link: LinkState, _active: ActiveConditions) -> Co
         return None
     text = f"no link: {link.reason}" if link.reason else "no link"
     over = "link restored" if link.was_up else f"connected after {age(state.now - link.since)}"
-    return Condition(link.name, "link", Priority.HIGH, text, over)
+    return Condition(link.name, "link", Priority.HIGH, text, over, remedy=links.remedy_for(link.reason))
 
 
 def dead_commands(state: FleetState, link: LinkState, active: ActiveConditions) -> Condition | None:
@@ -174,7 +174,7 @@ def dead_commands(state: FleetState, link: LinkState, active: ActiveConditions) 
     text = f"no command path: {link.command_reason}"
     if link.command_path is CommandPath.UNREGISTERED:
         text = link.command_reason  # of some robots: the others take commands
-    over, remedy = "command path restored", links.path_remedy(link)
+    over, remedy = "command path restored", links.remedy_for(link.command_reason)
     return Condition(link.name, "commands", Priority.HIGH, text, over, remedy=remedy)
 
 

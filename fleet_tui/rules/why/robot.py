@@ -71,7 +71,8 @@ def no_link(state: FleetState, robot: Robot) -> Reason | None:
     if link.phase is Phase.UP:
         return None
     why = f": {link.reason}" if link.reason else ""
-    evidence, remedy = f"no connection to {link.url}{why}", CLASSES["link"].action
+    evidence = f"no connection to {link.url}{why}"
+    remedy = links.remedy_for(link.reason) or CLASSES["link"].action
     return Reason("no link", evidence, since=link.since, keys=DIAGNOSE, remedy=remedy, page="link")
 
 

@@ -5,9 +5,8 @@ import re
 import ssl
 
 from fleet_tui.config.schema import Link
+from fleet_tui.model.link import STOPPED, UNANSWERED
 from fleet_tui.transports.reasons import DROPS, tls_problem
-
-STOPPED = "server not responding"
 
 _STATUSES = {
     404: "path not found, correct url",
@@ -26,7 +25,7 @@ def failed_handshake(text: str, bridge: Link, lost_by: Exception | None) -> str:
     if status:
         return _http(int(status.group(1)), bridge)
     if "handshake timeout" in text:
-        return "reached, but no answer"
+        return UNANSWERED
     if "peer dropped" in text:
         remedy = "client_cert required?" if bridge.is_secure else "not rosbridge, or wss://?"
         return f"{DROPS} {remedy}"

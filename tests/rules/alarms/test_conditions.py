@@ -7,7 +7,9 @@ from fleet_tui.model import events
 from fleet_tui.model.alarm import AlarmStage
 from fleet_tui.model.desk import events as desk_events
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import NO_REPLY, STOPPED, UNANSWERED, CommandPath, Phase
 from fleet_tui.model.navigation_events import ErrorReported
+from fleet_tui.rules.why.why import reasons
 from tests.support.alarms import alarm, alarms, up
 from tests.support.fleets import (
     LINK,
@@ -239,3 +241,25 @@ def test_limits_are_the_operators() -> None:
     assert (R0, "stuck") in alarms(state)
     state = reduced(state, desk_events.AlarmAcknowledged(), *driving(T0 + 7, x=1.0))
     assert alarms(state) == {}
+
+
+# A bridge that hangs
+
+
+@pytest.mark.parametrize("reason", [STOPPED, UNANSWERED])
+def test_a_bridge_that_takes_connections_and_answers_nothing_may_hang_by_its_executor(reason: str) -> None:
+    state = reduced(up(), events.LinkChanged(LINK, T0, Phase.WAITING, reason), tick(T0 + 60.0))
+    why = reasons(state, state.robots[R0])[0]
+    assert alarm(state, "link", LINK).condition.remedy == why.remedy
+    assert "use_events_executor" in why.remedy and "network" in why.remedy
+
+
+def test_one_that_sends_topics_and_answers_no_call_may_too() -> None:
+    dead = events.CommandPathChanged(LINK, CommandPath.DEAD, NO_REPLY, True)
+    state = reduced(up(), dead, tick(T0 + 1.0))
+    assert "use_events_executor" in alarm(state, "commands", LINK).condition.remedy
+
+
+def test_no_other_loss_of_a_link_names_it() -> None:
+    state = reduced(up(), events.LinkChanged(LINK, T0, Phase.WAITING, "unknown host"), tick(T0 + 60.0))
+    assert not alarm(state, "link", LINK).condition.remedy
