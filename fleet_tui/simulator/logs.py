@@ -1,5 +1,6 @@
 """Logs and diagnostics: a line of /rosout when something happens, /diagnostics once a second."""
 
+import time
 from collections import deque
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import count
@@ -28,6 +29,7 @@ HEALTHY = 0
 DOUBTFUL = 1
 BROKEN = 2
 KEPT = 1000  # lines of the log for late subscribers
+KEPT_FOR = 10.0  # seconds for which ROS 2 keeps each
 
 
 class Talk:
@@ -35,7 +37,7 @@ class Talk:
 
     def __init__(self, dialect: Dialect = ROS1) -> None:
         self._dialect = dialect
-        self._kept: deque[Message] = deque(maxlen=KEPT)
+        self._kept: deque[tuple[float, Message]] = deque(maxlen=KEPT)
         self._said = count(1)
 
     def tell(self, lines: "Iterable[Line]", now: float) -> list[Message]:
@@ -45,18 +47,19 @@ class Talk:
     def say(self, now: float, level: int, node: str, text: str) -> Message:
         """A line as a message of /rosout."""
         line = self._dialect.log(next(self._said), now, level, node, text)
-        self._kept.append(line)
+        self._kept.append((now, line))
         return line
 
     def forget(self, node: str) -> None:
         """Drop the lines of a node that has ended: each keeps its own."""
-        left = [line for line in self._kept if line["name"].lstrip("/") != node.lstrip("/")]
+        left = [one for one in self._kept if one[1]["name"].lstrip("/") != node.lstrip("/")]
         self._kept = deque(left, maxlen=KEPT)
 
     def latched(self) -> Iterator[Payload]:
         """Return the lines for a new subscriber: the last of each node, or all that are kept."""
-        newest = {line["name"]: line for line in self._kept}.values()
-        yield from map(Payload, self._kept if self._dialect.keeps_log else newest)
+        newest = {line["name"]: line for _, line in self._kept}.values()
+        recent = [line for at, line in self._kept if at > time.time() - KEPT_FOR]
+        yield from map(Payload, recent if self._dialect.keeps_log else newest)
 
 
 def log_topics(fleets: "Sequence[Fleet]", dialect: Dialect, talk: Talk) -> Iterator[Topic]:

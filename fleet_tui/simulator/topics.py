@@ -180,7 +180,7 @@ class TopicDesk:
         frame = publication.frame(client.subscriptions[asked].compression)
         limit = self.max_message_size
         if isinstance(frame, bytes) and limit is not None and len(frame) > limit:
-            text = f"Message of {len(frame)} bytes is longer than max_message_size {limit}"
+            text = f"Message of {len(frame)} bytes is longer than max_message_size {limit}: {frame!r}"
             self.complain(client, {"op": "publish", "topic": asked}, text)
             return
         client.offer(asked, frame)

@@ -157,8 +157,8 @@ def decode_cbor(payload: bytes) -> Operation | None:
 @dataclass(frozen=True, slots=True)
 class Subscription:
     """A subscription to one topic. Rates are in milliseconds, 0 is every message; the queue length is at
-    least one, or one slow client would block the topic for all. `latched`: with the QoS that gets the last
-    value as soon as its publisher is discovered, unknown to ROS 1."""
+    least one on ROS 1, or one slow client would block the topic for all. `latched`: with the QoS that gets
+    the last value as soon as its publisher is discovered, unknown to ROS 1."""
 
     topic: str
     type: str

@@ -3,6 +3,7 @@ topics that stay silent. Everything runs on the network loop."""
 
 import asyncio
 import logging
+import math
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from contextlib import suppress
@@ -31,6 +32,8 @@ AT_ONCE = 50
 CBOR_PATIENCE = 20.0
 # A bridge of ROS 2 is never too old, but sends no CBOR larger than its max_message_size: only pieces of JSON.
 CBOR_PATIENCE_ROS2 = 8.0
+LOG_KEPT = 10.0
+"""Seconds for which ROS 2 keeps a line of the log for late subscribers."""
 SETTLES_WITHIN = 1.0
 """Seconds in which the subscriptions of a bridge are known to ROS."""
 MOST_ASKED = 3
@@ -69,6 +72,8 @@ class Subscriber:
         self._as_json: set[str] = set()
         """Maps that never arrived as CBOR on this connection."""
         self._json_timer: asyncio.TimerHandle | None = None
+        self._quiet_until = 0.0
+        """Until then the log of the bridge may have all of a map that it refused as too large."""
         self._map: Feed | None = None
         self._watched: frozenset[Feed] = frozenset()
         self._subscribed: set[str] = set()
@@ -161,6 +166,11 @@ class Subscriber:
         monotonic seconds."""
         if self._task is None or not self._connection.is_connected:
             return
+        if math.isinf(self._quiet_until) and self._map is None:
+            self._quiet_until = now + LOG_KEPT
+        elif self._map is not None and self._map.address in self._reading.maps_received - self._as_json:
+            self._quiet_until = 0.0
+        self.log_subscription.hold_off(now < self._quiet_until)
         for feed in self._pacing.due(now):
             if feed.address in self._subscribed:
                 self._subscribe(feed)
@@ -230,16 +240,20 @@ class Subscriber:
             return
         self._reading.counter.topics[wanted.address].not_subscribed = ""
         self._latched.note(wanted)
-        topic, is_stream = wanted.address, wanted.wanted_for in ("place", "stream") and not wanted.latched
+        topic, wants_arrays = wanted.address, wanted.wanted_for in ("target", "place", "stream")
+        is_stream = wants_arrays and not wanted.latched
         asked = operations.Subscription(
             topic,
             # ROS 2 writes the same type with a middle part: the bridge expects its own spelling.
             self.types.get(topic, wanted.type),
             self._pacing.interval(wanted),
             "cbor" if (wanted.large or is_stream) and topic not in self._as_json else "none",
-            queue_length=wanted.queue_length,
+            queue_length=0 if self._may_lose(wanted) else wanted.queue_length,
             latched=wanted.latched and self._is_ros2 and self._latched.wants_qos(topic),
         )
+        if wanted.large and asked.compression == "cbor" and self._is_ros2:
+            self._quiet_until = math.inf
+            self.log_subscription.hold_off(True)
         try:
             self._connection.send(operations.subscribe(asked))
         except LinkError:
@@ -249,6 +263,12 @@ class Subscriber:
         # If rosapi answers, it shows whether there is a map at all.
         if asked.compression == "cbor" and (topic in self.types or not self.types):
             self._expect_cbor(wanted)
+
+    def _may_lose(self, wanted: Feed) -> bool:
+        """Tell whether the bridge need keep no message of a topic: a next one follows, and the bridge is
+        certainly of ROS 2, on which a client that does not read hurts nobody. It has a thread less then."""
+        is_ros2 = any("/msg/" in type_ for type_ in self.types.values())
+        return is_ros2 and _is_regular(wanted) and wanted.queue_length == 1
 
     def _expect_cbor(self, wanted: Feed) -> None:
         """Request a topic as JSON if it does not come as CBOR."""
@@ -264,6 +284,8 @@ class Subscriber:
         if (self._map is wanted or wanted in self._watched) and not has_come:
             self._unsubscribe(wanted)
             self._as_json.add(wanted.address)
+            if wanted.large:
+                self._quiet_until = time.monotonic() + LOG_KEPT
             self._subscribe(wanted)
 
     def _unsubscribe(self, wanted: Feed) -> None:

@@ -8,6 +8,8 @@ from websockets.asyncio.client import connect
 
 from fleet_tui.cli.status.report import attention
 from fleet_tui.client.rosbridge import renewals
+from fleet_tui.config.schema import Config
+from fleet_tui.demo import demo_config
 from fleet_tui.model.link import Phase
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.simulator.kinds import play
@@ -29,6 +31,24 @@ async def test_poses_are_subscribed_first_and_always_with_a_queue(server: Rosbri
     assert all(type(operation["throttle_rate"]) is int for operation in asked)
     maps = [operation["topic"] for operation in asked if operation["topic"].endswith("/map")]
     assert maps == ["/robot_0/floor_0/map"]
+
+
+async def test_a_bridge_of_ros_2_keeps_no_message_of_which_a_next_one_follows(ros_2: RosbridgeServer) -> None:
+    """Each queue is a thread of it."""
+    async with linked(demo_config(Config(), ros_2.url, 1, 1, "2")) as (_, store):
+        await store.until(ready)
+        asked = [operation for operation in ros_2.bridge.received if operation["op"] == "subscribe"]
+    kept = {one["topic"].rpartition("/")[2]: one["queue_length"] for one in asked}
+    assert {kept[name] for name in ("pose", "queue", "battery", "cargo")} == {0}
+    assert kept["graph"] == kept["labeled_vertices"] == 1 and kept["rosout"] > 1
+
+
+async def test_without_types_the_bridge_may_be_one_that_a_slow_client_stops(server: RosbridgeServer) -> None:
+    server.bridge.services.rosapi_alive = False
+    async with linked(config_of(server.url)) as (_, store):
+        await store.until(ready)
+        asked = [operation for operation in server.bridge.received if operation["op"] == "subscribe"]
+    assert all(operation["queue_length"] >= 1 for operation in asked)
 
 
 async def test_a_drop_is_shown_and_heals_with_every_subscription(server: RosbridgeServer) -> None:
