@@ -54,6 +54,7 @@ class Guests:
         self.connects_in = 0.0
         """Seconds from a client's advertisement until robots receive its messages."""
         self._since: dict[tuple[Client, str], float] = {}
+        self._sequences: dict[str, count[int]] = {}
 
     def owns(self, name: str) -> bool:
         """Tell whether a topic or a service is a client's."""
@@ -106,6 +107,8 @@ class Guests:
             known = self._topics[name]
         short, now = self._dialect.short(known.type), time.time()
         msg = fill(self._dialect, short, self._dialect.fields(short) or {}, operation["msg"], now)
+        if "seq" in msg.get("header", {}):  # of ROS 1, where a publisher counts its messages
+            msg["header"]["seq"] = next(self._sequences.setdefault(name, count(1)))
         payload = Payload(msg)
         if known.latched and name in self._advertised:
             self._topics[name] = replace(known, history=lambda: (payload,))

@@ -12,7 +12,6 @@ from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.frames import Frame
 from fleet_tui.simulator.guests import Guests
 from fleet_tui.simulator.messages import Body, Topic
-from fleet_tui.simulator.ros.actionlib import servers_among
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.filling import fill
 from fleet_tui.simulator.ros_types import HandlerError, NodeDiedError, ServiceError
@@ -83,7 +82,9 @@ class ServiceDesk:
         self.guests = Guests(dialect, self.topics, self.types, self.offered, listened, self.unsourced)
 
         def action_servers() -> list[str]:
-            return [*self.actions.names, *servers_among({**listened, **self.types})]
+            # That of ROS 1 finds no move_base: it expects an action's topics in a row of the sorted list, in
+            # which those of the costmaps are between them.
+            return [*self.actions.names]
 
         graph = RosGraph(self.types, listened, self.offered, subscribed, action_servers)
         self.rosapi = RosapiServer(dialect, graph, time.time, self.guests.owns)

@@ -58,7 +58,7 @@ async def test_an_order_is_a_goal_of_ours_confirmed_by_its_id_and_driven(site: M
         ]
         ended = await reached(store, record.id, Stage.DONE)
     goal = site.navigation().received[0]
-    assert all(again == goal for again in site.navigation().received)
+    assert all({**again, "header": goal["header"]} == goal for again in site.navigation().received)
     assert goal["goal_id"]["id"] == record.name and record.name.startswith("fleet-tui-")
     assert record.order_id == record.name[10:18]
     assert goal["goal_id"]["stamp"] == NEVER

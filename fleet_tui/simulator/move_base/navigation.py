@@ -2,6 +2,7 @@
 
 import math
 from collections import deque
+from itertools import count
 from typing import Any
 
 from fleet_tui.model.geometry import Pose
@@ -23,6 +24,7 @@ Message = dict[str, Any]
 # metres, radians after which amcl publishes the pose
 MOVED = 0.2
 TURNED = math.pi / 6
+CYCLE = 0.2  # seconds between two attempts of its controller
 PATIENCE = 20.0  # seconds for which it tries to plan, recovery behaviours included
 NEAR = 0.3  # metres from the charger at which it charges
 
@@ -58,6 +60,9 @@ class SimMoveBase:
         self.lines: deque[tuple[int, str]] = deque(maxlen=100)
         """Log lines that are still to be published: level and text."""
         self._sought = 0.0
+        self._told_for = 0.0
+        self._number = count()
+        self._forwarded = count()
 
     @property
     def busy(self) -> bool:
@@ -76,7 +81,7 @@ class SimMoveBase:
         """Take a geometry_msgs/PoseStamped, and forward it as a goal without an id."""
         if self.alive:
             now = _time(self._clock())
-            header = {"seq": 0, "stamp": now, "frame_id": ""}
+            header = {"seq": next(self._forwarded), "stamp": now, "frame_id": ""}
             id_ = {"stamp": _time(0), "id": ""}
             goal = {"header": header, "goal_id": id_, "goal": {"target_pose": message}}
             self.forwarded.append(goal)
@@ -132,13 +137,17 @@ class SimMoveBase:
             self.lines.append((ERROR, "Quaternion is invalid, discarding as a navigation goal"))
             self.server.end(goal, ABORTED, INVALID)
             return
-        self.begun.append(pose)
+        self._tell_begun(pose)
         if pose["header"]["frame_id"] == FRAME:
             if self.plans:
                 self.robot.drive([flat(pose["pose"])])
         else:  # it tries to transform the pose forever, and does not drive
             frame = pose["header"]["frame_id"]
             self.lines.append((WARN, f"Failed to transform the goal pose from {frame} into the map frame"))
+
+    def _tell_begun(self, pose: Message) -> None:
+        self._told_for = 0.0
+        self.begun.append({**pose, "header": {**pose["header"], "seq": next(self._number)}})
 
     def _advance(self, goal: ActionlibGoal, dt: float) -> None:
         assert goal.request is not None
@@ -150,7 +159,11 @@ class SimMoveBase:
             self._sought += dt
             if self._sought > PATIENCE:
                 self._finish(goal, ABORTED, NO_PLAN)
-        elif not self.robot.driving and goal.request["target_pose"]["header"]["frame_id"] == FRAME:
+        elif goal.request["target_pose"]["header"]["frame_id"] != FRAME:
+            self._told_for += dt
+            if self._told_for > CYCLE:  # each time that it tries again
+                self._tell_begun(goal.request["target_pose"])
+        elif not self.robot.driving:
             self._finish(goal, SUCCEEDED, REACHED)
             self.robot.docked = self._at_charger()
 

@@ -2,7 +2,7 @@
 
 import math
 from collections import deque
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,10 +12,10 @@ PENDING, ACTIVE, PREEMPTED, SUCCEEDED, ABORTED, REJECTED, PREEMPTING, RECALLING,
 ENDED = frozenset({PREEMPTED, SUCCEEDED, ABORTED, REJECTED, RECALLED})
 KEPT = 5.0  # seconds for which a goal stays listed after its end
 LISTED = 1000  # goals at most
-PARTS = frozenset({"goal", "cancel", "status", "feedback", "result"})
 
 TAKEN = "This goal has been accepted by the simple action server"
-REPLACED = "This goal was canceled because another goal was received by the simple action server"
+# Its misspelling is the real server's.
+REPLACED = "This goal was canceled because another goal was recieved by the simple action server"
 TOO_OLD = (
     "This goal handle was canceled by the action server because its timestamp is before the timestamp of the"
     " last cancel request"
@@ -175,12 +175,3 @@ class SimpleActionServer:
         self._made += 1
         secs, nsecs = divmod(self._clock(), 10**9)
         return f"{self.name}-{self._made}-{secs}.{nsecs}"
-
-
-def servers_among(topics: Iterable[str]) -> list[str]:
-    """The names under which all the topics of an action are there."""
-    parts: dict[str, set[str]] = {}
-    for topic in topics:
-        name, _, part = topic.rpartition("/")
-        parts.setdefault(name, set()).add(part)
-    return [name for name, found in parts.items() if found >= PARTS]

@@ -57,6 +57,8 @@ class Session:
         if problem := problem_of(operation, self._bridge.dialect.version):
             self._bridge.complain(self.client, operation, problem)
             return
+        if isinstance(size := operation.get("fragment_size"), int) and size > 0:
+            self.client.fragment_size = size  # of whatever operation, from now on for all that is sent
         try:
             if not self._is_refused(operation):
                 await self._perform(operation)
@@ -131,8 +133,6 @@ class Session:
             next((one for one in COMPRESSIONS if one == asked), "none"),
         )
         subscription.settle()
-        if size := operation.get("fragment_size"):
-            self.client.fragment_size = min(self.client.fragment_size, size)
         self._bridge.welcome(self.client, topic)
 
     def _unsubscribe(self, topic: str, id_: str | None) -> None:

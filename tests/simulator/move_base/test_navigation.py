@@ -28,7 +28,6 @@ from fleet_tui.simulator.ros.actionlib import (
     SUCCEEDED,
     TAKEN,
     GoalReport,
-    servers_among,
 )
 from tests.support.move_base_navigation import FAR, NEAR, Json, cancelled, finish, goal, results, stand, world
 
@@ -85,6 +84,9 @@ def test_a_goal_in_an_unknown_frame_is_tried_for_ever() -> None:
     navigation.receive_goal(goal("a", frame="/map"))
     it.step(100.0)
     assert stand(navigation) == {"a": ACTIVE} and navigation.robot.odom == Pose(0.0, 0.0)
+    assert {pose["header"]["frame_id"] for pose in navigation.begun} == {"/map"}
+    numbers = [pose["header"]["seq"] for pose in navigation.begun]
+    assert len(numbers) > 1 and numbers == [*range(numbers[0], numbers[-1] + 1)], "it tries again and again"
     navigation.cancel_all()
     it.step(0.1)
     assert results(navigation) == [("a", PREEMPTED, "")]
@@ -141,11 +143,6 @@ def test_a_node_that_restarts_knows_no_goal() -> None:
     navigation.receive_goal(goal("a"))
     finish(it, navigation)
     assert results(navigation) == [("a", SUCCEEDED, REACHED)]
-
-
-def test_the_bridge_recognises_an_action_by_its_topics() -> None:
-    topics = [f"/r/move_base/{part}" for part in ("goal", "cancel", "status", "feedback", "result", "plan")]
-    assert servers_among([*topics, "/r/other/goal", "/r/other/status"]) == ["/r/move_base"]
 
 
 def test_amcl_speaks_after_its_own_distances() -> None:

@@ -282,6 +282,11 @@ class TestSizes:
         answer = await read(client)
         assert (answer["op"], answer["id"]) == ("fragment", "t")
 
+    async def test_a_call_may_ask_for_fragments_too(self, client: ClientConnection) -> None:
+        await send(client, "call_service", id="t", service="/rosapi/topics", fragment_size=100)
+        answer = await read(client)
+        assert (answer["op"], answer["id"], len(answer["data"])) == ("fragment", "t", 100)
+
     async def test_above_the_bridges_limit_text_is_cut_and_cbor_never_comes(
         self, server: RosbridgeServer, client: ClientConnection
     ) -> None:
