@@ -119,9 +119,8 @@ class TopicDesk:
 
     def complain(self, client: Client, operation: Operation, text: str) -> None:
         """Log an operation that has no effect."""
-        if self.dialect.logs_operations:
-            id_ = f"[id: {operation['id']}] " if "id" in operation else ""
-            self._log(client, ERROR, f"{id_}{operation.get('op')}: {text}")
+        id_ = f"[id: {operation['id']}] " if "id" in operation else ""
+        self._log(client, ERROR, f"{id_}{operation.get('op')}: {text}")
 
     def refuses(self, client: Client, what: str, name: str) -> bool:
         """Tell whether an allow-list does not admit a `topic` or a `service`: the log alone tells so."""
@@ -149,15 +148,13 @@ class TopicDesk:
                 self._tell(client, topic, self.channels)
             else:
                 asyncio.get_running_loop().call_later(wait, self._tell, client, topic, self.channels)
-        if self.dialect.logs_operations:
-            self._log(client, INFO, f"Subscribed to {topic}")
+        self._log(client, INFO, f"Subscribed to {topic}")
 
     def leave(self, client: Client, topic: str) -> None:
         """Forget a subscriber."""
         if self.channels.leave(client, topic, self._age):
             self.orphaned.discard(topic)
-        if self.dialect.logs_operations:
-            self._log(client, INFO, f"Unsubscribed from {topic}")
+        self._log(client, INFO, f"Unsubscribed from {topic}")
 
     @property
     def _age(self) -> float:

@@ -15,6 +15,7 @@ from fleet_tui.simulator.senses.mapping import Surveys
 from fleet_tui.simulator.warehouse import Building, SimFloor
 
 MAP = "nav_msgs/OccupancyGrid"
+METADATA = "nav_msgs/MapMetaData"
 
 Message = dict[str, Any]
 
@@ -38,7 +39,11 @@ def map_topics(
         value = grid_of(surveys, loaded_at, dialect)(floor)
         payload = raw_payload(dialect, MAP, loaded_at, value)
         newest = partial(_newest, floor, surveys, payload, dialect, loaded_at)
-        yield Topic(map_topic(building, floor), dialect.message_type(MAP), newest, latched=True)
+        name = map_topic(building, floor)
+        yield Topic(name, dialect.message_type(MAP), newest, latched=True)
+        if dialect.version == 1:  # the map_server of Nav2 publishes none
+            info = Payload(value["info"])
+            yield Topic(f"{name}_metadata", METADATA, partial(_same, info), latched=True)
     for robot in robots.values() if several else ():
         payload = Payload({"data": robot.floor.name})
         type_ = dialect.message_type("std_msgs/String")

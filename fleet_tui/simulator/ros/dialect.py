@@ -26,8 +26,6 @@ class Dialect(Protocol):
     """Types that the bridge never sends as CBOR, in the short spelling."""
     lingers: float
     """Seconds for which the bridge keeps a subscription after the last client has unsubscribed."""
-    logs_operations: bool
-    """Tell whether subscriptions, and operations without effect, are lines of /rosout."""
     fragment_id: int | str
     """The id of a fragment whose message has none."""
     aligned: bool

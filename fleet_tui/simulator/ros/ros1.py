@@ -45,7 +45,6 @@ class Ros1:
     reads_binary = False
     never_cbor: Collection[str] = ()
     lingers = 0.0
-    logs_operations = False
     fragment_id: int | str = 0
     aligned = False
     keeps_log = False

@@ -67,7 +67,6 @@ class Ros2:
     reads_binary = True
     never_cbor: Collection[str] = ("diagnostic_msgs/DiagnosticArray",)
     lingers = 0.4
-    logs_operations = True
     fragment_id: int | str = "0"
     aligned = True
     keeps_log = True

@@ -64,4 +64,7 @@ async def test_several_floors_have_a_map_each_and_robots_tell_theirs() -> None:
     server = RosbridgeServer(MoveBaseFleet(2, 2, seed=1, quiet=True))
     types = server.bridge.services.types
     assert types["/floor_1/map"] == "nav_msgs/OccupancyGrid" and "/map" not in types
+    assert types["/floor_1/map_metadata"] == "nav_msgs/MapMetaData"
+    info = json.loads(server.bridge.topics["/floor_1/map_metadata"].payload(0.0).json)
+    assert info == json.loads(server.bridge.topics["/floor_1/map"].payload(0.0).json)["info"]
     assert json.loads(server.bridge.topics["/robot_1/floor"].payload(0.0).json) == {"data": "floor_1"}

@@ -12,7 +12,9 @@ from tests.support.navigating import robot
 def test_one_floor_has_one_map_and_several_have_each_theirs_and_robots_say_where_they_are() -> None:
     robots = {f"robot_{n}": robot(n) for n in range(2)}
     surveys = Surveys(robots, lambda _: [])
-    assert [one.name for one in map_topics(build_building(1), robots, surveys, 1.0, ROS1)] == ["/map"]
+    assert [one.name for one in map_topics(build_building(1), robots, surveys, 1.0, ROS1)] == [
+        *("/map", "/map_metadata"),
+    ]
     several = list(map_topics(build_building(2), robots, surveys, 1.0, ROS2))
     names = ["/floor_0/map", "/floor_1/map", "/robot_0/floor", "/robot_1/floor"]
     assert [one.name for one in several] == names and all(one.latched for one in several)
