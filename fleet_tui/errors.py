@@ -57,3 +57,8 @@ def did_you_mean(word: str, known: Iterable[str]) -> str:
     # The search for similar names takes time with the square of the length.
     near = get_close_matches(word[:80].casefold(), names, n=1, cutoff=0.5)
     return f", did you mean {names[near[0]]}?" if near else ""
+
+
+STOPPED = "server not responding"
+UNANSWERED = "reached, but no answer"
+"""Why there is no connection if its port takes connections, and nothing is ever answered, or not any more."""

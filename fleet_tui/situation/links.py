@@ -1,5 +1,6 @@
 """Facts about what is between the robots and the screen: the bridges, and this console."""
 
+from fleet_tui.errors import STOPPED, UNANSWERED
 from fleet_tui.model.alarm import Priority
 from fleet_tui.model.fleet import FleetState, behind_text
 from fleet_tui.model.link import (
@@ -7,8 +8,6 @@ from fleet_tui.model.link import (
     NO_REPLY,
     NO_WAY,
     NOT_ADMITTED,
-    STOPPED,
-    UNANSWERED,
     LinkState,
     Phase,
 )

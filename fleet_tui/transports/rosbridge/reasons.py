@@ -5,7 +5,7 @@ import re
 import ssl
 
 from fleet_tui.config.schema import Link
-from fleet_tui.model.link import STOPPED, UNANSWERED
+from fleet_tui.errors import STOPPED, UNANSWERED
 from fleet_tui.transports.reasons import DROPS, tls_problem
 
 _STATUSES = {

@@ -3,11 +3,12 @@
 import pytest
 from msgspec.structs import replace
 
+from fleet_tui.errors import STOPPED, UNANSWERED
 from fleet_tui.model import events
 from fleet_tui.model.alarm import AlarmStage
 from fleet_tui.model.desk import events as desk_events
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.link import NO_REPLY, STOPPED, UNANSWERED, CommandPath, Phase
+from fleet_tui.model.link import NO_REPLY, CommandPath, Phase
 from fleet_tui.model.navigation_events import ErrorReported
 from fleet_tui.rules.why.why import reasons
 from tests.support.alarms import alarm, alarms, up
