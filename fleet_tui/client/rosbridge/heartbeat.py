@@ -26,6 +26,8 @@ HALF_DEAD_AFTER = 1.5
 """Seconds without a message on any topic after which a bridge of which no node answers is half dead."""
 NO_NODE = "ROS knows no node, not even the bridge: start rosapi, or restart the bridge and the robots' nodes"
 """As after a restart of the ROS master: what was connected before goes on."""
+UNPROVEN = "not tried yet: neither rosapi nor the bridge's own node answers"
+"""As well as NO_NODE it may be a site without rosapi whose bridge has another name: a command shows it."""
 
 
 class Heartbeat:
@@ -114,7 +116,9 @@ class Heartbeat:
             wrong = f"no services of {some(absent)}: restart its node, or correct [profile.services]"
             self._set(CommandPath.UNREGISTERED, wrong)
         elif self._pulse.knows_no_node and self._services.are_unseen:
-            self._set(CommandPath.UNREGISTERED, NO_NODE)
+            is_proven = self._services.is_unknown_to_bridge
+            path, reason = (CommandPath.UNREGISTERED, NO_NODE) if is_proven else (CommandPath.ALIVE, UNPROVEN)
+            self._set(path, reason)
         else:
             self._set(CommandPath.ALIVE)
 

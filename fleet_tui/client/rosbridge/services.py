@@ -48,6 +48,8 @@ class Services:
         self._absent: set[str] = set()
         """Robots without a service listed by rosapi, although they may send messages."""
         self._active: set[str] = set()
+        self._unknown: set[str] = set()
+        """Services that were called and did not exist."""
         self._rosapi_answered = False
         self._master_was_lost = False
         self._begun = -SETTLE_TIME
@@ -70,6 +72,11 @@ class Services:
     def are_unseen(self) -> bool:
         """Tell whether the robots need services, and none of them was ever seen."""
         return bool(self._wanted) and not self._seen
+
+    @property
+    def is_unknown_to_bridge(self) -> bool:
+        """Tell whether the bridge said of a robot's service that was called that it does not exist."""
+        return bool(self._unknown)
 
     @property
     def without_any(self) -> list[str]:
@@ -121,11 +128,14 @@ class Services:
         if service not in self._wanted:
             return
         if not result and is_unknown(values):
+            self._unknown.add(service)
             self._set_missing(self._missing | ({service} & self._seen))
+            self.changed()
             self.query()
         elif result:
             robot = self._wanted[service].robot
             self._seen.add(service)
+            self._unknown.discard(service)
             self._absent.discard(robot)
             self._set_missing({name for name in self._missing if self._wanted[name].robot != robot})
 

@@ -95,11 +95,27 @@ async def test_a_console_that_comes_after_a_restart_of_the_master_says_that_no_c
     monkeypatch.setattr(heartbeat, "EVERY", 0.1)
     own = dict(server.bridge.services.answers)
     play(server, [("lost-master", "robot_0")])
-    async with linked(config_of(server.url, 1)) as (_, store):
+    async with linked(config_of(server.url, 1)) as (link, store):
+        await store.until(lambda state: state.links["rosbridge"].command_reason == heartbeat.UNPROVEN)
+        assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.REFUSED
         state = await store.until(path(CommandPath.UNREGISTERED))
         assert f"rosbridge: {heartbeat.NO_NODE}" in attention(state)
         server.bridge.services.answers.update(own)
         await store.until(path(CommandPath.ALIVE))
+
+
+async def test_a_site_without_rosapi_whose_bridge_has_another_name_is_no_alarm(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(heartbeat, "EVERY", 0.1)
+    server.bridge.services.rosapi_alive = False
+    server.bridge.services.answers.clear()
+    async with linked(config_of(server.url, 1)) as (link, store):
+        state = await store.until(lambda state: state.links["rosbridge"].command_reason == heartbeat.UNPROVEN)
+        assert state.links["rosbridge"].command_path is CommandPath.ALIVE
+        assert not [line for line in attention(state) if line.startswith("rosbridge")]
+        assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
+        assert store.state.links["rosbridge"].command_reason == ""
 
 
 async def test_a_bridge_whose_nodes_answer_is_asked_nothing_that_is_an_error_in_the_log_of_its_site(

@@ -108,6 +108,8 @@ def _commands(link: LinkState, replied_at: float | None, now: float) -> Run:
     if link.command_path is CommandPath.ALIVE and replied_at is not None and now - replied_at > LATE:
         return f"▲ replies late {age(now - replied_at)}", StyleRole.WARN
     match link.command_path:
+        case CommandPath.ALIVE if link.command_reason:
+            return f"○ {tr(sanitize(link.command_reason))}", StyleRole.WARN
         case CommandPath.ALIVE:
             return "● ok", StyleRole.GOOD
         case CommandPath.DEAD:

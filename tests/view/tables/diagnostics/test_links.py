@@ -60,6 +60,14 @@ def test_how_many_robots_have_which_rate_if_they_differ() -> None:
     assert "poses: 1 at 10 Hz, 1 at 1 Hz" in row(link_table(seen(link)[1], NOW), "rates")
 
 
+def test_commands_of_which_no_node_answers_yet_are_neither_well_nor_dead() -> None:
+    link = counter()
+    link.round_trips.take(0.001, NOW - 1.0)
+    path = CommandPathChanged(LINK, CommandPath.ALIVE, "not tried yet: no node answers", True)
+    table = link_table(seen(link, reduced(fleet(2), link_up(T0), path))[1], NOW)
+    assert "○ not tried yet: no node answers" in row(table, "commands")
+
+
 def test_commands_are_not_well_while_the_reply_to_a_heartbeat_is_overdue() -> None:
     link = counter()
     link.round_trips.take(0.001, NOW - 1.0)
