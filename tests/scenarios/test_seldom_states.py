@@ -9,7 +9,7 @@ from tests.support.cli import Ended, run
 from tests.support.vda_broker import SpokenFor
 from tests.support.vda_fleet import config_text
 from tests.support.vda_hall import hall_graph
-from tests.support.vda_messages import node
+from tests.support.vda_messages import BASE, message, node
 
 ORDER = ("order", "agv", "Rack")
 
@@ -64,6 +64,23 @@ async def test_who_says_yes_to_all_still_waits_for_no_longer_than_the_timeout(tm
         done = await give(tmp_path, broker, *ORDER, "--timeout", "2", "--yes")
         assert vehicle.peer.told_on("uagv/v2/KIT/0001/order") == []
     assert done.code == 1 and "not sent (agv: missing: state)" in done.err, done
+
+
+async def test_an_order_that_still_waits_at_the_end_of_the_timeout_is_never_sent_and_told_so(
+    tmp_path: Path,
+) -> None:
+    with broker_in(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        offers = {"agvActions": [{"actionType": "stopCharging", "actionScopes": ["INSTANT"]}]}
+        vehicle.peer.publish(f"{BASE}/factsheet", message(protocolFeatures=offers), retain=True)
+        given = give(tmp_path, broker, *ORDER, "--timeout", "3", "--yes")
+        while not any("stopCharging" in types(one) for one in vehicle.actions):
+            vehicle.say(batteryState={"batteryCharge": 50.0, "charging": True})
+            await asyncio.sleep(0.1)
+        done = await given
+        assert vehicle.peer.told_on(f"{BASE}/order") == []
+    assert done.code == 1 and "not sent" in done.err and "for the end of its charge" in done.err, done
+    assert "may still be carried out" not in done.err
 
 
 async def test_who_may_only_watch_asks_for_nothing(tmp_path: Path) -> None:

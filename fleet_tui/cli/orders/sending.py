@@ -18,6 +18,7 @@ from fleet_tui.model.commands import (
     ResumeRobot,
     Stage,
 )
+from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.problem import Permissions, Problem
@@ -251,9 +252,18 @@ class Sending:
             # However little time is left for an answer, whether it was sent is known here.
             self.store.wait(partial(self._was_tried, command_id), HANDOVER)
             self.store.wait(partial(self._has_ended, command_id), self.left)
+            self._withdraw(command_id)
             record = self._records.get(command_id)
             if record is not None:
                 yield self._with_link(ended(self.state, record, self._how.timeout), record)
+
+    def _withdraw(self, command_id: int) -> None:
+        """Never send an order that still waits at the time limit, unless it leaves just now."""
+        record = self._records.get(command_id)
+        if record is not None and record.stage is Stage.WAITING:
+            words = f"waited {record.detail} until --timeout {self._how.timeout:g}"
+            self.link.post(CommandAdvanced(command_id, Stage.NOT_SENT, time.monotonic(), words))
+            self.store.wait(lambda _: self._records[command_id].stage is not Stage.WAITING, HANDOVER)
 
     def _was_tried(self, command_id: int, _: FleetState) -> bool:
         return command_id in self._records and self._records[command_id].stage is not Stage.CHECKED
