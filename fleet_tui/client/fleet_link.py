@@ -83,6 +83,7 @@ class FleetLink:
         adapters = adapters_of(config)
         for link in self.links.values():
             link.extend(config, adapters)
+        self._waiting_orders.load()
 
     def post(self, event: Event) -> None:
         """Apply an event from outside the link to the store."""

@@ -62,10 +62,12 @@ class WaitingOrders:
         self._has_loaded = False
 
     def load(self) -> None:
-        """Load the orders of an earlier console, held until the operator releases them."""
+        """Load the orders of an earlier console, held until the operator releases them; again for robots that
+        were added."""
         robots = self._store.state.robots.values()
-        if self._file is not None and any(robot.kind.keeps_goals for robot in robots):
-            self._claim(self._file)
+        is_needed = any(robot.kind.keeps_goals for robot in robots)
+        if self._file is not None and is_needed and self._claim(self._file):
+            self._restore()
 
     def _claim(self, file: QueueFile) -> bool:
         """Become the console that keeps orders, and load those left in the file."""
@@ -73,12 +75,17 @@ class WaitingOrders:
             return False
         if not self._has_loaded:
             self._has_loaded = True
-            self._restore(file)
+            self._saved = self._foreign = file.load()
+            if file.problem:
+                LOG.warning("%s", file.problem)
+            self._restore()
         return True
 
-    def _restore(self, file: QueueFile) -> None:
-        state, self._saved = self._store.state, file.load()
-        for kept in self._saved:
+    def _restore(self) -> None:
+        """Hold the saved orders of robots that are there by now."""
+        state = self._store.state
+        saved, self._foreign = self._foreign, []
+        for kept in saved:
             robot = state.robots.get(kept.robot)
             is_ours = robot is not None and state.links[robot.link].url == kept.url
             if robot is None or not is_ours or not robot.kind.keeps_goals:
@@ -90,8 +97,6 @@ class WaitingOrders:
             )
             self._apply(CommandAdvanced(command_id, Stage.WAITING, now, RESTARTED))
             self._apply(QueueHeld(robot.name, RESTARTED))
-        if file.problem:
-            LOG.warning("%s", file.problem)
 
     def handles(self, command_id: int, command: Command, given_at: float) -> bool:
         """Carry out a command here if it concerns waiting orders."""

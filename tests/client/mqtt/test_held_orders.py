@@ -1,14 +1,15 @@
 """Tests of fleet_tui/client/mqtt/commands.py: an order that waits for a state is sent as meant, or never."""
 
 import asyncio
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from fleet_tui.client.queue_file import QueueFile
+from fleet_tui.client.queue_file import QueueFile, WaitingOrder
 from fleet_tui.config.load import from_text
-from fleet_tui.model.commands import CancelOrder, ClearOrders, PauseRobot, PlaceOrder, Stage
+from fleet_tui.model.commands import RESTARTED, CancelOrder, ClearOrders, PauseRobot, PlaceOrder, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.link import CommandPath
@@ -23,7 +24,7 @@ from tests.support.links import finished, linked
 from tests.support.nav2_site import keeping, record_of
 from tests.support.polling import until
 from tests.support.vda_broker import SpokenFor, console_on
-from tests.support.vda_fleet import config_text
+from tests.support.vda_fleet import ONE, config_text
 from tests.support.vda_messages import BASE, error, message, node, position
 from tests.support.watched_store import WatchedStore
 
@@ -214,6 +215,21 @@ async def test_an_order_of_the_queue_that_is_cancelled_while_its_vehicle_ends_it
 
 def queueing(url: str, queue: QueueFile) -> Any:
     return linked(from_text(config_text(url)), queue=queue)
+
+
+async def test_saved_orders_of_a_vehicle_that_comes_later_are_loaded_once_and_held(tmp_path: Path) -> None:
+    with broker_in(tmp_path) as broker:
+        with closing(keeping(tmp_path)) as earlier:
+            assert earlier.claim()
+            earlier.save([WaitingOrder(broker.url, name, ORDER.stops, 1.7e9) for name in ("agv", "late")])
+        async with queueing(broker.url, keeping(tmp_path)) as (link, store):
+            await store.until(lambda state: state.commands)
+            assert [one.command.robot for one in store.state.commands] == ["agv"]
+            more = '\n[[robots]]\nname = "late"\nmanufacturer = "KIT"\nserial = "0002"\nlink = "broker"'
+            await asyncio.to_thread(link.extend, from_text(config_text(broker.url, robots=ONE + more)))
+            state = await store.until(lambda state: state.robots["late"].held)
+            assert [one.command.robot for one in state.commands] == ["agv", "late"]
+            assert state.commands[-1].stage is Stage.WAITING and state.robots["late"].held == RESTARTED
 
 
 async def test_a_closed_console_says_so_of_an_order_that_waited(tmp_path: Path) -> None:
