@@ -67,6 +67,13 @@ def action_at(settings: VehicleSettings, topic: str, version: str, type_: str, u
     return Publication(topic, version, {key: [action]}, id_)
 
 
+def is_field_open(settings: VehicleSettings, robot: Robot) -> bool:
+    """Tell whether a vehicle may read its instant actions in the other field: its version names both, in its
+    text and in its schema."""
+    version = robot.vehicle.value.version.strip().lower().removeprefix("v") if robot.vehicle else ""
+    return not settings.instant_actions and (version == "2" or version.startswith("2.0"))
+
+
 def cancel(settings: VehicleSettings, robot: Robot, order_id: str, unique: str) -> Publication:
     """Return the cancellation of the one order that a vehicle has. Raises CommandError for another one."""
     if not any(goal.id == order_id for goal in active(robot.goals)):

@@ -17,7 +17,7 @@ import msgspec
 from fleet_tui.adapters.adapter import Adapter, Publication
 from fleet_tui.adapters.vda5050.adapter import VehicleAdapter
 from fleet_tui.adapters.vda5050.answers import INSTANT_ACTIONS, ORDER, answer, error_text, failure_of
-from fleet_tui.adapters.vda5050.orders import NeverSeenError, address_of
+from fleet_tui.adapters.vda5050.orders import NeverSeenError, address_of, is_field_open
 from fleet_tui.client.patience import call_awake
 from fleet_tui.client.writer import Writer
 from fleet_tui.errors import CommandError, LinkError
@@ -367,8 +367,13 @@ class VehicleCommands:
             why = f", and it reports {error_text(asked.complaints[0])}"
         elif not asked.is_echoed:
             why = ", and the broker did not pass it on (rights?)"
+        elif not isinstance(asked.command, PlaceOrder) and self._is_field_open(asked.command.robot):
+            why = ', or it needs instant_actions = "instantActions" in [profile.vda5050]'
         detail = f"from {asked.command.robot} in {self._timeout:g} s{why}: may still be carried out"
         self._advance(asked.command_id, Stage.NO_ANSWER, detail)
+
+    def _is_field_open(self, name: str) -> bool:
+        return is_field_open(self._adapters[name].settings, self._writer.store.state.robots[name])
 
     def on_lost(self, why: str = "link lost") -> None:
         """End every open command: its answer may have been missed."""

@@ -25,7 +25,7 @@ from tests.support.links import finished
 from tests.support.mqtt_peer import Peer
 from tests.support.polling import until
 from tests.support.vda_broker import SpokenFor, console_on
-from tests.support.vda_messages import BASE, error, message, node, state
+from tests.support.vda_messages import BASE, error, message, node, position, state
 from tests.support.watched_store import WatchedStore
 
 ORDER = PlaceOrder("agv", (Stop(pose=Pose(5.0, 2.0)),))
@@ -133,9 +133,30 @@ async def test_silence_is_no_answer_and_a_late_one_counts(
         async with console_on(broker) as (link, store):
             await seen(store, vehicle)
             record = await given(link, store, PauseRobot("agv"), Stage.NO_ANSWER)
-            assert record.detail == "from agv in 5 s: may still be carried out"
+            hint = 'or it needs instant_actions = "instantActions" in [profile.vda5050]'
+            assert record.detail == f"from agv in 5 s, {hint}: may still be carried out"
             vehicle.say(paused=True)
             await store.until(lambda state: state.commands[-1].stage is Stage.CONFIRMED)
+
+
+@pytest.mark.parametrize(
+    ("version", "settings", "command"),
+    [
+        ("2.0.0", 'instant_actions = "actions"', PauseRobot("agv")),
+        ("2.1.0", "", PauseRobot("agv")),
+        ("2.0.0", "", ORDER),
+    ],
+)
+async def test_only_where_the_field_of_an_action_is_open_a_missing_answer_names_its_setting(
+    tmp_path: Path, version: str, settings: str, command: Command
+) -> None:
+    with broker_in(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker, settings=settings) as (link, store):
+            vehicle.peer.publish(f"{BASE}/state", state(version, agvPosition=position()))
+            await store.until(lambda state: state.robots["agv"].pose)
+            record = await given(link, store, command, Stage.NO_ANSWER)
+            assert record.detail == "from agv in 5 s: may still be carried out"
 
 
 async def test_a_second_master_is_seen_and_ours_refused(tmp_path: Path) -> None:
