@@ -44,16 +44,19 @@ class Goal(Struct, frozen=True):
 
 
 STOPS_WITHIN = 3.0
-"""Seconds after a pause in which a robot brakes."""
+STANDS_FOR = 0.5
+"""Seconds after a pause in which a robot brakes, and of speeds near zero from which it stands."""
 
 
 class ReportedMotion(Struct, frozen=True):
     """Whether a robot moves by the speeds that it reports, and since when (monotonic) all of them said so.
-    `mean` is that of the newest ones, each as far as it matters."""
+    `mean` is that of the newest ones, each as far as it matters; `stood` is when it last stood, None if it
+    never did: speeds near zero for a moment are noise."""
 
     is_moving: bool
     since: float
     mean: Speeds = Speeds()
+    stood: float | None = None
 
 
 DOWN = "down"

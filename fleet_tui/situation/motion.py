@@ -3,7 +3,7 @@
 from fleet_tui.model.alarm import Priority
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.navigation import STOPS_WITHIN, Goal, ReportedMotion
+from fleet_tui.model.navigation import STANDS_FOR, STOPS_WITHIN, Goal, ReportedMotion
 from fleet_tui.model.order import BEGUN
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.vehicles.vehicle import CurrentAction, Vehicle
@@ -11,8 +11,6 @@ from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import DESPITE_PAUSE, STILL_MOVING, STOPPING
 from fleet_tui.text.units import age
 
-STANDS_FOR = 0.5
-"""Seconds of speeds near zero from which a robot stands."""
 STANDS_AFTER = 1.0
 """Seconds without movement after which a robot counts as standing, and within which it counted as moving."""
 SELDOM = 2.0
@@ -114,9 +112,9 @@ def moves_despite_pause(state: FleetState, robot: Robot) -> Fact | None:
     if not state.is_online(robot) or state.now - at > state.patience(robot):
         text = "not seen to stop"
         evidence = f"last speed reported {age(state.now - at)} ago"
-    elif motion.is_moving and motion.since > since and at - since > STOPS_WITHIN:
-        kind, text, priority, since = DESPITE_PAUSE, DESPITE_PAUSE.word, Priority.MEDIUM, motion.since
-        evidence = f"it stood, and reports movement for {age(at - motion.since)}"
+    elif motion.is_moving and motion.stood and motion.stood > since and at - since > STOPS_WITHIN:
+        kind, text, priority, since = DESPITE_PAUSE, DESPITE_PAUSE.word, Priority.MEDIUM, motion.stood
+        evidence = f"it stood, and reports movement for {age(at - motion.stood)}"
     elif motion.is_moving and at - since > STOPS_WITHIN:
         kind, text, priority = STILL_MOVING, STILL_MOVING.word, Priority.HIGH
         evidence = f"the robot reports movement {age(at - since)} after the pause"

@@ -5,7 +5,7 @@ from typing import assert_never
 from msgspec.structs import replace
 
 from fleet_tui.model import events, navigation_events
-from fleet_tui.model.navigation import Blocked, Progress, ReportedMotion
+from fleet_tui.model.navigation import STANDS_FOR, Blocked, Progress, ReportedMotion
 from fleet_tui.model.robot import Logged, Reading, Robot
 from fleet_tui.model.ros_logs import cause_of
 from fleet_tui.model.set_up.driving import Speeds
@@ -159,7 +159,10 @@ def _with_motion(robot: Robot, speed: Speeds, at: float) -> Robot:
         return robot
     is_same = before is not None and before.value.is_moving is is_moving and at - before.at <= GAP
     since = before.value.since if before is not None and is_same else at
-    return replace(robot, motion=Reading(ReportedMotion(is_moving, since, mean), at))
+    stood = before.value.stood if before is not None else None
+    if not is_moving and at - since >= STANDS_FOR:
+        stood = at
+    return replace(robot, motion=Reading(ReportedMotion(is_moving, since, mean, stood), at))
 
 
 def _take_origin(robot: Robot, event: navigation_events.OriginReported) -> Robot:

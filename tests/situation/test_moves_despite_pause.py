@@ -101,7 +101,11 @@ def test_the_noise_of_its_speeds_at_rest_is_no_movement(turning: float) -> None:
 
 def test_a_slow_drive_is_movement_however_noisy_its_speeds_are() -> None:
     noise = Random(1)
-    state = driven(paused(AHEAD), 1.1, 6.0, lambda: Speeds(0.05 + noise.gauss(0.0, 0.01)))
+    state = driven(paused(AHEAD), 1.1, 4.1, lambda: Speeds(max(0.0, 0.05 + noise.gauss(0.0, 0.02))))
+    for tenth in range(42, 100):
+        state = driven(state, tenth / 10, tenth / 10, lambda: Speeds(max(0.0, 0.05 + noise.gauss(0.0, 0.02))))
+        assert told(state) in ([STILL_MOVING.word], [STOPPING.word])
+    state = driven(state, 10.0, 10.0, Speeds(0.05))
     assert told(state) == [STILL_MOVING.word]
 
 
