@@ -38,7 +38,7 @@ def answer(command: Command, id_: str, number: int, vehicle: Vehicle) -> tuple[S
         case PlaceOrder() | SetUpCommand():
             return None
         case CancelOrder() | ClearOrders():
-            if is_done and not is_running(vehicle):
+            if is_done and not is_running(vehicle, is_cancelled=True):
                 return Stage.ACCEPTED, ""
         case PauseRobot() | ResumeRobot():
             wanted = isinstance(command, PauseRobot)

@@ -1,10 +1,11 @@
 """Memory of the last states of vehicles: their nodes and order are told again only when they change."""
 
 import math
+from collections.abc import Mapping
 from typing import Any
 
 from fleet_tui.adapters.vda5050.fields import Fields
-from fleet_tui.adapters.vda5050.state import OrderNodes, nodes_of
+from fleet_tui.adapters.vda5050.state import OrderNodes, is_running, nodes_of
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.vehicles.vehicle import Vehicle
@@ -19,6 +20,7 @@ APART = 1.0
 CONTRADICTIONS = 3
 """A visualization so many seconds after a state, and so many metres from it, contradicts it: after so many in
 a row it is not believed, as there are vehicles whose visualization never moves."""
+INSTANT_KEPT = 1000
 TOLD_EVERY = 5.0
 """Seconds after which an unchanged order is told again, so that it does not grow old."""
 
@@ -30,6 +32,7 @@ class StateMemory:
         self._nodes: dict[str, tuple[tuple[Any, ...], OrderNodes]] = {}
         self._actions: dict[str, tuple[str, frozenset[str], frozenset[str]]] = {}
         """The order of each vehicle, the actions before it, and those of the last state."""
+        self._instant: dict[str, str] = {}
         self._numbers: dict[str, float | None] = {}
         self._back: dict[str, list[float]] = {}
         """When the numbers of a vehicle's states went back (monotonic)."""
@@ -86,10 +89,26 @@ class StateMemory:
             self._nodes[robot] = raw, found
         return found, True
 
+    @property
+    def instant_actions(self) -> Mapping[str, str]:
+        """The types of instant actions that master controls sent, by id."""
+        return self._instant
+
+    def add_instant(self, id_: str, type_: str) -> None:
+        """Remember an instant action that a master control sent."""
+        self._instant[id_] = type_
+        if len(self._instant) > INSTANT_KEPT:
+            del self._instant[next(iter(self._instant))]
+
     def earlier_actions(self, robot: str, vehicle: Vehicle) -> frozenset[str]:
         """Return the ids of the actions that were in the states before the vehicle took its order: some keep
-        them for long, and they say nothing of it."""
-        order_id, earlier, last = self._actions.get(robot, ("", frozenset(), frozenset()))
+        them for long, and they say nothing of it. Nor do cancellations that are over in the first of all
+        states while its order is driven."""
+        if (known := self._actions.get(robot)) is not None:
+            order_id, earlier, last = known
+        else:
+            over = frozenset(one.id for one in vehicle.actions if one.is_cancelled)
+            order_id, earlier, last = vehicle.order_id, over if is_running(vehicle) else frozenset(), over
         if vehicle.order_id != order_id:
             earlier = last
         ids = frozenset(one.id for one in vehicle.actions if one.id)

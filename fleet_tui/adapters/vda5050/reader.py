@@ -171,6 +171,11 @@ class MessageReader:
         counter.failed(text)
         return *read, events.MessageRejected(robot, f"{address.name}: {truncate(text)}")
 
+    def take_sent(self, message: BrokerMessage, at: float) -> None:
+        """Remember what this console sent: not each broker returns it."""
+        if (found := self.whose(message.topic)) is not None:
+            self._read(message, *found, at)
+
     def too_large(self, topic: str, size: int) -> tuple[events.Event, ...]:
         """Name a message that was dropped, with its size and the config key of the limit."""
         self.counter.dropped += 1

@@ -2,7 +2,7 @@
 
 import hashlib
 import re
-from collections.abc import Callable, Iterator, Mapping, Set
+from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from typing import NamedTuple
 
 from fleet_tui.adapters.vda5050.clock import unix_second
@@ -28,10 +28,9 @@ from fleet_tui.model.vehicles.events import (
     VehicleReported,
 )
 from fleet_tui.model.vehicles.vehicle import (
-    CANCEL,
     HIGH,
-    INSTANT,
     Vehicle,
+    VehicleAction,
     VehicleConnection,
     VehicleFeatures,
 )
@@ -82,7 +81,7 @@ def read_state(origin: MessageOrigin, message: Fields) -> Iterator[events.Event]
     if origin.memory.has_second_sender(robot, message.number("headerId"), at):
         message.faults.append("headerId goes back again and again: two senders have this serial number")
     nodes, is_new = origin.memory.nodes(robot, message)
-    vehicle = vehicle_of(message, origin.base, nodes)
+    vehicle = vehicle_of(message, origin.base, nodes, origin.memory.instant_actions)
     yield VehicleReported(robot, at, vehicle)
     for reported in _pose(origin, message, "state"):
         origin.memory.state_at(robot, reported.pose, at)
@@ -107,7 +106,14 @@ def _orders(vehicle: Vehicle, target: str, is_ours: bool, earlier: Set[str]) -> 
     not of it."""
     if not vehicle.order_id:
         return ()
-    state, said = (OrderState.IN_PROCESS, "") if is_running(vehicle) else _end(vehicle, earlier)
+    actions = [one for one in vehicle.actions if not one.id or one.id not in earlier]
+    is_cancelled = any(one.is_cancelled for one in actions)
+    if is_running(vehicle, is_cancelled):
+        state, said = OrderState.IN_PROCESS, ""
+    elif is_cancelled:  # first: it makes the actions fail that were to follow
+        state, said = OrderState.CANCELLED, ""
+    else:
+        state, said = _end(vehicle, actions)
     goal = Goal(
         short_id(vehicle.order_id),
         vehicle.order_id,
@@ -121,16 +127,13 @@ def _orders(vehicle: Vehicle, target: str, is_ours: bool, earlier: Set[str]) -> 
     return (goal,)
 
 
-def _end(vehicle: Vehicle, earlier: Set[str]) -> tuple[OrderState, str]:
-    """Return how an order ended, with the vehicle's text: it is done if all its parts are."""
-    actions = [one for one in vehicle.actions if not one.id or one.id not in earlier]
-    # First: a cancellation makes the actions fail that were to follow.
-    if any(one.type == CANCEL and one.status == "FINISHED" for one in actions):
-        return OrderState.CANCELLED, ""
+def _end(vehicle: Vehicle, actions: Sequence[VehicleAction]) -> tuple[OrderState, str]:
+    """Return how an order with these actions ended, with the vehicle's text: it is done if all its parts
+    are."""
     if any(one.level in HIGH and one.concerns(vehicle.order_id) for one in vehicle.errors):
         return OrderState.FAILED, ""
     for one in actions:
-        if one.status == "FAILED" and one.type not in INSTANT:
+        if one.status == "FAILED" and not one.is_beside:
             return OrderState.FAILED, ": ".join(filter(None, (f"{one.type or 'action'} failed", one.text)))
     return OrderState.DONE, ""
 
@@ -204,6 +207,8 @@ def read_order(origin: MessageOrigin, message: Fields) -> Iterator[events.Event]
 def read_actions(origin: MessageOrigin, message: Fields) -> Iterator[events.Event]:
     """Read the instant actions of a master control."""
     found = message.parts(MOST_ACTIONS, "actions", "instantActions") or []
+    for one in found:
+        origin.memory.add_instant(one.text("actionId"), one.text("actionType"))
     what = ", ".join(one.text("actionType") for one in found[:3]) or "instant actions"
     yield MasterSeen(origin.robot, origin.at, what, tuple(one.text("actionId") for one in found))
 

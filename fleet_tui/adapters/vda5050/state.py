@@ -1,14 +1,14 @@
 """The state of a vehicle, from the messages of all versions."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from typing import NamedTuple
 
 from fleet_tui.adapters.vda5050.fields import Fields
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
-from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleAction, VehicleError
+from fleet_tui.model.vehicles.vehicle import CANCEL, INSTANT, Vehicle, VehicleAction, VehicleError
 from fleet_tui.text.limits import LONGEST_WORDS
 
 MOST_NODES = 2000
@@ -61,8 +61,9 @@ def _without_passed(state: Fields, nodes: list[Fields]) -> list[Fields]:
     return [node for node in nodes if _sequence(node) > number]
 
 
-def vehicle_of(state: Fields, base: str, nodes: OrderNodes) -> Vehicle:
-    """Return the state of a vehicle, whose topics have the base `base`."""
+def vehicle_of(state: Fields, base: str, nodes: OrderNodes, instant: Mapping[str, str]) -> Vehicle:
+    """Return the state of a vehicle, whose topics have the base `base`. `instant` are the types of instant
+    actions that were seen to be sent, by id: states need not name them."""
     position, power = _position(state), state.part("batteryState", "powerSupply")
     safety, asks = state.part("safetyState"), tuple(_requests(state))
     maps = tuple(_enabled(state, "maps", "map"))
@@ -94,7 +95,7 @@ def vehicle_of(state: Fields, base: str, nodes: OrderNodes) -> Vehicle:
         paused=state.flag("paused"),
         speed=_speed(state),
         errors=tuple(_errors(state)),
-        actions=tuple(_actions(state)),
+        actions=tuple(_actions(state, instant)),
     )
 
 
@@ -157,14 +158,17 @@ def _errors(state: Fields) -> Iterator[VehicleError]:
         )
 
 
-def _actions(state: Fields) -> Iterator[VehicleAction]:
+def _actions(state: Fields, instant: Mapping[str, str]) -> Iterator[VehicleAction]:
     for name in ("actionStates", "instantActionStates"):
         for action in state.parts(MOST_ACTIONS, name) or []:
+            id_ = action.text("actionId")
+            type_ = action.text("actionType") or instant.get(id_, "")
             yield VehicleAction(
-                action.text("actionId"),
+                id_,
                 action.word("actionStatus"),
                 action.text("resultDescription", "actionResult", longest=LONGEST_WORDS),
-                action.text("actionType"),
+                type_,
+                is_beside=id_ in instant or type_ in INSTANT or name == "instantActionStates",
             )
 
 
@@ -193,9 +197,15 @@ def charge_of(state: Fields) -> float | None:
     return None
 
 
-def is_running(vehicle: Vehicle) -> bool:
-    """Tell whether its order is driven: it stays in the state after its end, and after its cancellation."""
-    going = any(one.status and one.status not in ENDED for one in vehicle.actions)
+def is_running(vehicle: Vehicle, is_cancelled: bool = False) -> bool:
+    """Tell whether its order is driven: it stays in the state after its end, and after its cancellation, some
+    with actions that wait for ever. Of the actions beside it only its cancellation counts."""
+    over = {*ENDED, "WAITING"} if is_cancelled else ENDED
+    going = any(
+        one.status and one.status not in over
+        for one in vehicle.actions
+        if not one.is_beside or one.type == CANCEL
+    )
     return bool(vehicle.order_id) and bool(vehicle.nodes_left or vehicle.horizon or going)
 
 

@@ -161,6 +161,7 @@ class VehicleTelemetry:
 
     def on_sent(self, topic: str, payload: bytes) -> None:
         """Report a sent message to the tap."""
+        self._reading.take_sent(BrokerMessage(topic, payload), time.monotonic())
         if self._writer.tap is not None:
             frame, _ = frame_of(BrokerMessage(topic, payload))
             self._writer.tap.on_sent(self._link, "commands", frame)

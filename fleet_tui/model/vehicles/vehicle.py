@@ -64,17 +64,24 @@ class VehicleError(Struct, frozen=True):
 
 
 class VehicleAction(Struct, frozen=True):
-    """The state of an action, by the id that its sender gave it."""
+    """The state of an action, by the id that its sender gave it. `is_beside`: it was given beside an order,
+    as by its type or by the message that had it."""
 
     id: str
     status: str
     text: str = ""
     type: str = ""
+    is_beside: bool = False
 
     @property
     def is_carried_out(self) -> bool:
         """Tell whether it is an action of an order that runs now."""
-        return self.status in ("INITIALIZING", "RUNNING") and self.type not in INSTANT
+        return self.status in ("INITIALIZING", "RUNNING") and not self.is_beside
+
+    @property
+    def is_cancelled(self) -> bool:
+        """Tell whether it is the end of a cancellation."""
+        return self.type == CANCEL and self.status == "FINISHED"
 
 
 class CurrentAction(Struct, frozen=True):

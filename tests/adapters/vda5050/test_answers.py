@@ -25,7 +25,7 @@ PAUSE, RESUME, CLEAR = PauseRobot("agv"), ResumeRobot("agv"), ClearOrders("agv")
 
 def said(command: Command, **fields: Any) -> tuple[Stage, str] | None:
     message = Fields.of(state(**fields))
-    return answer(command, "mine", 7, vehicle_of(message, "base", nodes_of(message)))
+    return answer(command, "mine", 7, vehicle_of(message, "base", nodes_of(message), {}))
 
 
 def action(status: str, id_: str = "mine", **more: str) -> list[dict[str, str]]:

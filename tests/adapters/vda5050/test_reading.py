@@ -95,6 +95,42 @@ def test_a_cancellation_that_still_stands_in_the_states_is_not_of_the_next_order
     assert states(site) == [OrderState.CANCELLED]
 
 
+def test_a_cancellation_is_known_by_its_id_where_states_do_not_name_their_actions() -> None:
+    site = VehicleSite()
+    site.read("state", state(orderId="o1", nodeStates=[node("a", 2)]))
+    site.read("instantActions", message(actions=[{"actionId": "c1", "actionType": "cancelOrder"}]))
+    site.read("state", state(orderId="o1", actionStates=[action("c1", "", "FINISHED")]))
+    assert states(site) == [OrderState.CANCELLED]
+
+
+def test_an_instant_action_known_by_its_id_does_not_fail_or_prolong_an_order() -> None:
+    site = VehicleSite()
+    site.read("state", state(orderId="o1", nodeStates=[node("a", 2)]))
+    beside = [{"actionId": "p1", "actionType": "startPause"}, {"actionId": "b1", "actionType": "beep"}]
+    site.read("instantActions", message(actions=beside))
+    told = [action("p1", "", "FAILED"), action("b1", "beep", "RUNNING"), action("l", "logReport", "RUNNING")]
+    site.read("state", state(orderId="o1", actionStates=told))
+    assert states(site) == [OrderState.DONE]
+
+
+def test_a_cancellation_that_was_over_before_the_first_state_is_not_of_the_order_driven_then() -> None:
+    site = VehicleSite()
+    old = [action("c1", "cancelOrder", "FINISHED")]
+    site.read("state", state(orderId="o2", nodeStates=[node("a", 2)], actionStates=old))
+    site.read("state", state(orderId="o2", actionStates=old))
+    assert states(site) == [OrderState.DONE]
+
+
+def test_an_order_that_was_cancelled_is_over_though_its_actions_wait_for_ever() -> None:
+    site = VehicleSite()
+    drop = action("d", "drop", "WAITING")
+    site.read("state", state(orderId="o1", nodeStates=[node("a", 2)], actionStates=[drop]))
+    site.read("state", state(orderId="o1", actionStates=[drop]))
+    assert states(site) == [OrderState.IN_PROCESS]
+    site.read("state", state(orderId="o1", actionStates=[drop, action("c1", "cancelOrder", "FINISHED")]))
+    assert states(site) == [OrderState.CANCELLED]
+
+
 def test_a_vehicle_that_keeps_the_nodes_it_has_passed_is_not_busy_for_ever() -> None:
     site = VehicleSite()
     way = [node("n0", 0), node("a", 2), node("b", 4)]

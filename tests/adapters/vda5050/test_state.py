@@ -12,7 +12,7 @@ from tests.support.vda_messages import error, message, node, position, state, st
 
 def read(payload: bytes) -> Vehicle:
     fields = Fields.of(payload)
-    found = vehicle_of(fields, "base", nodes_of(fields))
+    found = vehicle_of(fields, "base", nodes_of(fields), {})
     assert fields.faults == []
     return found
 
@@ -39,7 +39,7 @@ def test_a_state_of_3_0_is_read_by_its_own_names() -> None:
     vehicle = read(state_3(instantActionStates=[{"actionId": "a", "actionStatus": "running"}]))
     assert (vehicle.mode, vehicle.charging, vehicle.localised) == ("TEACHIN", True, False)
     assert vehicle.e_stop == "REMOTE" and vehicle.field_violation is True and not vehicle.takes_orders
-    assert vehicle.actions == (VehicleAction("a", "RUNNING"),)
+    assert vehicle.actions == (VehicleAction("a", "RUNNING", is_beside=True),)
     fields = Fields.of(state_3())
     assert charge_of(fields) == 42.0 and pose_of(fields) == (Pose(1.0, 2.0, 0.5), "hall")
 
