@@ -97,8 +97,17 @@ def read_state(origin: MessageOrigin, message: Fields) -> Iterator[events.Event]
         yield NodesReported(robot, at, nodes.frame, nodes.graph)
     earlier = origin.memory.earlier_actions(robot, vehicle)
     orders = _orders(vehicle, nodes.target, origin.owns(vehicle.order_id), earlier)
+    is_over = any(goal.state is not OrderState.IN_PROCESS for goal in orders)
+    if is_over and (_is_unread(message, "nodeStates") or _is_unread(message, "actionStates")):
+        return  # what can't be read may be left of it
     if origin.memory.is_news(robot, orders, at):
         yield GoalsReported(robot, at, ORDER, orders)
+
+
+def _is_unread(message: Fields, name: str) -> bool:
+    """Tell whether a list has more than what is read of it."""
+    value = message.raw(name)
+    return bool(value) and not (isinstance(value, list) and all(isinstance(one, dict) for one in value))
 
 
 def _orders(vehicle: Vehicle, target: str, is_ours: bool, earlier: Set[str]) -> tuple[Goal, ...]:
