@@ -20,9 +20,10 @@ from fleet_tui.adapters.vda5050.orders import (
     is_charging,
     major_of,
     order,
+    seen_of,
 )
 from fleet_tui.adapters.vda5050.settings import VehicleSettings
-from fleet_tui.adapters.vda5050.topics import INTERFACE, OF_MASTERS, READ, Topics
+from fleet_tui.adapters.vda5050.topics import INTERFACE, OF_MASTERS, READ, Topics, with_name
 from fleet_tui.adapters.vda5050.vocabulary import VOCABULARY
 from fleet_tui.errors import CommandError, WireError
 from fleet_tui.model import commands, events
@@ -141,17 +142,23 @@ class VehicleAdapter:
         return self._addressed(instant_action(self.settings, robot, STOP_CHARGING, unique), robot)
 
     def _to_unseen(self, robot: Robot, type_: str, unique: str) -> Sequence[Publication]:
-        """Return an instant action, in both ways to write it where nothing of the vehicle has arrived."""
+        """Return an instant action, in both ways to write it where nothing of the vehicle has arrived that
+        tells which it reads."""
         try:
             return [instant_action(self.settings, robot, type_, unique)]
         except NeverSeenError:
             manufacturer, serial = self.vehicle(robot.name)
-            if not manufacturer:
+            seen = seen_of(robot)
+            if not manufacturer and seen is None:
                 raise
             found = []
             for version in COMMANDED:
                 levels = {"interface": INTERFACE, "version": f"v{major_of(version)}"}
-                topic = self.topics.filter(INSTANT_ACTIONS, manufacturer, serial, **levels)
+                topic = (
+                    with_name(seen.address, INSTANT_ACTIONS)
+                    if seen is not None
+                    else self.topics.filter(INSTANT_ACTIONS, manufacturer, serial, **levels)
+                )
                 found.append(action_at(self.settings, topic, version, type_, unique))
             return found
 

@@ -14,7 +14,13 @@ from fleet_tui.errors import CommandError
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.vehicles.vehicle import START_CHARGING, STOP_CHARGING, VehicleFeatures
+from fleet_tui.model.vehicles.vehicle import (
+    START_CHARGING,
+    STOP_CHARGING,
+    Vehicle,
+    VehicleConnection,
+    VehicleFeatures,
+)
 from fleet_tui.rules.commands.goals import active
 
 NOT_COMMANDED = 3
@@ -32,7 +38,7 @@ Place = tuple[str, float | None, float | None]
 
 
 class NeverSeenError(CommandError):
-    """Nothing of a vehicle has arrived that tells its topics and its version."""
+    """Nothing of a vehicle has arrived that tells its topics and its version, or one that is none."""
 
 
 def major_of(version: str) -> int | None:
@@ -41,15 +47,23 @@ def major_of(version: str) -> int | None:
     return int(found[1]) if found else None
 
 
+def seen_of(robot: Robot) -> Vehicle | VehicleConnection | None:
+    """Return what a vehicle told last of its topics and its version."""
+    return robot.vehicle.value if robot.vehicle else robot.connection.value if robot.connection else None
+
+
 def address_of(robot: Robot, name: str) -> tuple[str, str]:
     """Return the topic of a name and the version of a vehicle's messages. Raises CommandError for one that
     was never seen, or whose version is only read."""
-    seen = robot.vehicle.value if robot.vehicle else robot.connection.value if robot.connection else None
+    seen = seen_of(robot)
     if seen is None:
         raise NeverSeenError(f"{robot.name} was never seen: its version is unknown")
     version = seen.version or "2.0.0"
     major = major_of(version)
-    if major is None or major >= NOT_COMMANDED:
+    if major is None:
+        said = f"{robot.name} says {version!r} as its version: which messages it reads is unknown"
+        raise NeverSeenError(said)
+    if major >= NOT_COMMANDED:
         raise CommandError(f"{robot.name} speaks VDA 5050 {version}, which is only read, not commanded")
     return with_name(seen.address, name), version
 

@@ -236,6 +236,21 @@ async def test_a_pause_goes_out_to_a_vehicle_of_which_nothing_has_arrived_in_bot
             assert record.id == store.state.commands[-1].id
 
 
+async def test_a_pause_goes_out_in_both_ways_to_a_vehicle_whose_version_says_nothing(tmp_path: Path) -> None:
+    with broker_in(tmp_path) as broker:
+        vehicle = SpokenFor(broker)
+        async with console_on(broker) as (link, store):
+            vehicle.peer.publish(f"{BASE}/state", state("latest", agvPosition=position()))
+            await store.until(lambda state: state.robots["agv"].pose)
+            link.submit(PauseRobot("agv"))
+            await vehicle.next("instantActions", 2)
+            fields = [{"actions", "instantActions"} & one.keys() for one in vehicle.actions]
+            assert fields == [{"actions"}, {"instantActions"}]
+            record = await finished(link, store, ORDER)
+            assert record.stage is Stage.NOT_SENT
+            assert record.detail == "agv says 'latest' as its version: which messages it reads is unknown"
+
+
 async def test_a_pause_waits_a_moment_for_what_the_broker_has_kept(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
