@@ -2,6 +2,7 @@
 
 from fleet_tui.model.commands import CommandRecord, PauseRobot, ResumeRobot, Stage, Step
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.link import HALF_DEAD
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.goals import active, own_ids
@@ -122,7 +123,7 @@ def instead_of_pause(state: FleetState, robot: Robot, record: CommandRecord) -> 
     """Return the evidence of telemetry if a pause or resume can't be seen to have been carried out."""
     wanted = isinstance(record.command, PauseRobot)
     if robot.kind.holds and not state.is_online(robot):
-        return "the robot is offline"
+        return HALF_DEAD if state.links[robot.link].is_half_dead else "the robot is offline"
     if robot.kind.holds:
         going = [f"order {order.id} is {order.state_text}" for order in robot.orders.open]
         is_moving = wanted and record.before.moving and not stopped(state, robot, record)

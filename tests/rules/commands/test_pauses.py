@@ -9,9 +9,10 @@ from fleet_tui.model.commands import (
     ResumeRobot,
     Stage,
 )
-from fleet_tui.model.events import PausedReported, PoseReported, TimePassed
+from fleet_tui.model.events import CommandPathChanged, PausedReported, PoseReported, TimePassed
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.history.facts import Activity
+from fleet_tui.model.link import HALF_DEAD, CommandPath
 from fleet_tui.model.navigation_events import OdometryReported
 from fleet_tui.model.order import OrderState
 from fleet_tui.rules.alarms.trouble import is_odd
@@ -20,6 +21,7 @@ from fleet_tui.rules.history.activity import activity
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.view.lines.status import console_notes
 from tests.support.fleets import (
+    LINK,
     R0,
     T0,
     commanded,
@@ -127,6 +129,13 @@ def test_a_robot_that_drives_on_despite_our_pause_is_not_paused() -> None:
     state = up(pose(T0 - 1), pose(T0, 1.0), *commanded(1, PauseRobot(R0), SENT, ACCEPTED))
     assert reduced(state, pose(T0 + 1, 2.0)).robots[R0].paused_by_us
     assert not reduced(state, pose(T0 + 1, 2.0), pose(T0 + 2, 3.0)).robots[R0].paused_by_us
+
+
+def test_a_pause_over_a_half_dead_bridge_blames_no_robot() -> None:
+    half_dead = CommandPathChanged(LINK, CommandPath.DEAD, HALF_DEAD, True)
+    asked = reduced(site(), *commanded(1, PauseRobot(R0), SENT, Stage.UNKNOWN, at=T0 + 90), half_dead)
+    end = only(reduced(asked, tick(T0 + 90 + PATIENCE), tick(T0 + 200)))
+    assert end.stage is Stage.NOT_CONFIRMED and HALF_DEAD in end.detail, end
 
 
 def test_a_paused_robot_that_another_clients_goal_drives_says_so() -> None:
