@@ -1,5 +1,7 @@
 """Tests of fleet_tui/adapters/vda5050/reading.py: messages as events."""
 
+from typing import Any
+
 import pytest
 
 from fleet_tui.adapters.vda5050.reading import short_id
@@ -134,7 +136,7 @@ def test_an_order_that_was_cancelled_is_over_though_its_actions_wait_for_ever() 
 @pytest.mark.parametrize(
     "odd", [{"nodeStates": "none"}, {"nodeStates": [3]}, {"actionStates": "d"}, {"actionStates": ["d"]}]
 )
-def test_an_order_has_not_ended_because_its_parts_can_not_be_read(odd: dict[str, object]) -> None:
+def test_an_order_has_not_ended_because_its_parts_can_not_be_read(odd: dict[str, Any]) -> None:
     site = VehicleSite()
     site.read("state", state(orderId="o1", nodeStates=[node("a", 2)]))
     site.read("state", state(orderId="o1", **odd))
