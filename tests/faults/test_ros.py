@@ -15,6 +15,7 @@ from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.fault_report import report
+from tests.support.fleets import place_order
 from tests.support.invariants import linked
 from tests.support.links import finished, path, ready
 from tests.support.polling import HANGS
@@ -194,8 +195,10 @@ async def test_the_master_was_restarted_without_rosapi_before_the_console(server
     offered = dict(server.bridge.services.offered)
     for robot in ("robot_0", "robot_1"):
         play(server, [("lost-master", robot)])
-    async with linked(usual(server.url, 2)) as (_, store):
+    async with linked(usual(server.url, 2)) as (link, store):
+        await store.until(online(2), within=HANGS)
         watch = Stopwatch(store)
+        link.submit(place_order("robot_0", 19, 0))
         noticed = await watch.until(path(CommandPath.UNREGISTERED), within=HANGS)
         assert store.state.links["rosbridge"].command_reason == NO_NODE
         server.bridge.services.rosapi_alive = True
@@ -203,5 +206,5 @@ async def test_the_master_was_restarted_without_rosapi_before_the_console(server
         server.bridge.services.offered.update(offered)
         watch.start()
         healed = await watch.until(path(CommandPath.ALIVE), within=HANGS)
-    made_by = "no service exists, not even the bridge's own"
+    made_by = "no service exists, not even the bridge's own; an order"
     report("the ROS master was restarted without rosapi", made_by, NO_NODE, noticed, healed)

@@ -183,7 +183,7 @@ async def test_an_allow_list_lacks_services(server: RosbridgeServer) -> None:
         noticed = await watch.until(
             lambda state: state.commands and state.commands[-1].stage is Stage.NOT_SENT
         )
-        assert "the bridge does not allow it (services_glob)" in shown(store.state)
+        await store.until(lambda state: "the bridge does not allow it (services_glob)" in shown(state))
         server.bridge.allowed.clear()
         await server.restart_bridge()
         watch.start()

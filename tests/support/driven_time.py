@@ -42,9 +42,12 @@ POOLED = concurrent.futures.thread._threads_queues
 IDLE = concurrent.futures.thread._worker.__code__
 """What one of them does that has nothing to do."""
 
-FAR, QUIET, LOST = 0.5, 10, 200
-"""A leap of more seconds than that waits for so many looks; every leap until what one end of a connection has
-sent has reached the other, which takes a busy machine long, but not for ever: a peer may read nothing."""
+FAR, QUIET = 0.5, 10
+"""A leap of more seconds than that waits for so many looks: on a busy machine what one end of a connection
+has sent may not have reached the other."""
+LOST = 1.0
+"""Seconds of the machine for which no time passes while something is under way, unless that gets less: a peer
+may read nothing any more."""
 SYN_SENT = 2
 """The state of a socket of TCP that waits for its peer's first word (RFC 9293)."""
 REAL = bool(os.environ.get("FLEET_TUI_REAL_TIME"))
@@ -65,6 +68,8 @@ class DrivenTime:
         self._loops = set[int]()
         self._due: dict[int, tuple[float, _Selector | None]] = {}
         self._computing = 0
+        self._unsent: list[dict[int, int]] = []
+        self._unsent_at = 0.0
         # Not their idents: a new thread gets that of one that has ended.
         self._before = set[threading.Thread]()
 
@@ -219,7 +224,7 @@ class DrivenTime:
                 return False
             if first > self._stands_at + FAR and looks < QUIET:
                 return False
-            if looks < LOST and self._is_under_way():
+            if self._is_under_way():
                 return False
             if not self._nothing_computes() and (looks < PATIENCE or _others_could_run()):
                 return False
@@ -230,7 +235,10 @@ class DrivenTime:
             return True
 
     def _is_under_way(self) -> bool:
-        return any(loop.has_unsent() for _, loop in self._due.values() if loop)
+        unsent = [loop.unsent() for _, loop in self._due.values() if loop]
+        if unsent != self._unsent:
+            self._unsent, self._unsent_at = unsent, _monotonic()
+        return any(unsent) and _monotonic() - self._unsent_at < LOST
 
     def _is_called(self, waits: tuple[float, "_Selector | None"]) -> bool:
         """Tell whether a thread is about to wake."""
@@ -282,18 +290,16 @@ def _frames() -> dict[int, FrameType]:
             gc.enable()
 
 
-def _is_unsent(key: selectors.SelectorKey) -> bool:
-    """Tell whether bytes, or the wish for a connection, are between a socket and its peer."""
+def _unsent(key: selectors.SelectorKey) -> int:
+    """Return how many bytes are between a socket and its peer; the wish for a connection is one."""
     try:
-        if int.from_bytes(fcntl.ioctl(key.fd, termios.TIOCOUTQ, bytes(4)), sys.byteorder):
-            return True
-        if not key.events & selectors.EVENT_WRITE:
-            return False
+        count = int.from_bytes(fcntl.ioctl(key.fd, termios.TIOCOUTQ, bytes(4)), sys.byteorder)
+        if count or not key.events & selectors.EVENT_WRITE:
+            return count
         with socket.socket(fileno=os.dup(key.fd)) as same:
-            state = same.getsockopt(socket.IPPROTO_TCP, socket.TCP_INFO, 1)[0]
+            return same.getsockopt(socket.IPPROTO_TCP, socket.TCP_INFO, 1)[0] == SYN_SENT
     except OSError:  # no socket, or none of TCP
-        return False
-    return state == SYN_SENT
+        return 0
 
 
 def _is_idle(frame: FrameType | None) -> bool:
@@ -328,9 +334,9 @@ class _Selector(selectors.EpollSelector):
         """Tell whether its loop has something to do that it has not seen yet. From any thread."""
         return bool(self._news.poll(0))
 
-    def has_unsent(self) -> bool:
-        """Tell whether something that it has written has not reached its peer. From any thread."""
-        return any(_is_unsent(key) for key in list(self.get_map().values()))
+    def unsent(self) -> dict[int, int]:
+        """Return what it has written that has not reached its peer, by descriptor. From any thread."""
+        return {key.fd: count for key in list(self.get_map().values()) if (count := _unsent(key))}
 
     def wake(self) -> None:
         os.eventfd_write(self._jumped, 1)
