@@ -185,8 +185,10 @@ async def test_an_allow_list_lacks_services(server: RosbridgeServer) -> None:
         )
         await store.until(lambda state: "the bridge does not allow it (services_glob)" in shown(state))
         server.bridge.allowed.clear()
+        before = store.state.links["rosbridge"].since
         await server.restart_bridge()
         watch.start()
+        await store.until(lambda state: state.links["rosbridge"].since > before)
         healed = await watch.until(fresh())
         assert (await finished(link, store, place_order("robot_0", 19, 0))).stage is Stage.CONFIRMED
     seen = "not sent: the bridge does not allow it (services_glob)"
