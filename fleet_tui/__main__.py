@@ -99,8 +99,10 @@ def _message(problem: Exception, log: "Path | None") -> str:
     return f"internal error: {message} (details {where})"
 
 
-def _run() -> None:
-    """Run the command line."""
+def run() -> None:
+    """Run the command line; SystemExit has the exit code of every way to end, but for 0."""
+    _open_closed_streams()
+    _never_fail_to_encode()
     # Tracebacks need --debug, in any position.
     debug = "--debug" in sys.argv
     try:
@@ -122,12 +124,10 @@ def _run() -> None:
 
 
 def main() -> None:
-    """Run the command line; every way to end has its exit code. Hanging threads are not waited for."""
+    """Run the command line to the end of the process. Hanging threads are not waited for."""
     code: object = 1
     try:
-        _open_closed_streams()
-        _never_fail_to_encode()
-        _run()
+        run()
         code = 0
     except SystemExit as end:
         code = end.code

@@ -14,7 +14,7 @@ import pytest
 from fleet_tui.audit.reader import AuditReader
 from fleet_tui.simulator.ros_types import NodeDiedError
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.cli import config_file, run
+from tests.support.cli import config_file, run_alone
 from tests.support.fault_report import report
 from tests.support.warm_cli import STARVED
 
@@ -64,7 +64,7 @@ async def test_killed_while_its_command_arrives(
 
     server.bridge.services.answers[ORDER] = kill
     for number in range(KILLS):
-        ended = await run(tmp_path, "order", "robot_0", "Base", "Consumidores", on_start=starve)
+        ended = await run_alone(tmp_path, "order", "robot_0", "Base", "Consumidores", on_start=starve)
         assert ended.code == -signal.SIGKILL, ended
         assert len(asked) == number + 1
     records = list(AuditReader(tmp_path / "fleet-tui" / "audit.jsonl").newest_first())

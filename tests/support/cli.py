@@ -1,15 +1,22 @@
 """The command line against a loopback simulator, as another program would run it."""
 
 import asyncio
+import atexit
+import io
 import json
+import logging
 import os
+import signal
 import sys
 import tempfile
-from collections.abc import Callable
-from contextlib import ExitStack
+import threading
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import ExitStack, chdir, contextmanager, redirect_stderr, redirect_stdout
 from dataclasses import dataclass
 from pathlib import Path
+from unittest.mock import patch
 
+from fleet_tui.__main__ import run as command_line
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.driven_time import TIME
 from tests.support.polling import HANGS
@@ -55,15 +62,68 @@ async def started(
     )
 
 
-async def run(
+async def run(folder: Path, *args: str, stdin: str = "") -> Ended:
+    """Run the command line with the config of a folder to its end, in a thread with driven seconds, while
+    this loop goes on serving."""
+    return await asyncio.to_thread(command, args, folder, _environment(folder), stdin)
+
+
+_ONE = threading.Lock()
+
+
+def command(args: Sequence[str], folder: Path, env: Mapping[str, str], stdin: str = "") -> Ended:
+    """Run the command line to its end as if it were a process: one at a time, and no signal reaches it."""
+    given, out, err = (io.TextIOWrapper(io.BytesIO(text.encode())) for text in (stdin, "", ""))
+    code: object = 0
+    with (
+        _ONE,
+        _as_a_process(folder, env),
+        redirect_stdout(out),
+        redirect_stderr(err),
+        patch.object(sys, "stdin", given),
+        patch.object(sys, "argv", ["fleet-tui", *args]),
+    ):
+        try:
+            command_line()
+        except SystemExit as end:
+            code = end.code
+    out.flush()
+    err.flush()
+    said = (stream.buffer.getvalue().decode() for stream in (out, err))
+    return Ended(code if isinstance(code, int) else int(code is not None), *said)
+
+
+@contextmanager
+def _as_a_process(folder: Path, env: Mapping[str, str]) -> Iterator[None]:
+    """Have the folder, environment, log and end of a process of its own."""
+    ends: list[Callable[[], object]] = []
+    root = logging.getLogger()
+    handlers, level = root.handlers[:], root.level
+    with (
+        chdir(folder),
+        patch.dict(os.environ, env, clear=True),
+        patch.object(signal, "signal", lambda _number, _handler: signal.SIG_DFL),
+        patch.object(asyncio.SelectorEventLoop, "add_signal_handler", lambda *_: None),
+        patch.object(atexit, "register", ends.append),
+    ):
+        try:
+            yield
+        finally:
+            for end in reversed(ends):
+                end()
+            for handler in set(root.handlers) - set(handlers):
+                root.removeHandler(handler)
+            root.setLevel(level)
+
+
+async def run_alone(
     folder: Path,
     *args: str,
     stdin: str | None = None,
     within: float = HANGS,
     on_start: Callable[[int], object] = lambda _pid: None,
 ) -> Ended:
-    """Run `fleet-tui` with the config of a folder to its end, while this loop goes on serving; `on_start`
-    gets its process id."""
+    """Run `fleet-tui` as a process of its own, in real seconds; `on_start` gets its process id."""
     TIME.be_real()
     with ExitStack() as opened:
         given, out, err = (opened.enter_context(tempfile.TemporaryFile()) for _ in range(3))

@@ -254,7 +254,9 @@ class DrivenTime:
 
     def _waits(self, thread: threading.Thread, frame: FrameType | None) -> bool:
         """Tell whether a thread without a loop does nothing: it waits for another, or was there before."""
-        ident = thread.ident or 0
+        ident = thread.ident
+        if ident is None:  # it is about to begin
+            return False
         if thread in self._before or ident in self._due or ident == threading.get_ident():
             return True
         if frame is not None and frame.f_code is _wait.__code__:
@@ -271,6 +273,8 @@ def _others_could_run() -> bool:
 
 
 def _could_run(thread: threading.Thread) -> bool:
+    if thread.native_id is None:
+        return True
     try:
         told = Path(f"/proc/self/task/{thread.native_id}/stat").read_text()
     except OSError:  # it has ended
