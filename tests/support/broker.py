@@ -16,6 +16,7 @@ from typing import NamedTuple
 
 import pytest
 
+from tests.support.driven_time import TIME
 from tests.support.mqtt_peer import PEERS
 
 PROGRAM = shutil.which("mosquitto", path="/usr/sbin:/usr/local/sbin:/usr/bin:/usr/local/bin")
@@ -66,7 +67,15 @@ class RealBroker:
             self._file.write_text(json.dumps({**access._asdict(), "port": self.port, "tls": tls}))
             self._command = [sys.executable, "-m", "tests.support.amqtt_broker", str(self._file)]
         else:
-            own = [f"listener {self.port} 127.0.0.1", *_lines(folder, access), *lines, "user root", ""]
+            # Without a delay what it has to say never waits in the kernel, where no test sees it.
+            own = [
+                "set_tcp_nodelay true",
+                f"listener {self.port} 127.0.0.1",
+                *_lines(folder, access),
+                *lines,
+                "user root",
+                "",
+            ]
             self._file.write_text("\n".join(own))
             self._command = [PROGRAM, "-v", "-c", str(self._file)]
         self.start()
@@ -82,7 +91,7 @@ class RealBroker:
     def start(self) -> None:
         """Start it, and wait until it listens."""
         with self._log.open("ab") as log:
-            self._process = subprocess.Popen(
+            self._process = TIME.start_answering(
                 self._command, stdout=log, stderr=log, cwd=Path(__file__).parents[2]
             )
         until = time.monotonic() + 10

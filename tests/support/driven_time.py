@@ -20,7 +20,7 @@ import sys
 import termios
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from types import FrameType
@@ -48,6 +48,8 @@ has sent may not have reached the other."""
 LOST = 1.0
 """Seconds of the machine for which no time passes while something is under way, unless that gets less: a peer
 may read nothing any more."""
+PAHO = "paho/mqtt/client.py"
+"""The code of a client of MQTT whose loop is its own."""
 SYN_SENT = 2
 """The state of a socket of TCP that waits for its peer's first word (RFC 9293)."""
 REAL = bool(os.environ.get("FLEET_TUI_REAL_TIME"))
@@ -68,6 +70,7 @@ class DrivenTime:
         self._loops = set[int]()
         self._due: dict[int, tuple[float, _Selector | None]] = {}
         self._computing = 0
+        self._answering: list[int] = []
         self._unsent: list[dict[int, int]] = []
         self._unsent_at = 0.0
         # Not their idents: a new thread gets that of one that has ended.
@@ -148,6 +151,7 @@ class DrivenTime:
     def begin_test(self) -> None:
         """Have seconds stand again: another process may have made them run."""
         self._real = False
+        self._answering.clear()
         self._led = self.monotonic() - _monotonic()
         self._before = set(threading.enumerate())
 
@@ -157,6 +161,13 @@ class DrivenTime:
             self._real = True
             self._run()
             self._led = self._ahead
+
+    def start_answering(self, command: list[str], **named: Any) -> "subprocess.Popen[bytes]":
+        """Start a process for which time is nothing, as a broker: seconds stand while it computes."""
+        process = subprocess.Popen.__new__(subprocess.Popen)
+        _start(process, command, **named)
+        self._answering.append(process.pid)
+        return process
 
     def _run(self) -> None:
         if self._stands_at is not None:
@@ -224,7 +235,8 @@ class DrivenTime:
                 return False
             if first > self._stands_at + FAR and looks < QUIET:
                 return False
-            if self._is_under_way():
+            # What it has been sent has woken it: asleep it has answered.
+            if self._is_under_way() or any(_computes(f"/proc/{pid}") for pid in self._answering):
                 return False
             if not self._nothing_computes() and (looks < PATIENCE or _others_could_run()):
                 return False
@@ -235,7 +247,11 @@ class DrivenTime:
             return True
 
     def _is_under_way(self) -> bool:
-        unsent = [loop.unsent() for _, loop in self._due.values() if loop]
+        loops = [loop for _, loop in self._due.values() if loop]
+        unsent = [loop.unsent() for loop in loops]
+        if any(unsent):
+            for loop in loops:
+                loop.acknowledge()
         if unsent != self._unsent:
             self._unsent, self._unsent_at = unsent, _monotonic()
         return any(unsent) and _monotonic() - self._unsent_at < LOST
@@ -262,7 +278,18 @@ class DrivenTime:
         if frame is not None and frame.f_code is _wait.__code__:
             waiter = frame.f_locals.get("waiter")
             return waiter is not None and waiter.locked()
+        if frame is not None and frame.f_code.co_filename.endswith(PAHO) and frame.f_code.co_name == "_loop":
+            return _has_nothing(frame.f_locals)
         return frame is None or frame.f_code is IDLE or frame.f_code.co_filename == selectors.__file__
+
+
+def _has_nothing(waits: Mapping[str, Any]) -> bool:
+    """Tell whether a client of MQTT, in its own thread, waits for its sockets, and nothing is there."""
+    try:
+        is_ready = any(map(any, select.select(waits["rlist"], waits["wlist"], [], 0)))
+        return not is_ready and not _outgoing(waits["rlist"][0].fileno())
+    except (KeyError, OSError, ValueError):  # it has not come so far, or its socket has been closed
+        return False
 
 
 def _others_could_run() -> bool:
@@ -273,13 +300,19 @@ def _others_could_run() -> bool:
 
 
 def _could_run(thread: threading.Thread) -> bool:
-    if thread.native_id is None:
-        return True
+    is_new = thread.native_id is None
+    is_other = thread is not threading.current_thread()
+    return is_new or (is_other and _computes(f"/proc/self/task/{thread.native_id}"))
+
+
+def _computes(task: str) -> bool:
+    """Tell whether a process or thread runs, or would if a busy machine let it. One that was interrupted as
+    it was about to sleep is asleep by its state, and `running` in its call of the system."""
     try:
-        told = Path(f"/proc/self/task/{thread.native_id}/stat").read_text()
+        state = Path(task, "stat").read_text().rpartition(") ")[2][0]
+        return state in "RD" or (state == "S" and Path(task, "syscall").read_text().startswith("running"))
     except OSError:  # it has ended
         return False
-    return thread is not threading.current_thread() and told.rpartition(") ")[2][0] in "RD"
 
 
 def _frames() -> dict[int, FrameType]:
@@ -294,10 +327,14 @@ def _frames() -> dict[int, FrameType]:
             gc.enable()
 
 
+def _outgoing(descriptor: int) -> int:
+    return int.from_bytes(fcntl.ioctl(descriptor, termios.TIOCOUTQ, bytes(4)), sys.byteorder)
+
+
 def _unsent(key: selectors.SelectorKey) -> int:
     """Return how many bytes are between a socket and its peer; the wish for a connection is one."""
     try:
-        count = int.from_bytes(fcntl.ioctl(key.fd, termios.TIOCOUTQ, bytes(4)), sys.byteorder)
+        count = _outgoing(key.fd)
         if count or not key.events & selectors.EVENT_WRITE:
             return count
         with socket.socket(fileno=os.dup(key.fd)) as same:
@@ -341,6 +378,12 @@ class _Selector(selectors.EpollSelector):
     def unsent(self) -> dict[int, int]:
         """Return what it has written that has not reached its peer, by descriptor. From any thread."""
         return {key.fd: count for key in list(self.get_map().values()) if (count := _unsent(key))}
+
+    def acknowledge(self) -> None:
+        """Tell its peers what has reached it: by itself the kernel takes up to 40 ms. From any thread."""
+        for descriptor in list(self.get_map()):
+            with suppress(OSError), socket.socket(fileno=os.dup(descriptor)) as same:
+                same.setsockopt(socket.IPPROTO_TCP, socket.TCP_QUICKACK, 1)
 
     def wake(self) -> None:
         os.eventfd_write(self._jumped, 1)

@@ -66,5 +66,7 @@ class Peer:
             sock.close()
 
     def close(self) -> None:
+        sleeps = not self._client.is_connected()  # before its next attempt: in seconds that stand for us
         self._client.disconnect()
-        self._client.loop_stop()
+        if not sleeps:
+            self._client.loop_stop()
