@@ -381,8 +381,8 @@ class _Selector(selectors.EpollSelector):
 
     def acknowledge(self) -> None:
         """Tell its peers what has reached it: by itself the kernel takes up to 40 ms. From any thread."""
-        for descriptor in list(self.get_map()):
-            with suppress(OSError), socket.socket(fileno=os.dup(descriptor)) as same:
+        for key in list(self.get_map().values()):
+            with suppress(OSError), socket.socket(fileno=os.dup(key.fd)) as same:
                 same.setsockopt(socket.IPPROTO_TCP, socket.TCP_QUICKACK, 1)
 
     def wake(self) -> None:

@@ -133,6 +133,8 @@ async def test_a_vehicle_that_comes_later_is_read_and_commanded(tmp_path: Path) 
             pose = store.state.robots["agv"].pose
             assert pose is not None, "what was known stays"
             late = Peer(broker.port, "uagv/v2/KIT/0002/instantActions")
+            late.publish("uagv/v2/KIT/0002/connection", message(connectionState="ONLINE"), retain=True, qos=1)
+            await store.until(lambda state: state.robots["late"].connection)  # it is subscribed to
             late.publish("uagv/v2/KIT/0002/state", state(serialNumber="0002"))
             await store.until(lambda state: state.robots["late"].floor == "hall")
             assert link.counters["broker"].topics["+/+/KIT/0002/state"].count == 1
