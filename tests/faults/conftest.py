@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from fleet_tui.client.rosbridge import heartbeat, latched, renewals, sourcing, subscriber
+from fleet_tui.client.rosbridge import heartbeat, latched, renewals, sourcing
 from fleet_tui.simulator.faults import wire, world
 from fleet_tui.transports.rosbridge import connection
 
@@ -14,7 +14,6 @@ SHORT = (
     (connection, {"FIRST_DELAY": 0.1, "LONGEST_DELAY": 0.4}),
     (heartbeat, {"EVERY": 1.0, "TIMEOUT": 1.0}),
     (renewals, {"FIRST_RENEWAL": 6.0}),
-    (subscriber, {"CBOR_PATIENCE_ROS2": 1.0}),
     (latched, {"FIRST_PATIENCE": 0.5}),
     (sourcing, {"LOOK_AFTER": 2.0}),
     (wire, {"OBEYS": 3.0, "SLOW": 2.0, "AGAIN": 0.3}),

@@ -100,7 +100,7 @@ async def test_a_map_is_larger_than_the_bridges_messages(server: RosbridgeServer
         healed = await watch.until(lambda state: state.robots["robot_0"].maps["floor_0"].grid)
         assert not store.state.links["rosbridge"].faults
         assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
-    seen = "no map yet; then the map, from JSON fragments"
+    seen = "nothing: maps come as png, in fragments if need be"
     report("ROS 2: a map over max_message_size", "it never arrives as cbor", seen, None, healed)
 
 

@@ -223,6 +223,22 @@ def publish(topic: str, type_: str, message: Mapping[str, object]) -> bytes:
     return _encoder.encode({"op": "publish", "topic": topic, "type": type_, "msg": message})
 
 
+_PNG = re.compile(rb'\s*\{\s*"op"\s*:\s*"png"')
+
+
+def is_png(payload: bytes) -> bool:
+    """Tell without decoding it whether a text frame is another one, compressed as PNG."""
+    return _PNG.match(payload) is not None
+
+
+def png_of(payload: bytes) -> str:
+    """Return the picture of such a frame, in base64. Raises WireError."""
+    try:
+        return _decoder.decode(payload).data
+    except msgspec.MsgspecError as problem:
+        raise WireError(f"frame of {len(payload):,} bytes: {problem}") from None
+
+
 _TOPIC = re.compile(rb'"topic"\s*:\s*("(?:[^"\\]|\\.){1,200}")')
 
 

@@ -43,6 +43,7 @@ class StreamSink(Protocol):
 
 Read = Sequence[events.Event] | operations.ServiceResponse | operations.Fragment | StreamTaken
 DecodePictures = Callable[[object, float], Sequence[events.GridReceived]]
+DecodePng = Callable[[str, Limit], bytes]
 DecodeApart = Callable[[Profile, Feed, bytes], events.GridReceived]
 
 # The start of a CBOR map: the key, then its text, shorter than 24 bytes or than 256.
@@ -65,9 +66,11 @@ class FrameReader:
         streams: StreamSink | None = None,
         decode_pictures: DecodePictures = lambda _msg, _at: (),
         services: Collection[str] = (),
+        decode_png: DecodePng = lambda _data, _limit: b"",
     ) -> None:
         """`adapters` by robot; `decode_apart` decodes a large map in another process, `decode_pictures` maps
-        that are pictures; both raise WireError. `warn` logs a line; without `streams` none is read.
+        that are pictures, `decode_png` the text in a picture; all raise WireError.
+        `warn` logs a line; without `streams` none is read.
         `services` are those that this console calls: the log of a bridge tells of other clients' too."""
         self._services = services
         self._streams = streams
@@ -86,6 +89,7 @@ class FrameReader:
         """The robot by each topic of poses, of which a newer one replaces the older."""
         self._decode_apart = decode_apart
         self._decode_pictures = decode_pictures
+        self._decode_png = decode_png
         self._warn = warn
         self._taken: dict[tuple[type, str], float] = {}
         """When the last place of each robot was taken from a topic that several publishers share."""
@@ -105,11 +109,13 @@ class FrameReader:
     def read(self, payload: bytes, is_binary: bool, at: float) -> Read:
         """Read one frame that arrived at a monotonic second."""
         self.counter.all.take(len(payload), at)
-        if len(payload) > WORTH_A_PROCESS and not is_binary:
-            feed = self._feeds.get(topic_of(payload))
-            if feed is not None and feed.large:
-                return self._read_apart(feed, payload, at)
         try:
+            if not is_binary and operations.is_png(payload):
+                payload = self._decode_png(operations.png_of(payload), self._limit)
+            if len(payload) > WORTH_A_PROCESS and not is_binary:
+                feed = self._feeds.get(topic_of(payload))
+                if feed is not None and feed.large:
+                    return self._read_apart(feed, payload, at)
             operation = operations.decode_cbor(payload) if is_binary else operations.decode(payload)
         except WireError as problem:
             self.counter.failed(str(problem), payload, is_binary, at)

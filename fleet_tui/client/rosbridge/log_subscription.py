@@ -26,7 +26,6 @@ class LogSubscription:
         self._connection = connection
         self._ask_types = ask_types
         self._wanted = False
-        self._is_off = False
         # A task without a reference may be garbage-collected while it runs.
         self._task: asyncio.Task[None] | None = None
 
@@ -50,27 +49,14 @@ class LogSubscription:
         """Subscribe if requested, also to topics without a publisher so far."""
         is_ros2 = any("/msg/" in type_ for type_ in types.values())
         for topic, (ros1, ros2) in TYPES.items():
-            if topic == ROSOUT and self._is_off:
-                continue
             if self._wanted or (is_ros2 and topic == ROSOUT):
                 type_ = types.get(topic) or (ros2 if is_ros2 else ros1)
                 self._send(operations.subscribe(operations.Subscription(topic, type_, queue_length=QUEUE)))
         if is_ros2 and not self._wanted:
             asyncio.get_running_loop().call_later(COMPLAINTS_FOR, self._let_go)
 
-    def hold_off(self, on: bool) -> None:
-        """Do not listen to the log for now: a bridge of ROS 2 writes there the whole of a message that is too
-        large for it."""
-        if on == self._is_off:
-            return
-        self._is_off = on
-        if on:
-            self._send(operations.unsubscribe(ROSOUT))
-        elif self._connection.is_connected:
-            self._task = asyncio.ensure_future(self._find_out())
-
     def _let_go(self) -> None:
-        if not self._wanted and not self._is_off:
+        if not self._wanted:
             self._send(operations.unsubscribe(ROSOUT))
 
     def _send(self, frame: bytes) -> None:

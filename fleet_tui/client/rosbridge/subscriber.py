@@ -3,7 +3,6 @@ topics that stay silent. Everything runs on the network loop."""
 
 import asyncio
 import logging
-import math
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from contextlib import suppress
@@ -28,12 +27,8 @@ LOG = logging.getLogger(__name__)
 # Topics that are subscribed at once: a bridge handles one after the other, and then answers a call behind
 # them.
 AT_ONCE = 50
-# A bridge too old for CBOR sends nothing: after this many seconds the map is requested as JSON.
+# A bridge too old for CBOR sends nothing: after this many seconds the topic is requested as JSON.
 CBOR_PATIENCE = 20.0
-# A bridge of ROS 2 is never too old, but sends no CBOR larger than its max_message_size: only pieces of JSON.
-CBOR_PATIENCE_ROS2 = 8.0
-LOG_KEPT = 10.0
-"""Seconds for which ROS 2 keeps a line of the log for late subscribers."""
 SETTLES_WITHIN = 1.0
 """Seconds in which the subscriptions of a bridge are known to ROS."""
 MOST_ASKED = 3
@@ -70,10 +65,8 @@ class Subscriber:
         """By topic, when it was subscribed again because it was silent."""
         self._dropped: Set[str] = frozenset()
         self._as_json: set[str] = set()
-        """Maps that never arrived as CBOR on this connection."""
+        """Topics that never arrived as CBOR on this connection."""
         self._json_timer: asyncio.TimerHandle | None = None
-        self._quiet_until = 0.0
-        """Until then the log of the bridge may have all of a map that it refused as too large."""
         self._map: Feed | None = None
         self._watched: frozenset[Feed] = frozenset()
         self._subscribed: set[str] = set()
@@ -166,11 +159,6 @@ class Subscriber:
         monotonic seconds."""
         if self._task is None or not self._connection.is_connected:
             return
-        if math.isinf(self._quiet_until) and self._map is None:
-            self._quiet_until = now + LOG_KEPT
-        elif self._map is not None and self._map.address in self._reading.maps_received - self._as_json:
-            self._quiet_until = 0.0
-        self.log_subscription.hold_off(now < self._quiet_until)
         for feed in self._pacing.due(now):
             if feed.address in self._subscribed:
                 self._subscribe(feed)
@@ -240,20 +228,16 @@ class Subscriber:
             return
         self._reading.counter.topics[wanted.address].not_subscribed = ""
         self._latched.note(wanted)
-        topic, wants_arrays = wanted.address, wanted.wanted_for in ("target", "place", "stream")
-        is_stream = wants_arrays and not wanted.latched
+        topic = wanted.address
         asked = operations.Subscription(
             topic,
             # ROS 2 writes the same type with a middle part: the bridge expects its own spelling.
             self.types.get(topic, wanted.type),
             self._pacing.interval(wanted),
-            "cbor" if (wanted.large or is_stream) and topic not in self._as_json else "none",
+            self._compression(wanted),
             queue_length=0 if self._may_lose(wanted) else wanted.queue_length,
             latched=wanted.latched and self._is_ros2 and self._latched.wants_qos(topic),
         )
-        if wanted.large and asked.compression == "cbor" and self._is_ros2:
-            self._quiet_until = math.inf
-            self.log_subscription.hold_off(True)
         try:
             self._connection.send(operations.subscribe(asked))
         except LinkError:
@@ -264,6 +248,14 @@ class Subscriber:
         if asked.compression == "cbor" and (topic in self.types or not self.types):
             self._expect_cbor(wanted)
 
+    def _compression(self, wanted: Feed) -> str:
+        """Arrays as JSON choke a bridge. One of ROS 2 sends no CBOR above its max_message_size, but writes
+        it into its log: it sends maps as PNG, in fragments if need be."""
+        if wanted.large and self._is_ros2:
+            return "png"
+        is_array = wanted.wanted_for in ("target", "place", "stream") and not wanted.latched
+        return "cbor" if (wanted.large or is_array) and wanted.address not in self._as_json else "none"
+
     def _may_lose(self, wanted: Feed) -> bool:
         """Tell whether the bridge need keep no message of a topic: a next one follows, and the bridge is
         certainly of ROS 2, on which a client that does not read hurts nobody. It has a thread less then."""
@@ -272,9 +264,8 @@ class Subscriber:
 
     def _expect_cbor(self, wanted: Feed) -> None:
         """Request a topic as JSON if it does not come as CBOR."""
-        patience = CBOR_PATIENCE_ROS2 if self._is_ros2 and self.types else CBOR_PATIENCE
         count, loop = self._reading.counter.topics[wanted.address].count, asyncio.get_running_loop()
-        timer = loop.call_later(patience, self._request_as_json, wanted, count)
+        timer = loop.call_later(CBOR_PATIENCE, self._request_as_json, wanted, count)
         self._json_timer = timer if wanted.large else self._json_timer
 
     def _request_as_json(self, wanted: Feed, count: int) -> None:
@@ -284,8 +275,6 @@ class Subscriber:
         if (self._map is wanted or wanted in self._watched) and not has_come:
             self._unsubscribe(wanted)
             self._as_json.add(wanted.address)
-            if wanted.large:
-                self._quiet_until = time.monotonic() + LOG_KEPT
             self._subscribe(wanted)
 
     def _unsubscribe(self, wanted: Feed) -> None:

@@ -30,6 +30,7 @@ from fleet_tui.config.schema import Config
 from fleet_tui.errors import WireError
 from fleet_tui.maps.levels import read_levels
 from fleet_tui.maps.map_process import decode_apart
+from fleet_tui.maps.png_text import text_of_png
 from fleet_tui.model import events
 from fleet_tui.model.fleets.events import MemberReported, StatusReported
 from fleet_tui.model.kind import CAMERA
@@ -84,7 +85,16 @@ class Telemetry:
         services = services_of(config, adapters, link)
         called = {*services, *EVERY_QUESTION}
         self._reading = FrameReader(
-            link, limit, adapters, feeds, decode_apart, LOG.warning, self._sink, read_levels, called
+            link,
+            limit,
+            adapters,
+            feeds,
+            decode_apart,
+            LOG.warning,
+            self._sink,
+            read_levels,
+            called,
+            text_of_png,
         )
         pacing = Pacing(config, adapters, feeds, writer.store)
         self._subscriber = Subscriber(
@@ -200,7 +210,8 @@ class Telemetry:
         """Decode a frame here, or off the loop if it is large."""
         wait_for_turn()
         at = time.monotonic()
-        if len(payload) < LARGE_FRAME:
+        is_png = not is_binary and operations.is_png(payload)
+        if len(payload) < LARGE_FRAME and not is_png:
             frame = payload, is_binary, at
             topic = "" if is_binary else topic_of(payload)
             if topic in self._reading.counter.topics and topic not in self._reading.complete:
@@ -218,7 +229,7 @@ class Telemetry:
         loop = asyncio.get_running_loop()
         work = loop.run_in_executor(self._decoder, self._reading.read, payload, is_binary, at)
         work.add_done_callback(partial(self._take_late, payload, is_binary, at))
-        if len(payload) > WORTH_A_PROCESS:
+        if is_png or len(payload) > WORTH_A_PROCESS:
             work.add_done_callback(lambda _: loop.call_later(TRIM_AFTER, trim))
 
     def _read_frame(self, frame: Frame) -> None:

@@ -10,6 +10,7 @@ from fleet_tui.config.fleet import adapters_of, feeds_of, limit_of
 from fleet_tui.config.schema import Config
 from fleet_tui.maps.levels import read_levels
 from fleet_tui.maps.map_process import decode_apart
+from fleet_tui.maps.png_text import text_of_png
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.recording.records import EventRecord, ReceivedFrame, Record
@@ -21,7 +22,9 @@ def _reader(config: Config, link: str) -> FrameReader | MessageReader:
     limit, feeds = limit_of(config, link), feeds_of(config, adapters, link)
     if config.bridges[link].is_broker:
         return MessageReader(link, limit, adapters, feeds)
-    return FrameReader(link, limit, adapters, feeds, decode_apart, decode_pictures=read_levels)
+    return FrameReader(
+        link, limit, adapters, feeds, decode_apart, decode_pictures=read_levels, decode_png=text_of_png
+    )
 
 
 class Frames:
