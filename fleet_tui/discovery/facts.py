@@ -134,7 +134,7 @@ class BridgeFacts:
     adapters: Mapping[str, Adapter] = field(default_factory=dict)
     answers: Mapping[str, object] = field(default_factory=dict)
     barred: frozenset[str] = frozenset()
-    """Services that it does not allow, by its log."""
+    """Services and actions that it does not allow, by its log."""
 
     def of(self, robot: str) -> list[TopicFacts]:
         return [facts for facts in self.topics if robot in facts.wanted.robots]

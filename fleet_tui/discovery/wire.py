@@ -242,8 +242,7 @@ class BridgeConnection:
     def _read_log(self, msg: object, at: float) -> None:
         with suppress(WireError):
             said = log_line(msg, at)
-            if service := not_allowed(said, "service"):
-                self.barred.add(service)
+            self.barred |= {not_allowed(said, "service"), not_allowed(said, "action")} - {""}
             if about := complaint(said):
                 self.complaints[about[0]] = about[1]
 

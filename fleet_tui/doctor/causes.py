@@ -12,6 +12,7 @@ from fleet_tui.discovery.finding import Finding, Verdict, listed
 from fleet_tui.discovery.tools import LOOK_FOR_NODE, SAME_GRAPH, STAYS_LISTED, named, rosapi_remedy
 from fleet_tui.doctor.lifecycle import inactive_findings
 from fleet_tui.doctor.names import robots_on, without_namespace
+from fleet_tui.model.link import ACTIONS_GLOB, SERVICES_GLOB
 from fleet_tui.rules.sourcing import Listening, unsourced_package
 from fleet_tui.text.units import counted
 
@@ -77,8 +78,13 @@ def causes_of(config: Config, facts: BridgeFacts) -> list[Cause]:
 def _not_allowed(facts: BridgeFacts) -> Iterator[Cause]:
     """Find what the allow-lists of a bridge lack."""
     called = {name for robot, adapter in facts.adapters.items() for _, name, _ in adapter.services(robot)}
-    topics = [one.topic for one in facts.topics if one.complaint == NOT_ALLOWED]
-    lists = {"topics_glob": topics, "services_glob": sorted(facts.barred & called)}
+    actions = {name for robot, adapter in facts.adapters.items() for name in adapter.names.actions(robot)}
+    lists = {
+        "topics_glob": [one.topic for one in facts.topics if one.complaint == NOT_ALLOWED],
+        SERVICES_GLOB: sorted(facts.barred & called),
+        # Of a goal that any client sent within the last seconds: the doctor sends none.
+        ACTIONS_GLOB: sorted(facts.barred & actions),
+    }
     for glob, names in lists.items():
         if names:
             finding = Finding(

@@ -195,11 +195,12 @@ class TopicNotAllowed(Struct, frozen=True, tag=True):
     robots: tuple[str, ...]
 
 
-class ServiceNotAllowed(Struct, frozen=True, tag=True):
-    """An allow-list of the bridge lacks a service: it drops each call."""
+class CallNotAllowed(Struct, frozen=True, tag=True):
+    """An allow-list of the bridge, `glob`, lacks a service or an action: it drops each call or goal."""
 
     link: str
-    service: str
+    name: str
+    glob: str
 
 
 class SubscriptionsAdvanced(Struct, frozen=True, tag=True):
@@ -266,7 +267,7 @@ Event = (
     | MessagesUnsourced
     | TopicsDropped
     | TopicNotAllowed
-    | ServiceNotAllowed
+    | CallNotAllowed
     | SubscriptionsAdvanced
     | BridgeAnswered
     | CommandIssued

@@ -29,6 +29,9 @@ NO_WAY = frozenset({CommandPath.UNREGISTERED, CommandPath.DEAD})
 
 HALF_DEAD = "rosbridge is half dead: restart it"
 """Why there is no command path if only the bridge itself answers: no topic, and no node by way of it."""
+SERVICES_GLOB = "services_glob"
+ACTIONS_GLOB = "actions_glob"
+"""Allow-lists of rosbridge, of the services and of the actions that its clients may call."""
 NOT_ADMITTED = "the bridge does not allow the heartbeat /rosapi/get_time (services_glob)"
 NO_REPLY = "no reply from the bridge to calls"
 OF_BAG = "rosbag://"
@@ -45,9 +48,10 @@ class LinkState(Struct, frozen=True):
     its last answer that told it, at `clock_at`, None without one, `drift` the seconds by which that grows
     in each of ours, and `drifted` those by which it has grown so; `unsourced` is the package whose messages
     the bridge lacks, `dropped` are the robots of whose topics it lost its own subscriptions, `not_allowed`
-    the topics with their robots that its allow-list lacks, `barred` the services that it lacks; `site` is
-    the one that it belongs to; `topics` are the subscriptions that were requested of a bridge with many, of
-    which `waiting_topics` are not handled yet, `subscribed_at` the time of the last handled one."""
+    the topics with their robots that its allow-list lacks, `barred` by service or action the list that lacks
+    it; `site` is the one that it belongs to; `topics` are the subscriptions that were requested of a bridge
+    with many, of which `waiting_topics` are not handled yet, `subscribed_at` the time of the last handled
+    one."""
 
     name: str
     url: str
@@ -74,7 +78,7 @@ class LinkState(Struct, frozen=True):
     unsourced: str = ""
     dropped: tuple[str, ...] = ()
     not_allowed: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    barred: tuple[str, ...] = ()
+    barred: Mapping[str, str] = field(default_factory=dict)
     site: str = ""
     topics: int = 0
     waiting_topics: int = 0
@@ -101,6 +105,10 @@ class LinkState(Struct, frozen=True):
         """Tell whether nothing of a robot can arrive though it is connected: its silence is not its own."""
         is_barred = any(robot in robots for robots in self.not_allowed.values())
         return self.is_half_dead or robot in self.dropped or is_barred
+
+    def refusal_of(self, name: str) -> str:
+        """Return that the bridge drops calls of a service, or goals of an action; empty if none is known."""
+        return f"the bridge does not allow it ({self.barred[name]})" if name in self.barred else ""
 
     @property
     def is_starting(self) -> bool:

@@ -183,7 +183,7 @@ class _Names(NamedTuple):
                 | events.MessagesUnsourced(link=link)
                 | events.TopicsDropped(link=link)
                 | events.TopicNotAllowed(link=link)
-                | events.ServiceNotAllowed(link=link)
+                | events.CallNotAllowed(link=link)
                 | events.SubscriptionsAdvanced(link=link)
                 | events.BridgeAnswered(link=link)
                 | events.FrameRejected(link=link)

@@ -19,6 +19,8 @@ from fleet_tui.simulator.sessions.client import Client
 from fleet_tui.simulator.sessions.operations import Operation
 
 BRIDGE = "/rosbridge_websocket"
+CANCELLED = {"topic": "subscription to", "service": "service call for", "action": "sending action goal for"}
+"""What a bridge cancels of a name that its allow-list lacks, as it logs that."""
 
 
 class TopicDesk:
@@ -123,12 +125,11 @@ class TopicDesk:
         self._log(client, ERROR, f"{id_}{operation.get('op')}: {text}")
 
     def refuses(self, client: Client, what: str, name: str) -> bool:
-        """Tell whether an allow-list does not admit a `topic` or a `service`: the log alone tells so."""
+        """Tell whether an allow-list does not admit a `topic`, `service` or `action`: only the log tells."""
         patterns = self.allowed.get(what)
         if patterns is None or any(fnmatchcase(resolve(name), pattern) for pattern in patterns):
             return False
-        cancelled = "subscription to" if what == "topic" else "service call for"
-        self._log(client, WARN, f"No match found for {what}, cancelling {cancelled}: {name}")
+        self._log(client, WARN, f"No match found for {what}, cancelling {CANCELLED[what]}: {name}")
         return True
 
     def _log(self, client: Client, level: int, text: str) -> None:

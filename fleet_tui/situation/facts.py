@@ -34,7 +34,8 @@ LOST_SUBSCRIPTIONS = FactKind(
 NOT_ALLOWED = LOST_SUBSCRIPTIONS._replace(
     word="not allowed by the bridge",
     alarm=LOST_SUBSCRIPTIONS.alarm._replace(
-        action="Add these names to that list of rosbridge (topics_glob, services_glob), and restart it"
+        action="Add these names to that list of rosbridge (topics_glob, services_glob, actions_glob)"
+        ", and restart it"
     ),
 )
 BEHIND = FactKind(

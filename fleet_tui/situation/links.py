@@ -4,10 +4,12 @@ from fleet_tui.errors import STOPPED, UNANSWERED
 from fleet_tui.model.alarm import Priority
 from fleet_tui.model.fleet import FleetState, behind_text
 from fleet_tui.model.link import (
+    ACTIONS_GLOB,
     HALF_DEAD,
     NO_REPLY,
     NO_WAY,
     NOT_ADMITTED,
+    SERVICES_GLOB,
     LinkState,
     Phase,
 )
@@ -63,8 +65,12 @@ def lost_subscriptions(link: LinkState) -> Fact | None:
 def not_allowed(link: LinkState) -> Fact | None:
     """Find that an allow-list of a bridge lacks topics or services of its robots."""
     # Questions to rosapi and to the bridge itself have substitutes; without any there is no command path.
-    services = [one for one in link.barred if not one.startswith(("/rosapi/", "/rosbridge_websocket/"))]
-    lists = {"topics_glob": [*link.not_allowed], "services_glob": services}
+    called = [one for one in link.barred if not one.startswith(("/rosapi/", "/rosbridge_websocket/"))]
+    lists = {
+        "topics_glob": [*link.not_allowed],
+        SERVICES_GLOB: [one for one in called if link.barred[one] == SERVICES_GLOB],
+        ACTIONS_GLOB: [one for one in called if link.barred[one] == ACTIONS_GLOB],
+    }
     names = ", ".join(f"{some(barred)} ({name})" for name, barred in lists.items() if barred)
     if link.phase is not Phase.UP or not names:
         return None

@@ -16,7 +16,7 @@ LinkEvent = (
     | events.MessagesUnsourced
     | events.TopicsDropped
     | events.TopicNotAllowed
-    | events.ServiceNotAllowed
+    | events.CallNotAllowed
     | events.SubscriptionsAdvanced
     | events.BridgeAnswered
     | events.FrameRejected
@@ -45,7 +45,7 @@ def _change_link(state: FleetState, event: events.LinkChanged) -> FleetState:
             unsourced=link.unsourced if event.phase is Phase.UP else "",
             dropped=link.dropped if event.phase is Phase.UP else (),
             not_allowed=link.not_allowed if event.phase is Phase.UP else {},
-            barred=link.barred if event.phase is Phase.UP else (),
+            barred=link.barred if event.phase is Phase.UP else {},
             waiting_topics=link.waiting_topics if event.phase is Phase.UP else 0,
             lag=link.lag if event.phase is Phase.UP else 0.0,
         ),
@@ -65,10 +65,10 @@ def _clocked(link: LinkState, at: float, stamp: float) -> LinkState:
     return replace(link, clock=clock, clock_at=at, drift=moved / passed, drifted=link.drifted + moved)
 
 
-def _with_barred(link: LinkState, event: events.TopicNotAllowed | events.ServiceNotAllowed) -> LinkState:
+def _with_barred(link: LinkState, event: events.TopicNotAllowed | events.CallNotAllowed) -> LinkState:
     if isinstance(event, events.TopicNotAllowed):
         return replace(link, not_allowed={**link.not_allowed, truncate(event.topic): event.robots})
-    return replace(link, barred=tuple(dict.fromkeys((*link.barred, truncate(event.service)))))
+    return replace(link, barred={**link.barred, truncate(event.name): event.glob})
 
 
 def apply_to_link(state: FleetState, event: LinkEvent) -> FleetState:
@@ -85,7 +85,7 @@ def apply_to_link(state: FleetState, event: LinkEvent) -> FleetState:
             return _with_link(state, replace(link, unsourced=truncate(event.package)))
         case events.TopicsDropped():
             return _with_link(state, replace(link, dropped=event.robots))
-        case events.TopicNotAllowed() | events.ServiceNotAllowed():
+        case events.TopicNotAllowed() | events.CallNotAllowed():
             return _with_link(state, _with_barred(link, event))
         case events.SubscriptionsAdvanced(_, at, done, total):
             return _with_link(

@@ -214,7 +214,7 @@ def apply(state: FleetState, event: events.Event) -> FleetState:
             | events.MessagesUnsourced()
             | events.TopicsDropped()
             | events.TopicNotAllowed()
-            | events.ServiceNotAllowed()
+            | events.CallNotAllowed()
             | events.SubscriptionsAdvanced()
             | events.BridgeAnswered()
             | events.FrameRejected()

@@ -56,6 +56,23 @@ async def test_inactive_and_reject_orders_are_refused(site: Site) -> None:
             assert (record.stage, record.detail) == (Stage.REFUSED, "Action goal was rejected")
 
 
+async def test_a_goal_that_an_allow_list_drops_was_not_sent_and_blames_the_list(site: Site) -> None:
+    plant(site, f"actions-glob:{R0}")
+    text = "the bridge does not allow it (actions_glob)"
+    async with linked(site.config) as (link, store):
+        await store.until(nav2_ready)
+        record = await finished(link, store, site.to("Receiving"))
+        assert (record.stage, record.detail) == (Stage.NOT_SENT, text)
+        told = f"the bridge does not allow /{R0}/navigate_to_pose (actions_glob)"
+        await store.until(
+            lambda state: any(one.key[1] == "messages" and one.condition.text == told for one in state.alarms)
+        )
+        again = await finished(link, store, site.to("Receiving"))
+        assert (again.stage, again.detail) == (Stage.NOT_SENT, text)
+        assert (await finished(link, store, PauseRobot(R0))).stage is Stage.CONFIRMED
+    assert not site.navigation().received
+
+
 async def test_a_rejection_that_nobody_tells_ends_as_not_confirmed(site: Site) -> None:
     plant(site, f"mute-rejection:{R0},reject:{R0}")
     async with linked(quick(site, not_confirmed_after=0.5)) as (link, store):

@@ -1,5 +1,11 @@
 """Faults of a bridge or a node that silence several topics: each found once, with all that it explains."""
 
+from dataclasses import replace
+from pathlib import Path
+
+from fleet_tui.config.fleet import adapters_of
+from fleet_tui.config.schema import Config
+from fleet_tui.demo import demo_config
 from fleet_tui.discovery.facts import RosapiFacts
 from fleet_tui.discovery.finding import Verdict
 from fleet_tui.doctor.causes import causes_of, rosapi_finding
@@ -45,6 +51,17 @@ def test_topics_without_any_service_are_nodes_that_the_master_forgot() -> None:
     assert cause.services == set(WELL.rosapi.services)
     other_names = {f"/{robot.name}/other": None for robot in CONFIG.robots}
     assert causes_of(CONFIG, with_rosapi(WELL, services=other_names)) == []
+
+
+def test_an_action_whose_goal_the_bridge_has_just_dropped_is_one_that_its_list_lacks(
+    tmp_path: Path,
+) -> None:
+    config = demo_config(Config(), "ws://site:9090", 2, 1, "2", "nav2", tmp_path)
+    adapters = adapters_of(config)
+    facts = replace(WELL, adapters=adapters, barred=frozenset({"/robot_0/navigate_to_pose", "/other/action"}))
+    (cause,) = [one for one in causes_of(config, facts) if one.finding.check == "actions_glob"]
+    assert cause.finding.measured == "the bridge does not allow /robot_0/navigate_to_pose"
+    assert "to actions_glob of rosbridge" in cause.finding.remedy
 
 
 def test_a_rosapi_that_is_not_there_is_no_failure_but_a_broken_one_is() -> None:

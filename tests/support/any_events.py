@@ -276,7 +276,9 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
     events.TopicNotAllowed: st.builds(
         events.TopicNotAllowed, st.just(LINK), st.text(max_size=9), st.just(("robot_0",))
     ),
-    events.ServiceNotAllowed: st.builds(events.ServiceNotAllowed, st.just(LINK), st.text(max_size=9)),
+    events.CallNotAllowed: st.builds(
+        events.CallNotAllowed, st.just(LINK), st.text(max_size=9), st.just("services_glob")
+    ),
     events.MessagesUnsourced: st.builds(events.MessagesUnsourced, st.just(LINK), st.text(max_size=9)),
     events.BridgeAnswered: st.builds(
         events.BridgeAnswered, st.just(LINK), AT, st.floats(0.0, 60.0), st.none() | NUMBERS

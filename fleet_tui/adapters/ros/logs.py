@@ -102,13 +102,15 @@ def log_line(msg: object, at: float) -> LogLine:
 _COMPLAINT = re.compile(r"\[id: subscribe:(?P<topic>[^\]]+)\]\s*(?:subscribe:\s*)?(?P<reason>.+)", re.DOTALL)
 
 
-_NOT_ALLOWED = re.compile(r"No match found for (?P<what>topic|service), cancelling [a-z ]+: (?P<name>\S+)")
+_NOT_ALLOWED = re.compile(
+    r"No match found for (?P<what>topic|service|action), cancelling [a-z ]+: (?P<name>\S+)"
+)
 NOT_ALLOWED = "not in its topics_glob"
 
 
 def not_allowed(line: LogLine, what: str) -> str:
-    """Return the `topic` to which a bridge allows no subscription, or the `service` to which it allows no
-    call, empty for any other line."""
+    """Return the `topic` to which a bridge allows no subscription, or the `service` or `action` to
+    which it allows no call, empty for any other line."""
     found = _NOT_ALLOWED.search(line.text) if "rosbridge" in line.node else None
     return found["name"] if found and found["what"] == what else ""
 

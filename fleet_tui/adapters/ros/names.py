@@ -76,6 +76,10 @@ class Names:
         """Return the name of an action, empty if this site has none."""
         return _filled(self.profile.actions.get(key, self.vocabulary.actions[key][0]), robot)
 
+    def actions(self, robot: str) -> set[str]:
+        """Return the names of all actions of a robot."""
+        return {self.action(key, robot) for key in self.vocabulary.actions} - {""}
+
     def action_type(self, key: str) -> str:
         return self.profile.action_types.get(key, self.vocabulary.actions[key][1])
 

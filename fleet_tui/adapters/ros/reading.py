@@ -14,6 +14,7 @@ from fleet_tui.adapters.ros.operations import topic_of
 from fleet_tui.errors import WireError
 from fleet_tui.model import events
 from fleet_tui.model.counters import LinkCounter, Raw, TopicCounter
+from fleet_tui.model.link import ACTIONS_GLOB, SERVICES_GLOB
 from fleet_tui.model.navigation_events import OdometryReported, OriginReported
 from fleet_tui.text.limits import truncate
 
@@ -65,14 +66,15 @@ class FrameReader:
         warn: Callable[[str], None] = lambda _text: None,
         streams: StreamSink | None = None,
         decode_pictures: DecodePictures = lambda _msg, _at: (),
-        services: Collection[str] = (),
+        called: Collection[str] = (),
         decode_png: DecodePng = lambda _data, _limit: b"",
     ) -> None:
         """`adapters` by robot; `decode_apart` decodes a large map in another process, `decode_pictures` maps
         that are pictures, `decode_png` the text in a picture; all raise WireError.
         `warn` logs a line; without `streams` none is read.
-        `services` are those that this console calls: the log of a bridge tells of other clients' too."""
-        self._services = services
+        `called` are the services and actions that this console calls: the log of a bridge tells of other
+        clients' too."""
+        self._called = called
         self._streams = streams
         self._link = link
         self._limit = limit
@@ -204,8 +206,9 @@ class FrameReader:
                 self.counter.topics[about[0]].not_subscribed = f"bridge: {about[1]}"
             if (feed := self._feeds.get(logs.not_allowed(line, "topic"))) is not None:
                 yield events.TopicNotAllowed(self._link, feed.address, feed.robots)
-            if (service := logs.not_allowed(line, "service")) in self._services:
-                yield events.ServiceNotAllowed(self._link, service)
+            for what, glob in (("service", SERVICES_GLOB), ("action", ACTIONS_GLOB)):
+                if (name := logs.not_allowed(line, what)) in self._called:
+                    yield events.CallNotAllowed(self._link, name, glob)
         else:
             found = logs.diagnoses(msg, at)
             self.counter.take_health(found)

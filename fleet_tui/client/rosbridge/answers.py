@@ -21,7 +21,8 @@ from fleet_tui.client.tap import Tap
 from fleet_tui.client.writer import Writer
 from fleet_tui.errors import WireError
 from fleet_tui.model.commands import Command, Stage
-from fleet_tui.model.events import ServiceNotAllowed
+from fleet_tui.model.events import CallNotAllowed
+from fleet_tui.model.link import SERVICES_GLOB
 
 LOG = logging.getLogger(__name__)
 
@@ -130,11 +131,11 @@ class Answers:
         with suppress(NoAnswerError):
             return await self._calls.wait(call, OVERDUE)
         if await self._calls.answers_all(PROBE) and not call.answer.done():
-            self._writer.apply(ServiceNotAllowed(self._link, call.service))
+            self._writer.apply(CallNotAllowed(self._link, call.service, SERVICES_GLOB))
             self.check_allowed(call.service)
         return await self._calls.wait(call, LATE_ANSWER)
 
-    def check_allowed(self, service: str) -> None:
-        """Raise NotAllowedError if the bridge is known to drop calls of a service."""
-        if service in self._writer.store.state.links[self._link].barred:
-            raise NotAllowedError("the bridge does not allow it (services_glob)")
+    def check_allowed(self, name: str) -> None:
+        """Raise NotAllowedError if the bridge is known to drop calls of a service, or goals of an action."""
+        if problem := self._writer.store.state.links[self._link].refusal_of(name):
+            raise NotAllowedError(problem)

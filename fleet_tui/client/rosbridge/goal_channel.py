@@ -108,7 +108,9 @@ class Goals:
         self._writer = writer
         self._advance = advance
         self._channels: dict[str, GoalChannel] = {}
-        self._commands: dict[int, Command] = {}
+        self._commands: dict[int, tuple[Command, str]] = {}
+        """Each with the action to which its goal went."""
+        writer.before_tick.append(self._end_dropped)
 
     async def give(self, command_id: int, command: Command, goal: ActionGoal, given_at: float) -> None:
         """Send the goal of a command that was given at `given_at` (monotonic), and report that it left, or
@@ -122,7 +124,7 @@ class Goals:
         if reason := withdrawn(self._writer.store.state, command_id, given_at):
             self._advance(command_id, Stage.NOT_SENT, reason)
             return
-        self._commands[command_id] = command
+        self._commands[command_id] = (command, goal.address)
         try:
             channel.send(command_id, goal)
         except LinkError as problem:
@@ -132,13 +134,21 @@ class Goals:
 
     def _take(self, command_id: int, result: operations.GoalResult) -> None:
         """Take the end of a goal: a refusal ends its command, all else is reported beside its state."""
-        command = self._commands.pop(command_id)
+        command, _ = self._commands.pop(command_id)
         adapter = self._adapters[command.robot]
         stage, detail = adapter.outcome(command, result.values, result.result, result.status)
         if stage is Stage.REFUSED:
             self._advance(command_id, stage, detail)
         else:
             self._writer.apply(GoalAnswered(command_id, stage, time.monotonic(), detail))
+
+    def _end_dropped(self, _now: float) -> None:
+        """End the commands whose goals an allow-list of the bridge dropped, which its log alone tells."""
+        link = self._writer.store.state.links[self._link]
+        for command_id, (_, action) in list(self._commands.items()):
+            if refusal := link.refusal_of(action):
+                del self._commands[command_id]
+                self._advance(command_id, Stage.NOT_SENT, refusal)
 
     def close(self) -> None:
         """Close all connections permanently; goals go on."""

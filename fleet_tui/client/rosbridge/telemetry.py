@@ -83,7 +83,9 @@ class Telemetry:
         self._streams, limit = writer.store.streams, limit_of(config, link)
         self._sink = StreamWriter(writer.store)
         services = services_of(config, adapters, link)
-        called = {*services, *EVERY_QUESTION}
+        served = {robot for feed in feeds for robot in feed.robots}
+        actions = {name for robot in served for name in adapters[robot].names.actions(robot)}
+        called = {*services, *actions, *EVERY_QUESTION}
         self._reading = FrameReader(
             link,
             limit,
@@ -109,8 +111,7 @@ class Telemetry:
         self._pictures = CameraChannel(
             bridge, feeds, adapters, self._subscriber, self._reading, self._sink, places
         )
-        has_actions = any(adapters[robot].names.vocabulary.actions for feed in feeds for robot in feed.robots)
-        self.services = Services(self._calls, services, has_actions)
+        self.services = Services(self._calls, services, has_actions=bool(actions))
         self._sourcing = Sourcing(
             link, self._calls, feeds, self._reading, lambda: self._subscriber.types, writer.apply
         )

@@ -25,6 +25,7 @@ FAULTS: Faults = {
     "throws": ("orders raise an exception in the node and are not taken", wire.throws),
     "unregistered": (f"after {wire.GONE:g} s its services do not exist, telemetry flows", wire.unregistered),
     "topics-glob": ("the bridge's allow-list lacks its topics (topics_glob)", wire.topics_glob),
+    "actions-glob": ("the bridge's allow-list lacks its actions (actions_glob)", wire.actions_glob),
     "services-glob": ("the bridge's allow-list lacks its services (services_glob)", wire.services_glob),
     "lost-master": (
         "the ROS master was restarted without rosapi: its services do not exist, telemetry flows",

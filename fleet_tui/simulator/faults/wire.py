@@ -146,6 +146,12 @@ def services_glob(server: "RosbridgeServer", robot: str) -> None:
     server.bridge.allowed["service"] = ("/rosapi/*", *others)
 
 
+def actions_glob(server: "RosbridgeServer", robot: str) -> None:
+    """Allow clients no action of a robot."""
+    others = [f"/{name}/*" for name in server.bridge.services.robots if name != robot]
+    server.bridge.allowed["action"] = others
+
+
 def lost_master(server: "RosbridgeServer", robot: str) -> None:
     """Restart the ROS master without rosapi: no service is known any more, not even the bridge's own."""
     services = server.bridge.services

@@ -33,6 +33,7 @@ GENERIC = (
     "half-dead",
     "topics-glob",
     "services-glob",
+    "actions-glob",
     "overloaded",
     "unregistered",
 )

@@ -66,7 +66,9 @@ class Session:
             self._bridge.complain(self.client, operation, str(error))
 
     def _is_refused(self, operation: Operation) -> bool:
-        what = {"subscribe": "topic", "call_service": "service"}.get(operation["op"])
+        what = {"subscribe": "topic", "call_service": "service", "send_action_goal": "action"}.get(
+            operation["op"]
+        )
         return what is not None and self._bridge.refuses(self.client, what, operation[what])
 
     async def _perform(self, operation: Operation) -> None:
