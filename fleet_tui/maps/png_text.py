@@ -3,8 +3,6 @@
 import base64
 import io
 
-from PIL import Image
-
 from fleet_tui.adapters.adapter import Limit
 from fleet_tui.errors import WireError
 
@@ -14,6 +12,8 @@ def text_of_png(data: str, limit: Limit) -> bytes:
 
     Raises WireError for an unreadable picture, or for one of more text than `limit` allows.
     """
+    from PIL import Image  # takes longer to import than a status without a map
+
     megabytes, key = limit
     try:
         with Image.open(io.BytesIO(base64.b64decode(data)), formats=["PNG"]) as image:

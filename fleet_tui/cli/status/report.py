@@ -173,8 +173,8 @@ def _unknown(state: FleetState) -> Iterator[str]:
         link, absent = state.links[robot.link], missing(robot)
         if link.phase is not Phase.UP:
             continue
-        if state.is_online(robot):
-            yield from (f"{robot.name}: missing: {', '.join(absent)}" for _ in absent[:1])
+        if absent and state.is_online(robot):
+            yield f"{robot.name}: {', '.join(absent)} missing"
         fact = absence(state, robot)
         if fact is None or fact.priority is Priority.LOW or not fact.is_certain:
             continue

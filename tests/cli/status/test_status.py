@@ -56,7 +56,7 @@ async def test_what_never_came_is_named(server: RosbridgeServer, tmp_path: Path)
     config_file(tmp_path, server.url, 1)
     done = await run(tmp_path, "status", "--timeout", "4")
     assert done.code == 1
-    assert "robot_0: missing: queue" in done.out
+    assert "robot_0: queue missing" in done.out
     assert "queue missing" in done.out and "idle" not in done.out
     robot = json.loads((await run(tmp_path, "status", "--json", "--timeout", "1")).out)["robots"][0]
     assert (robot["paused"], robot["orders"]) == (None, None)
