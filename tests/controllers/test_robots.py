@@ -3,8 +3,8 @@
 from fleet_tui.controllers.ordering.orders import OrderRequests
 from fleet_tui.controllers.robots import RobotRequests
 from fleet_tui.keys import KEYS
-from fleet_tui.model.commands import PauseRobot, ResumeRobot
-from fleet_tui.model.events import CommandPathChanged, PausedReported
+from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
+from fleet_tui.model.events import CommandAdvanced, CommandIssued, CommandPathChanged, PausedReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
 from fleet_tui.model.problem import Permissions, Right
@@ -66,6 +66,18 @@ def test_resume_all_asks_once_and_reaches_whom_a_pause_holds() -> None:
     assert (len(desk.answers), desk.backend.submitted) == (1, [])
     desk.say_yes()
     assert desk.backend.submitted == [ResumeRobot(R0)]
+
+
+def test_resume_all_counts_whom_others_paused() -> None:
+    names = ("robot_0", "robot_1", "robot_2")
+    state = reduced(
+        fleet(3), link_up(T0), ALIVE, *(PausedReported(name, T0, True) for name in names), tick(T0)
+    )
+    desk, _, robots = requests(
+        reduced(state, CommandIssued(1, PauseRobot(R0), T0, 1.7e9), CommandAdvanced(1, Stage.SENT, T0))
+    )
+    robots.resume_all()
+    assert "2 paused elsewhere: robot_1, robot_2" in desk.asked[-1]
 
 
 def test_resume_all_says_so_where_no_robot_is_paused() -> None:

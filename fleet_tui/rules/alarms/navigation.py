@@ -84,7 +84,8 @@ def held_orders(state: FleetState, robot: Robot, _active: ActiveConditions) -> C
         return None
     text = f"{robot.held}: {kept} order{'s' * (kept > 1)} waiting here, resume to continue"
     priority = Priority.MEDIUM if robot.held in HELD_BY_OTHERS else Priority.LOW
-    return Condition(robot.name, "held", priority, text, "orders resumed")
+    # Also by a clear, or by an order in their place.
+    return Condition(robot.name, "held", priority, text, "no orders held")
 
 
 def silent(state: FleetState, robot: Robot, _active: ActiveConditions) -> Condition | None:

@@ -10,7 +10,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.members import FAILED_MODES
 from fleet_tui.rules.alarms.vehicles import priority_of
 from fleet_tui.rules.battery.charging import CHARGES, ON_ITS_WAY
-from fleet_tui.rules.commands.newest import own_pause
+from fleet_tui.rules.commands.newest import is_paused_elsewhere
 from fleet_tui.rules.commands.order_ends import seen_end
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
@@ -148,7 +148,7 @@ def is_odd(state: FleetState, robot: Robot) -> bool:
         is_gone = silent(state, robot) is not None and is_known
         is_bad = fact is not None and fact.kind is BAD_DATA
         return is_gone or is_bad or unexplained_end(state, robot) is not None
-    is_held = state.is_paused(robot) and own_pause(state, robot) is None
+    is_held = is_paused_elsewhere(state, robot)
     is_held = is_held or _moves_again(state, robot)
     is_held = is_held or obstacle(state, robot) is not None
     is_held = is_held or inactive(state, robot) is not None

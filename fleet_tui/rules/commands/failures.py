@@ -23,12 +23,17 @@ from fleet_tui.text.details import detail_text
 
 FAILED_FOR = 30.0
 """Seconds for which a command that failed counts as news."""
-_OVER = {commands.Stage.LATE: "was carried out late"} | {
-    stage: end.over for stage, end in commands.ORDER_ENDS.items()
+_OVER = {
+    commands.Stage.NOT_CONFIRMED: "was not confirmed",
+    commands.Stage.LATE: "was carried out late",
+    **{stage: end.over for stage, end in commands.ORDER_ENDS.items()},
 }
 _CAUSED = frozenset({commands.Stage.REFUSED, commands.Stage.FAILED, commands.Stage.NOT_CONFIRMED})
 """Failures of which the cause is first: the request is known to the operator."""
 CARRIED_OUT = "Do not repeat the command: the robot has carried it out"
+MAY_FOLLOW = (
+    "Look at the robot and its queue, and do not repeat the order before: it may still be carried out"
+)
 DRIVES_ON = "It still has the order: pause it, or stop it at the robot, then cancel again"
 MANY = 5
 """Failed commands to at least this many robots given together are one alarm."""
@@ -143,6 +148,8 @@ def _failed(state: FleetState, key: Key, records: Sequence[commands.CommandRecor
         remedy = fact.remedy
     if last.stage is commands.Stage.LATE:
         remedy = CARRIED_OUT
+    if isinstance(last.command, commands.PlaceOrder) and last.stage is commands.Stage.NOT_CONFIRMED:
+        remedy = MAY_FOLLOW
     if isinstance(last.command, commands.PlaceOrder) and last.stage in commands.ORDER_ENDS:
         remedy = remedy or commands.ORDER_ENDS[last.stage].remedy
     return Condition(

@@ -21,3 +21,8 @@ def own_pause(state: FleetState, robot: Robot) -> CommandRecord | None:
     if record is None or not isinstance(record.command, PauseRobot) or record.stage in _UNDONE:
         return None
     return record
+
+
+def is_paused_elsewhere(state: FleetState, robot: Robot) -> bool:
+    """Tell whether a robot is under a pause that is not from here."""
+    return state.is_paused(robot) and own_pause(state, robot) is None

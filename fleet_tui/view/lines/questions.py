@@ -10,8 +10,10 @@ from fleet_tui.model.request import Request
 from fleet_tui.model.set_up.commands import SetUpCommand
 from fleet_tui.rules.commands.batches import batch_name
 from fleet_tui.rules.commands.local_queue import all_orders, clearable
+from fleet_tui.rules.commands.newest import is_paused_elsewhere
 from fleet_tui.rules.commands.set_up.losses import set_up_losses
 from fleet_tui.text.language import tr
+from fleet_tui.text.limits import some
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import command_text
 from fleet_tui.view.tables.missions import mission
@@ -63,7 +65,13 @@ def question(state: FleetState, request: Request, found: Sequence[Problem]) -> s
         return "\n".join([*lost, *against])
     told = ", ".join(against)
     ask = [told if told.endswith("?") else tr(f"{told}: send anyway?")] if against else [tr("Send?")]
+    resumed = {command.robot for command in request.commands if isinstance(command, ResumeRobot)}
     robots = list(dict.fromkeys(command.robot for command in request.commands))
     more = tr(f" and {len(robots) - SHOWN} more") if len(robots) > SHOWN else ""
     named = [", ".join(map(sanitize, robots[:SHOWN])) + more] if len(robots) > 1 else []
+    elsewhere = [
+        name for name in robots if name in resumed and is_paused_elsewhere(state, state.robots[name])
+    ]
+    if len(robots) > 1 and elsewhere:
+        named.append(tr(f"{len(elsewhere)} paused elsewhere: {some(elsewhere)}"))
     return "\n".join([*ask, request_text(state, request), *named])

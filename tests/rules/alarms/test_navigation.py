@@ -125,6 +125,7 @@ def test_held_orders_are_counted_and_those_held_by_others_matter_more() -> None:
     assert found.text == "previous order: failed: 2 orders waiting here, resume to continue"
     other = held_orders(*known(state, held=ANOTHER_CLIENT), {})
     assert other is not None and other.priority is Priority.MEDIUM
+    assert other.over == "no orders held", "also where they were cleared or replaced"
     assert held_orders(*known(held=ANOTHER_CLIENT), {}) is None and held_orders(*known(state), {}) is None
 
 

@@ -7,7 +7,7 @@ from fleet_tui.model.alarm import AlarmStage
 from fleet_tui.model.commands import CancelOrder, PauseRobot, Stage
 from fleet_tui.model.desk import events as desk_events
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.rules.commands.failures import DRIVES_ON
+from fleet_tui.rules.commands.failures import DRIVES_ON, MAY_FOLLOW
 from tests.support.alarms import alarm, alarms, up
 from tests.support.fleets import (
     LINK,
@@ -54,8 +54,9 @@ def test_not_confirmed_is_an_alarm_that_returns_after_a_while_and_stays_until_it
     state = reduced(state, battery(T0 + 40), tick(T0 + 40))
     assert (alarm(state, "command").stage, alarm(state, "command").text) == (
         AlarmStage.RETURNED,
-        "failed: order 1 -> 2",
+        "was not confirmed: order 1 -> 2",
     )
+    assert alarm(state, "command").condition.remedy == MAY_FOLLOW
     assert alarms(reduced(state, desk_events.AlarmAcknowledged())) == {}
 
 
