@@ -45,7 +45,7 @@ UNHEARD = {
     "ros2-rosapi.jsonl.gz": "answers of rosapi only",
     "ros2-services.jsonl.gz": "answers of services only",
     "rosapi-and-scan.jsonl": "scans, which only a view of them asks for",
-    **{path.name: "a robot without a namespace" for path in WIRE.glob("nav2-*")},
+    **{path.name: "a robot without a namespace" for path in (*WIRE.glob("nav2-*"), *WIRE.glob("ros1-*"))},
 }
 """Recordings in which no robot speaks, with what is in them instead."""
 
