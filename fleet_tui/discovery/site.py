@@ -155,5 +155,7 @@ async def _discover(bridge: Link, until: float, watch: Watch) -> DiscoveredSite:
 
 
 def _without_rosapi(rosapi: RosapiFacts) -> str:
-    remedy = f"{rosapi_remedy(rosapi)}; or edit an example (fleet-tui config init)"
+    # A bridge whose ROS thread has ended is told apart by its own node alone, which is not asked here.
+    half_dead = "; if it runs, restart rosbridge: it may be half dead" if rosapi.is_silent else ""
+    remedy = f"{rosapi_remedy(rosapi)}{half_dead}; or edit an example (fleet-tui config init)"
     return f"discovery needs rosapi: {rosapi.problem}: {remedy}"

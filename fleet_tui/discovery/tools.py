@@ -34,5 +34,5 @@ def rosapi_remedy(rosapi: RosapiFacts) -> str:
         renew = "if it runs, the ROS master was restarted: restart rosapi and the robot nodes"
         return f"start rosapi beside rosbridge ({start})" + f"; {renew}" * (rosapi.ros != 2)
     if rosapi.is_silent:
-        return f"restart rosapi ({start}), not rosbridge: that responds and carries commands"
+        return f"restart rosapi ({start})"
     return "error of rosapi: see its log"

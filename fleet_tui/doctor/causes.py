@@ -39,7 +39,9 @@ def rosapi_finding(facts: BridgeFacts) -> Finding:
     if is_half_dead(facts):
         unheard = "no reply, nor from the bridge's own node"
         return Finding(facts.name, "rosapi", Verdict.SKIPPED, unheard)
-    remedy = rosapi_remedy(rosapi)
+    # Its node was asked, too.
+    carries = ", not rosbridge: that responds and carries commands" if rosapi.is_silent else ""
+    remedy = f"{rosapi_remedy(rosapi)}{carries}"
     lost = f"{rosapi.problem}: names, types, publishers and services are unavailable"
     # Some sites run without it; one that exists and does not work is a failure.
     verdict = Verdict.WARN if rosapi.is_absent else Verdict.FAIL

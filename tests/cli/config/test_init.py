@@ -106,10 +106,12 @@ async def test_what_can_not_be_asked(server: RosbridgeServer, tmp_path: Path) ->
     PLANTS["a frozen rosapi"](server, Config())
     frozen = await run(tmp_path, "config", "init", "--from-live", server.url)
     assert frozen.code == 1 and "restart rosapi (" in frozen.err
+    assert "restart rosbridge: it may be half dead" in frozen.err
     server.bridge.services.silent_services.clear()
     server.bridge.services.answers.clear()
     server.bridge.services.rosapi_alive = False
     mute = await run(tmp_path, "config", "init", "--from-live", server.url)
+    assert "half dead" not in mute.err
     assert mute.code == 1 and "discovery needs rosapi" in mute.err and "start rosapi" in mute.err
 
 
