@@ -95,9 +95,9 @@ class Condition(Struct, frozen=True):
 
 class Alarm(Struct, frozen=True):
     """An alarm and its history: `first_wall` and `last_wall` (Unix seconds) are when it was raised, with
-    `first_text`, and when it last held, `count` its occurrences since then. `held_at` (monotonic) is when it
-    last held, `shelved_until` (monotonic) the end of its shelving. `holds` is False during the off-delay as
-    well."""
+    `first_text`, and when it last held, `count` its occurrences since then, `part_wall` when the newest of
+    its parts came, 0 if all were there. `held_at` (monotonic) is when it last held, `shelved_until`
+    (monotonic) the end of its shelving. `holds` is False during the off-delay as well."""
 
     condition: Condition
     first_wall: float
@@ -108,6 +108,12 @@ class Alarm(Struct, frozen=True):
     holds: bool = True
     shelved_until: float = field(default=0.0, name="until")  # as recordings have it
     first_text: str = ""
+    part_wall: float = 0.0
+
+    @property
+    def shown_wall(self) -> float:
+        """Return the time (Unix seconds) to show: of its last change while it holds, else of its end."""
+        return max(self.first_wall, self.part_wall) if self.holds else self.last_wall
 
     @property
     def key(self) -> Key:
@@ -131,10 +137,17 @@ def _stepped(alarm: Alarm, step: AlarmStep) -> Alarm:
 
 
 def _holding(alarm: Alarm, condition: Condition, at: float, wall: float) -> Alarm:
-    came = max(len(condition.parts - alarm.condition.parts), not alarm.holds)
+    new_parts = condition.parts - alarm.condition.parts
+    came = max(len(new_parts), not alarm.holds)
     news = condition.is_news_after(alarm.condition)
     alarm = replace(
-        alarm, condition=condition, holds=True, held_at=at, last_wall=wall, count=alarm.count + came
+        alarm,
+        condition=condition,
+        holds=True,
+        held_at=at,
+        last_wall=wall,
+        count=alarm.count + came,
+        part_wall=wall if new_parts else alarm.part_wall,
     )
     if alarm.stage is AlarmStage.RETURNED:
         return _stepped(alarm, AlarmStep.RAISE)

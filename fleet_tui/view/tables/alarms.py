@@ -59,7 +59,7 @@ def _row(
     if alarm.stage is AlarmStage.SHELVED:
         shelf = tr(f" until {clock(state.wall + alarm.shelved_until - state.now)}")
     is_wide = width >= WITH_PRIORITY
-    at = clock(_at(alarm))
+    at = clock(alarm.shown_wall)
     runs = _signs(alarm, shelf, is_wide, role)
     runs.append((names[alarm.condition.source] + " ", StyleRole.TEXT))
     left = width - 1 - sum(cell_width(text) for text, _ in runs)
@@ -171,18 +171,13 @@ def _suppressed(state: FleetState) -> int:
     return grouped + covered + sum(robot.link in down for robot in state.robots.values())
 
 
-def _at(alarm: Alarm) -> float:
-    """Return the time (Unix seconds) that its row shows."""
-    return alarm.first_wall if alarm.holds else alarm.last_wall
-
-
 def _values(clock: Callable[[float], str]) -> tuple[Value[Alarm], ...]:
     return (
         Value("robot", lambda alarm: alarm.condition.source, lambda alarm: natural(alarm.condition.source)),
         Value("alarm", lambda alarm: tr(alarm.text), lambda alarm: alarm.condition.kind),
         Value("priority", lambda alarm: tr(PRIORITIES[alarm.condition.priority].strip())),
         Value("stage", lambda alarm: tr(SIGNS[alarm.stage])[2:].strip()),
-        Value("time", lambda alarm: clock(_at(alarm)), lambda alarm: -_at(alarm), is_apart=True),
+        Value("time", lambda alarm: clock(alarm.shown_wall), lambda alarm: -alarm.shown_wall, is_apart=True),
     )
 
 

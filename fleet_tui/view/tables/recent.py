@@ -61,7 +61,7 @@ def _in_full(at: str, source: str, runs: tuple[Run, ...], width: int) -> Iterato
 
 def _alarms(state: FleetState) -> Iterator[Event]:
     for alarm in state.alarms:
-        at = alarm.first_wall if alarm.holds else alarm.last_wall
+        at = alarm.shown_wall
         yield at, alarm.condition.source, partial(_alarm, alarm)
 
 

@@ -65,6 +65,7 @@ def test_further_failures_of_a_robot_count_and_need_another_look() -> None:
     assert (alarm(state, "command").count, state.unacknowledged) == (2, 0)
     state = failed(state, 9, T0 + 2)
     assert (alarm(state, "command").count, state.unacknowledged) == (3, 1)
+    assert alarm(state, "command").shown_wall == state.wall, "of the newest command, whose text it has"
     assert len(state.alarms) == 1
 
 
