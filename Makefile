@@ -4,8 +4,8 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 PURE := $(addprefix tests/,text model keys rules graph_files state view adapters config test_house.py test_keymap.py test_errors.py)
-# Tests with links and processes wait more than they work: two for each core, the longest first.
-TOGETHER := -q -n 4 --maxschedchunk 1
+# One more than cores: some wait for a process. The longest first.
+TOGETHER := -q -n $(shell expr $$(getconf _NPROCESSORS_ONLN) + 1) --maxschedchunk 1
 # Compiled once, not by each of a few hundred processes.
 unexport PYTHONDONTWRITEBYTECODE
 
@@ -39,11 +39,8 @@ quick: $(READY)
 tested: compiled
 	@$(MAKE) --no-print-directory unit
 
-# Not yet green 20 times of 20 on a busy machine: what failed is run again, alone and in real seconds, and must
-# pass then.
 unit: $(READY)
-	@$(BIN)/pytest $(TOGETHER) || { test $$? -eq 1 && echo "Again, one at a time:" && \
-	FLEET_TUI_REAL_TIME=1 $(BIN)/pytest -q -p no:xdist --maxfail 3 --last-failed --last-failed-no-failures none; }
+	@$(BIN)/pytest $(TOGETHER)
 
 # All that takes too long for each commit: the tests marked so, 2,000 examples of each pure property, random keys,
 # kills, an hour's load in minutes, fuzzing, figures. Hours; each part ends by itself, and the first failure ends it.

@@ -2,7 +2,7 @@
 
 A plugin of pytest. While a test runs in an asyncio loop, seconds pass for nothing else: not for a machine
 that is busy, not for a test that waits. Two kinds of test have real seconds: those that run no loop, and
-those with another process, from its start on.
+those with another process, from its start on, unless that only answers, as a broker does.
 """
 
 import asyncio
@@ -52,8 +52,6 @@ PAHO = "paho/mqtt/client.py"
 """The code of a client of MQTT whose loop is its own."""
 SYN_SENT = 2
 """The state of a socket of TCP that waits for its peer's first word (RFC 9293)."""
-REAL = bool(os.environ.get("FLEET_TUI_REAL_TIME"))
-"""Whether all tests have real seconds."""
 PATIENCE = 50
 """Looks without any computing after which a thread that waits in an unknown way, as for a socket, holds
 nobody up."""
@@ -452,5 +450,3 @@ asyncio.set_event_loop_policy(_Policy())
 @pytest.hookimpl(tryfirst=True)
 def pytest_runtest_setup() -> None:
     TIME.begin_test()
-    if REAL:
-        TIME.be_real()
