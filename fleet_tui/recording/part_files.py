@@ -11,6 +11,11 @@ from msgspec import Struct
 from fleet_tui.recording.part_file import PartFile
 from fleet_tui.recording.records import RecordingError
 
+LOG = logging.getLogger(__name__)
+
+RETRY = 1.0
+"""Seconds between two attempts after a disk error."""
+
 _SUFFIX = re.compile(r"(?:\.jsonl|\.json)?(?:\.gz)?$")
 
 
@@ -37,12 +42,6 @@ def parts_beside(path: Path) -> Iterator[Path]:
         names = []
     for found in sorted(names, key=lambda found: int(found[1] or 0)):
         yield path.with_name(found[0])
-
-
-LOG = logging.getLogger(__name__)
-
-RETRY = 1.0
-"""Seconds between two attempts after a disk error."""
 
 
 class PartLimits(Struct, frozen=True, kw_only=True):

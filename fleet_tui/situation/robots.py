@@ -22,6 +22,7 @@ from fleet_tui.situation.facts import (
     STOP,
 )
 from fleet_tui.situation.links import hidden, is_late
+from fleet_tui.situation.motion import SELDOM
 from fleet_tui.text.units import age
 
 WAKE = "Wake it by its master control (stopHibernation)"
@@ -246,9 +247,8 @@ def adrift(state: FleetState, robot: Robot) -> Fact | None:
 
 BRAKES_FOR = 3.0
 DRIVES_FOR = 60.0
-STANDS_AFTER = 2.0
 """Seconds after the end of an order within which its robot brakes, and after which its movement is another
-one's; seconds without movement from which it stands."""
+one's."""
 
 
 def drives_on(state: FleetState, robot: Robot) -> Fact | None:
@@ -258,7 +258,7 @@ def drives_on(state: FleetState, robot: Robot) -> Fact | None:
     if last is None or standing is None or last.stage is not Stage.FAILED or robot.orders.open:
         return None
     since_end = state.now - last.at
-    is_moving = standing.at - last.at > BRAKES_FOR and state.now - standing.at < STANDS_AFTER
+    is_moving = standing.at - last.at > BRAKES_FOR and state.now - standing.at < SELDOM
     if not robot.kind.keeps_goals or since_end > DRIVES_FOR or not is_moving:
         return None
     mission = robot.order_text(last.order)

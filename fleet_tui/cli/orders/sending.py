@@ -30,6 +30,20 @@ from fleet_tui.rules.commands.checks import acceptable, problems
 from fleet_tui.rules.commands.local_queue import clearable
 from fleet_tui.rules.commands.set_up.losses import set_up_losses
 
+LINK_WITHIN = 5.0
+"""Maximum seconds to wait for a link and for a robot's reports."""
+
+HANDOVER = 2.0
+"""Maximum seconds until the link has sent a command, or refused it: later ones are refused."""
+
+CODES = {
+    "no link": NO_LINK,
+    "unknown vertex": USAGE,
+    "unattended": USAGE,
+    "no place": USAGE,
+    "no name": USAGE,
+}
+
 
 def losses(state: FleetState, request: Request) -> Iterator[Problem]:
     """Return the losses that the console asks about."""
@@ -53,21 +67,6 @@ def unattended(state: FleetState, request: Request) -> Iterator[Problem]:
         if isinstance(command, PlaceOrder) and robot and robot.kind.gives_stops and len(command.stops) > 1:
             text = f"{robot.name} takes one stop at a time: use --until-done to send the others"
             yield Problem("unattended", text)
-
-
-LINK_WITHIN = 5.0
-"""Maximum seconds to wait for a link and for a robot's reports."""
-
-HANDOVER = 2.0
-"""Maximum seconds until the link has sent a command, or refused it: later ones are refused."""
-
-CODES = {
-    "no link": NO_LINK,
-    "unknown vertex": USAGE,
-    "unattended": USAGE,
-    "no place": USAGE,
-    "no name": USAGE,
-}
 
 
 @dataclass(frozen=True, slots=True)

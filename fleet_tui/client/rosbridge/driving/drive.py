@@ -21,6 +21,15 @@ from fleet_tui.transports.loop import call_now
 from fleet_tui.transports.rosbridge.connection import Connection
 from fleet_tui.transports.rosbridge.unsent import unsent
 
+LOG = logging.getLogger(__name__)
+
+HANDOVER = 0.005
+"""Maximum seconds to wait for the network thread to take a key."""
+END_WITHIN = 0.05
+"""Maximum seconds to wait until the last zeros have left."""
+OPEN_WITHIN = 2.0
+"""Seconds for the connection."""
+
 WITHIN = 1.0
 """Seconds for the answers of rosapi. Without them no drive begins."""
 
@@ -38,16 +47,6 @@ async def twist_type(calls: Calls, topic: str) -> str:
     if is_stamped(type_) is None:
         raise CommandError(f"{topic} has type {truncate(type_)}, not {TWIST} or {STAMPED_TWIST}")
     return type_
-
-
-LOG = logging.getLogger(__name__)
-
-HANDOVER = 0.005
-"""Maximum seconds to wait for the network thread to take a key."""
-END_WITHIN = 0.05
-"""Maximum seconds to wait until the last zeros have left."""
-OPEN_WITHIN = 2.0
-"""Seconds for the connection."""
 
 
 class Drive:
