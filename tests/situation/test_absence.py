@@ -178,5 +178,5 @@ def test_what_is_missing_is_named_once() -> None:
     state = reduced(fleet(), link_up(T0 - 60), battery(T0), queue(T0), tick(T0))
     assert to_look_at(state) == (R0,)
     assert [line for line in attention(state) if "pose" in line] == [
-        "robot_0: missing: pose, cargo, obstacle, graph of floor_0, labels of floor_0"
+        "robot_0: pose, cargo, obstacle, graph of floor_0, labels of floor_0 missing"
     ]
