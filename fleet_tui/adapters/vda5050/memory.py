@@ -4,8 +4,10 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
+from msgspec.structs import replace
+
 from fleet_tui.adapters.vda5050.fields import Fields
-from fleet_tui.adapters.vda5050.state import OrderNodes, is_running, nodes_of
+from fleet_tui.adapters.vda5050.state import ENDED, OrderNodes, is_running, nodes_of
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.vehicles.vehicle import Vehicle
@@ -32,6 +34,8 @@ class StateMemory:
         self._nodes: dict[str, tuple[tuple[Any, ...], OrderNodes]] = {}
         self._actions: dict[str, tuple[str, frozenset[str], frozenset[str]]] = {}
         """The order of each vehicle, the actions before it, and those of the last state."""
+        self._named: dict[str, Vehicle] = {}
+        """The last state of each vehicle, with the order that it names, or has driven last."""
         self._instant: dict[str, str] = {}
         self._numbers: dict[str, float | None] = {}
         self._back: dict[str, list[float]] = {}
@@ -100,6 +104,15 @@ class StateMemory:
         if len(self._instant) > INSTANT_KEPT:
             del self._instant[next(iter(self._instant))]
 
+    def with_driven_order(self, robot: str, vehicle: Vehicle) -> Vehicle:
+        """Return a state with the order that its vehicle has driven to the end, if it names none any more: it
+        ought to name that until it takes the next one."""
+        before = self._named.get(robot)
+        if not vehicle.order_id and before is not None and _has_driven(before, vehicle):
+            vehicle = replace(vehicle, order_id=before.order_id)
+        self._named[robot] = vehicle
+        return vehicle
+
     def earlier_actions(self, robot: str, vehicle: Vehicle) -> frozenset[str]:
         """Return the ids of the actions that were in the states before the vehicle took its order: some keep
         them for long, and they say nothing of it. Nor do cancellations that are over in the first of all
@@ -122,3 +135,16 @@ class StateMemory:
             return False
         self._orders[robot] = orders, at
         return True
+
+
+def _has_driven(before: Vehicle, vehicle: Vehicle) -> bool:
+    """Tell whether all that was left of an order is done in a later state: one node, and its actions."""
+    goal = before.nodes_left[-1] if before.nodes_left else before.last_node
+    ended = {one.id for one in vehicle.actions if one.status in ENDED}
+    return (
+        len(before.nodes_left) <= 1
+        and not before.horizon
+        and vehicle.last_node == goal != ""
+        and not (vehicle.nodes_left or vehicle.horizon)
+        and all(one.is_beside or one.status in ENDED or one.id in ended for one in before.actions)
+    )

@@ -95,8 +95,9 @@ def read_state(origin: MessageOrigin, message: Fields) -> Iterator[events.Event]
         yield events.PausedReported(robot, at, vehicle.paused)
     if is_new and nodes.graph.vertices:
         yield NodesReported(robot, at, nodes.frame, nodes.graph)
-    earlier = origin.memory.earlier_actions(robot, vehicle)
-    orders = _orders(vehicle, nodes.target, origin.owns(vehicle.order_id), earlier)
+    ordered = origin.memory.with_driven_order(robot, vehicle)
+    earlier = origin.memory.earlier_actions(robot, ordered)
+    orders = _orders(ordered, nodes.target, origin.owns(ordered.order_id), earlier)
     is_over = any(goal.state is not OrderState.IN_PROCESS for goal in orders)
     if is_over and (_is_unread(message, "nodeStates") or _is_unread(message, "actionStates")):
         return  # what can't be read may be left of it

@@ -6,6 +6,7 @@ import pytest
 
 from fleet_tui.adapters.vda5050.reading import short_id
 from fleet_tui.model import events
+from fleet_tui.model.commands import Stage
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.order import OrderState, Stop
 from fleet_tui.model.vehicles.events import FactsheetReported, MasterSeen
@@ -156,6 +157,39 @@ def test_a_vehicle_that_keeps_the_nodes_it_has_passed_is_not_busy_for_ever() -> 
     # The number is the last order's until a node of this one is reached.
     site.read("state", state(orderId="o2", nodeStates=way[1:], lastNodeId="b", lastNodeSequenceId=8))
     assert states(site) == [OrderState.IN_PROCESS]
+
+
+def test_an_order_that_is_driven_to_its_goal_is_done_though_its_vehicle_names_it_no_more() -> None:
+    site = VehicleSite()
+    drop = action("o1-drop", "drop", "RUNNING")
+    site.read("state", state(orderId="o1", nodeStates=[node("a", 2)], actionStates=[drop]))
+    site.read("state", state(lastNodeId="a", actionStates=[{**drop, "actionStatus": "FINISHED"}]))
+    site.read("state", state(lastNodeId="a"))
+    assert states(site) == [OrderState.DONE]
+    site.read("state", state(orderId="o2", lastNodeId="a", nodeStates=[node("b", 2)]))
+    site.read("state", state(lastNodeId="b", errors=[error("FATAL", orderId="o2")]))
+    assert states(site) == [OrderState.FAILED]
+
+
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ({"nodeStates": [node("a", 2)]}, {}),
+        ({"nodeStates": [node("b", 2), node("a", 4)]}, {"lastNodeId": "a"}),
+        ({"nodeStates": [node("a", 2), node("b", 4, released=False)]}, {"lastNodeId": "a"}),
+        (
+            {"nodeStates": [node("a", 2)], "actionStates": [action("x", "drop", "RUNNING")]},
+            {"lastNodeId": "a"},
+        ),
+    ],
+)
+def test_an_order_that_its_vehicle_forgets_before_its_end_is_not_done(
+    before: dict[str, Any], after: dict[str, Any]
+) -> None:
+    site = VehicleSite()
+    site.read("state", state(orderId="o1", **before))
+    site.read("state", state(**after))
+    assert site.agv.orders.orders == () and site.agv.gone[-1].stage is Stage.LOST
 
 
 def test_an_order_that_grows_has_a_new_target() -> None:
