@@ -1,12 +1,14 @@
 """Tests of fleet_tui/client/mqtt/commands.py: an order that waits for a state is sent as meant, or never."""
 
 import asyncio
+from collections.abc import AsyncIterator, Iterator
 from contextlib import closing
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import pytest
 
+from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.client.queue_file import QueueFile, WaitingOrder
 from fleet_tui.config.load import from_text
 from fleet_tui.model.commands import RESTARTED, CancelOrder, ClearOrders, PauseRobot, PlaceOrder, Stage
@@ -19,7 +21,7 @@ from fleet_tui.model.request import Request
 from fleet_tui.model.vehicles.vehicle import Vehicle
 from fleet_tui.rules.commands.checks import problems
 from fleet_tui.rules.commands.local_queue import all_orders, hold_all
-from tests.support.broker import broker_in
+from tests.support.broker import RealBroker, broker_in
 from tests.support.links import finished, linked
 from tests.support.nav2_site import keeping, record_of
 from tests.support.polling import until
@@ -35,6 +37,35 @@ OFFERS = message(
 )
 
 
+class HeldOrderSite(NamedTuple):
+    vehicle: SpokenFor
+    link: FleetLink
+    store: WatchedStore
+
+
+@pytest.fixture
+def broker(tmp_path: Path) -> Iterator[RealBroker]:
+    with broker_in(tmp_path) as running:
+        yield running
+
+
+@pytest.fixture
+async def site(broker: RealBroker) -> AsyncIterator[HeldOrderSite]:
+    """A vehicle that is connected, and has sent no state."""
+    vehicle = SpokenFor(broker)
+    async with console_on(broker) as (link, store):
+        await store.until(lambda state: state.robots["agv"].connection)
+        yield HeldOrderSite(vehicle, link, store)
+
+
+@pytest.fixture(params=["first state", "end of charge"])
+async def holding(request: pytest.FixtureRequest, site: HeldOrderSite) -> HeldOrderSite:
+    """A vehicle whose next order waits here."""
+    if request.param == "end of charge":
+        await charging(site.store, site.vehicle)
+    return site
+
+
 def orders(vehicle: SpokenFor) -> list[bytes]:
     return vehicle.peer.told_on(f"{BASE}/order")
 
@@ -44,10 +75,6 @@ async def charging(store: WatchedStore, vehicle: SpokenFor) -> None:
     await store.until(lambda state: state.robots["agv"].features)
     vehicle.say(batteryState=CHARGING)
     await store.until(lambda state: state.robots["agv"].vehicle)
-
-
-async def connected(store: WatchedStore) -> None:
-    await store.until(lambda state: state.robots["agv"].connection)
 
 
 def vehicle_of(state: FleetState) -> Vehicle:
@@ -64,35 +91,31 @@ def charge(percent: float) -> Any:
     return is_there
 
 
-async def test_an_order_waits_for_the_first_state_which_it_asks_for_and_begins_there(tmp_path: Path) -> None:
-    with broker_in(tmp_path) as broker:
-        vehicle = SpokenFor(broker)
-        async with console_on(broker) as (link, store):
-            await connected(store)
-            waiting = asyncio.ensure_future(finished(link, store, ORDER))
-            asked = await vehicle.next("instantActions")
-            assert [one["actionType"] for one in asked["actions"]] == ["stateRequest"]
-            assert orders(vehicle) == []
-            vehicle.say(agvPosition=position(3.0, 4.0), lastNodeId="")
-            order = await vehicle.next("order")
-            assert [one["nodePosition"]["x"] for one in order["nodes"]] == [3.0, 5.0]
-            vehicle.say(orderId=order["orderId"], nodeStates=[node("goal_0", 2)])
-            assert (await waiting).stage is Stage.CONFIRMED
+async def test_an_order_waits_for_the_first_state_which_it_asks_for_and_begins_there(
+    site: HeldOrderSite,
+) -> None:
+    vehicle, link, store = site
+    waiting = asyncio.ensure_future(finished(link, store, ORDER))
+    asked = await vehicle.next("instantActions")
+    assert [one["actionType"] for one in asked["actions"]] == ["stateRequest"]
+    assert orders(vehicle) == []
+    vehicle.say(agvPosition=position(3.0, 4.0), lastNodeId="")
+    order = await vehicle.next("order")
+    assert [one["nodePosition"]["x"] for one in order["nodes"]] == [3.0, 5.0]
+    vehicle.say(orderId=order["orderId"], nodeStates=[node("goal_0", 2)])
+    assert (await waiting).stage is Stage.CONFIRMED
 
 
-async def test_an_order_that_got_no_state_in_time_is_never_sent(tmp_path: Path) -> None:
-    with broker_in(tmp_path) as broker:
-        vehicle = SpokenFor(broker)
-        async with console_on(broker) as (link, store):
-            await connected(store)
-            record = await finished(link, store, ORDER)
-            assert record.stage is Stage.NOT_SENT
-            assert record.detail == "no state of agv within 5 s: order again once it has sent one"
-            vehicle.say(batteryState={"batteryCharge": 11.0, "charging": False})
-            await store.until(charge(11.0))
-            vehicle.say(batteryState={"batteryCharge": 12.0, "charging": False})
-            await store.until(charge(12.0))
-            assert orders(vehicle) == []
+async def test_an_order_that_got_no_state_in_time_is_never_sent(site: HeldOrderSite) -> None:
+    vehicle, link, store = site
+    record = await finished(link, store, ORDER)
+    assert record.stage is Stage.NOT_SENT
+    assert record.detail == "no state of agv within 5 s: order again once it has sent one"
+    vehicle.say(batteryState={"batteryCharge": 11.0, "charging": False})
+    await store.until(charge(11.0))
+    vehicle.say(batteryState={"batteryCharge": 12.0, "charging": False})
+    await store.until(charge(12.0))
+    assert orders(vehicle) == []
 
 
 @pytest.mark.parametrize(
@@ -103,22 +126,19 @@ async def test_an_order_that_got_no_state_in_time_is_never_sent(tmp_path: Path) 
     ],
 )
 async def test_a_pause_or_a_clear_ends_an_order_that_waits_for_the_first_state(
-    tmp_path: Path, command: PauseRobot | ClearOrders, end: tuple[Stage, str]
+    site: HeldOrderSite, command: PauseRobot | ClearOrders, end: tuple[Stage, str]
 ) -> None:
-    with broker_in(tmp_path) as broker:
-        vehicle = SpokenFor(broker)
-        async with console_on(broker) as (link, store):
-            await connected(store)
-            order = link.submit(ORDER)
-            await vehicle.next("instantActions")
-            link.submit(command)
-            await store.until(lambda state: record_of(state, order).is_decided)
-            record = record_of(store.state, order)
-            assert (record.stage, record.detail) == end
-            await vehicle.next("instantActions", 2)
-            vehicle.say(batteryState={"batteryCharge": 11.0, "charging": False})
-            await store.until(charge(11.0))
-            assert orders(vehicle) == []
+    vehicle, link, store = site
+    order = link.submit(ORDER)
+    await vehicle.next("instantActions")
+    link.submit(command)
+    await store.until(lambda state: record_of(state, order).is_decided)
+    record = record_of(store.state, order)
+    assert (record.stage, record.detail) == end
+    await vehicle.next("instantActions", 2)
+    vehicle.say(batteryState={"batteryCharge": 11.0, "charging": False})
+    await store.until(charge(11.0))
+    assert orders(vehicle) == []
 
 
 @pytest.mark.parametrize(
@@ -130,238 +150,210 @@ async def test_a_pause_or_a_clear_ends_an_order_that_waits_for_the_first_state(
         ({"paused": True}, "agv is paused"),
     ],
 )
-@pytest.mark.parametrize("waits_for", ["first state", "end of charge"])
 async def test_what_would_have_been_asked_about_keeps_a_waiting_order_here(
-    tmp_path: Path, shown: dict[str, Any], reason: str, waits_for: str
+    holding: HeldOrderSite, shown: dict[str, Any], reason: str
 ) -> None:
-    with broker_in(tmp_path) as broker:
-        vehicle = SpokenFor(broker)
-        async with console_on(broker) as (link, store):
-            await connected(store)
-            if waits_for == "end of charge":
-                await charging(store, vehicle)
-            waiting = asyncio.ensure_future(finished(link, store, ORDER))
-            await vehicle.next("instantActions")
-            vehicle.say(**shown)
-            record = await waiting
-            assert (record.stage, record.detail) == (Stage.NOT_SENT, reason)
-            assert orders(vehicle) == []
+    vehicle, link, store = holding
+    waiting = asyncio.ensure_future(finished(link, store, ORDER))
+    await vehicle.next("instantActions")
+    vehicle.say(**shown)
+    record = await waiting
+    assert (record.stage, record.detail) == (Stage.NOT_SENT, reason)
+    assert orders(vehicle) == []
 
 
-@pytest.mark.parametrize("waits_for", ["first state", "end of charge"])
 async def test_an_order_of_another_master_in_the_awaited_state_keeps_ours_here(
-    tmp_path: Path, waits_for: str
+    holding: HeldOrderSite,
 ) -> None:
-    with broker_in(tmp_path) as broker:
-        vehicle = SpokenFor(broker)
-        async with console_on(broker) as (link, store):
-            await connected(store)
-            if waits_for == "end of charge":
-                await charging(store, vehicle)
-            waiting = asyncio.ensure_future(finished(link, store, ORDER))
-            await vehicle.next("instantActions")
-            vehicle.say(orderId="theirs", nodeStates=[node("n9", 2)])
-            record = await waiting
-            assert (record.stage, record.detail) == (
-                Stage.NOT_SENT,
-                "agv drives order theirs of another master control",
-            )
-            assert orders(vehicle) == []
+    vehicle, link, store = holding
+    waiting = asyncio.ensure_future(finished(link, store, ORDER))
+    await vehicle.next("instantActions")
+    vehicle.say(orderId="theirs", nodeStates=[node("n9", 2)])
+    record = await waiting
+    assert (record.stage, record.detail) == (
+        Stage.NOT_SENT,
+        "agv drives order theirs of another master control",
+    )
+    assert orders(vehicle) == []
 
 
-async def test_a_first_state_that_shows_a_charge_ends_that_before_the_order(tmp_path: Path) -> None:
-    with broker_in(tmp_path) as broker:
-        vehicle = SpokenFor(broker)
-        async with console_on(broker) as (link, store):
-            vehicle.peer.publish(f"{BASE}/factsheet", OFFERS, retain=True)
-            await store.until(lambda state: state.robots["agv"].features)
-            link.submit(ORDER)
-            vehicle.say(batteryState=CHARGING)
-            action = await vehicle.next("instantActions")
-            assert [one["actionType"] for one in action["actions"]] == ["stopCharging"]
-            assert orders(vehicle) == []
-            vehicle.say()
-            await vehicle.next("order")
+async def test_a_first_state_that_shows_a_charge_ends_that_before_the_order(site: HeldOrderSite) -> None:
+    vehicle, link, store = site
+    vehicle.peer.publish(f"{BASE}/factsheet", OFFERS, retain=True)
+    await store.until(lambda state: state.robots["agv"].features)
+    link.submit(ORDER)
+    vehicle.say(batteryState=CHARGING)
+    action = await vehicle.next("instantActions")
+    assert [one["actionType"] for one in action["actions"]] == ["stopCharging"]
+    assert orders(vehicle) == []
+    vehicle.say()
+    await vehicle.next("order")
 
 
 async def test_an_order_of_the_queue_that_is_cancelled_while_its_vehicle_ends_its_charge_is_not_sent(
+    broker: RealBroker,
     tmp_path: Path,
 ) -> None:
-    with broker_in(tmp_path) as broker:
-        vehicle = SpokenFor(broker)
-        async with queueing(broker.url, keeping(tmp_path)) as (link, store):
-            await store.until(lambda state: state.links["broker"].command_path is CommandPath.ALIVE)
-            await charging(store, vehicle)
-            link.submit(ORDER)
-            queued = link.submit(ORDER)
-            await store.until(lambda state: record_of(state, queued).stage is Stage.WAITING)
-            await vehicle.next("instantActions")
-            vehicle.say()
-            first = (await vehicle.next("order"))["orderId"]
-            vehicle.say(orderId=first, nodeStates=[node("goal_0", 2)], batteryState=CHARGING)
-            await store.until(lambda state: state.robots["agv"].orders.open)
-            vehicle.say(orderId=first, batteryState=CHARGING)
-            await vehicle.next("instantActions", 2)
-            id_ = record_of(store.state, queued).order_id
-            assert id_ is not None
-            link.submit(CancelOrder("agv", id_))
-            await store.until(lambda state: record_of(state, queued).stage is Stage.CANCELLED)
-            vehicle.say(orderId=first, batteryState={"batteryCharge": 77.0, "charging": False})
-            await store.until(charge(77.0))
-            vehicle.say(orderId=first, batteryState={"batteryCharge": 78.0, "charging": False})
-            await store.until(charge(78.0))
-            assert len(orders(vehicle)) == 1
+    vehicle = SpokenFor(broker)
+    async with queueing(broker.url, keeping(tmp_path)) as (link, store):
+        await store.until(lambda state: state.links["broker"].command_path is CommandPath.ALIVE)
+        await charging(store, vehicle)
+        link.submit(ORDER)
+        queued = link.submit(ORDER)
+        await store.until(lambda state: record_of(state, queued).stage is Stage.WAITING)
+        await vehicle.next("instantActions")
+        vehicle.say()
+        first = (await vehicle.next("order"))["orderId"]
+        vehicle.say(orderId=first, nodeStates=[node("goal_0", 2)], batteryState=CHARGING)
+        await store.until(lambda state: state.robots["agv"].orders.open)
+        vehicle.say(orderId=first, batteryState=CHARGING)
+        await vehicle.next("instantActions", 2)
+        id_ = record_of(store.state, queued).order_id
+        assert id_ is not None
+        link.submit(CancelOrder("agv", id_))
+        await store.until(lambda state: record_of(state, queued).stage is Stage.CANCELLED)
+        vehicle.say(orderId=first, batteryState={"batteryCharge": 77.0, "charging": False})
+        await store.until(charge(77.0))
+        vehicle.say(orderId=first, batteryState={"batteryCharge": 78.0, "charging": False})
+        await store.until(charge(78.0))
+        assert len(orders(vehicle)) == 1
 
 
 def queueing(url: str, queue: QueueFile) -> Any:
     return linked(from_text(config_text(url)), queue=queue)
 
 
-async def test_saved_orders_of_a_vehicle_that_comes_later_are_loaded_once_and_held(tmp_path: Path) -> None:
-    with broker_in(tmp_path) as broker:
-        with closing(keeping(tmp_path)) as earlier:
-            assert earlier.claim()
-            earlier.save([WaitingOrder(broker.url, name, ORDER.stops, 1.7e9) for name in ("agv", "late")])
-        async with queueing(broker.url, keeping(tmp_path)) as (link, store):
-            await store.until(lambda state: state.commands)
-            assert [one.command.robot for one in store.state.commands] == ["agv"]
-            more = '\n[[robots]]\nname = "late"\nmanufacturer = "KIT"\nserial = "0002"\nlink = "broker"'
-            await asyncio.to_thread(link.extend, from_text(config_text(broker.url, robots=ONE + more)))
-            state = await store.until(lambda state: state.robots["late"].held)
-            assert [one.command.robot for one in state.commands] == ["agv", "late"]
-            assert state.commands[-1].stage is Stage.WAITING and state.robots["late"].held == RESTARTED
-
-
-async def test_a_closed_console_says_so_of_an_order_that_waited(tmp_path: Path) -> None:
-    with broker_in(tmp_path) as broker:
-        vehicle = SpokenFor(broker)
-        async with console_on(broker) as (link, store):
-            await charging(store, vehicle)
-            order = link.submit(ORDER)
-            await vehicle.next("instantActions")
-        await until(lambda: record_of(store.state, order).is_decided)
-        assert record_of(store.state, order).detail == "console closed after it was told to stop charging"
-        assert orders(vehicle) == []
-
-
-async def test_an_order_that_waits_for_the_end_of_a_charge_may_be_cleared(tmp_path: Path) -> None:
-    with broker_in(tmp_path) as broker:
-        vehicle = SpokenFor(broker)
-        async with console_on(broker) as (link, store):
-            await charging(store, vehicle)
-            order = link.submit(ORDER)
-            await vehicle.next("instantActions")
-            assert problems(store.state, Request((ClearOrders("agv"),)), Permissions()) == []
-            link.submit(ClearOrders("agv"))
-            await store.until(lambda state: record_of(state, order).is_decided)
-            assert record_of(store.state, order).stage is Stage.CANCELLED
-            vehicle.say()
-            await store.until(charge(80.5))
-            assert orders(vehicle) == []
-            (problem,) = problems(store.state, Request((ClearOrders("agv"),)), Permissions())
-            assert problem.blocks, "nothing is on its way any more"
-
-
-async def test_no_order_waits_for_a_state_without_a_link(tmp_path: Path) -> None:
-    with broker_in(tmp_path) as broker:
-        vehicle = SpokenFor(broker)
-        async with console_on(broker) as (link, store):
-            await connected(store)
-            broker.kill()
-            await store.until(lambda state: state.links["broker"].command_path is CommandPath.DEAD)
-            record = await finished(link, store, ORDER)
-            assert (record.stage, record.detail) == (Stage.NOT_SENT, "no link")
-            assert orders(vehicle) == []
-
-
-@pytest.mark.parametrize("waits_for", ["first state", "end of charge"])
-async def test_an_order_that_waits_is_in_the_queue_of_this_console_and_is_cancelled_there(
-    tmp_path: Path, waits_for: str
+async def test_saved_orders_of_a_vehicle_that_comes_later_are_loaded_once_and_held(
+    broker: RealBroker, tmp_path: Path
 ) -> None:
-    with broker_in(tmp_path) as broker:
+    with closing(keeping(tmp_path)) as earlier:
+        assert earlier.claim()
+        earlier.save([WaitingOrder(broker.url, name, ORDER.stops, 1.7e9) for name in ("agv", "late")])
+    async with queueing(broker.url, keeping(tmp_path)) as (link, store):
+        await store.until(lambda state: state.commands)
+        assert [one.command.robot for one in store.state.commands] == ["agv"]
+        more = '\n[[robots]]\nname = "late"\nmanufacturer = "KIT"\nserial = "0002"\nlink = "broker"'
+        await asyncio.to_thread(link.extend, from_text(config_text(broker.url, robots=ONE + more)))
+        state = await store.until(lambda state: state.robots["late"].held)
+        assert [one.command.robot for one in state.commands] == ["agv", "late"]
+        assert state.commands[-1].stage is Stage.WAITING and state.robots["late"].held == RESTARTED
+
+
+async def test_a_closed_console_says_so_of_an_order_that_waited(broker: RealBroker) -> None:
+    vehicle = SpokenFor(broker)
+    async with console_on(broker) as (link, store):
+        await charging(store, vehicle)
+        order = link.submit(ORDER)
+        await vehicle.next("instantActions")
+    await until(lambda: record_of(store.state, order).is_decided)
+    assert record_of(store.state, order).detail == "console closed after it was told to stop charging"
+    assert orders(vehicle) == []
+
+
+async def test_an_order_that_waits_for_the_end_of_a_charge_may_be_cleared(site: HeldOrderSite) -> None:
+    vehicle, link, store = site
+    await charging(store, vehicle)
+    order = link.submit(ORDER)
+    await vehicle.next("instantActions")
+    assert problems(store.state, Request((ClearOrders("agv"),)), Permissions()) == []
+    link.submit(ClearOrders("agv"))
+    await store.until(lambda state: record_of(state, order).is_decided)
+    assert record_of(store.state, order).stage is Stage.CANCELLED
+    vehicle.say()
+    await store.until(charge(80.5))
+    assert orders(vehicle) == []
+    (problem,) = problems(store.state, Request((ClearOrders("agv"),)), Permissions())
+    assert problem.blocks, "nothing is on its way any more"
+
+
+async def test_no_order_waits_for_a_state_without_a_link(broker: RealBroker, site: HeldOrderSite) -> None:
+    vehicle, link, store = site
+    broker.kill()
+    await store.until(lambda state: state.links["broker"].command_path is CommandPath.DEAD)
+    record = await finished(link, store, ORDER)
+    assert (record.stage, record.detail) == (Stage.NOT_SENT, "no link")
+    assert orders(vehicle) == []
+
+
+async def test_an_order_that_waits_is_in_the_queue_of_this_console_and_is_cancelled_there(
+    holding: HeldOrderSite,
+) -> None:
+    vehicle, link, store = holding
+    order = link.submit(ORDER)
+    asked = await vehicle.next("instantActions")
+    assert record_of(store.state, order).stage is Stage.WAITING
+    (waiting,) = all_orders(store.state, store.state.robots["agv"])
+    record = await finished(link, store, CancelOrder("agv", waiting.id))
+    assert (record.stage, record.detail) == (Stage.CONFIRMED, "was waiting here")
+    assert record_of(store.state, order).stage is Stage.CANCELLED
+    vehicle.say()
+    await store.until(charge(80.5))
+    assert orders(vehicle) == [] and [asked] == vehicle.actions, "no cancelOrder for it, either"
+
+
+async def test_disarming_ends_an_order_that_waits(site: HeldOrderSite) -> None:
+    vehicle, link, store = site
+    await charging(store, vehicle)
+    order = link.submit(ORDER)
+    await vehicle.next("instantActions")
+    for hold in hold_all(store.state, "this console is not armed"):
+        link.post(hold)
+    vehicle.say()
+    await store.until(lambda state: record_of(state, order).is_decided)
+    record = record_of(store.state, order)
+    assert (record.stage, record.detail) == (Stage.NOT_SENT, "this console is not armed")
+    assert orders(vehicle) == []
+
+
+async def test_an_accepted_fault_does_not_accept_another_one(site: HeldOrderSite) -> None:
+    vehicle, link, store = site
+    known = error("FATAL", "motorError")
+    await charging(store, vehicle)
+    vehicle.say(batteryState=CHARGING, errors=[known])
+    await store.until(lambda state: vehicle_of(state).errors)
+    waiting = asyncio.ensure_future(finished(link, store, ORDER))
+    await vehicle.next("instantActions")
+    vehicle.say(errors=[known, error("FATAL", "lidarError")])
+    record = await waiting
+    assert (record.stage, record.detail) == (Stage.NOT_SENT, "agv reports fatal lidarError")
+    waiting = asyncio.ensure_future(finished(link, store, ORDER))
+    order = await vehicle.next("order")
+    vehicle.say(orderId=order["orderId"], nodeStates=[node("goal_0", 2)])
+    assert (await waiting).stage is Stage.CONFIRMED
+
+
+async def test_after_a_reconnect_an_order_waits_for_a_state_and_asks_for_it(broker: RealBroker) -> None:
+    async with console_on(broker) as (link, store):
+        first = SpokenFor(broker)
+        first.say()
+        await store.until(lambda state: state.robots["agv"].vehicle)
+        broker.kill()
+        await store.until(lambda state: state.links["broker"].command_path is CommandPath.DEAD)
+        broker.start()
+        await store.until(lambda state: state.links["broker"].command_path is CommandPath.ALIVE)
         vehicle = SpokenFor(broker)
-        async with console_on(broker) as (link, store):
-            await connected(store)
-            if waits_for == "end of charge":
-                await charging(store, vehicle)
-            order = link.submit(ORDER)
-            asked = await vehicle.next("instantActions")
-            assert record_of(store.state, order).stage is Stage.WAITING
-            (waiting,) = all_orders(store.state, store.state.robots["agv"])
-            record = await finished(link, store, CancelOrder("agv", waiting.id))
-            assert (record.stage, record.detail) == (Stage.CONFIRMED, "was waiting here")
-            assert record_of(store.state, order).stage is Stage.CANCELLED
-            vehicle.say()
-            await store.until(charge(80.5))
-            assert orders(vehicle) == [] and [asked] == vehicle.actions, "no cancelOrder for it, either"
+        waiting = asyncio.ensure_future(finished(link, store, ORDER))
+        asked = await vehicle.next("instantActions")
+        assert [one["actionType"] for one in asked["actions"]] == ["stateRequest"]
+        vehicle.say(agvPosition=position(3.0, 4.0), lastNodeId="")
+        order = await vehicle.next("order")
+        assert [one["nodePosition"]["x"] for one in order["nodes"]] == [3.0, 5.0]
+        vehicle.say(orderId=order["orderId"], nodeStates=[node("goal_0", 2)])
+        assert (await waiting).stage is Stage.CONFIRMED
 
 
-async def test_disarming_ends_an_order_that_waits(tmp_path: Path) -> None:
-    with broker_in(tmp_path) as broker:
-        vehicle = SpokenFor(broker)
-        async with console_on(broker) as (link, store):
-            await charging(store, vehicle)
-            order = link.submit(ORDER)
-            await vehicle.next("instantActions")
-            for hold in hold_all(store.state, "this console is not armed"):
-                link.post(hold)
-            vehicle.say()
-            await store.until(lambda state: record_of(state, order).is_decided)
-            record = record_of(store.state, order)
-            assert (record.stage, record.detail) == (Stage.NOT_SENT, "this console is not armed")
-            assert orders(vehicle) == []
-
-
-async def test_an_accepted_fault_does_not_accept_another_one(tmp_path: Path) -> None:
-    with broker_in(tmp_path) as broker:
-        vehicle, known = SpokenFor(broker), error("FATAL", "motorError")
-        async with console_on(broker) as (link, store):
-            await charging(store, vehicle)
-            vehicle.say(batteryState=CHARGING, errors=[known])
-            await store.until(lambda state: vehicle_of(state).errors)
-            waiting = asyncio.ensure_future(finished(link, store, ORDER))
-            await vehicle.next("instantActions")
-            vehicle.say(errors=[known, error("FATAL", "lidarError")])
-            record = await waiting
-            assert (record.stage, record.detail) == (Stage.NOT_SENT, "agv reports fatal lidarError")
-            waiting = asyncio.ensure_future(finished(link, store, ORDER))
-            order = await vehicle.next("order")
-            vehicle.say(orderId=order["orderId"], nodeStates=[node("goal_0", 2)])
-            assert (await waiting).stage is Stage.CONFIRMED
-
-
-async def test_after_a_reconnect_an_order_waits_for_a_state_and_asks_for_it(tmp_path: Path) -> None:
-    with broker_in(tmp_path) as broker:
-        async with console_on(broker) as (link, store):
-            first = SpokenFor(broker)
-            first.say()
-            await store.until(lambda state: state.robots["agv"].vehicle)
-            broker.kill()
-            await store.until(lambda state: state.links["broker"].command_path is CommandPath.DEAD)
-            broker.start()
-            await store.until(lambda state: state.links["broker"].command_path is CommandPath.ALIVE)
-            vehicle = SpokenFor(broker)
-            waiting = asyncio.ensure_future(finished(link, store, ORDER))
-            asked = await vehicle.next("instantActions")
-            assert [one["actionType"] for one in asked["actions"]] == ["stateRequest"]
-            vehicle.say(agvPosition=position(3.0, 4.0), lastNodeId="")
-            order = await vehicle.next("order")
-            assert [one["nodePosition"]["x"] for one in order["nodes"]] == [3.0, 5.0]
-            vehicle.say(orderId=order["orderId"], nodeStates=[node("goal_0", 2)])
-            assert (await waiting).stage is Stage.CONFIRMED
-
-
-async def test_a_clear_of_orders_that_only_this_console_has_sends_nothing(tmp_path: Path) -> None:
-    with broker_in(tmp_path) as broker:
-        vehicle = SpokenFor(broker)
-        async with queueing(broker.url, keeping(tmp_path)) as (link, store):
-            await store.until(lambda state: state.links["broker"].command_path is CommandPath.ALIVE)
-            await charging(store, vehicle)
-            ids = [link.submit(ORDER), link.submit(ORDER)]
-            asked = await vehicle.next("instantActions")
-            record = await finished(link, store, ClearOrders("agv"))
-            assert (record.stage, record.detail) == (Stage.CONFIRMED, "was waiting here")
-            assert [record_of(store.state, one).stage for one in ids] == [Stage.CANCELLED] * 2
-            vehicle.say()
-            await store.until(charge(80.5))
-            assert orders(vehicle) == [] and vehicle.actions == [asked]
+async def test_a_clear_of_orders_that_only_this_console_has_sends_nothing(
+    broker: RealBroker, tmp_path: Path
+) -> None:
+    vehicle = SpokenFor(broker)
+    async with queueing(broker.url, keeping(tmp_path)) as (link, store):
+        await store.until(lambda state: state.links["broker"].command_path is CommandPath.ALIVE)
+        await charging(store, vehicle)
+        ids = [link.submit(ORDER), link.submit(ORDER)]
+        asked = await vehicle.next("instantActions")
+        record = await finished(link, store, ClearOrders("agv"))
+        assert (record.stage, record.detail) == (Stage.CONFIRMED, "was waiting here")
+        assert [record_of(store.state, one).stage for one in ids] == [Stage.CANCELLED] * 2
+        vehicle.say()
+        await store.until(charge(80.5))
+        assert orders(vehicle) == [] and vehicle.actions == [asked]
