@@ -3,6 +3,8 @@
 import json
 from collections.abc import Iterator
 
+from fleet_tui.adapters.vda5050.orders import TAKES_NO_ORDERS, major_of
+from fleet_tui.adapters.vda5050.topics import OF_MASTERS
 from fleet_tui.config.entries import RobotEntry
 from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.schema import Config, link_key
@@ -13,9 +15,7 @@ from fleet_tui.situation.facts import NEVER_SEEN
 
 CLOCK_OFF = 2.0
 """Seconds by which a vehicle's clock may differ."""
-NOT_COMMANDED = "3"
 RETAIN = "let its software retain each connection message: the broker's last word would be wrong"
-OF_MASTERS = ("order", "instantActions")
 
 
 def broker_findings(config: Config, facts: BrokerFacts) -> Iterator[Finding]:
@@ -93,10 +93,10 @@ def _connection(name: str, facts: VehicleFacts) -> Finding:
 
 def _version(config: Config, robot: RobotEntry, version: str) -> Finding:
     role = config.bridges[robot.link].role
-    if version.startswith(NOT_COMMANDED) and role != "watch":
-        measured = f"VDA 5050 {version}: read, but not commanded"
+    if (major_of(version) or 0) >= TAKES_NO_ORDERS and role == "master":
+        measured = f"VDA 5050 {version}: read and paused, but no orders are sent"
         return Finding(
-            robot.name, "version", Verdict.WARN, measured, f'{link_key(robot.link)}.role = "watch"'
+            robot.name, "version", Verdict.WARN, measured, f'{link_key(robot.link)}.role = "pause"'
         )
     return Finding(robot.name, "version", Verdict.OK, f"VDA 5050 {version or 'unknown'}")
 

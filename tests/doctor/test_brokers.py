@@ -11,7 +11,7 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleConnection
 from tests.support.vda_fleet import config_text
 
-CONFIG = from_text(config_text(role="pause"))
+CONFIG = from_text(config_text(role="master"))
 
 
 def found(facts: BrokerFacts) -> dict[str, Finding]:
@@ -44,8 +44,8 @@ def test_a_fine_vehicle() -> None:
 
 def test_what_is_wrong_has_its_remedy() -> None:
     findings = of_vehicle(
-        connection=VehicleConnection("CONNECTIONBROKEN", "b", "3.0.0"),
-        vehicle=Vehicle("b", "3.0.0"),
+        connection=VehicleConnection("CONNECTIONBROKEN", "b", "V3.0.0"),
+        vehicle=Vehicle("b", "V3.0.0"),
         pose=PoseReported("agv", 1.0, Pose(0.0, 0.0), "attic", 1.0),
         arrivals={},
         lags=[3600.0],
@@ -59,6 +59,7 @@ def test_what_is_wrong_has_its_remedy() -> None:
         "floor": Verdict.FAIL,
         "messages": Verdict.WARN,
     }
+    assert findings["version"].measured == "VDA 5050 V3.0.0: read and paused, but no orders are sent"
     assert findings["clock"].measured == "3600 s behind ours"
     assert findings["floor"].remedy == 'set frame_id = "attic" in one of [[floors]]'
     assert findings["state"].measured == "none in 4 s"

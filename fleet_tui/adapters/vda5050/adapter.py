@@ -10,9 +10,9 @@ from fleet_tui.adapters.adapter import Feed, Outgoing, Publication, ServiceCall,
 from fleet_tui.adapters.probes import Probe
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros.names import Names
-from fleet_tui.adapters.vda5050.answers import INSTANT_ACTIONS
 from fleet_tui.adapters.vda5050.orders import (
-    COMMANDED,
+    BOTH_WAYS,
+    NEWEST,
     NeverSeenError,
     action_at,
     cancel,
@@ -23,7 +23,7 @@ from fleet_tui.adapters.vda5050.orders import (
     seen_of,
 )
 from fleet_tui.adapters.vda5050.settings import VehicleSettings
-from fleet_tui.adapters.vda5050.topics import INTERFACE, OF_MASTERS, READ, Topics, with_name
+from fleet_tui.adapters.vda5050.topics import INSTANT_ACTIONS, OF_MASTERS, READ, Topics, with_name
 from fleet_tui.adapters.vda5050.vocabulary import VOCABULARY
 from fleet_tui.errors import CommandError, WireError
 from fleet_tui.model import commands, events
@@ -151,16 +151,20 @@ class VehicleAdapter:
             seen = seen_of(robot)
             if not manufacturer and seen is None:
                 raise
-            found = []
-            for version in COMMANDED:
-                levels = {"interface": INTERFACE, "version": f"v{major_of(version)}"}
-                topic = (
-                    with_name(seen.address, INSTANT_ACTIONS)
-                    if seen is not None
-                    else self.topics.filter(INSTANT_ACTIONS, manufacturer, serial, **levels)
-                )
-                found.append(action_at(self.settings, topic, version, type_, unique))
-            return found
+            if seen is not None:
+                topic = with_name(seen.address, INSTANT_ACTIONS)
+                topics = dict.fromkeys(BOTH_WAYS, topic)
+            else:
+                whose = {"manufacturer": manufacturer, "serial": serial}
+                topics = {
+                    version: self.topics.filter(
+                        INSTANT_ACTIONS, **whose, interface=interface, version=f"v{major_of(version)}"
+                    )
+                    for version, interface in NEWEST.items()
+                }
+            return [
+                action_at(self.settings, topic, version, type_, unique) for version, topic in topics.items()
+            ]
 
     def _addressed(self, message: Publication, robot: Robot) -> Publication:
         """Add whose message it is."""

@@ -3,6 +3,7 @@
 from typing import assert_never
 
 from fleet_tui.adapters.vda5050.state import is_running
+from fleet_tui.adapters.vda5050.topics import INSTANT_ACTIONS, ORDER
 from fleet_tui.model.commands import (
     CancelOrder,
     ClearOrders,
@@ -17,9 +18,6 @@ from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleError
 
 NO_ORDER = "noOrderToCancel"
 """Type of an error that some vehicles report without a reference, and without a failed action."""
-ORDER = "order"
-INSTANT_ACTIONS = "instantActions"
-"""Topics of commands, as errors name them."""
 FINISHED = "FINISHED"
 FAILED = "FAILED"
 

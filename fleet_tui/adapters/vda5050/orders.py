@@ -9,7 +9,7 @@ from uuid import UUID
 
 from fleet_tui.adapters.adapter import Publication
 from fleet_tui.adapters.vda5050.settings import VehicleSettings
-from fleet_tui.adapters.vda5050.topics import with_name
+from fleet_tui.adapters.vda5050.topics import INSTANT_ACTIONS, INTERFACE, INTERFACE_3, ORDER, with_name
 from fleet_tui.errors import CommandError
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.order import Stop
@@ -23,10 +23,12 @@ from fleet_tui.model.vehicles.vehicle import (
 )
 from fleet_tui.rules.commands.goals import active
 
-NOT_COMMANDED = 3
-"""The first major version that is only read."""
-COMMANDED = ("2.1.0", "1.1.0")
-"""The newest versions of both ways to write an instant action, for a vehicle whose own is not known."""
+TAKES_NO_ORDERS = 3
+"""The first major version whose orders are not written here; its instant actions are those of 2.1."""
+NEWEST = {"3.0.0": INTERFACE_3, "2.1.0": INTERFACE, "1.1.0": INTERFACE}
+"""The newest version of each number, with its interface, for a vehicle of which nothing has arrived."""
+BOTH_WAYS = ("2.1.0", "1.1.0")
+"""Versions of both ways to write an instant action, for a vehicle that names none."""
 _MAJOR = re.compile(r"v?(\d+)", re.IGNORECASE)
 HERE = "here"
 """The first node of an order for a vehicle that stands at none."""
@@ -54,7 +56,7 @@ def seen_of(robot: Robot) -> Vehicle | VehicleConnection | None:
 
 def address_of(robot: Robot, name: str) -> tuple[str, str]:
     """Return the topic of a name and the version of a vehicle's messages. Raises CommandError for one that
-    was never seen, or whose version is only read."""
+    was never seen, and for orders of a version in which they are not written here."""
     seen = seen_of(robot)
     if seen is None:
         raise NeverSeenError(f"{robot.name} was never seen: its version is unknown")
@@ -63,14 +65,14 @@ def address_of(robot: Robot, name: str) -> tuple[str, str]:
     if major is None:
         said = f"{robot.name} says {version!r} as its version: which messages it reads is unknown"
         raise NeverSeenError(said)
-    if major >= NOT_COMMANDED:
-        raise CommandError(f"{robot.name} speaks VDA 5050 {version}, which is only read, not commanded")
+    if name == ORDER and major >= TAKES_NO_ORDERS:
+        raise CommandError(f"{robot.name} speaks VDA 5050 {version}, of which no orders are sent")
     return with_name(seen.address, name), version
 
 
 def instant_action(settings: VehicleSettings, robot: Robot, type_: str, unique: str) -> Publication:
     """Return an instant action; its id is the publication's name. Raises CommandError."""
-    return action_at(settings, *address_of(robot, "instantActions"), type_, unique)
+    return action_at(settings, *address_of(robot, INSTANT_ACTIONS), type_, unique)
 
 
 def action_at(settings: VehicleSettings, topic: str, version: str, type_: str, unique: str) -> Publication:
@@ -100,7 +102,7 @@ def order(
 ) -> Publication:
     """Return an order to the stops in sequence, all of it released; `frames` are those of floors. Raises
     CommandError for an unknown or unreachable place."""
-    topic, version = address_of(robot, "order")
+    topic, version = address_of(robot, ORDER)
     floor = _floor_of(robot)
     known = robot.maps.get(floor)
     places = _route(robot, (known.graph if known else None) or RouteGraph(), stops)

@@ -7,12 +7,15 @@ from typing import NamedTuple
 TEMPLATE = "{interface}/{version}/{manufacturer}/{serial}/{name}"
 LEVELS = ("interface", "version", "manufacturer", "serial", "name")
 INTERFACE = "uagv"
-"""The interface of the standard's examples."""
+INTERFACE_3 = "vda5050"
+"""The interfaces of the standard's examples, before 3.0 and since."""
 ANY = "+"
 """A level of any content."""
-READ = ("connection", "state", "visualization", "factsheet", "order", "instantActions")
+ORDER = "order"
+INSTANT_ACTIONS = "instantActions"
+READ = ("connection", "state", "visualization", "factsheet", ORDER, INSTANT_ACTIONS)
 """Names of the topics that are read. The last two have the messages of master controls."""
-OF_MASTERS = frozenset({"order", "instantActions"})
+OF_MASTERS = frozenset({ORDER, INSTANT_ACTIONS})
 
 
 class VehicleAddress(NamedTuple):

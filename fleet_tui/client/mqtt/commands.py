@@ -16,8 +16,9 @@ import msgspec
 
 from fleet_tui.adapters.adapter import Adapter, Publication
 from fleet_tui.adapters.vda5050.adapter import VehicleAdapter
-from fleet_tui.adapters.vda5050.answers import INSTANT_ACTIONS, ORDER, answer, error_text, failure_of
+from fleet_tui.adapters.vda5050.answers import answer, error_text, failure_of
 from fleet_tui.adapters.vda5050.orders import NeverSeenError, address_of, is_field_open
+from fleet_tui.adapters.vda5050.topics import INSTANT_ACTIONS, ORDER
 from fleet_tui.client.patience import call_awake
 from fleet_tui.client.writer import Writer
 from fleet_tui.errors import CommandError, LinkError

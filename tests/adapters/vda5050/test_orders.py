@@ -19,7 +19,7 @@ from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.checks import problems
 from fleet_tui.rules.language.grammar import parse
 from tests.support.vda_fleet import VehicleSite, config_text
-from tests.support.vda_messages import message, node, position, state
+from tests.support.vda_messages import message, node, position, state, state_3
 
 UNIQUE = "0123456789abcdef0123456789abcdef"
 PLACES = {"n0": (1.0, 2.0), "n1": (5.0, 2.0), "n2": (5.0, 6.0), "far": (50.0, 50.0)}
@@ -136,9 +136,15 @@ def test_only_the_order_that_is_driven_can_be_cancelled() -> None:
         sent(found, CancelOrder("agv", "o2"))
 
 
-def test_version_3_is_only_read() -> None:
-    with pytest.raises(CommandError, match=r"speaks VDA 5050 3\.0\.0, which is only read"):
-        sent(site(version="3.0.0"), PauseRobot("agv"))
+@pytest.mark.parametrize("command", [PauseRobot("agv"), ResumeRobot("agv")])
+def test_a_vehicle_of_version_3_is_paused_and_resumed_but_takes_no_orders(command: Command) -> None:
+    found = VehicleSite()
+    found.read("state", state_3(), base="vda5050/v3/KIT/0001")
+    one = sent(found, command)
+    assert one.address == "vda5050/v3/KIT/0001/instantActions" and one.type == "3.0.0"
+    assert list(one.message) == ["manufacturer", "serialNumber", "actions"]
+    with pytest.raises(CommandError, match=r"speaks VDA 5050 3\.0\.0, of which no orders are sent"):
+        sent(found, PlaceOrder("agv", at_vertices("n1")))
 
 
 def test_a_vehicle_that_was_never_seen_is_only_paused_where_the_configuration_has_its_topic() -> None:
@@ -146,6 +152,7 @@ def test_a_vehicle_that_was_never_seen_is_only_paused_where_the_configuration_ha
     both = found.adapter.outgoing(PauseRobot("agv"), 1, found.agv, UNIQUE)
     told = [(one.address, sorted(one.message)) for one in both if isinstance(one, Publication)]
     assert told == [
+        ("vda5050/v3/KIT/0001/instantActions", ["actions", "manufacturer", "serialNumber"]),
         ("uagv/v2/KIT/0001/instantActions", ["actions", "manufacturer", "serialNumber"]),
         ("uagv/v1/KIT/0001/instantActions", ["instantActions", "manufacturer", "serialNumber"]),
     ]
