@@ -13,6 +13,7 @@ from fleet_tui.model.commands import (
     Command,
     CommandRecord,
     PlaceOrder,
+    Queued,
     Stage,
 )
 from fleet_tui.model.events import CommandAdvanced, CommandIssued, Event
@@ -20,6 +21,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation_events import QueueHeld
 from fleet_tui.model.request import given_now
 from fleet_tui.model.robot import Robot
+from fleet_tui.model.set_up.commands import StartCharging
 from fleet_tui.rules.commands.local_queue import is_busy, next_to_send, orders_to_save, waiting
 from fleet_tui.rules.commands.pauses import late_goals
 from fleet_tui.state.store import Store
@@ -104,7 +106,7 @@ class WaitingOrders:
         robot = state.robots[command.robot]
         if not robot.kind.keeps_goals:
             return False
-        if isinstance(command, PlaceOrder) and is_busy(state, robot, command_id):
+        if isinstance(command, Queued) and is_busy(state, robot, command_id):
             stage, detail = self._enqueue(robot)
             self._apply(CommandAdvanced(command_id, stage, given_at, detail))
             return True
@@ -155,10 +157,17 @@ class WaitingOrders:
         busy = {record.command.robot for record in state.commands if record.id in self._leaving}
         for robot in state.robots.values():
             if robot.kind.keeps_goals and robot.name not in busy:
+                self._give_up_charge(robot, now)
                 record = next_to_send(state, robot)
                 if record is not None:
                     self._leaving.add(record.id)
                     self._send(record.id, given_now(record.command, robot.kind, record.leg), now)
+
+    def _give_up_charge(self, robot: Robot, now: float) -> None:
+        """Do not begin a charge that is held: whoever resumes the robot may have it anywhere by then."""
+        for record in waiting(self._store.state, robot)[:1]:
+            if robot.held and isinstance(record.command, StartCharging):
+                self._apply(CommandAdvanced(record.id, Stage.NOT_SENT, now, robot.held))
 
     def _save(self, state: FleetState) -> None:
         kept = [*self._foreign, *self._orders_to_save(state)]

@@ -9,7 +9,7 @@ from msgspec.structs import replace
 
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.order import Order, Stop
-from fleet_tui.model.set_up.commands import SetUp, SetUpCommand
+from fleet_tui.model.set_up.commands import SetUp, SetUpCommand, StartCharging
 
 
 class PlaceOrder(Struct, frozen=True, tag=True):
@@ -65,6 +65,8 @@ class ResumeRobot(Struct, frozen=True, tag=True):
 
 
 Command = PlaceOrder | CancelOrder | ClearOrders | PauseRobot | ResumeRobot | SetUp
+Queued = PlaceOrder | StartCharging
+"""Commands that may wait in this console's queue."""
 
 
 def command_name(command: Command, kind: Kind) -> str:

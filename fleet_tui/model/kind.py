@@ -19,6 +19,7 @@ SETTLE = "settle"
 GOAL = "goal"
 MAPPING = "mapping"
 GOAL_CANCEL = "goal cancel"
+CHARGE = "charge"
 GRAPH = "graph"
 DRIVE = "drive"
 MAP_SAVE = "map save"
@@ -42,6 +43,7 @@ _NOUNS = {
     SETTLE: "refinement of the pose",
     GOAL: "goals beside orders",
     GOAL_CANCEL: "cancellation of goals",
+    CHARGE: "start of a charge",
     MAPPING: "switch of the mapping mode",
     MAP_SAVE: "saving of maps on the robot",
     POSE_GRAPH_SAVE: "saving of pose graphs on the robot",

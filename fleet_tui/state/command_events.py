@@ -14,6 +14,7 @@ from fleet_tui.model.commands import (
     CommandRecord,
     PauseRobot,
     PlaceOrder,
+    Queued,
     ResumeRobot,
     Stage,
     Step,
@@ -109,7 +110,7 @@ def _after_step(state: FleetState, record: CommandRecord) -> FleetState:
 def advance_command(state: FleetState, event: events.CommandAdvanced) -> FleetState:
     """Advance a command. It ends once: later events for it change nothing."""
     found = next((record for record in state.commands if record.id == event.id), None)
-    if found is None or (event.stage is Stage.WAITING and not isinstance(found.command, PlaceOrder)):
+    if found is None or (event.stage is Stage.WAITING and not isinstance(found.command, Queued)):
         return state
     record = found.advanced(Step(_late_or(event.stage, state, found), event.at, truncate(event.detail)))
     if record is found:

@@ -27,10 +27,10 @@ from fleet_tui.adapters.vda5050.topics import INSTANT_ACTIONS, OF_MASTERS, READ,
 from fleet_tui.adapters.vda5050.vocabulary import VOCABULARY
 from fleet_tui.errors import CommandError, WireError
 from fleet_tui.model import commands, events
-from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, PAUSE, RESUME, Kind
+from fleet_tui.model.kind import CANCEL, CHARGE, CLEAR, ORDER, ORDER_TO, PAUSE, RESUME, Kind
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.set_up.commands import SetUpCommand
-from fleet_tui.model.vehicles.vehicle import STOP_CHARGING
+from fleet_tui.model.set_up.commands import SetUpCommand, StartCharging
+from fleet_tui.model.vehicles.vehicle import START_CHARGING, STOP_CHARGING
 
 if TYPE_CHECKING:
     from fleet_tui.model.set_up.streams import StreamValue
@@ -42,7 +42,7 @@ REPORTS = ("pose", "battery", "cargo", "paused", "blocked", "queue")
 ROLES = {
     "watch": (),
     "pause": (PAUSE, RESUME),
-    "master": (ORDER, ORDER_TO, CANCEL, CLEAR, PAUSE, RESUME),
+    "master": (ORDER, ORDER_TO, CANCEL, CLEAR, PAUSE, RESUME, CHARGE),
 }
 """The requests that each role may make."""
 
@@ -186,6 +186,8 @@ class VehicleAdapter:
                 return self._to_unseen(robot, "startPause", unique)
             case commands.ResumeRobot():
                 return [instant_action(self.settings, robot, "stopPause", unique)]
+            case StartCharging():
+                return [instant_action(self.settings, robot, START_CHARGING, unique)]
             case SetUpCommand():
                 raise CommandError(self.kind.lack(command.ability))
             case _:

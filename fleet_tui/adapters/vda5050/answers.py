@@ -13,7 +13,7 @@ from fleet_tui.model.commands import (
     ResumeRobot,
     Stage,
 )
-from fleet_tui.model.set_up.commands import SetUpCommand
+from fleet_tui.model.set_up.commands import SetUpCommand, StartCharging
 from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleError
 
 NO_ORDER = "noOrderToCancel"
@@ -33,17 +33,18 @@ def answer(command: Command, id_: str, number: int, vehicle: Vehicle) -> tuple[S
         return Stage.REFUSED, rejection
     is_done = status is not None and status.status == FINISHED
     match command:
-        case PlaceOrder() | SetUpCommand():
-            return None
         case CancelOrder() | ClearOrders():
             if is_done and not is_running(vehicle, is_cancelled=True):
                 return Stage.ACCEPTED, ""
-        case PauseRobot() | ResumeRobot():
-            wanted = isinstance(command, PauseRobot)
-            if vehicle.paused is wanted or (is_done and vehicle.paused is not None):
+        case PauseRobot() | ResumeRobot() | StartCharging():
+            reported = vehicle.charging if isinstance(command, StartCharging) else vehicle.paused
+            wanted = not isinstance(command, ResumeRobot)
+            if reported is wanted or (is_done and reported is not None):
                 return Stage.ACCEPTED, ""
-            if is_done:  # it has no word for a pause but this
+            if is_done:  # it has no word for its effect but this
                 return Stage.CONFIRMED, "action finished"
+        case PlaceOrder() | SetUpCommand():
+            return None
         case _:
             assert_never(command)
     return (Stage.SENT, "") if status is not None else None

@@ -10,6 +10,7 @@ from msgspec import Struct
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.kind import (
+    CHARGE,
     GOAL,
     GOAL_CANCEL,
     GRAPH,
@@ -107,6 +108,13 @@ class CancelGoal(SetUpCommand, frozen=True, tag=True):
     what: ClassVar[str] = "cancel goal"
 
 
+class StartCharging(SetUpCommand, frozen=True, tag=True):
+    """Let a vehicle charge where it stands, once it has driven its orders."""
+
+    ability: ClassVar[str] = CHARGE
+    what: ClassVar[str] = "start charging"
+
+
 class SetMapping(SetUpCommand, frozen=True, tag=True):
     """Switch the mapping mode of a robot."""
 
@@ -198,5 +206,14 @@ def counts_text(vertices: int, edges: int, labels: int) -> str:
 
 
 SetUp = (
-    SetPose | Localise | Settle | SendGoal | CancelGoal | SetMapping | StoreMap | StorePoseGraph | SendGraph
+    SetPose
+    | Localise
+    | Settle
+    | SendGoal
+    | CancelGoal
+    | StartCharging
+    | SetMapping
+    | StoreMap
+    | StorePoseGraph
+    | SendGraph
 )

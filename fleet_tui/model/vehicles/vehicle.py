@@ -194,6 +194,11 @@ class VehicleFeatures(Struct, frozen=True):
         return START_CHARGING in self.at_nodes
 
     @property
+    def charges_beside(self) -> bool:
+        """Tell whether only an instant action can make it charge."""
+        return START_CHARGING in self.instant and not self.charges
+
+    @property
     def refuses_headings(self) -> bool:
         """Tell whether its nodes have no heading: a parameter that is not listed is not supported. An empty
         list says nothing: many send it for want of another."""

@@ -5,13 +5,21 @@ from collections.abc import Iterator
 
 from msgspec.structs import replace
 
-from fleet_tui.model.commands import ClearOrders, Command, CommandRecord, PauseRobot, PlaceOrder, Stage
+from fleet_tui.model.commands import (
+    ClearOrders,
+    Command,
+    CommandRecord,
+    PauseRobot,
+    PlaceOrder,
+    Queued,
+    Stage,
+)
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
 from fleet_tui.model.navigation_events import QueueHeld
 from fleet_tui.model.order import Order, Stop
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.set_up.commands import SendGoal
+from fleet_tui.model.set_up.commands import SendGoal, StartCharging
 from fleet_tui.rules.commands.goals import own_ids
 from fleet_tui.rules.commands.masters import own_mode
 
@@ -21,7 +29,8 @@ ANOTHER_CLIENT = "another client drives"
 HELD_BY_OTHERS = (ANOTHER_CLIENT, "someone else drives")
 """The second is that of older recordings."""
 
-_WELL = frozenset({Stage.DONE})
+_WELL = frozenset({Stage.DONE, Stage.CONFIRMED})
+"""Ends of an order, and of the start of a charge."""
 GOING = frozenset({Stage.CHECKED, Stage.SENT, Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
 """Stages of an order that has left, and that its robot may have taken."""
 
@@ -30,9 +39,7 @@ def orders_of(state: FleetState, robot: Robot) -> list[CommandRecord]:
     """Return the orders that this console gave to a robot, in driving order: a stopped one that is kept
     precedes those never begun."""
     found = [
-        one
-        for one in state.commands
-        if one.command.robot == robot.name and isinstance(one.command, PlaceOrder)
+        one for one in state.commands if one.command.robot == robot.name and isinstance(one.command, Queued)
     ]
     return sorted(found, key=turn_of)
 
@@ -59,11 +66,14 @@ def orders_to_save(state: FleetState, robot: Robot) -> Iterator[tuple[CommandRec
 
 def waiting_orders_of(state: FleetState, robot: Robot) -> tuple[Order, ...]:
     """Return the orders that wait here, as shown in a queue."""
-    return tuple(
-        Order(one.order_id or "", one.command.stops, None, one.stage.value, 0)
-        for one in waiting(state, robot)
-        if isinstance(one.command, PlaceOrder)
-    )
+    return tuple(_waiting_order(one) for one in waiting(state, robot))
+
+
+def _waiting_order(record: CommandRecord) -> Order:
+    command = record.command
+    stops = command.stops if isinstance(command, PlaceOrder) else ()
+    label = command.text if isinstance(command, StartCharging) else ""
+    return Order(record.order_id or "", stops, None, record.stage.value, 0, label=label)
 
 
 def bids_of(state: FleetState, robot: Robot) -> tuple[Order, ...]:
@@ -167,9 +177,12 @@ def _drives(state: FleetState, command: Command) -> bool:
 
 def hold_all(state: FleetState, reason: str) -> Iterator[QueueHeld]:
     """Return the events that hold every queue with stops left to send."""
-    return (
-        QueueHeld(robot.name, reason) for robot in state.robots.values() if any(orders_to_save(state, robot))
-    )
+    return (QueueHeld(robot.name, reason) for robot in state.robots.values() if _has_more(state, robot))
+
+
+def _has_more(state: FleetState, robot: Robot) -> bool:
+    """Tell whether there is something left to send to a robot, even the next stop of its current order."""
+    return bool(waiting(state, robot)) or any(orders_to_save(state, robot))
 
 
 def with_held_queues(state: FleetState) -> FleetState:
@@ -184,8 +197,8 @@ def with_held_queues(state: FleetState) -> FleetState:
 
 def _held(state: FleetState, robot: Robot) -> str:
     """Return the reason to hold its queue from now on: the first one counts, as long as there is something to
-    send, even the next stop of the current order."""
-    if not any(orders_to_save(state, robot)):
+    send."""
+    if not _has_more(state, robot):
         return ""
     return robot.held or next(_reasons(state, robot), "")
 

@@ -5,7 +5,7 @@ from typing import assert_never
 
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot
 from fleet_tui.model.problem import Permissions, Problem, Right
-from fleet_tui.model.set_up.commands import CancelGoal, SendGoal, SetUpCommand
+from fleet_tui.model.set_up.commands import CancelGoal, SendGoal, SetUpCommand, StartCharging
 
 SETTING_UP = frozenset({"set-pose", "localise", "settle", "mapping", "store-map", "store-pose-graph"})
 """First words of commands that set up robots."""
@@ -16,7 +16,7 @@ def right_for(command: Command) -> Right:
     match command:
         case PlaceOrder() | CancelOrder() | ClearOrders() | PauseRobot() | ResumeRobot():
             return Right.DISPATCH
-        case SendGoal() | CancelGoal():
+        case SendGoal() | CancelGoal() | StartCharging():
             return Right.DISPATCH
         case SetUpCommand():
             return Right.SETUP

@@ -32,6 +32,7 @@ from fleet_tui.model.set_up.commands import (
     SetPose,
     Settle,
     SetUp,
+    StartCharging,
     StoreMap,
     StorePoseGraph,
 )
@@ -141,7 +142,7 @@ def written_pose(pose: Pose, turns_freely: bool = False) -> str:
 
 
 def written_set_up(command: SetUp) -> str:
-    """Return a command as a line that is parsed to it, empty for a graph: no line holds one."""
+    """Return a command as a line that is parsed to it, empty for one that can't be typed."""
     match command:
         case SetPose(name, _, pose):
             return f"set-pose {name} {written_pose(pose)}"
@@ -159,7 +160,7 @@ def written_set_up(command: SetUp) -> str:
             return f"store-pose-graph {name} {quoted(map_name)}"
         case StoreMap(name, map_name):
             return f"store-map {name} {quoted(map_name)}"
-        case SendGraph():
+        case SendGraph() | StartCharging():
             return ""
         case _:
             assert_never(command)

@@ -10,7 +10,8 @@ from fleet_tui.model.kind import ORDER_TO
 from fleet_tui.model.order import at_vertices
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot, RobotMap
-from fleet_tui.rules.battery.charging import charger_of
+from fleet_tui.model.set_up.commands import StartCharging
+from fleet_tui.rules.battery.charging import charger_of, charging_reported
 from fleet_tui.rules.language.lookup import Place
 
 
@@ -24,23 +25,35 @@ def way_to_charger(state: FleetState, robot: Robot) -> tuple[Place, ...]:
 
 
 def order_to_charger(state: FleetState, robot: Robot) -> Request:
-    """Return the order to the nearest free charger. A robot that brings cargo has orders from somewhere.
-    Raises CommandError if there is no way to one."""
+    """Return the order to the nearest free charger, and the start of its charge where that is no part of the
+    order. A robot that brings cargo has orders from somewhere. Raises CommandError if there is no way to
+    one."""
+    charge = _charge(robot)
+    if charge and charger_of(state, robot) is not None and charging_reported(state, robot) is None:
+        return Request(charge)
     way: tuple[Place, ...] = _way(state, robot)
     if ORDER_TO in robot.kind.accepts and not robot.kind.brings_cargo:
         way = way[-1:]
     stops = at_vertices(*(place.vertex for place in way))
     floors = tuple((one.vertex, one.floor) for one in way)
-    return Request((PlaceOrder(robot.name, stops),), floors, doubt=_doubt(robot))
+    return Request((PlaceOrder(robot.name, stops), *charge), floors, doubt=_doubt(robot))
+
+
+def _charge(robot: Robot) -> tuple[StartCharging, ...]:
+    """Return the command that makes a vehicle charge once it is there, if its order can't."""
+    is_beside = robot.features is not None and robot.features.charges_beside
+    return (StartCharging(robot.name),) if is_beside else ()
 
 
 def _doubt(robot: Robot) -> str:
     """Return that a vehicle is not told to charge once it is there, empty if it is, or others do it."""
-    if robot.vehicle is None or (robot.features is not None and robot.features.charges):
+    if robot.vehicle is None:
         return ""
     if robot.features is None:
         return f"{robot.name} only drives there: without a factsheet nothing starts its charge"
-    return f"{robot.name} only drives there: its factsheet has no startCharging at nodes"
+    if robot.features.charges or robot.features.charges_beside:
+        return ""
+    return f"{robot.name} only drives there: its factsheet has no startCharging"
 
 
 def _way(state: FleetState, robot: Robot) -> tuple[Place, Place]:

@@ -16,6 +16,7 @@ from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.model.order import Stop, at_vertices
 from fleet_tui.model.problem import Permissions, Problem
 from fleet_tui.model.request import Request
+from fleet_tui.model.set_up.commands import StartCharging
 from fleet_tui.rules.commands.checks import problems
 from fleet_tui.rules.language.grammar import parse
 from tests.support.vda_fleet import VehicleSite, config_text
@@ -115,6 +116,7 @@ def test_a_site_adds_its_deviation_and_its_actions() -> None:
         (PauseRobot("agv"), "startPause"),
         (ResumeRobot("agv"), "stopPause"),
         (ClearOrders("agv"), "cancelOrder"),
+        (StartCharging("agv"), "startCharging"),
     ],
 )
 def test_instant_actions_are_one_a_message(command: Command, type_: str) -> None:

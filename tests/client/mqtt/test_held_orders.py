@@ -2,7 +2,7 @@
 
 import asyncio
 from collections.abc import AsyncIterator, Iterator
-from contextlib import closing
+from contextlib import asynccontextmanager, closing
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -18,6 +18,7 @@ from fleet_tui.model.link import CommandPath
 from fleet_tui.model.order import Stop
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
+from fleet_tui.model.set_up.commands import StartCharging
 from fleet_tui.model.vehicles.vehicle import Vehicle
 from fleet_tui.rules.commands.checks import problems
 from fleet_tui.rules.commands.local_queue import all_orders, hold_all
@@ -83,7 +84,7 @@ def vehicle_of(state: FleetState) -> Vehicle:
     return known.value
 
 
-def charge(percent: float) -> Any:
+def charge_of(percent: float) -> Any:
     def is_there(state: FleetState) -> bool:
         battery = state.robots["agv"].battery
         return battery is not None and battery.value == percent
@@ -112,9 +113,9 @@ async def test_an_order_that_got_no_state_in_time_is_never_sent(site: HeldOrderS
     assert record.stage is Stage.NOT_SENT
     assert record.detail == "no state of agv within 5 s: order again once it has sent one"
     vehicle.say(batteryState={"batteryCharge": 11.0, "charging": False})
-    await store.until(charge(11.0))
+    await store.until(charge_of(11.0))
     vehicle.say(batteryState={"batteryCharge": 12.0, "charging": False})
-    await store.until(charge(12.0))
+    await store.until(charge_of(12.0))
     assert orders(vehicle) == []
 
 
@@ -137,7 +138,7 @@ async def test_a_pause_or_a_clear_ends_an_order_that_waits_for_the_first_state(
     assert (record.stage, record.detail) == end
     await vehicle.next("instantActions", 2)
     vehicle.say(batteryState={"batteryCharge": 11.0, "charging": False})
-    await store.until(charge(11.0))
+    await store.until(charge_of(11.0))
     assert orders(vehicle) == []
 
 
@@ -213,9 +214,9 @@ async def test_an_order_of_the_queue_that_is_cancelled_while_its_vehicle_ends_it
         link.submit(CancelOrder("agv", id_))
         await store.until(lambda state: record_of(state, queued).stage is Stage.CANCELLED)
         vehicle.say(orderId=first, batteryState={"batteryCharge": 77.0, "charging": False})
-        await store.until(charge(77.0))
+        await store.until(charge_of(77.0))
         vehicle.say(orderId=first, batteryState={"batteryCharge": 78.0, "charging": False})
-        await store.until(charge(78.0))
+        await store.until(charge_of(78.0))
         assert len(orders(vehicle)) == 1
 
 
@@ -260,7 +261,7 @@ async def test_an_order_that_waits_for_the_end_of_a_charge_may_be_cleared(site: 
     await store.until(lambda state: record_of(state, order).is_decided)
     assert record_of(store.state, order).stage is Stage.CANCELLED
     vehicle.say()
-    await store.until(charge(80.5))
+    await store.until(charge_of(80.5))
     assert orders(vehicle) == []
     (problem,) = problems(store.state, Request((ClearOrders("agv"),)), Permissions())
     assert problem.blocks, "nothing is on its way any more"
@@ -287,7 +288,7 @@ async def test_an_order_that_waits_is_in_the_queue_of_this_console_and_is_cancel
     assert (record.stage, record.detail) == (Stage.CONFIRMED, "was waiting here")
     assert record_of(store.state, order).stage is Stage.CANCELLED
     vehicle.say()
-    await store.until(charge(80.5))
+    await store.until(charge_of(80.5))
     assert orders(vehicle) == [] and [asked] == vehicle.actions, "no cancelOrder for it, either"
 
 
@@ -355,5 +356,86 @@ async def test_a_clear_of_orders_that_only_this_console_has_sends_nothing(
         assert (record.stage, record.detail) == (Stage.CONFIRMED, "was waiting here")
         assert [record_of(store.state, one).stage for one in ids] == [Stage.CANCELLED] * 2
         vehicle.say()
-        await store.until(charge(80.5))
+        await store.until(charge_of(80.5))
         assert orders(vehicle) == [] and vehicle.actions == [asked]
+
+
+LEFT = [node("goal_0", 2)]
+
+
+@asynccontextmanager
+async def on_its_way_to_a_charge(
+    broker: RealBroker, folder: Path
+) -> AsyncIterator[tuple[HeldOrderSite, str, int]]:
+    """A vehicle that drives an order, after which it is to charge: with the ids of the order and of that
+    command."""
+    vehicle = SpokenFor(broker)
+    async with queueing(broker.url, keeping(folder)) as (link, store):
+        await store.until(lambda state: state.links["broker"].command_path is CommandPath.ALIVE)
+        vehicle.say()
+        await store.until(lambda state: state.robots["agv"].vehicle)
+        _, charge = link.submit_all([ORDER, StartCharging("agv")])
+        order = (await vehicle.next("order"))["orderId"]
+        vehicle.say(orderId=order, nodeStates=LEFT)
+        await store.until(lambda state: state.robots["agv"].orders.open)
+        assert record_of(store.state, charge).stage is Stage.WAITING and vehicle.actions == []
+        yield HeldOrderSite(vehicle, link, store), order, charge
+
+
+async def test_a_charge_by_an_instant_action_begins_once_its_vehicle_has_arrived(
+    broker: RealBroker, tmp_path: Path
+) -> None:
+    async with on_its_way_to_a_charge(broker, tmp_path) as ((vehicle, _, store), order, charge):
+        (_, waiting) = all_orders(store.state, store.state.robots["agv"])
+        assert waiting.label == "start charging"
+        vehicle.say(orderId=order, lastNodeId="goal_0")
+        (action,) = (await vehicle.next("instantActions"))["actions"]
+        assert action["actionType"] == "startCharging" and action["blockingType"] == "NONE"
+        done = {"actionId": action["actionId"], "actionType": "startCharging", "actionStatus": "FINISHED"}
+        vehicle.say(orderId=order, lastNodeId="goal_0", batteryState=CHARGING, actionStates=[done])
+        await store.until(lambda state: record_of(state, charge).is_decided)
+        assert record_of(store.state, charge).stage is Stage.CONFIRMED
+        assert [one.stage for one in store.state.commands] == [Stage.DONE, Stage.CONFIRMED]
+
+
+async def test_a_vehicle_that_can_not_charge_says_why(broker: RealBroker, tmp_path: Path) -> None:
+    async with on_its_way_to_a_charge(broker, tmp_path) as ((vehicle, _, store), order, charge):
+        vehicle.say(orderId=order, lastNodeId="goal_0")
+        (action,) = (await vehicle.next("instantActions"))["actions"]
+        failed = {"actionId": action["actionId"], "actionStatus": "FAILED", "resultDescription": "no contact"}
+        vehicle.say(orderId=order, lastNodeId="goal_0", actionStates=[failed])
+        await store.until(lambda state: record_of(state, charge).is_decided)
+        record = record_of(store.state, charge)
+        assert (record.stage, record.detail) == (Stage.REFUSED, "no contact")
+
+
+@pytest.mark.parametrize(
+    ("event", "end"),
+    [
+        ("disarmed", (Stage.NOT_SENT, "this console is not armed")),
+        ("failed", (Stage.NOT_SENT, "order {order}: failed")),
+        ("cleared", (Stage.CANCELLED, "by this console before it was sent")),
+        ("link lost", (Stage.NOT_SENT, "the link was lost")),
+    ],
+)
+async def test_a_charge_does_not_begin_without_its_order_or_after_disarming(
+    broker: RealBroker, tmp_path: Path, event: str, end: tuple[Stage, str]
+) -> None:
+    async with on_its_way_to_a_charge(broker, tmp_path) as ((vehicle, link, store), order, charge):
+        match event:
+            case "disarmed":
+                for hold in hold_all(store.state, "this console is not armed"):
+                    link.post(hold)
+            case "failed":
+                vehicle.say(orderId=order, errors=[error("FATAL", orderId=order)])
+            case "cleared":
+                link.submit(ClearOrders("agv"))
+            case _:
+                broker.kill()
+        await store.until(lambda state: record_of(state, charge).is_decided)
+        record, (stage, detail) = record_of(store.state, charge), end
+        assert (record.stage, record.detail) == (stage, detail.format(order=order[:8]))
+        if event != "link lost":
+            vehicle.say(orderId=order, lastNodeId="goal_0", batteryState={"batteryCharge": 11.0})
+            await store.until(charge_of(11.0))
+            assert "startCharging" not in str(vehicle.actions)

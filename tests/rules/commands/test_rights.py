@@ -16,6 +16,7 @@ from fleet_tui.model.set_up.commands import (
     SetMapping,
     SetPose,
     SetUp,
+    StartCharging,
     StoreMap,
 )
 from fleet_tui.rules.commands.checks import problems
@@ -35,13 +36,14 @@ DISPATCHES: list[Command] = [
     PauseRobot(R0),
     SendGoal(R0, F0, POSE),
     CancelGoal(R0),
+    StartCharging(R0),
 ]
 
 
 def test_goals_are_given_like_orders_and_the_rest_sets_up() -> None:
     assert {right_for(command) for command in DISPATCHES} == {Right.DISPATCH}
     assert {right_for(command) for command in SETS_UP} == {Right.SETUP}
-    assert len(typing.get_args(SetUp)) == 9, "a new command: which right does it need?"
+    assert len(typing.get_args(SetUp)) == 10, "a new command: which right does it need?"
     assert set(USAGE) - SETTING_UP == {"goto"}
     assert right_of("goto") is right_of("pause") is Right.DISPATCH and right_of("settle") is Right.SETUP
 

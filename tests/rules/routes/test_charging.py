@@ -1,5 +1,7 @@
 """The nearest charger, and where the way to it begins."""
 
+from typing import Any
+
 import pytest
 from msgspec.structs import replace
 
@@ -11,6 +13,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.model.order import at_vertices
 from fleet_tui.model.request import Request
+from fleet_tui.model.set_up.commands import StartCharging
 from fleet_tui.model.vehicles.vehicle import VehicleFeatures
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.rules.routes import charging
@@ -98,16 +101,42 @@ def test_why_there_is_none_is_said(state: FleetState, reason: str) -> None:
     ("features", "doubt"),
     [
         (None, "agv only drives there: without a factsheet nothing starts its charge"),
-        (VehicleFeatures(), "agv only drives there: its factsheet has no startCharging at nodes"),
+        (VehicleFeatures(), "agv only drives there: its factsheet has no startCharging"),
         (VehicleFeatures(at_nodes=("startCharging",)), ""),
+        (VehicleFeatures(instant=("startCharging",)), ""),
     ],
 )
 def test_of_a_vehicle_that_is_not_told_to_charge_the_question_says_so(
     features: VehicleFeatures | None, doubt: str
 ) -> None:
-    site = VehicleSite()
-    site.read("state", state(agvPosition=position(4.0, 0.0)))
-    site.apply(events.FloorGraphLoaded("hall", RouteGraph({"1": CHARGER, "2": Vertex("2", 5.0, 0.0)})))
+    site = vehicle_at(4.0)
     robot = replace(site.agv, features=features)
     assert charging.order_to_charger(site.state, robot).doubt == doubt
     assert order_to_charger(at(4.0, graph_of({"1": CHARGER, "2": Vertex("2", 5.0, 0.0)}))).doubt == ""
+
+
+def vehicle_at(x: float, **fields: Any) -> VehicleSite:
+    site = VehicleSite()
+    site.read("state", state(agvPosition=position(x, 0.0), **fields))
+    site.apply(events.FloorGraphLoaded("hall", RouteGraph({"1": CHARGER, "2": Vertex("2", 5.0, 0.0)})))
+    return site
+
+
+def test_a_vehicle_that_charges_by_an_instant_action_alone_gets_that_after_its_order() -> None:
+    site, beside = vehicle_at(4.0), VehicleFeatures(instant=("startCharging",))
+    order = PlaceOrder("agv", at_vertices("1"))
+    request = charging.order_to_charger(site.state, replace(site.agv, features=beside))
+    assert request.commands == (order, StartCharging("agv"))
+    both = VehicleFeatures(at_nodes=("startCharging",), instant=("startCharging",))
+    request = charging.order_to_charger(site.state, replace(site.agv, features=both))
+    assert request.commands == (order,), "it is a part of the order"
+
+
+def test_one_that_stands_at_a_charger_and_does_not_charge_is_only_told_to() -> None:
+    beside, power = VehicleFeatures(instant=("startCharging",)), {"batteryCharge": 50.0, "charging": True}
+    site = vehicle_at(0.2)
+    request = charging.order_to_charger(site.state, replace(site.agv, features=beside))
+    assert request.commands == (StartCharging("agv"),)
+    site = vehicle_at(0.2, batteryState=power)
+    with pytest.raises(CommandError, match="agv is at a charger"):
+        charging.order_to_charger(site.state, replace(site.agv, features=beside))

@@ -171,7 +171,7 @@ class SetUpRequests:
                 return self._call(KEYS[command.ability], name, save_request(self._names, command, robot))
             case commands.SendGraph(name) if command.ability in self._keys:
                 return self._call(KEYS[command.ability], name, load_request(self._names, command))
-            case commands.SendGraph():
+            case commands.SendGraph() | commands.StartCharging():
                 raise CommandError(robot.kind.lack(command.ability))
             case _:
                 assert_never(command)

@@ -16,6 +16,7 @@ from fleet_tui.model.set_up.commands import (
     SetPose,
     Settle,
     SetUp,
+    StartCharging,
     StoreMap,
     counts_text,
 )
@@ -84,6 +85,8 @@ def set_up_seen(state: FleetState, robot: Robot, record: CommandRecord, command:
         case SetMapping() if "mode" in robot.kind.reports:
             since = record.time_of(Stage.SENT) if unseen is None else None
             return _by_robot(state, is_in_mode(robot, command.on, since))
+        case StartCharging():
+            return _by_robot(state, robot.vehicle is not None and robot.vehicle.value.charging is True)
         case SendGraph():
             return _graph_seen(state, robot, command, unseen)
         case Settle():
@@ -153,6 +156,8 @@ def instead_of_set_up(robot: Robot, record: CommandRecord, command: SetUp) -> st
             return "the robot did not move"
         case CancelGoal():
             return "the robot was not seen to stop"
+        case StartCharging():
+            return "the robot does not say that it charges"
         case SetMapping():
             return f"the robot reports {robot.mode.value}" if robot.mode else "no mode received"
         case SendGraph() if command.path:

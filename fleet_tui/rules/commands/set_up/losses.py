@@ -15,6 +15,7 @@ from fleet_tui.model.set_up.commands import (
     SetPose,
     Settle,
     SetUp,
+    StartCharging,
     StoreMap,
 )
 from fleet_tui.rules.commands.set_up.confirmation import believed, difference_text, present_graph
@@ -62,7 +63,7 @@ def set_up_losses(state: FleetState, robot: Robot, command: SetUp) -> Iterator[s
             count = len(robot.orders.open)
             too = f", {count} open order{'s' * (count != 1)} too" if count else ""
             yield f"orders are driven on it from then on{too}"
-        case Settle() | SendGoal():
+        case Settle() | SendGoal() | StartCharging():
             return
         case _:
             assert_never(command)
