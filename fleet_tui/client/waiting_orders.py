@@ -22,7 +22,7 @@ from fleet_tui.model.navigation_events import QueueHeld
 from fleet_tui.model.request import given_now
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import StartCharging
-from fleet_tui.rules.commands.local_queue import is_busy, next_to_send, orders_to_save, waiting
+from fleet_tui.rules.commands.local_queue import failed_before, is_busy, next_to_send, orders_to_save, waiting
 from fleet_tui.rules.commands.pauses import late_goals
 from fleet_tui.state.store import Store
 
@@ -109,6 +109,9 @@ class WaitingOrders:
         if isinstance(command, Queued) and is_busy(state, robot, command_id):
             stage, detail = self._enqueue(robot)
             self._apply(CommandAdvanced(command_id, stage, given_at, detail))
+            return True
+        if isinstance(command, StartCharging) and (failed := failed_before(state, robot, command_id)):
+            self._apply(CommandAdvanced(command_id, Stage.NOT_SENT, given_at, failed))
             return True
         if isinstance(command, CancelOrder):
             for record in waiting(state, robot):

@@ -130,9 +130,19 @@ def is_busy(state: FleetState, robot: Robot, command_id: int) -> bool:
         or any(
             one.stage is Stage.WAITING or one.stage in GOING or one.has_open_order
             for one in orders_of(state, robot)
-            if one.id != command_id
+            if one.id < command_id  # later ones of the same request follow it
         )
     )
+
+
+def failed_before(state: FleetState, robot: Robot, command_id: int) -> str:
+    """Return how an order that was given together with a command, before it, has failed already; empty if
+    none has."""
+    orders = orders_of(state, robot)
+    given_at = next((one.issued_at for one in orders if one.id == command_id), None)
+    together = (one for one in orders if one.issued_at == given_at and one.id < command_id)
+    failed = (one for one in together if one.is_decided and one.stage not in _WELL)
+    return next((f"order before it: {one.stage.value}" for one in failed), "")
 
 
 def next_to_send(state: FleetState, robot: Robot) -> CommandRecord | None:

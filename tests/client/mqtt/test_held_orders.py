@@ -15,7 +15,7 @@ from fleet_tui.model.commands import RESTARTED, CancelOrder, ClearOrders, PauseR
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.link import CommandPath
-from fleet_tui.model.order import Stop
+from fleet_tui.model.order import Stop, at_vertices
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
 from fleet_tui.model.set_up.commands import StartCharging
@@ -396,6 +396,37 @@ async def test_a_charge_by_an_instant_action_begins_once_its_vehicle_has_arrived
         await store.until(lambda state: record_of(state, charge).is_decided)
         assert record_of(store.state, charge).stage is Stage.CONFIRMED
         assert [one.stage for one in store.state.commands] == [Stage.DONE, Stage.CONFIRMED]
+
+
+@pytest.mark.parametrize(
+    ("order", "ends"),
+    [
+        (
+            PlaceOrder("agv", at_vertices("nowhere")),
+            [
+                (Stage.NOT_SENT, "position of node nowhere unknown: no graph of its floor contains it"),
+                (Stage.NOT_SENT, "order before it: not sent"),
+            ],
+        ),
+        (
+            ORDER,
+            [
+                (Stage.SENT, ""),
+                (Stage.NOT_SENT, "agv has an order and has no queue: order from a console, or wait"),
+            ],
+        ),
+    ],
+)
+async def test_no_charge_begins_before_the_order_to_it_is_driven(
+    site: HeldOrderSite, order: PlaceOrder, ends: list[tuple[Stage, str]]
+) -> None:
+    vehicle, link, store = site
+    vehicle.say()
+    await store.until(lambda state: state.robots["agv"].vehicle)
+    ids = link.submit_all([order, StartCharging("agv")])
+    await store.until(lambda state: record_of(state, ids[1]).is_decided)
+    assert [(one.stage, one.detail) for one in (record_of(store.state, id_) for id_ in ids)] == ends
+    assert vehicle.actions == []
 
 
 async def test_a_vehicle_that_can_not_charge_says_why(broker: RealBroker, tmp_path: Path) -> None:
