@@ -105,7 +105,7 @@ def _state(name: str, facts: VehicleFacts, seconds: float) -> Finding:
     came = facts.arrivals.get("state", [])
     if not came:
         measured = f"none in {seconds:.0f} s"
-        remedy = f"wait: it is sent at least every {STATE_EVERY:.0f} s; `fleet-tui` shows when"
+        remedy = f"wait: it is sent at least every {STATE_EVERY:.0f} s; then check the right to read it"
         return Finding(name, "state", Verdict.WARN, measured, remedy)
     return Finding(name, "state", Verdict.OK, f"{len(came)} in {seconds:.1f} s", values={"count": len(came)})
 

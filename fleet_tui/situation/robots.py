@@ -27,6 +27,9 @@ from fleet_tui.text.units import age
 
 WAKE = "Wake it by its master control (stopHibernation)"
 """The action at a vehicle that said that it sleeps."""
+NO_STATES = "Check its software, and the right of this user to read its states at the broker"
+"""The action at a vehicle that is connected, and of which no state arrives: mosquitto grants a subscription
+whose messages it then keeps back."""
 BAD_FOR = 10.0
 """Seconds without bad data until it counts as over."""
 SPEAKS_WITHIN = 2.0
@@ -100,7 +103,7 @@ def silence(state: FleetState, robot: Robot) -> Fact:
         remedy = WAKE
     else:
         blamed = hidden(link, robot.name)
-        remedy = blamed.remedy if blamed is not None else ""
+        remedy = blamed.remedy if blamed is not None else NO_STATES if kind is NEVER_SEEN and known else ""
     pose = robot.pose
     is_behind = last is not None and pose is not None and last - pose.at >= 1.0
     return Fact(

@@ -18,9 +18,9 @@ from fleet_tui.situation.facts import (
 CLASSES = {
     "link": AlarmClass(
         "high",
-        "no connection to a bridge",
+        "no connection to a bridge or broker",
         "its robots can be neither seen nor commanded",
-        "Start rosbridge, or repair the network; `fleet-tui doctor` names the step that fails",
+        "Start the bridge or broker, mend network or settings; `fleet-tui doctor` names the step that fails",
         1,
     ),
     "commands": AlarmClass(

@@ -1,5 +1,6 @@
 """Tests of fleet_tui/view/robot/vehicle.py: a vehicle's own lines on its page."""
 
+from fleet_tui.situation.robots import NO_STATES, silence
 from fleet_tui.view.robot.vehicle import factsheet_rows, vehicle_rows
 from fleet_tui.view.tables.news import news
 from tests.support.vda_fleet import VehicleSite
@@ -44,6 +45,7 @@ def test_the_row_of_a_vehicle_has_its_news() -> None:
     site = VehicleSite()
     site.read("connection", message(connectionState="ONLINE"), kept=True)
     assert [text for text, _ in news(site.state, site.agv)] == ["no state yet (connected)"]
+    assert silence(site.state, site.agv).remedy == NO_STATES
     stopped = {"eStop": "MANUAL", "fieldViolation": False}
     site.read("state", state(safetyState=stopped, operatingMode="SERVICE", errors=[error("FATAL")]))
     assert [text for text, _ in news(site.state, site.agv)] == ["e-stop (manual)", "motorError", "service"]
