@@ -51,6 +51,15 @@ def stands_since(robot: Robot, given_at: float) -> bool | None:
     return not motion.is_moving and robot.motion.at - max(motion.since, given_at) >= STANDS_FOR
 
 
+def stands_with_order(robot: Robot) -> float:
+    """Return the seconds for which its poses show it standing, at most since its current order was begun."""
+    current = robot.orders.current
+    trace = robot.traces.get(current.id) if current is not None else None
+    if robot.pose is None or trace is None or trace.began_at is None:
+        return robot.still_for
+    return min(robot.still_for, max(0.0, robot.pose.at - trace.began_at))
+
+
 def is_moving(robot: Robot, now: float) -> bool:
     """Tell whether its poses showed it moving within the last STANDS_AFTER seconds, or if they come seldom,
     its newest one did."""

@@ -15,7 +15,7 @@ from fleet_tui.rules.commands.order_ends import seen_end
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
 from fleet_tui.situation.facts import BAD_DATA
-from fleet_tui.situation.motion import moves_despite_pause, running_action, says_driving
+from fleet_tui.situation.motion import moves_despite_pause, running_action, says_driving, stands_with_order
 from fleet_tui.situation.navigation import inactive
 from fleet_tui.situation.robots import absence, adrift, bad_data, obstacle, silent
 
@@ -34,7 +34,7 @@ def waits(state: FleetState, robot: Robot) -> bool:
     reason: that it drives or works."""
     if says_driving(state, robot) or running_action(state, robot) is not None:
         return False
-    stands = robot.still_for >= LONG_STILL and robot.orders.current is not None
+    stands = stands_with_order(robot) >= LONG_STILL and robot.orders.current is not None
     return stands and state.is_fresh(robot, "pose")
 
 

@@ -6,7 +6,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.trouble import acknowledged, waits
 from fleet_tui.rules.history.activity import activities
 from fleet_tui.situation.facts import DRIVES_ON
-from fleet_tui.situation.motion import action_text, running_action
+from fleet_tui.situation.motion import action_text, running_action, stands_with_order
 from fleet_tui.situation.robots import obstacle
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
@@ -38,9 +38,10 @@ def doing_text(state: FleetState, robot: Robot, does: Activity | None) -> str:
     there, else the word alone."""
     if does in (Activity.WAITING, Activity.LOADING) and (action := running_action(state, robot)) is not None:
         return sanitize(action_text(state, action))
-    if does not in STANDING or robot.still_for < STILL_FROM:
+    seconds = stands_with_order(robot)
+    if does not in STANDING or seconds < STILL_FROM:
         return word(does)
-    return f"{word(does)} {age(robot.still_for)}"
+    return f"{word(does)} {age(seconds)}"
 
 
 def count_word(state: FleetState, robot: Robot, does: Activity | None) -> str:

@@ -13,6 +13,7 @@ from fleet_tui.model.navigation_events import BlockedReported
 from fleet_tui.model.robot import Reading
 from fleet_tui.model.vehicles.events import VehicleReported
 from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleError
+from fleet_tui.rules.alarms.trouble import waits
 from fleet_tui.rules.history.activity import activities
 from fleet_tui.view.map.floor_scene import floor_scene
 from fleet_tui.view.map.glyphs import robot_tag
@@ -37,6 +38,16 @@ SITUATIONS = {
     "paused (elsewhere)": standing(PausedReported(R0, AT, True)),
     "unknown": reduced(fleet(), link_up(AT), queue(AT, (1, 1, 2, "W"), current=1), tick(AT)),
 }
+
+
+def test_one_that_stood_idle_before_its_order_has_waited_since_that_was_begun() -> None:
+    idle = standing(ordered=False)
+    ordered = reduced(idle, queue(AT + 1, (1, 1, 2, "W"), current=1), pose(AT + 8), tick(AT + 8))
+    robot = ordered.robots[R0]
+    assert doing_text(ordered, robot, Activity.WAITING) == "waiting 7 s"
+    assert not waits(ordered, robot)
+    later = reduced(ordered, queue(AT + 31, (1, 1, 2, "W"), current=1), pose(AT + 32), tick(AT + 32))
+    assert waits(later, later.robots[R0])
 
 
 def vehicle(**state: Any) -> VehicleReported:
