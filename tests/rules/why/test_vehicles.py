@@ -104,6 +104,7 @@ def test_one_that_asks_for_a_zone_ahead_while_it_drives_waits_for_nothing() -> N
     site.read("state", state(orderId="o", nodeStates=[node("b", 2)], driving=True, zoneRequests=[zone("z")]))
     site.wait(1)
     assert "waits for clearance" not in [one.name for one in reasons(site.state, site.agv)]
+    assert site.agv.vehicle is not None and not site.agv.vehicle.value.waits
 
 
 def test_a_map_that_the_vehicle_does_not_use_may_be_the_cause() -> None:
