@@ -33,7 +33,8 @@ class Fact(NamedTuple):
     """`source` is the robot, the link or the console; `since` the monotonic second from which it holds,
     `seen` that of the last report of it. `remedy` is empty for that of the row. `text` is that of an alarm,
     `short` that of a row and of `status`, `evidence` the reports that show it, `question` what a command to
-    the robot is confirmed with. Not `is_certain`: a late bridge may explain it."""
+    the robot is confirmed with. Not `is_certain`: a late bridge may explain it, or it need
+    not be what holds the robot. `parts` are what it consists of: a new one is news."""
 
     kind: FactKind
     source: str
@@ -46,6 +47,7 @@ class Fact(NamedTuple):
     question: str = ""
     seen: float | None = None
     is_certain: bool = True
+    parts: frozenset[str] = frozenset()
 
     @property
     def action(self) -> str:

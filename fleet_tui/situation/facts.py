@@ -126,6 +126,40 @@ STOP = FactKind(
     ),
     keys=OBSTACLE.keys,
 )
+E_STOP = FactKind(
+    "e-stop",
+    "e-stop",
+    "e-stop released",
+    AlarmClass(
+        "high",
+        "an emergency stop of a vehicle is active",
+        "the vehicle does not move; others queue behind it",
+        "Go to the vehicle, check the area around it, then release it there",
+        5,
+    ),
+    keys=OBSTACLE.keys,
+)
+FAULT = FactKind(
+    "fault",
+    "error",
+    "no errors reported",
+    AlarmClass(
+        "high",
+        "an error that a vehicle reports about itself: high if fatal or critical, medium if urgent, else low",
+        "after a fatal one its order is not carried out",
+        "Go to the vehicle if it stands",
+        10,
+    ),
+    keys=OBSTACLE.keys,
+)
+UNLOCALISED = OLD_STAMPS._replace(
+    word="not localised",
+    over="localised again",
+    alarm=OLD_STAMPS.alarm._replace(
+        action="Localise it at the vehicle: take it by hand to a place that it knows"
+    ),
+    keys=("pose", *OBSTACLE.keys),
+)
 DRIVES_ON = FactKind(
     "order",
     "order failed, still driving",
@@ -199,6 +233,9 @@ FACTS = (
     BAD_DATA,
     OBSTACLE,
     STOP,
+    E_STOP,
+    FAULT,
+    UNLOCALISED,
     DRIVES_ON,
     INACTIVE,
     NAVIGATION_SILENT,

@@ -5,6 +5,8 @@ from fleet_tui.situation.fact import AlarmClass
 from fleet_tui.situation.facts import (
     BAD_DATA,
     BEHIND,
+    E_STOP,
+    FAULT,
     INACTIVE,
     LATE_LINK,
     LOST_SUBSCRIPTIONS,
@@ -33,20 +35,8 @@ CLASSES = {
     LOST_SUBSCRIPTIONS.name: LOST_SUBSCRIPTIONS.alarm,
     OBSTACLE.name: OBSTACLE.alarm,
     STOP.name: STOP.alarm,
-    "e-stop": AlarmClass(
-        "high",
-        "an emergency stop of a vehicle is active",
-        "the vehicle does not move; others queue behind it",
-        "Go to the vehicle, check the area around it, then release it there",
-        5,
-    ),
-    "fault": AlarmClass(
-        "high",
-        "an error that a vehicle reports about itself: high if fatal or critical, medium if urgent, else low",
-        "after a fatal one its order is not carried out",
-        "Go to the vehicle if it stands",
-        10,
-    ),
+    E_STOP.name: E_STOP.alarm,
+    FAULT.name: FAULT.alarm,
     SILENT.name: SILENT.alarm,
     "stuck": AlarmClass(
         "medium",

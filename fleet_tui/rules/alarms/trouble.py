@@ -8,7 +8,6 @@ from fleet_tui.model.fleet import MANY, FleetState, is_missing
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.members import FAILED_MODES
-from fleet_tui.rules.alarms.vehicles import priority_of
 from fleet_tui.rules.battery.charging import CHARGES, ON_ITS_WAY
 from fleet_tui.rules.commands.newest import is_paused_elsewhere
 from fleet_tui.rules.commands.order_ends import seen_end
@@ -18,6 +17,7 @@ from fleet_tui.situation.facts import BAD_DATA
 from fleet_tui.situation.motion import moves_despite_pause, running_action, says_driving, stands_with_order
 from fleet_tui.situation.navigation import inactive
 from fleet_tui.situation.robots import absence, adrift, bad_data, obstacle, silent
+from fleet_tui.situation.vehicles import FINDERS
 
 LONG_STILL = 30.0
 """Seconds of standing with an order that are worth a look: longer than loading takes."""
@@ -208,8 +208,8 @@ def is_halted(state: FleetState, robot: Robot) -> bool:
     if obstacle(state, robot) is not None:
         return True
     if robot.vehicle is not None and state.is_fresh(robot, "vehicle"):
-        vehicle = robot.vehicle.value
-        return vehicle.e_stop != "" or any(priority_of(error) is Priority.HIGH for error in vehicle.errors)
+        facts = (find(robot) for find in FINDERS)
+        return any(fact is not None and fact.priority is Priority.HIGH for fact in facts)
     return robot.member is not None and robot.member.value.mode in FAILED_MODES and state.is_online(robot)
 
 

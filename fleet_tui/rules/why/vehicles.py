@@ -1,25 +1,28 @@
 """Reasons to stand still of vehicles of a master control: stopped, faulty, or waiting for it."""
 
+from collections.abc import Callable
+from functools import partial
+
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Reading, Robot
-from fleet_tui.model.vehicles.vehicle import HIGH, Vehicle
-from fleet_tui.rules.alarms.classes import CLASSES
-from fleet_tui.rules.alarms.vehicles import LOCALISE, fault_remedy, fault_text, sorted_errors
-from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength
+from fleet_tui.model.vehicles.vehicle import Vehicle
+from fleet_tui.rules.why.reason import Reason, Strength
+from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.motion import action_text, running_action
+from fleet_tui.situation.vehicles import REPORTED, emergency_stop, fault, unlocalised
 
 
 def _reading(state: FleetState, robot: Robot) -> Reading[Vehicle] | None:
     return robot.vehicle if state.is_fresh(robot, "vehicle") else None
 
 
-def stopped(state: FleetState, robot: Robot) -> Reason | None:
-    """Report an active emergency stop."""
-    reading = _reading(state, robot)
-    if reading is None or not reading.value.e_stop:
+def _told(find: Callable[[Robot], Fact | None], state: FleetState, robot: Robot) -> Reason | None:
+    fact = find(robot) if state.is_fresh(robot, "vehicle") else None
+    if fact is None:
         return None
-    text, go = reading.value.e_stop_text, CLASSES["e-stop"].action
-    return Reason(text, "reported by the vehicle", seen=reading.at, keys=LOOK_AT, remedy=go)
+    strength = Strength.CERTAIN if fact.is_certain else Strength.POSSIBLE
+    keys, remedy = fact.kind.keys, fact.action
+    return Reason(fact.short, fact.evidence, strength, seen=fact.seen, keys=keys, remedy=remedy)
 
 
 def by_hand(state: FleetState, robot: Robot) -> Reason | None:
@@ -48,33 +51,13 @@ def clearance(state: FleetState, robot: Robot) -> Reason | None:
     return Reason("waits for clearance", evidence, seen=reading.at, remedy=remedy)
 
 
-def faulty(state: FleetState, robot: Robot) -> Reason | None:
-    """Report the errors of a vehicle: only the worst level means that it can't drive."""
-    reading = _reading(state, robot)
-    if reading is None or not reading.value.errors:
-        return None
-    worst = sorted_errors(reading.value)[0]
-    strength = Strength.CERTAIN if worst.level in HIGH else Strength.POSSIBLE
-    evidence, remedy = fault_text(reading.value), fault_remedy(reading.value)
-    return Reason(worst.type, evidence, strength, seen=reading.at, keys=LOOK_AT, remedy=remedy)
-
-
 def acts(state: FleetState, robot: Robot) -> Reason | None:
     """Report the action of its order that it carries out where it stands."""
     action = running_action(state, robot)
     if action is None or robot.vehicle is None:
         return None
     text = action_text(state, action)
-    return Reason(text, "reported by the vehicle", since=action.since, seen=robot.vehicle.at)
-
-
-def unlocalised(state: FleetState, robot: Robot) -> Reason | None:
-    """Report that it does not know its place."""
-    reading = _reading(state, robot)
-    if reading is None or reading.value.localised is not False:
-        return None
-    keys = ("pose", *LOOK_AT)
-    return Reason("not localised", "reported by the vehicle", seen=reading.at, keys=keys, remedy=LOCALISE)
+    return Reason(text, REPORTED, since=action.since, seen=robot.vehicle.at)
 
 
 def map_disabled(state: FleetState, robot: Robot) -> Reason | None:
@@ -94,4 +77,12 @@ def map_disabled(state: FleetState, robot: Robot) -> Reason | None:
     )
 
 
-VEHICLE_REASONS = (stopped, by_hand, faulty, acts, clearance, unlocalised, map_disabled)
+VEHICLE_REASONS = (
+    partial(_told, emergency_stop),
+    by_hand,
+    partial(_told, fault),
+    acts,
+    clearance,
+    partial(_told, unlocalised),
+    map_disabled,
+)

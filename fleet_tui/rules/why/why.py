@@ -56,6 +56,7 @@ from fleet_tui.rules.why.robot import (
     to_place,
 )
 from fleet_tui.rules.why.vehicles import VEHICLE_REASONS
+from fleet_tui.situation.facts import UNLOCALISED
 
 if TYPE_CHECKING:  # numpy
     from fleet_tui.rules.localisation.match import Match
@@ -133,7 +134,7 @@ def _unfit(state: FleetState, robot: Robot, match: "Match | None") -> list[Reaso
     remedy = "Set its pose, then search there for the best fit of its scan"
     if "pause" in keys:
         remedy = "Pause it and set its pose, then search there for the best fit of its scan"
-    return [Reason("not localised", match.text, keys=keys, remedy=remedy)]
+    return [Reason(UNLOCALISED.word, match.text, keys=keys, remedy=remedy)]
 
 
 def _of_deaf(deaf: list[Reason], load: Reason | None, others: list[Reason]) -> list[Reason]:

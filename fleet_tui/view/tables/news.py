@@ -7,7 +7,6 @@ from fleet_tui.model.fleet import FleetState, is_missing, missing_text
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.members import issue_text
 from fleet_tui.rules.alarms.trouble import AGING, in_trouble, shelved, unexplained_end
-from fleet_tui.rules.alarms.vehicles import priority_of, sorted_errors
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.rules.commands.rivals import rivals
@@ -19,6 +18,7 @@ from fleet_tui.situation.facts import BAD_DATA, INACTIVE, SILENT
 from fleet_tui.situation.motion import moves_despite_pause
 from fleet_tui.situation.navigation import inactive, silent_navigation
 from fleet_tui.situation.robots import absence, adrift, bad_data, drives_on, last_contact, obstacle
+from fleet_tui.situation.vehicles import FINDERS
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age
@@ -145,17 +145,12 @@ def _vehicle(state: FleetState, robot: Robot) -> Iterator[Run]:
     """Yield what a vehicle of a master control reports about itself."""
     if robot.vehicle is None or not state.is_fresh(robot, "vehicle"):
         return
+    for find in FINDERS:
+        if (fact := find(robot)) is not None:
+            is_high = fact.priority is Priority.HIGH
+            yield tr(sanitize(fact.short)), StyleRole.ALARM if is_high else StyleRole.WARN
     vehicle = robot.vehicle.value
-    if vehicle.e_stop:
-        yield tr(sanitize(vehicle.e_stop_text)), StyleRole.ALARM
-    for error in sorted_errors(vehicle)[:1]:
-        is_high = priority_of(error) is Priority.HIGH
-        yield sanitize(error.type), StyleRole.ALARM if is_high else StyleRole.WARN
-    texts = {
-        vehicle.mode_text: not vehicle.takes_orders,
-        "waits for clearance": vehicle.waits,
-        "not localised": vehicle.localised is False,
-    }
+    texts = {vehicle.mode_text: not vehicle.takes_orders, "waits for clearance": vehicle.waits}
     yield from ((tr(sanitize(text)), StyleRole.WARN) for text, holds in texts.items() if holds)
 
 
