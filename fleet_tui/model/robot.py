@@ -85,7 +85,8 @@ class Robot(Struct, frozen=True, eq=False):
     its localisation lets pass; `motion` is by its speeds, None until one was not zero: some bases count their
     wheels and report no speed; `variance` that of its position in square metres; `own_floor` the floor it
     reports; `held` is the reason that this console sends it no waiting order, empty while it does, and
-    `released_at` when the operator last released them; `named` is a goal that this console named and that is
+    `released_at` when the operator last released them, `accepted` what spoke against that, or against the
+    newest order, and still does; `named` is a goal that this console named and that is
     not listed yet; `target` the last reported target of a goal it had just begun; `unmeasured` are values
     that it reports as not measured; `located_at`: the time of `located`; `mode` is the mode that it reports,
     `mapping_by_us` that this console switched mapping on; `counts_percent`: its battery was seen to count to
@@ -134,6 +135,7 @@ class Robot(Struct, frozen=True, eq=False):
     own_floor: str = ""
     held: str = ""
     released_at: float = -math.inf
+    accepted: tuple[str, ...] = ()
     named: str = ""
     target: Reading[Pose] | None = None
     traces: Mapping[str, OrderTrace] = field(default_factory=dict)

@@ -25,6 +25,7 @@ from fleet_tui.model.set_up.commands import SetMapping, SetUpCommand
 from fleet_tui.rules.commands.confirmation import before, confirm
 from fleet_tui.rules.commands.follow_up import follow_up
 from fleet_tui.rules.commands.local_queue import next_id
+from fleet_tui.rules.commands.masters import asked_about
 from fleet_tui.rules.commands.queue_moves import moved
 from fleet_tui.state.goal_reports import know_stops
 from fleet_tui.text.limits import truncate
@@ -94,7 +95,13 @@ def _after_step(state: FleetState, record: CommandRecord) -> FleetState:
             return with_robot(state, replace(robot, paused_by_us=True, paused_since=since, paused_at=at))
         case ResumeRobot():
             released = replace(
-                robot, paused_by_us=False, paused_at=None, locked_by_us=False, held="", released_at=state.now
+                robot,
+                paused_by_us=False,
+                paused_at=None,
+                locked_by_us=False,
+                held="",
+                released_at=state.now,
+                accepted=asked_about(state, robot),
             )
             return with_robot(state, released)
         case PlaceOrder(_, stops) if record.order_id is not None:
@@ -171,6 +178,8 @@ def issue_command(state: FleetState, event: events.CommandIssued) -> FleetState:
         (Step(Stage.CHECKED, event.at),),
         replace(known, floor=event.floor or known.floor),
     )
+    if robot is not None and isinstance(event.command, PlaceOrder):
+        state = with_robot(state, replace(robot, accepted=asked_about(state, robot)))
     commands = (*state.commands, record)
     # Open commands, and orders in a queue, stay, however many there are.
     surplus = len(commands) - COMMANDS_KEPT

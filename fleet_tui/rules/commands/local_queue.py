@@ -21,7 +21,7 @@ from fleet_tui.model.order import Order, Stop
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SendGoal, StartCharging
 from fleet_tui.rules.commands.goals import own_ids
-from fleet_tui.rules.commands.masters import own_mode
+from fleet_tui.rules.commands.masters import asked_about, own_mode
 
 PREFIX = "k"
 """Prefix of the ids of orders that are kept here: a robot's goals have hexadecimal ones."""
@@ -197,12 +197,22 @@ def _has_more(state: FleetState, robot: Robot) -> bool:
 
 def with_held_queues(state: FleetState) -> FleetState:
     """Hold the queue of each robot after an event that the operator must know of first."""
-    held = {
-        robot.name: replace(robot, held=reason)
+    changed = {
+        robot.name: now
         for robot in state.robots.values()
-        if robot.kind.keeps_goals and (reason := _held(state, robot)) != robot.held
+        if robot.kind.keeps_goals and (now := _with_held_queue(state, robot)) is not robot
     }
-    return replace(state, robots={**state.robots, **held}) if held else state
+    return replace(state, robots={**state.robots, **changed}) if changed else state
+
+
+def _with_held_queue(state: FleetState, robot: Robot) -> Robot:
+    held, accepted = _held(state, robot), robot.accepted
+    if accepted:  # one that went and comes again is another one
+        present = asked_about(state, robot)
+        accepted = tuple(text for text in accepted if text in present)
+    if (held, accepted) == (robot.held, robot.accepted):
+        return robot
+    return replace(robot, held=held, accepted=accepted)
 
 
 def _held(state: FleetState, robot: Robot) -> str:
@@ -225,8 +235,9 @@ def _reasons(state: FleetState, robot: Robot) -> Iterator[str]:
         # On another floor the same ids are other places.
         if one.before.floor and robot.floor and one.before.floor != robot.floor:
             yield f"order {one.order_id} is for {one.before.floor}, {robot.name} is on {robot.floor}"
-        # Whoever gave it saw no emergency stop and no fatal error: a new order would be asked about.
-        yield from (problem.text for problem in own_mode(state, robot, one.command))
+        # Nobody was asked about an emergency stop or a fatal error since: a new order would be.
+        against = (problem.text for problem in own_mode(state, robot, one.command))
+        yield from (text for text in against if text not in robot.accepted)
     sent = [one for one in orders_of(state, robot) if one.stage is not Stage.WAITING]
     before = max(sent, key=lambda one: one.time_of(Stage.SENT) or one.issued_at, default=None)
     if before is None or not before.is_decided or before.has_open_order or before.at <= robot.released_at:

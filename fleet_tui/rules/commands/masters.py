@@ -46,6 +46,12 @@ def own_mode(state: FleetState, robot: Robot, command: Command) -> Iterator[Prob
                 yield Problem("fault", text, blocks=False)
 
 
+def asked_about(state: FleetState, robot: Robot) -> tuple[str, ...]:
+    """Return what an operator is asked about before an order to a vehicle, as it is now."""
+    found = own_mode(state, robot, PlaceOrder(robot.name, ()))
+    return tuple(problem.text for problem in found if not problem.blocks)
+
+
 def foreign_pause(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """Check that a pause that is lifted is our own: another one may be a person at the vehicle."""
     is_resumed = isinstance(command, ResumeRobot) and robot.vehicle is not None

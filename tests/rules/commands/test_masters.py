@@ -21,7 +21,7 @@ from fleet_tui.rules.commands.checks import problems
 from fleet_tui.rules.commands.local_queue import next_to_send
 from tests.support.fleets import commanded
 from tests.support.vda_fleet import VehicleSite
-from tests.support.vda_messages import message, node, state
+from tests.support.vda_messages import error, message, node, state
 
 ORDER = PlaceOrder("agv", at_vertices("n0"))
 
@@ -93,3 +93,25 @@ def test_an_order_that_waits_here_leaves_after_no_stop_that_nobody_was_asked_abo
     found.read("state", state())
     found.wait(0.1)
     assert next_to_send(found.state, found.agv) is None and found.agv.held == told
+
+
+@pytest.mark.parametrize("by", ["the order", "a resume"])
+def test_an_order_that_waits_here_leaves_despite_a_fault_that_was_asked_about(by: str) -> None:
+    fatal: dict[str, Any] = {"errors": [error("FATAL", "lift")]}
+    found = site(**(fatal if by == "the order" else {}))
+    found.apply(*commanded(1, ORDER, Stage.WAITING, at=found.now))
+    found.read("state", state(**fatal))
+    found.wait(0.1)
+    if by == "a resume":
+        assert found.agv.held == "agv reports fatal lift"
+        found.apply(
+            *commanded(2, ResumeRobot("agv"), Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED, at=found.now)
+        )
+        found.wait(0.1)
+    following = next_to_send(found.state, found.agv)
+    assert following is not None and following.id == 1 and found.agv.held == ""
+    found.read("state", state())
+    found.wait(0.1)
+    found.read("state", state(**fatal))
+    found.wait(0.1)
+    assert found.agv.held == "agv reports fatal lift", "it went, and came again"
