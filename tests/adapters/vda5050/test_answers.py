@@ -17,6 +17,7 @@ from fleet_tui.model.commands import (
     Stage,
 )
 from fleet_tui.model.order import at_vertices
+from fleet_tui.model.set_up.commands import StartCharging
 from tests.support.vda_messages import error, node, state
 
 ORDER = PlaceOrder("agv", at_vertices("a"))
@@ -92,6 +93,14 @@ def test_a_pause_is_seen_in_its_field_or_by_its_action(command: Command, wanted:
     assert said(command, paused=None, actionStates=action("RUNNING")) == (Stage.SENT, "")
     failed = action("FAILED", resultDescription="no")
     assert said(command, paused=None, actionStates=failed) == (Stage.REFUSED, "no")
+
+
+def test_the_start_of_a_charge_is_seen_in_its_field_or_by_its_action() -> None:
+    power, command = {"batteryCharge": 50.0}, StartCharging("agv")
+    assert said(command, batteryState={**power, "charging": True}) == (Stage.ACCEPTED, "")
+    assert said(command, batteryState={**power, "charging": False}) is None
+    finished = action("FINISHED")
+    assert said(command, batteryState=power, actionStates=finished) == (Stage.CONFIRMED, "action finished")
 
 
 @pytest.mark.parametrize("command", [CLEAR, CancelOrder("agv", "o")])
