@@ -3,7 +3,7 @@
 from typing import Any
 
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.order import route_text
+from fleet_tui.model.order import Order, route_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.local_queue import foreign, waiting_orders_of
 from fleet_tui.situation.robots import adrift
@@ -24,9 +24,7 @@ def navigation(state: FleetState, robot: Robot) -> dict[str, Any]:
         found["localisation_silent_s"] = _silence(state, robot) if estimate else None
         found["position_variance_m2"] = round(robot.variance.value, 3) if robot.variance else None
     if robot.kind.keeps_goals:
-        found["kept_here"] = [
-            _kept(robot, order.id, order.stops) for order in waiting_orders_of(state, robot)
-        ]
+        found["kept_here"] = [_kept(robot, order) for order in waiting_orders_of(state, robot)]
         found["held"] = robot.held or None
         found["not_ours"] = [order.id for order in foreign(state, robot)]
     return found
@@ -36,8 +34,9 @@ def _silence(state: FleetState, robot: Robot) -> float | None:
     return round(state.now - robot.located_at, 1) if robot.located_at is not None else None
 
 
-def _kept(robot: Robot, id_: str, stops: Any) -> dict[str, Any]:
-    return {"id": id_, "mission": route_text(stops, lambda vertex: robot.name_of(vertex) or vertex)}
+def _kept(robot: Robot, order: Order) -> dict[str, Any]:
+    way = route_text(order.stops, lambda vertex: robot.name_of(vertex) or vertex)
+    return {"id": order.id, "mission": order.label or way}
 
 
 def _progress(state: FleetState, robot: Robot) -> dict[str, Any] | None:

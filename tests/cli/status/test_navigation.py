@@ -10,6 +10,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.navigation import Blocked, Progress
 from fleet_tui.model.robot import Reading
+from fleet_tui.model.set_up.commands import StartCharging
 from tests.support.fleets import (
     R0,
     T0,
@@ -56,6 +57,8 @@ def test_orders_that_wait_here_and_orders_of_others() -> None:
     found = values(state, held="previous order: failed")
     assert found["kept_here"] == [{"id": "k1", "mission": "1 -> Store"}]
     assert (found["held"], found["not_ours"]) == ("previous order: failed", ["7"])
+    charge = reduced(site(), *commanded(1, StartCharging(R0), Stage.WAITING))
+    assert values(charge)["kept_here"] == [{"id": "k1", "mission": "start charging"}]
 
 
 def test_progress_is_that_of_an_order_and_fresh() -> None:
