@@ -1,5 +1,6 @@
 """A console on a real broker, and a simple vehicle that a test speaks for."""
 
+import asyncio
 import json
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
@@ -38,9 +39,10 @@ class SpokenFor:
         return [json.loads(one) for one in self.peer.told_on(f"{BASE}/instantActions")]
 
     async def next(self, name: str, count: int = 1) -> dict[str, Any]:
-        """The newest of so many messages of a topic."""
+        """The newest of so many messages of a topic, once whoever sent it has done all else as well."""
         topic = f"{BASE}/{name}"
         await until(lambda: len(self.peer.told_on(topic)) >= count)
+        await asyncio.sleep(0.001)  # it passes when all wait
         found: dict[str, Any] = json.loads(self.peer.told_on(topic)[count - 1])
         return found
 

@@ -39,7 +39,7 @@ class WatchedStore(Store):
         """Wait until the state is as wanted; the test fails if it never is."""
         try:
             async with asyncio.timeout(within):
-                while not holds(self.state):
+                while not self._holds(holds):
                     self._told.clear()
                     # A screen may change without an event: that of a stopped replay.
                     with suppress(TimeoutError):
@@ -49,6 +49,12 @@ class WatchedStore(Store):
             commands = [(one.command, one.stage, one.detail) for one in self.state.commands]
             raise TimeoutError(f"never so: {self.events[-9:]} {commands}") from None
         return self.state
+
+    def _holds(self, holds: Callable[[FleetState], object]) -> bool:
+        try:
+            return bool(holds(self.state))
+        except (LookupError, StopIteration):  # what is asked about is not there yet
+            return False
 
     def told(self, kind: type[Event]) -> list[Event]:
         """The events of a kind, in order."""
