@@ -43,6 +43,7 @@ EVERYWHERE = {
     "acknowledge_all": "alarms",
     "bundle": "notice",
     "say_quit": "notice",
+    "charge": "notice",
     "facilities": "notice",
     **dict.fromkeys(("edit", "drive", "pose", "goal", "mapping", "laser", "path", "camera"), "answer"),
     "filter_rows": "overlay",

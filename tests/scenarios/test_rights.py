@@ -9,6 +9,7 @@ import shutil
 import subprocess
 import sys
 import sysconfig
+import tempfile
 from collections.abc import AsyncIterator, Iterator
 from pathlib import Path
 
@@ -66,11 +67,19 @@ def interpreter(paths: str) -> str:
 
 
 @pytest.fixture
-def rights(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+def place() -> Iterator[Path]:
+    """A folder that everybody may enter: any other run of pytest closes its own again."""
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder).chmod(0o755)
+        yield Path(folder)
+
+
+@pytest.fixture
+def rights(place: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     """Let `fleet-tui` run as nobody, below a file of rights that names somebody else."""
     if reason := can_be_nobody():
         pytest.skip(reason)
-    etc = tmp_path / "etc"
+    etc = place / "etc"
     (etc / "fleet-tui").mkdir(parents=True, mode=0o755)
     for name in NEEDED:
         place = Path("/etc") / name
@@ -78,7 +87,7 @@ def rights(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
             shutil.copy(place, etc)
     file = etc / "fleet-tui" / "rights.toml"
     file.write_text('[dispatch]\nusers = ["ana"]\n')
-    wrapper = tmp_path / "python"
+    wrapper = place / "python"
     wrapper.write_text(AS_NOBODY)
     wrapper.chmod(0o755)
     monkeypatch.setenv("ETC", str(etc))
@@ -91,16 +100,13 @@ def rights(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     for name in ("USER", "LOGNAME", "SUDO_USER"):
         monkeypatch.setenv(name, "ana")  # which count for nothing
     monkeypatch.setattr(sys, "executable", str(wrapper))
-    for folder in (tmp_path, *tmp_path.parents[:-2]):
-        if folder.stat().st_uid == os.getuid():
-            folder.chmod(folder.stat().st_mode | 0o555)
     yield file
 
 
 @pytest.fixture
-async def site(server: RosbridgeServer, rights: Path, tmp_path: Path) -> AsyncIterator[Path]:
+async def site(server: RosbridgeServer, rights: Path, place: Path) -> AsyncIterator[Path]:
     """Return a home of nobody, with a configuration."""
-    home = tmp_path / "home"
+    home = place / "home"
     home.mkdir()
     config = config_file(home, server.url, robots=2, floors=2)
     config.write_text(config.read_text() + PROGRAM + '[operator]\nname = "ana"\n')

@@ -29,7 +29,7 @@ _DATA = (
 )
 DATA = frozenset(_DATA.split(" "))
 """Names of the simulated fleet, keys, and what is typed or in a file as it is."""
-OWN_WORDS = re.compile(r"robot_\d: |: (WARN|ERROR) |REJECTED|simulator|[\d:]{8} [A-Z]+ ")
+OWN_WORDS = re.compile(r"robot_\d: |: (WARN|ERROR) |REJECTED|simulator|[\d:]{8} +[A-Z]+ ")
 """A line with what a robot itself says, or of the log."""
 EXAMPLE = re.compile(
     r"[ │]*(order|clear|pause|resume|cancel|claim|close|note|save|settle|goto|localise|robot_\d) "
