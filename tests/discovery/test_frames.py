@@ -3,11 +3,8 @@
 import asyncio
 import time
 
-import pytest
-
 from fleet_tui.adapters.discovery import Discovery
 from fleet_tui.config.schema import Link
-from fleet_tui.discovery import frames
 from fleet_tui.discovery.frames import collect_frames
 from fleet_tui.discovery.recognition import Found
 from fleet_tui.discovery.wire import BridgeConnection
@@ -36,9 +33,8 @@ async def test_each_robot_that_is_online_has_the_frame_of_its_poses(server: Rosb
 
 
 async def test_a_silent_robot_has_none_and_one_of_another_type_is_not_listened_to(
-    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+    server: RosbridgeServer,
 ) -> None:
-    monkeypatch.setattr(frames, "WITHIN", 0.5)
     server.bridge.muted.add("/robot_0/pose")
     types = {"/robot_0/pose": POSE, "/robot_1/pose": "std_msgs/String"}
     assert await received(server, types) == {}

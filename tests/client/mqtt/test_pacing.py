@@ -1,12 +1,11 @@
 """Of a large fleet on a broker, only the vehicles that are looked at send their frequent positions."""
 
+import asyncio
 from pathlib import Path
 
-import pytest
-
 from fleet_tui.config.load import from_text
-from fleet_tui.rules.rates import plan
 from fleet_tui.rules.rates.attention import Attention
+from fleet_tui.rules.rates.plan import HOLD
 from tests.support.broker import broker_in
 from tests.support.links import linked
 from tests.support.polling import until
@@ -17,10 +16,7 @@ from tests.support.vda_messages import BASE, message, position
 OTHER = ONE.replace('"agv"', '"agv_2"').replace("0001", "0002")
 
 
-async def test_positions_are_subscribed_while_their_vehicle_is_looked_at(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(plan, "HOLD", 0.2)
+async def test_positions_are_subscribed_while_their_vehicle_is_looked_at(tmp_path: Path) -> None:
     with broker_in(tmp_path) as broker:
         vehicle = SpokenFor(broker)
         text = config_text(broker.url, "watch", robots=f"{ONE}\n{OTHER}\n[rates]\nfull_up_to = 1")
@@ -34,6 +30,7 @@ async def test_positions_are_subscribed_while_their_vehicle_is_looked_at(
                 vehicle.say()
 
             await store.until(lambda state: state.robots["agv"].connection)
+            await asyncio.sleep(2 * HOLD)  # nobody is looked at before the link is there
             say()
             await store.until(lambda _: states.count)
             assert not positions.count

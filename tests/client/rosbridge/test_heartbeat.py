@@ -65,9 +65,8 @@ async def test_an_answer_to_a_command_is_life_at_once(
 
 @pytest.mark.parametrize("rosapi_returns", [True, False])
 async def test_a_master_that_is_back_without_its_nodes_is_told_until_they_are(
-    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch, rosapi_returns: bool
+    server: RosbridgeServer, rosapi_returns: bool
 ) -> None:
-    monkeypatch.setattr(heartbeat, "EVERY", 0.1)
     async with linked(config_of(server.url, 2)) as (_, store):
         await store.until(ready)
         server.bridge.services.master_alive = False
@@ -90,9 +89,8 @@ async def test_a_master_that_is_back_without_its_nodes_is_told_until_they_are(
 
 
 async def test_a_console_that_comes_after_a_restart_of_the_master_says_that_no_command_gets_through(
-    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+    server: RosbridgeServer,
 ) -> None:
-    monkeypatch.setattr(heartbeat, "EVERY", 0.1)
     own = dict(server.bridge.services.answers)
     play(server, [("lost-master", "robot_0")])
     async with linked(config_of(server.url, 1)) as (link, store):
@@ -145,11 +143,8 @@ async def more_beats(store: WatchedStore, beats: RoundTrips) -> None:
 
 
 async def test_a_bridge_that_is_half_dead_is_told_as_that_and_no_robot_is_blamed(
-    nav2: RosbridgeServer, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+    nav2: RosbridgeServer, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr(heartbeat, "EVERY", 0.1)
-    monkeypatch.setattr(heartbeat, "QUICK", 0.2)
-    monkeypatch.setattr(heartbeat, "HALF_DEAD_AFTER", 1.0)
     config = demo_config(Config(), nav2.url, 1, 1, "2", "nav2", tmp_path)
     async with linked(config) as (_, store):
         await store.until(lambda state: state.robots["robot_0"].pose)
@@ -184,10 +179,8 @@ async def test_a_fleet_that_has_nothing_to_say_has_no_half_dead_bridge(
 
 
 async def test_a_bridge_that_does_not_allow_the_heartbeat_is_neither_half_dead_nor_without_rosapi(
-    ros_2: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+    ros_2: RosbridgeServer,
 ) -> None:
-    monkeypatch.setattr(heartbeat, "QUICK", 0.2)
-    monkeypatch.setattr(heartbeat, "TIMEOUT", 0.5)
     ros_2.bridge.allowed["service"] = ("/robot_0/*",)
     async with linked(demo_config(Config(), ros_2.url, 1, 1, "2")) as (_, store):
         await store.until(lambda state: state.robots["robot_0"].pose)

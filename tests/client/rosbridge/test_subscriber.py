@@ -3,11 +3,9 @@
 import json
 
 import msgspec
-import pytest
 from websockets.asyncio.client import connect
 
 from fleet_tui.cli.status.report import attention
-from fleet_tui.client.rosbridge import renewals
 from fleet_tui.config.schema import Config
 from fleet_tui.demo import demo_config
 from fleet_tui.model.link import Phase
@@ -100,11 +98,8 @@ async def test_a_topic_that_died_alone_is_subscribed_again_without_the_others(
     assert asked == {"/robot_0/battery"}
 
 
-async def test_a_bridge_that_lost_its_subscriptions_is_to_blame_and_no_robot(
-    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
-) -> None:
+async def test_a_bridge_that_lost_its_subscriptions_is_to_blame_and_no_robot(server: RosbridgeServer) -> None:
     """After a restart of roscore, while another client holds every topic."""
-    monkeypatch.setattr(renewals, "FIRST_RENEWAL", 6.0)
     async with linked(config_of(server.url, 2)) as (_, store), connect(server.url) as other:
         await store.until(ready)
         held = [name for name in server.bridge.subscribed() if name.startswith("/robot_0/")]
