@@ -1,8 +1,9 @@
 """Facts: something that is wrong now, and its kind, the row of a table that says how it is told."""
 
+import math
 from typing import NamedTuple
 
-from fleet_tui.model.alarm import Priority
+from fleet_tui.model.alarm import Condition, Priority
 
 
 class AlarmClass(NamedTuple):
@@ -53,3 +54,8 @@ class Fact(NamedTuple):
     def action(self) -> str:
         """Return what a person is to do."""
         return self.remedy or self.kind.alarm.action
+
+    def condition(self, due: float = -math.inf) -> Condition:
+        """Return it as what becomes an alarm at a monotonic second."""
+        kind = self.kind
+        return Condition(self.source, kind.name, self.priority, self.text, kind.over, due, remedy=self.remedy)

@@ -84,6 +84,7 @@ ADRIFT = OLD_STAMPS._replace(
     alarm=OLD_STAMPS.alarm._replace(
         action="Pause it, and check its localisation: the node (amcl, slam_toolbox) and the laser"
     ),
+    keys=("pause", *OLD_STAMPS.keys),
 )
 REPEATED_POSE = OLD_STAMPS._replace(word="poses repeat at rest")
 BAD_DATA = FactKind(

@@ -66,7 +66,7 @@ def _blocked(
         return None
     if not is_fresh(state, robot, fact) and not was_active(active, robot.name, robot.link, fact.kind.name):
         return None
-    return _condition(fact, fact.since + state.limits.obstacle_after)
+    return fact.condition(fact.since + state.limits.obstacle_after)
 
 
 def battery(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
@@ -103,9 +103,9 @@ def pause(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
     since = state.began.get((robot.name, "pause"), state.now)
     fact = moves_despite_pause(state, robot)
     if fact is not None and fact.priority is Priority.HIGH:
-        return _condition(fact._replace(remedy=fact.action), fact.since)
+        return fact._replace(remedy=fact.action).condition(fact.since)
     if fact is not None and fact.kind is DESPITE_PAUSE:
-        return _condition(fact, math.inf)  # it needs no alarm, and is not paused for long
+        return fact.condition(math.inf)  # it needs no alarm, and is not paused for long
     text = f"paused for {age(state.now - since)}"
     if not state.is_paused(robot) and robot.paused is not None:
         text = f"pause last reported {age(state.now - robot.paused.at)} ago"
@@ -178,12 +178,6 @@ def dead_commands(state: FleetState, link: LinkState, active: ActiveConditions) 
     return Condition(link.name, "commands", Priority.HIGH, text, over, remedy=remedy)
 
 
-def _condition(fact: Fact, due: float) -> Condition:
-    """Return a fact as what becomes an alarm at a monotonic second."""
-    kind = fact.kind
-    return Condition(fact.source, kind.name, fact.priority, fact.text, kind.over, due, remedy=fact.remedy)
-
-
 def offline(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
     """Raise after silence for longer than the limit, pending from half of it.
 
@@ -203,26 +197,26 @@ def offline(state: FleetState, robot: Robot, active: ActiveConditions) -> Condit
     link = state.links[robot.link]
     if state.is_online(robot) if raised else (link.phase is not Phase.UP or link.hides(robot.name)):
         return None
-    return _condition(fact, (last or 0.0) + limit if raised else fact.since)
+    return fact.condition((last or 0.0) + limit if raised else fact.since)
 
 
 def behind(state: FleetState) -> Condition | None:
     """Raise if this console does not keep up with incoming messages for a while."""
     fact = links.behind(state)
-    return None if fact is None else _condition(fact, fact.since + BEHIND_FOR)
+    return None if fact is None else fact.condition(fact.since + BEHIND_FOR)
 
 
 def late(state: FleetState, link: LinkState, _active: ActiveConditions) -> Condition | None:
     """Raise if a bridge is late for a while."""
     fact = links.late_link(state, link)
-    return None if fact is None else _condition(fact, fact.since + BEHIND_FOR)
+    return None if fact is None else fact.condition(fact.since + BEHIND_FOR)
 
 
 def unsourced(state: FleetState, link: LinkState, _active: ActiveConditions) -> Condition | None:
     """Raise if the bridge can't read the robots' messages: the commonest mistake in setting it up; if it
     lost its subscriptions, or allows none."""
     if (fact := links.lost_subscriptions(link) or links.not_allowed(link)) is not None:
-        return _condition(fact, -math.inf)
+        return fact.condition()
     if link.phase is not Phase.UP or not link.unsourced:
         return None
     return Condition(link.name, "messages", Priority.HIGH, link.unsourced_text, "message types available")

@@ -1,7 +1,5 @@
 """Alarm rules for navigating robots: lost on its map, silent, orders held or failed."""
 
-import math
-
 from fleet_tui.model.alarm import Condition, Priority
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
@@ -29,10 +27,7 @@ def not_sure_where(state: FleetState, robot: Robot, active: ActiveConditions) ->
     if (lost := _pose_lost(state, robot, active)) is not None:
         return lost
     if (fact := adrift(state, robot)) is not None:
-        due = fact.since + ADRIFT_AFTER
-        return Condition(
-            robot.name, fact.kind.name, fact.priority, fact.text, fact.kind.over, due, remedy=fact.remedy
-        )
+        return fact.condition(fact.since + ADRIFT_AFTER)
     if robot.variance is None and robot.misplaced is None:
         return None
     was_lost = was_active(active, robot.name, robot.link, "localisation")
@@ -90,14 +85,10 @@ def held_orders(state: FleetState, robot: Robot, _active: ActiveConditions) -> C
 
 def silent(state: FleetState, robot: Robot, _active: ActiveConditions) -> Condition | None:
     """Raise while its navigation is not active, or once it says nothing of the current order any more."""
-    fact = inactive(state, robot)
-    due = fact.since + STARTS_WITHIN if fact is not None else -math.inf
-    fact = fact or silent_navigation(state, robot)
-    if fact is None:
-        return None
-    return Condition(
-        robot.name, fact.kind.name, fact.priority, fact.text, fact.kind.over, due, remedy=fact.remedy
-    )
+    if (fact := inactive(state, robot)) is not None:
+        return fact.condition(fact.since + STARTS_WITHIN)
+    fact = silent_navigation(state, robot)
+    return None if fact is None else fact.condition()
 
 
 def failed_order(state: FleetState, robot: Robot, _active: ActiveConditions) -> Condition | None:

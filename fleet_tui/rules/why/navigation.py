@@ -6,7 +6,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.causes import HELD_FAST
 from fleet_tui.rules.commands.local_queue import orders_to_save
 from fleet_tui.rules.localisation.uncertainty import uncertainty
-from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, mission
+from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, mission, reason_of
 from fleet_tui.situation.navigation import inactive, silent_navigation
 from fleet_tui.situation.robots import adrift, drives_on
 
@@ -43,43 +43,26 @@ def not_sure_where(state: FleetState, robot: Robot) -> Reason | None:
 
 def estimated(state: FleetState, robot: Robot) -> Reason | None:
     """Report that its localisation is silent while its wheels count on."""
-    if (fact := adrift(state, robot)) is None:
-        return None
-    keys = ("pause", *fact.kind.keys)
-    return Reason(fact.short, fact.evidence, Strength.LIKELY, seen=fact.seen, keys=keys, remedy=fact.remedy)
+    fact = adrift(state, robot)
+    return None if fact is None else reason_of(fact, Strength.LIKELY)
 
 
 def still_driving(state: FleetState, robot: Robot) -> Reason | None:
     """Report that it drives on without the order that failed."""
-    if (fact := drives_on(state, robot)) is None:
-        return None
-    name, keys = fact.kind.word, fact.kind.keys
-    return Reason(name, fact.evidence, since=fact.since, seen=fact.seen, keys=keys, remedy=fact.remedy)
+    fact = drives_on(state, robot)
+    return None if fact is None else reason_of(fact, since=fact.since)
 
 
 def not_active(state: FleetState, robot: Robot) -> Reason | None:
     """Report that its navigation is not active, and what it waits for."""
-    if (fact := inactive(state, robot)) is None:
-        return None
-    return Reason(
-        fact.text,
-        fact.evidence,
-        since=fact.since,
-        seen=fact.seen,
-        keys=fact.kind.keys,
-        remedy=fact.remedy,
-        page=fact.kind.page,
-    )
+    fact = inactive(state, robot)
+    return None if fact is None else reason_of(fact, since=fact.since)
 
 
 def silent(state: FleetState, robot: Robot) -> Reason | None:
     """Report that its navigation says nothing of the current order any more."""
-    if (fact := silent_navigation(state, robot)) is None:
-        return None
-    keys, page = fact.kind.keys, fact.kind.page
-    return Reason(
-        fact.short, fact.evidence, Strength.LIKELY, since=fact.since, keys=keys, remedy=fact.remedy, page=page
-    )
+    fact = silent_navigation(state, robot)
+    return None if fact is None else reason_of(fact, Strength.LIKELY, fact.since)
 
 
 def recovering(state: FleetState, robot: Robot) -> Reason | None:

@@ -9,6 +9,7 @@ from msgspec import Struct
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import Order, route_text
 from fleet_tui.model.robot import Robot
+from fleet_tui.situation.fact import Fact
 
 RECENT = 30.0
 """Seconds for which a failed command is a reason, and for which loading takes a moment."""
@@ -40,6 +41,13 @@ class Reason(Struct, frozen=True):
     keys: tuple[str, ...] = ()
     remedy: str = ""
     page: str = "topics"
+
+
+def reason_of(fact: Fact, strength: Strength = Strength.CERTAIN, since: float | None = None) -> Reason:
+    """Return a fact as the reason for standing still; `since`: without one the moment is not told."""
+    kind = fact.kind
+    name = fact.short or fact.text
+    return Reason(name, fact.evidence, strength, since, fact.seen, kind.keys, fact.action, kind.page)
 
 
 Rule = Callable[[FleetState, Robot], Reason | None]
