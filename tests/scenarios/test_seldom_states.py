@@ -63,7 +63,7 @@ async def test_who_says_yes_to_all_still_waits_for_no_longer_than_the_timeout(tm
         vehicle = SpokenFor(broker)
         done = await give(tmp_path, broker, *ORDER, "--timeout", "2", "--yes")
         assert vehicle.peer.told_on("uagv/v2/KIT/0001/order") == []
-    assert done.code == 1 and "not sent (agv: missing: state)" in done.err, done
+    assert done.code == 1 and "not sent (agv: state missing)" in done.err, done
 
 
 async def test_an_order_that_still_waits_at_the_end_of_the_timeout_is_never_sent_and_told_so(

@@ -213,7 +213,7 @@ def command(config: Config, words: Sequence[str], asked: How, as_json: bool, say
         except CommandError as wrong:
             absent = unreported(state.robots[robots[0]])
             if absent:
-                return unsent(f"{wrong}; missing: {', '.join(absent)}", NOT_DONE)
+                return unsent(f"{wrong}; {', '.join(absent)} missing", NOT_DONE)
             raise click.UsageError(sanitize(str(wrong))) from None
         if not as_json and sys.stdin.isatty():
             _ask(given, request)

@@ -194,7 +194,7 @@ class Sending:
                 is_held = "state" in absent and any(
                     isinstance(one, PlaceOrder) and one.robot == name for one in asked
                 )
-                found.append(Problem("missing", f"{name}: missing: {', '.join(absent)}", blocks=is_held))
+                found.append(Problem("missing", f"{name}: {', '.join(absent)} missing", blocks=is_held))
         return [problem for problem in found if problem.blocks or not self._how.yes]
 
     def _hold_back(self, commands: Sequence[Command], wrong: list[Problem]) -> Iterator[Outcome]:
